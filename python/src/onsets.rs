@@ -6,7 +6,7 @@ use grasp_lcp::Error;
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::{Contact, Wrench};
 use grasp_lcp::load_path::{Onset, Ramp};
-use grasp_lcp::screening::{Batch, Fingers, Pull, Screened, Verdict};
+use grasp_lcp::screening::{Batch, Fingers, Pull, Screened, ScreeningVerdict};
 use grasp_lcp::sweep::map_in_order;
 use numpy::ndarray::ArrayView2;
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray2};
@@ -245,10 +245,10 @@ impl Found {
     #[inline]
     fn set(&mut self, place: usize, answer: &Screened, contacts: usize) {
         let (status, factor) = match answer.verdict() {
-            Verdict::Leaves => (Status::Leaves, answer.factor().unwrap_or(f64::NAN)),
-            Verdict::Never => (Status::Never, f64::INFINITY),
-            Verdict::NotSticking => (Status::NotSticking, f64::NAN),
-            Verdict::GivesWay => (Status::GivesWay, f64::NAN),
+            ScreeningVerdict::Leaves => (Status::Leaves, answer.factor().unwrap_or(f64::NAN)),
+            ScreeningVerdict::Never => (Status::Never, f64::INFINITY),
+            ScreeningVerdict::NotSticking => (Status::NotSticking, f64::NAN),
+            ScreeningVerdict::GivesWay => (Status::GivesWay, f64::NAN),
             _ => (Status::Unclear, f64::NAN),
         };
         (self.factor[place], self.status[place]) = (factor, status as u8);

@@ -32,7 +32,6 @@ mod frames;
 mod hand;
 mod inside;
 mod motion;
-mod part;
 mod pressure;
 mod remembered;
 mod rigid_motion;
@@ -41,6 +40,7 @@ mod site;
 mod stiffness;
 mod support;
 mod well_posed;
+mod whole_contact;
 mod wrench;
 
 #[cfg(feature = "serde")]
@@ -54,8 +54,6 @@ pub(crate) use hand::JointMotion;
 pub(crate) use hand::{Drive, Linkage, Named, Owner, Role};
 pub use hand::{Finger, Hand, HandPart, Joint, Limit, PartLabel, Tendon};
 pub use motion::Motion;
-pub use part::Part;
-pub(crate) use part::Parts;
 pub use pressure::Pressure;
 pub(crate) use remembered::Remembered;
 pub(crate) use rotation::{
@@ -64,4 +62,6 @@ pub(crate) use rotation::{
 };
 pub(crate) use site::{Site, size_of};
 pub(crate) use stiffness::Stiffness;
+pub use whole_contact::WholeContact;
+pub(crate) use whole_contact::WholeContacts;
 pub use wrench::{Twist, Wrench};

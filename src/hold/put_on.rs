@@ -3,7 +3,7 @@
 use crate::contact::{Polygon, WEIGHTLESS};
 use crate::equilibrium::{ContactState, Equilibrium, Outcome};
 use crate::error::{Error, is_moderate};
-use crate::grasp::{Coordinates, Engine, Parts};
+use crate::grasp::{Coordinates, Engine, WholeContacts};
 use crate::load_path::{Departure, Leg, Loss, Onset, PathEnd, Ramp};
 use crate::numerics::Size;
 use crate::object::Load;
@@ -70,7 +70,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         if state.contacts.iter().all(|contact| contact.force.norm() == 0.0) {
             return Holding::Loose;
         }
-        let parts = Parts::of(self.contacts()).with(has_slid);
+        let parts = WholeContacts::of(self.contacts()).with(has_slid);
         if parts.is_empty() && first_slip.is_none_or(|first| first.factor > 1.0) {
             Holding::Sticks
         } else {
@@ -79,7 +79,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 
     fn first_slip(&self, onset: &Onset<C>) -> Option<FirstSlip> {
-        let parts = Parts::of(self.contacts());
+        let parts = WholeContacts::of(self.contacts());
         match onset {
             Onset::At(event) => {
                 let leaves = |slides: bool| {
@@ -118,7 +118,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let touches =
             |i: usize| presses(i) || of(i).is_some_and(|contact| contact.gap <= SHUT * self.length());
         let slides = |i: usize| loss.contacts.iter().any(|contact| contact.index == i) && presses(i);
-        let parts = Parts::of(self.contacts());
+        let parts = WholeContacts::of(self.contacts());
         Lost {
             factor,
             kind: loss.kind,

@@ -1,7 +1,7 @@
 //! What becomes of a load that is put on from rest.
 
 use crate::equilibrium::{Equilibrium, NoEquilibrium};
-use crate::grasp::{Motion, Part, PartLabel, Wrench};
+use crate::grasp::{Motion, PartLabel, WholeContact, Wrench};
 use crate::load_path::LossKind;
 use crate::search::Doubt;
 #[cfg(feature = "serde")]
@@ -69,7 +69,7 @@ pub enum Holding<const C: usize> {
     /// It is held, and these contacts slide under it or have slid on the way.
     Slides {
         /// Which.
-        contacts: Vec<Part>,
+        contacts: Vec<WholeContact>,
     },
     /// No contact carries anything: the object lies loose between the fingers, and nothing pulls.
     Loose,
@@ -95,10 +95,10 @@ pub struct FirstSlip {
     pub factor: f64,
     /// Contacts that slide from there on.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
-    pub slide: Vec<Part>,
+    pub slide: Vec<WholeContact>,
     /// Contacts that open.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
-    pub open: Vec<Part>,
+    pub open: Vec<WholeContact>,
     /// Joints and tendons that give way, by the names they have.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub give_way: Vec<String>,
@@ -119,7 +119,7 @@ pub struct Lost<const C: usize> {
     pub way_out: WayOut<C>,
     /// Contacts that slide there.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
-    pub slide: Vec<Part>,
+    pub slide: Vec<WholeContact>,
     /// Whether all contacts that press slide: gross slip.
     pub is_gross_slip: bool,
     /// Joints and tendons of a hand that have reached their limit.

@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use crate::grasp::{Contact, Motion, Part, Parts, displacement_of};
+use crate::grasp::{Contact, Motion, WholeContact, WholeContacts, displacement_of};
 use crate::numerics::{Fixed, Vector};
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
@@ -36,14 +36,14 @@ pub enum WayOut<const C: usize> {
     /// It turns about contacts that stay, and others open.
     TipsOver {
         /// The contacts that stay.
-        about: Vec<Part>,
+        about: Vec<WholeContact>,
         /// Those that open.
-        opens: Vec<Part>,
+        opens: Vec<WholeContact>,
     },
     /// It turns about contacts that stay, and others slide.
     TurnsAbout {
         /// The contacts that stay: in space a line goes through two of them.
-        about: Vec<Part>,
+        about: Vec<WholeContact>,
     },
     /// It turns about a point, in space about a line through it.
     Turns {
@@ -67,7 +67,7 @@ pub(super) fn way_out<const C: usize>(
     let Some(motion) = motion else { return WayOut::NotKnown };
     let twist = motion.object.coordinates::<Fixed<6>>();
     let velocity = |point: &SVector<f64, C>| displacement_of::<Fixed<6>, C>(point, &twist);
-    let parts = Parts::of(contacts);
+    let parts = WholeContacts::of(contacts);
     let touching = parts.with(touches);
     let places = parts.mean(|i| contacts[i].point);
     let moves: Vec<_> = places.iter().map(velocity).collect();
@@ -78,8 +78,8 @@ pub(super) fn way_out<const C: usize>(
     let reach = contacts.iter().map(|contact| (contact.point - centre).norm()).fold(0.0, f64::max);
     let spin = twist.iter().skip(C).map(|x| x * x).sum::<f64>().sqrt() * reach;
     let fastest = touching.iter().map(|part| moves[part.contact].norm()).fold(spin, f64::max);
-    let stays = |part: &Part| moves[part.contact].norm() <= STAYS * fastest;
-    let opens = |part: &Part| {
+    let stays = |part: &WholeContact| moves[part.contact].norm() <= STAYS * fastest;
+    let opens = |part: &WholeContact| {
         // Away from the finger at more than half a right angle to its surface.
         let (v, n) = (&moves[part.contact], &normals[part.contact]);
         !stays(part) && v.dot(n) > 0.5f64.sqrt() * v.norm() * n.norm()

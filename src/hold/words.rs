@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
 use super::way_out::WayOut;
-use crate::grasp::{Part, Wrench};
+use crate::grasp::{WholeContact, Wrench};
 use crate::words::{along, length, listed, number, numbers};
 
 /// What happens within this part of a load happens at once, for whoever reads it.
@@ -199,6 +199,6 @@ impl<const C: usize> fmt::Display for WayOut<C> {
 }
 
 /// Who does what: "left slides", "left and right slide".
-fn does(parts: &[Part], one: &str, many: &str) -> String {
+fn does(parts: &[WholeContact], one: &str, many: &str) -> String {
     format!("{} {}", listed(parts), if parts.len() == 1 { one } else { many })
 }

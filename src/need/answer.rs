@@ -1,7 +1,7 @@
 //! How much is needed.
 
 use crate::error::Error;
-use crate::grasp::Part;
+use crate::grasp::WholeContact;
 
 use super::question::Demand;
 
@@ -107,7 +107,7 @@ impl Amount {
 #[non_exhaustive]
 pub struct Press {
     /// The contact, or the soft fingertip.
-    pub part: Part,
+    pub part: WholeContact,
     /// Its normal force, N.
     pub force: f64,
 }

@@ -6,7 +6,7 @@ use super::trial::{Trial, try_amount};
 use crate::ask::Grasp;
 use crate::equilibrium::Outcome;
 use crate::error::Error;
-use crate::grasp::{Parts, Wrench};
+use crate::grasp::{WholeContacts, Wrench};
 
 /// From what is given amounts are doubled or halved so many times at most.
 const MOST_DOUBLINGS: usize = 20;
@@ -174,9 +174,9 @@ fn changes(
 fn presses<const C: usize>(grasp: &Grasp<C>, squeeze: f64) -> Result<Vec<Press>, Error> {
     let squeezed = grasp.squeezed(squeeze)?;
     let Outcome::Equilibrium(state) = squeezed.solve(&Wrench::ZERO)? else { return Ok(Vec::new()) };
-    let parts = Parts::of(grasp.contacts());
+    let parts = WholeContacts::of(grasp.contacts());
     let forces = parts.sum(|i| state.contacts[i].force[0]);
-    let press = |part: crate::grasp::Part| {
+    let press = |part: crate::grasp::WholeContact| {
         let force = forces[part.contact];
         Press { part, force }
     };

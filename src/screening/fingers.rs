@@ -118,7 +118,7 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Fingers, Turn, TurningPull};
-    /// use grasp_lcp::screening::Verdict;
+    /// use grasp_lcp::screening::ScreeningVerdict;
     ///
     /// // Palms that press with 10 N each hold a box of 12 N that begins on its side.
     /// let palm = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).pressed_with(10.0);
@@ -130,7 +130,7 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
     /// assert!((onset.angle().unwrap() - closed).abs() < 1e-14);
     ///
     /// let light = palms.onset_of_turn(&TurningPull::new(&Turn::tilting([0.0, -2.0], [0.0, 0.0]))?);
-    /// assert_eq!(light.verdict(), Verdict::Never);
+    /// assert_eq!(light.verdict(), ScreeningVerdict::Never);
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     #[must_use]

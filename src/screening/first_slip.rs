@@ -5,24 +5,24 @@ use std::fmt;
 /// When the first contact of one grasp stops sticking: a plain number, so that kernels choose it
 /// without a branch.
 #[derive(Clone, Copy, PartialEq)]
-pub(super) struct FirstSlip {
+pub(super) struct SlipCode {
     /// The factor or the angle, infinite if nothing leaves, or one of the codes below.
     pub(super) code: f64,
     /// Sum of 2^i over the contacts i that leave there.
     pub(super) leaving: f64,
 }
 
-/// Neither factor nor angle: [`Verdict::NotSticking`].
+/// Neither factor nor angle: [`ScreeningVerdict::NotSticking`].
 pub(super) const NOT_STICKING: f64 = -1.0;
-/// Neither factor nor angle: [`Verdict::GivesWay`].
+/// Neither factor nor angle: [`ScreeningVerdict::GivesWay`].
 pub(super) const GIVES_WAY: f64 = -2.0;
-/// Neither factor nor angle: [`Verdict::Unclear`], as what is not a number.
+/// Neither factor nor angle: [`ScreeningVerdict::Unclear`], as what is not a number.
 pub(super) const UNCLEAR: f64 = -3.0;
 
 /// How the screening of one grasp ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
-pub enum Verdict {
+pub enum ScreeningVerdict {
     /// Contacts stop sticking, at the [factor](crate::screening::Screened::factor) or the [angle](crate::screening::ScreenedTurn::angle):
     /// they slide or open.
     Leaves,
@@ -47,22 +47,22 @@ pub enum Verdict {
     Unclear,
 }
 
-impl FirstSlip {
+impl SlipCode {
     /// Not asked yet.
     pub(super) const UNKNOWN: Self = Self { code: UNCLEAR, leaving: 0.0 };
 
-    pub(super) fn verdict(self) -> Verdict {
+    pub(super) fn verdict(self) -> ScreeningVerdict {
         match self.code {
-            f64::INFINITY => Verdict::Never,
-            NOT_STICKING => Verdict::NotSticking,
-            GIVES_WAY => Verdict::GivesWay,
-            place if place > 0.0 => Verdict::Leaves,
-            _ => Verdict::Unclear,
+            f64::INFINITY => ScreeningVerdict::Never,
+            NOT_STICKING => ScreeningVerdict::NotSticking,
+            GIVES_WAY => ScreeningVerdict::GivesWay,
+            place if place > 0.0 => ScreeningVerdict::Leaves,
+            _ => ScreeningVerdict::Unclear,
         }
     }
 
     pub(super) fn place(self) -> Option<f64> {
-        (self.verdict() == Verdict::Leaves).then_some(self.code)
+        (self.verdict() == ScreeningVerdict::Leaves).then_some(self.code)
     }
 
     pub(super) fn holds_up_to(self, place: f64) -> bool {
@@ -71,7 +71,7 @@ impl FirstSlip {
     }
 
     pub(super) fn leaving(self) -> impl Iterator<Item = usize> + use<> {
-        let leaving = if self.verdict() == Verdict::Leaves { self.leaving } else { 0.0 };
+        let leaving = if self.verdict() == ScreeningVerdict::Leaves { self.leaving } else { 0.0 };
         (0..5_u8).filter(move |&i| (leaving / f64::from(1 << i)).floor() % 2.0 == 1.0).map(usize::from)
     }
 

@@ -19,7 +19,7 @@
 //! ```
 //!
 //! The method of the whole finds the same wherever every contact sticks to begin with and the numbers
-//! are not extreme. Elsewhere screening says why it has no answer ([`Verdict`], [`SqueezeVerdict`])
+//! are not extreme. Elsewhere screening says why it has no answer ([`ScreeningVerdict`], [`SqueezeVerdict`])
 //! and leaves the question to it. Screening does not ask what comes beyond the onset.
 //!
 //! One scene at a time: [`Fingers`]. Many under common loads: [`Batch`], and on all cores
@@ -61,7 +61,7 @@ mod verdict;
 pub use batch::Batch;
 pub(crate) use batch::Part;
 pub use fingers::Fingers;
-pub use first_slip::Verdict;
+pub use first_slip::ScreeningVerdict;
 pub use load_cases::LoadCases;
 pub use pull::Pull;
 pub(crate) use question::ScreeningQuestion;

@@ -1,7 +1,7 @@
 //! The load on a grasp in screening.
 
 use super::first_exit::judge;
-use super::first_slip::FirstSlip;
+use super::first_slip::SlipCode;
 use super::question::{Scenes, ScreeningQuestion};
 use super::screened::Screened;
 use crate::error::Error;
@@ -33,7 +33,7 @@ impl<const C: usize> Pull<C> {
 
 impl<const D: usize, const C: usize> ScreeningQuestion<D, C> for Pull<C> {
     type Answer = Screened;
-    const UNKNOWN: Screened = Screened(FirstSlip::UNKNOWN);
+    const UNKNOWN: Screened = Screened(SlipCode::UNKNOWN);
 
     #[inline(always)]
     fn ask<const N: usize, const L: usize>(&self, scenes: Scenes<'_, D, C, N, L>) -> [Screened; L] {

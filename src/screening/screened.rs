@@ -2,17 +2,17 @@
 
 use std::fmt;
 
-use super::first_slip::{FirstSlip, Verdict};
+use super::first_slip::{ScreeningVerdict, SlipCode};
 
 /// The onset of sliding of one grasp as a load grows, or why screening does not know it.
 #[derive(Clone, Copy, PartialEq)]
-pub struct Screened(pub(super) FirstSlip);
+pub struct Screened(pub(super) SlipCode);
 
 /// The onset of sliding of one grasp as a load turns, or why screening does not know it. An angle is
 /// not a factor: this type has no factor.
 #[derive(Clone, Copy, PartialEq)]
 pub struct ScreenedTurn {
-    pub(super) first: FirstSlip,
+    pub(super) first: SlipCode,
     /// How far is asked, rad; infinite for a full turn, beyond which nothing new comes.
     pub(super) most: f64,
 }
@@ -20,12 +20,12 @@ pub struct ScreenedTurn {
 impl Screened {
     /// How it ended.
     #[must_use]
-    pub fn verdict(&self) -> Verdict {
+    pub fn verdict(&self) -> ScreeningVerdict {
         self.0.verdict()
     }
 
     /// The factor of the direction at which the first contact stops sticking, positive; `None` for
-    /// every verdict but [`Verdict::Leaves`], so also where none ever does.
+    /// every verdict but [`ScreeningVerdict::Leaves`], so also where none ever does.
     #[must_use]
     pub fn factor(&self) -> Option<f64> {
         self.0.place()
@@ -39,7 +39,7 @@ impl Screened {
     }
 
     /// The contacts that leave there, counted from 0, in rising order; several if their factors
-    /// agree to twelve digits, none unless the verdict is [`Verdict::Leaves`].
+    /// agree to twelve digits, none unless the verdict is [`ScreeningVerdict::Leaves`].
     pub fn leaving(&self) -> impl Iterator<Item = usize> + use<> {
         self.0.leaving()
     }
@@ -48,12 +48,12 @@ impl Screened {
 impl ScreenedTurn {
     /// How it ended.
     #[must_use]
-    pub fn verdict(&self) -> Verdict {
+    pub fn verdict(&self) -> ScreeningVerdict {
         self.first.verdict()
     }
 
     /// The angle at which the first contact stops sticking, rad, between 0 and 2π; `None` for every
-    /// verdict but [`Verdict::Leaves`], so also where none does as far as the load turns.
+    /// verdict but [`ScreeningVerdict::Leaves`], so also where none does as far as the load turns.
     #[must_use]
     pub fn angle(&self) -> Option<f64> {
         self.first.place()
@@ -68,7 +68,7 @@ impl ScreenedTurn {
     }
 
     /// The contacts that leave there, counted from 0, in rising order; several if their angles agree
-    /// to twelve digits, none unless the verdict is [`Verdict::Leaves`].
+    /// to twelve digits, none unless the verdict is [`ScreeningVerdict::Leaves`].
     pub fn leaving(&self) -> impl Iterator<Item = usize> + use<> {
         self.first.leaving()
     }

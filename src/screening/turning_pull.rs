@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::first_slip::FirstSlip;
+use super::first_slip::SlipCode;
 use super::question::{Scenes, ScreeningQuestion};
 use super::screened::ScreenedTurn;
 use super::turning::judge;
@@ -37,7 +37,7 @@ impl<const C: usize> TurningPull<C> {
 
 impl<const D: usize, const C: usize> ScreeningQuestion<D, C> for TurningPull<C> {
     type Answer = ScreenedTurn;
-    const UNKNOWN: ScreenedTurn = ScreenedTurn { first: FirstSlip::UNKNOWN, most: 0.0 };
+    const UNKNOWN: ScreenedTurn = ScreenedTurn { first: SlipCode::UNKNOWN, most: 0.0 };
 
     #[inline(always)]
     fn ask<const N: usize, const L: usize>(&self, scenes: Scenes<'_, D, C, N, L>) -> [ScreenedTurn; L] {

@@ -1,6 +1,6 @@
 //! From what contacts do to the verdict on their grasp.
 
-use super::first_slip::{FirstSlip, GIVES_WAY, NOT_STICKING, UNCLEAR};
+use super::first_slip::{GIVES_WAY, NOT_STICKING, SlipCode, UNCLEAR};
 use super::lanes::Lanes;
 
 /// Contacts that leave at factors or angles less than this part apart leave together, as those of
@@ -27,7 +27,7 @@ pub(super) fn verdicts<A: Copy, const L: usize>(
     &Start { margin, sure, free }: &Start<L>,
     unbalanced: Lanes<L>,
     freed: Lanes<L>,
-    answer: impl Fn(FirstSlip) -> A,
+    answer: impl Fn(SlipCode) -> A,
 ) -> [A; L] {
     let zero = Lanes::ZERO;
     // Where there are no forces this is not a number; what never leaves has a margin of zero, as
@@ -39,9 +39,9 @@ pub(super) fn verdicts<A: Copy, const L: usize>(
     // What the smaller may be off is at most their difference.
     let code = (sure - margin).above(margin, Lanes::all(NOT_STICKING), code);
     let code = free.above(zero, Lanes::all(GIVES_WAY), code);
-    let mut verdicts = [answer(FirstSlip::UNKNOWN); L];
+    let mut verdicts = [answer(SlipCode::UNKNOWN); L];
     for lane in 0..L {
-        verdicts[lane] = answer(FirstSlip { code: code.0[lane], leaving: leaving.0[lane] });
+        verdicts[lane] = answer(SlipCode { code: code.0[lane], leaving: leaving.0[lane] });
     }
     verdicts
 }

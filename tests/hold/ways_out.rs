@@ -14,7 +14,7 @@ fn box_on_feet() -> Result<Grasp, grasp_lcp::Error> {
     Grasp::new([foot(-0.05, "left"), foot(0.05, "right")])
 }
 
-fn names(parts: &[grasp_lcp::grasp::Part]) -> Vec<&str> {
+fn names(parts: &[grasp_lcp::grasp::WholeContact]) -> Vec<&str> {
     parts.iter().map(|part| part.label.as_str()).collect()
 }
 

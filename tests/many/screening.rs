@@ -8,7 +8,7 @@ use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::ContactState;
 use grasp_lcp::grasp::{Contact, Wrench};
 use grasp_lcp::load_path::{Onset, Ramp};
-use grasp_lcp::screening::{Batch, Fingers, Pull, Screened, Verdict};
+use grasp_lcp::screening::{Batch, Fingers, Pull, Screened, ScreeningVerdict};
 use grasp_lcp::sweep::onsets_of_batch;
 use grasp_lcp::{planar, spatial};
 use nalgebra::SVector;
@@ -32,7 +32,7 @@ fn check<const D: usize, const C: usize, const N: usize>(
         count(tally, "whole undecided");
     }
     match (screened.verdict(), &onset) {
-        (Verdict::Leaves, Onset::At(event)) => {
+        (ScreeningVerdict::Leaves, Onset::At(event)) => {
             let factor = screened.factor().unwrap();
             prop_assert!((factor - event.factor).abs() <= close * event.factor, "{factor} {}", event.factor);
             prop_assert!(screened.holds_up_to(0.999 * factor) && !screened.holds_up_to(1.001 * factor));
@@ -44,12 +44,12 @@ fn check<const D: usize, const C: usize, const N: usize>(
                 );
             }
         }
-        (Verdict::Never, Onset::Never) => prop_assert!(screened.holds_up_to(1e300)),
-        (Verdict::GivesWay, Onset::GivesWay { .. } | Onset::NoBase(_))
-        | (Verdict::NotSticking, Onset::AlreadySliding(_) | Onset::NoBase(_))
-        | (Verdict::NotSticking | Verdict::Unclear, Onset::Undecided(_)) => {}
+        (ScreeningVerdict::Never, Onset::Never) => prop_assert!(screened.holds_up_to(1e300)),
+        (ScreeningVerdict::GivesWay, Onset::GivesWay { .. } | Onset::NoBase(_))
+        | (ScreeningVerdict::NotSticking, Onset::AlreadySliding(_) | Onset::NoBase(_))
+        | (ScreeningVerdict::NotSticking | ScreeningVerdict::Unclear, Onset::Undecided(_)) => {}
         // A contact that is open at the base may well close on the way.
-        (Verdict::NotSticking, onset) => {
+        (ScreeningVerdict::NotSticking, onset) => {
             let state = grasp.solve(&base).unwrap();
             let open = state
                 .equilibrium()
@@ -57,7 +57,7 @@ fn check<const D: usize, const C: usize, const N: usize>(
             prop_assert!(open, "{onset:?}");
         }
         // The edge itself, or extreme numbers: counted by the callers.
-        (Verdict::Unclear, _) => prop_assert_eq!(screened.factor(), None),
+        (ScreeningVerdict::Unclear, _) => prop_assert_eq!(screened.factor(), None),
         (verdict, onset) => prop_assert!(false, "{verdict:?} {onset:?}"),
     }
     Ok(())
@@ -173,7 +173,7 @@ fn a_pair_with_a_slippery_jaw_opposite() {
         let contacts = [jaw(1.0, 0.0).bonded(), jaw(-1.0, turn)];
         let pull = Pull::new(&Wrench::ZERO, &planar::Wrench::new([0.2, 1.0], 0.5)).unwrap();
         let screened = planar::Fingers::new(&contacts).unwrap().onset(&pull);
-        assert_eq!(screened.verdict(), Verdict::Unclear, "{turn:e}");
+        assert_eq!(screened.verdict(), ScreeningVerdict::Unclear, "{turn:e}");
     }
 }
 
@@ -203,7 +203,7 @@ fn units_in_space() {
         assert!((onset(exponent).factor().unwrap() / factor - 1.0).abs() < 1e-12, "{exponent}");
     }
     for exponent in [-130, -140, -150] {
-        assert_eq!(onset(exponent).verdict(), Verdict::Unclear, "{exponent}");
+        assert_eq!(onset(exponent).verdict(), ScreeningVerdict::Unclear, "{exponent}");
     }
 }
 
@@ -221,17 +221,17 @@ fn a_pinch_in_space_gives_way() {
         let direction = spatial::Wrench::new(force, moment);
         fingers.onset(&spatial::Pull::new(&spatial::Wrench::ZERO, &direction).unwrap())
     };
-    assert_eq!(onset([0.0; 3], [1.0, 0.0, 0.0]).verdict(), Verdict::GivesWay);
+    assert_eq!(onset([0.0; 3], [1.0, 0.0, 0.0]).verdict(), ScreeningVerdict::GivesWay);
     // A force through the line; the same force through the origin also turns.
     let held = onset([0.0, 0.0, -1.0], [-0.3, 0.0, 0.0]);
     assert!((held.factor().unwrap() - 6.0).abs() < 1e-13, "{held:?}");
-    assert_eq!(onset([0.0, 0.0, -1.0], [0.0; 3]).verdict(), Verdict::GivesWay);
+    assert_eq!(onset([0.0, 0.0, -1.0], [0.0; 3]).verdict(), ScreeningVerdict::GivesWay);
 }
 
 /// Of a batch every lane, also of a last block that is not full, gives the bits of the grasp on its own; so do all threads together.
 #[test]
 fn a_batch_gives_the_same_bits() {
-    fn bits(screened: &Screened) -> (Option<u64>, Verdict, Vec<usize>) {
+    fn bits(screened: &Screened) -> (Option<u64>, ScreeningVerdict, Vec<usize>) {
         (screened.factor().map(f64::to_bits), screened.verdict(), screened.leaving().collect())
     }
     fn grasps<const D: usize, const C: usize, const N: usize>(spread: Spread) {

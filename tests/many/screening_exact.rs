@@ -7,7 +7,7 @@
 use std::cell::Cell;
 
 use grasp_lcp::planar::{Contact, Fingers, Pull, Wrench};
-use grasp_lcp::screening::Verdict;
+use grasp_lcp::screening::ScreeningVerdict;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
 use proptest::prelude::*;
@@ -163,14 +163,14 @@ fn worst<const N: usize>(decades: f64, cases: u32, normals: &[[i32; 3]], across:
         let pull = Pull::new(&Wrench::ZERO, &Wrench::from_vector(direction)).unwrap();
         let screened = Fingers::new(&contacts).unwrap().onset(&pull);
         match (screened.verdict(), onset(&data, direction)) {
-            (_, Truth::NotSticking) | (Verdict::Never, Truth::Never) => {}
-            (Verdict::Leaves, Truth::Leaves(factor, off)) => {
+            (_, Truth::NotSticking) | (ScreeningVerdict::Never, Truth::Never) => {}
+            (ScreeningVerdict::Leaves, Truth::Leaves(factor, off)) => {
                 let error = float(&(&exact_of(screened.factor()) - factor)).abs() / off;
                 worst.set(worst.get().max(error));
                 count.set(count.get() + 1);
             }
             // The noise of a single pass: it has to say so.
-            (Verdict::Unclear, _) => prop_assert!(decades > 4.0, "unclear"),
+            (ScreeningVerdict::Unclear, _) => prop_assert!(decades > 4.0, "unclear"),
             (verdict, Truth::Never) => prop_assert!(false, "{verdict:?}, exactly never"),
             (verdict, Truth::Leaves(factor, _)) => {
                 prop_assert!(false, "{verdict:?}, exactly {:e}", float(&factor));

@@ -6,7 +6,7 @@
 
 use std::cell::Cell;
 
-use grasp_lcp::screening::Verdict;
+use grasp_lcp::screening::ScreeningVerdict;
 use grasp_lcp::spatial::{Contact, Fingers, Pull, Wrench};
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
@@ -190,7 +190,7 @@ fn worst(decades: f64, narrow: f64, cases: u32, normals: &[[i32; 4]]) -> Worst {
             contacts.iter().zip(forces).map(|(c, f)| margin(c, f)).fold(f64::INFINITY, f64::min)
         };
         match screened.verdict() {
-            Verdict::Leaves => {
+            ScreeningVerdict::Leaves => {
                 let factor = exact(screened.factor().unwrap());
                 let at = |(f, d): (&Vector, &Vector)| [0, 1, 2].map(|a| &f[a] + &factor * &d[a]);
                 let there: Vec<_> = base.iter().zip(&rates).map(at).collect();
@@ -198,8 +198,8 @@ fn worst(decades: f64, narrow: f64, cases: u32, normals: &[[i32; 4]]) -> Worst {
                 worst.off.set(worst.off.get().max(off));
                 worst.leaving.set(worst.leaving.get() + 1);
             }
-            Verdict::NotSticking => prop_assert!(least(&base) < 1e-11 * size(&base)),
-            Verdict::Never => {
+            ScreeningVerdict::NotSticking => prop_assert!(least(&base) < 1e-11 * size(&base)),
+            ScreeningVerdict::Never => {
                 let far = exact(1e9 * size(&base) / size(&rates));
                 let at = |(f, d): (&Vector, &Vector)| [0, 1, 2].map(|a| &f[a] + &far * &d[a]);
                 let there: Vec<_> = base.iter().zip(&rates).map(at).collect();

@@ -11,7 +11,7 @@ use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::ContactState;
 use grasp_lcp::grasp::{Contact, Wrench};
 use grasp_lcp::load_path::{Onset, Turn};
-use grasp_lcp::screening::{Batch, Fingers, ScreenedTurn, TurningPull, Verdict};
+use grasp_lcp::screening::{Batch, Fingers, ScreenedTurn, ScreeningVerdict, TurningPull};
 use grasp_lcp::sweep::turn_onsets_of_batch;
 use grasp_lcp::{planar, spatial};
 use nalgebra::SVector;
@@ -37,7 +37,7 @@ fn check<const D: usize, const C: usize, const N: usize>(
     };
     count(tally, &format!("{:?}", screened.verdict()));
     match (screened.verdict(), &whole.onset) {
-        (Verdict::Leaves, Onset::At(event)) => {
+        (ScreeningVerdict::Leaves, Onset::At(event)) => {
             let angle = screened.angle().unwrap();
             count(tally, if angle > FRAC_PI_2 { "late" } else { "early" });
             prop_assert!(agrees([angle, event.factor], close, shaken, tally), "{angle} {}", event.factor);
@@ -49,22 +49,25 @@ fn check<const D: usize, const C: usize, const N: usize>(
                 );
             }
         }
-        (Verdict::Never, Onset::Never) => {
+        (ScreeningVerdict::Never, Onset::Never) => {
             prop_assert!(screened.holds_up_to(turn.angle()));
             prop_assert_eq!(screened.holds_up_to(7.0), turn.angle() >= TAU);
         }
-        (Verdict::GivesWay, Onset::GivesWay { .. } | Onset::NoBase(_) | Onset::AlreadySliding(_))
-        | (Verdict::NotSticking, Onset::AlreadySliding(_) | Onset::NoBase(_))
-        | (Verdict::NotSticking | Verdict::Unclear, Onset::Undecided(_)) => {}
+        (
+            ScreeningVerdict::GivesWay,
+            Onset::GivesWay { .. } | Onset::NoBase(_) | Onset::AlreadySliding(_),
+        )
+        | (ScreeningVerdict::NotSticking, Onset::AlreadySliding(_) | Onset::NoBase(_))
+        | (ScreeningVerdict::NotSticking | ScreeningVerdict::Unclear, Onset::Undecided(_)) => {}
         // A contact that is open at the beginning may well close on the way.
-        (Verdict::NotSticking, onset) => {
+        (ScreeningVerdict::NotSticking, onset) => {
             let state = grasp.solve(&turn.load_at(0.0)).unwrap();
             let open = state
                 .equilibrium()
                 .is_some_and(|e| e.contacts.iter().any(|contact| contact.state == ContactState::Separated));
             prop_assert!(open, "{onset:?}");
         }
-        (Verdict::Unclear, _) => prop_assert_eq!(screened.angle(), None),
+        (ScreeningVerdict::Unclear, _) => prop_assert_eq!(screened.angle(), None),
         (verdict, onset) => prop_assert!(false, "{verdict:?} {onset:?}"),
     }
     Ok(())
@@ -148,7 +151,7 @@ fn palms_of_any_stiffness() {
             // The left-hand side is at most √(1 + μ²).
             let level = 2.0 * mu * press / w;
             if level > (1.0 + mu * mu).sqrt() {
-                assert_eq!(onset.verdict(), Verdict::Never);
+                assert_eq!(onset.verdict(), ScreeningVerdict::Never);
                 continue;
             }
             let closed = mu.atan() - (level / (1.0 + mu * mu).sqrt()).acos();
@@ -189,9 +192,9 @@ fn a_force_that_turns_in_space_touches_an_edge() {
         );
         fingers.onset_of_turn(&TurningPull::new(&turn).unwrap())
     };
-    assert_eq!(screened(0.999).verdict(), Verdict::Never);
-    assert_eq!(screened(1.0 - 1e-11).verdict(), Verdict::Never);
-    assert_eq!(screened(1.0).verdict(), Verdict::Unclear);
+    assert_eq!(screened(0.999).verdict(), ScreeningVerdict::Never);
+    assert_eq!(screened(1.0 - 1e-11).verdict(), ScreeningVerdict::Never);
+    assert_eq!(screened(1.0).verdict(), ScreeningVerdict::Unclear);
     for over in [1e-9, 1e-6, 1e-3, 0.1] {
         let onset = screened(1.0 + over);
         // The fingers at -x are pressed more while cos θ > 0... and those at +x less.
@@ -215,10 +218,10 @@ fn parts_of_a_turn() {
     let screened = |most: f64| palms.onset_of_turn(&TurningPull::new(&turn.up_to(most)).unwrap());
     let closed = (5.0 / 45_f64.sqrt()).asin() - 3_f64.atan2(6.0);
     for most in [0.9 * closed, closed - 1e-9] {
-        assert_eq!(screened(most).verdict(), Verdict::Never);
+        assert_eq!(screened(most).verdict(), ScreeningVerdict::Never);
         assert!(screened(most).holds_up_to(most) && !screened(most).holds_up_to(closed));
     }
-    assert_eq!(screened(closed).verdict(), Verdict::Unclear);
+    assert_eq!(screened(closed).verdict(), ScreeningVerdict::Unclear);
     for most in [closed + 1e-9, 1.0, TAU, 1e6] {
         assert!((screened(most).angle().unwrap() - closed).abs() < 1e-14);
     }
@@ -227,7 +230,7 @@ fn parts_of_a_turn() {
 /// Of a batch every lane, also of a last block that is not full, gives the bits of the grasp on its own; so do all threads together.
 #[test]
 fn a_batch_gives_the_same_bits() {
-    fn bits(screened: &ScreenedTurn) -> (Option<u64>, Verdict, Vec<usize>) {
+    fn bits(screened: &ScreenedTurn) -> (Option<u64>, ScreeningVerdict, Vec<usize>) {
         (screened.angle().map(f64::to_bits), screened.verdict(), screened.leaving().collect())
     }
     fn grasps<const D: usize, const C: usize, const N: usize>(spread: Spread) {
@@ -283,7 +286,7 @@ fn units() {
         assert!((onset(exponent).angle().unwrap() / angle - 1.0).abs() < 1e-12, "{exponent}");
     }
     for exponent in [-130, -150] {
-        assert_eq!(onset(exponent).verdict(), Verdict::Unclear, "{exponent}");
+        assert_eq!(onset(exponent).verdict(), ScreeningVerdict::Unclear, "{exponent}");
     }
 }
 

@@ -10,7 +10,7 @@ use std::time::Instant;
 
 use grasp_lcp::Error;
 use grasp_lcp::picture::{Chart, Stroke};
-use grasp_lcp::screening::Verdict;
+use grasp_lcp::screening::ScreeningVerdict;
 use grasp_lcp::spatial::{Batch, Contact, Fingers, Grasp, Pull, Ramp, Wrench};
 use grasp_lcp::sweep::map_watched;
 use nalgebra::Vector3;
@@ -182,16 +182,16 @@ fn screen(cloud: &Cloud, chunk: usize) -> Result<Part, Error> {
     batch.onsets_into(&pulls, &mut answers);
     let mut part = Part::default();
     for (&fingers, answers) in grasps.iter().zip(answers.chunks(pulls.len())) {
-        let (mut multiple, mut weakest, mut verdict) = (f64::INFINITY, 0, Verdict::Never);
+        let (mut multiple, mut weakest, mut verdict) = (f64::INFINITY, 0, ScreeningVerdict::Never);
         for (k, answer) in answers.iter().enumerate() {
             match (answer.verdict(), answer.factor()) {
                 (_, Some(factor)) if factor < multiple => (multiple, weakest) = (factor, k),
-                (Verdict::Leaves | Verdict::Never, _) => {}
+                (ScreeningVerdict::Leaves | ScreeningVerdict::Never, _) => {}
                 (worse, _) => verdict = worse,
             }
         }
         match verdict {
-            Verdict::Never => {
+            ScreeningVerdict::Never => {
                 part.too_weak += usize::from(multiple < 1.0);
                 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
                 // it is not negative, and saturates
@@ -199,7 +199,7 @@ fn screen(cloud: &Cloud, chunk: usize) -> Result<Part, Error> {
                 part.histogram[bin.min(BINS - 1)] += 1;
                 part.best.push(Found { multiple, weakest, fingers });
             }
-            Verdict::NotSticking | Verdict::GivesWay => part.not_sticking += 1,
+            ScreeningVerdict::NotSticking | ScreeningVerdict::GivesWay => part.not_sticking += 1,
             _ => part.unclear += 1,
         }
     }

@@ -12,7 +12,7 @@ use super::contact::Contact;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
-pub struct Part {
+pub struct WholeContact {
     /// Its place in the list of contacts, from 0, where a soft fingertip counts as one.
     pub contact: usize,
     /// Its name, or "contact" and that number.
@@ -23,7 +23,7 @@ pub struct Part {
     pub of: usize,
 }
 
-impl Part {
+impl WholeContact {
     /// Whether all of it is meant.
     #[must_use]
     pub fn is_whole(&self) -> bool {
@@ -32,7 +32,7 @@ impl Part {
 }
 
 /// "left", or "left (3 of 12 points)".
-impl fmt::Display for Part {
+impl fmt::Display for WholeContact {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.label)?;
         if self.is_whole() { Ok(()) } else { write!(f, " ({} of {} points)", self.points, self.of) }
@@ -40,12 +40,12 @@ impl fmt::Display for Part {
 }
 
 /// The contacts of a grasp, points of one soft fingertip together.
-pub(crate) struct Parts<'c, const C: usize> {
+pub(crate) struct WholeContacts<'c, const C: usize> {
     contacts: &'c [Contact<C>],
     ranges: Vec<Range<usize>>,
 }
 
-impl<'c, const C: usize> Parts<'c, C> {
+impl<'c, const C: usize> WholeContacts<'c, C> {
     pub(crate) fn of(contacts: &'c [Contact<C>]) -> Self {
         let mut ranges: Vec<Range<usize>> = Vec::new();
         for (i, contact) in contacts.iter().enumerate() {
@@ -58,10 +58,15 @@ impl<'c, const C: usize> Parts<'c, C> {
     }
 
     /// The parts that have points among these, in order.
-    pub(crate) fn with(&self, is_meant: impl Fn(usize) -> bool) -> Vec<Part> {
+    pub(crate) fn with(&self, is_meant: impl Fn(usize) -> bool) -> Vec<WholeContact> {
         let part = |(contact, range): (usize, &Range<usize>)| {
             let points = range.clone().filter(|i| is_meant(*i)).count();
-            (points > 0).then(|| Part { contact, label: self.label(contact), points, of: range.len() })
+            (points > 0).then(|| WholeContact {
+                contact,
+                label: self.label(contact),
+                points,
+                of: range.len(),
+            })
         };
         self.ranges.iter().enumerate().filter_map(part).collect()
     }
