@@ -6,6 +6,7 @@
 // First, for the page of its documentation begins with what stands here.
 mod grasp;
 
+mod changed;
 mod closer_look;
 mod energy;
 mod engines;

@@ -1,0 +1,116 @@
+//! A grasp with other data – commands, torques, friction, squeeze – asked with the same settings.
+
+use std::sync::Arc;
+
+use nalgebra::SVector;
+
+use super::grasp::Grasp;
+use super::questions::Questions;
+use crate::error::Error;
+
+impl<const C: usize> Grasp<C> {
+    /// This grasp by other contacts or commands.
+    pub(super) fn changed(&self, engine: Result<Arc<dyn Questions<C>>, Error>) -> Result<Self, Error> {
+        Ok(Self { engine: engine?, settings: self.settings })
+    }
+
+    /// This grasp with other finger commands u_f, one a contact, each in its contact frame (m):
+    /// arrays, or vectors.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// let squeezed = grasp.with_commands([[0.03, 0.0]; 2])?;
+    /// let outcome = squeezed.solve(&Wrench::ZERO)?;
+    /// assert!((outcome.equilibrium().expect("holds").contacts[0].normal_force() - 30.0).abs() < 1e-13);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Size`] if there are more or fewer than contacts, [`Error::Contact`] if one is not
+    /// finite.
+    pub fn with_commands(
+        &self,
+        commands: impl IntoIterator<Item = impl Into<[f64; C]>>,
+    ) -> Result<Self, Error> {
+        let commands: Vec<_> = commands.into_iter().map(|u| SVector::from(u.into())).collect();
+        self.changed(self.engine.with_commands(&commands))
+    }
+
+    /// This grasp with other commands of the joints and then of the tendons of its hand, rad and m.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::hand::{Finger, Hand, Joint};
+    /// use grasp_lcp::planar::{Wrench};
+    /// use grasp_lcp::planar::Contact;
+    ///
+    /// let jaw = |x: f64| {
+    ///     Finger::new([Joint::prismatic([-x, 0.0]).stiffness(1e3)])
+    ///         .contact(Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e9, 1e9).friction(0.5))
+    /// };
+    /// let grasp = Hand::new([jaw(-1.0), jaw(1.0)]).grasp()?.with_joint_commands(&[0.01, 0.01])?;
+    /// let outcome = grasp.solve(&Wrench::ZERO)?;
+    /// assert!((outcome.equilibrium().expect("holds").contacts[0].normal_force() - 10.0).abs() < 1e-4);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::JointCommands`] if there are more or fewer than joints and tendons, [`Error::Hand`] if one is not finite.
+    pub fn with_joint_commands(&self, commands: &[f64]) -> Result<Self, Error> {
+        self.changed(self.engine.with_joint_commands(commands))
+    }
+
+    /// This grasp with torques from outside on the joints of its hand, N m or N, positive along their displacements: what acts behind the object.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::hand::{Finger, Hand, Joint};
+    /// use grasp_lcp::planar::{Contact, Wrench};
+    ///
+    /// // Two jaws on springs of 1000 N/m, pressed by 5 N each from outside.
+    /// let jaw = |x: f64| {
+    ///     Finger::new([Joint::prismatic([-x, 0.0]).stiffness(1e3)])
+    ///         .contact(Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e9, 1e9).friction(0.5).clearance(-1e-12))
+    /// };
+    /// let grasp = Hand::new([jaw(-1.0), jaw(1.0)]).grasp()?.with_joint_torques(&[5.0, 5.0])?;
+    /// let outcome = grasp.solve(&Wrench::ZERO)?;
+    /// assert!((outcome.equilibrium().expect("holds").contacts[0].normal_force() - 5.0).abs() < 1e-4);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::JointCommands`] if there are more or fewer than joints, [`Error::Hand`] if one is not finite.
+    pub fn with_joint_torques(&self, torques: &[f64]) -> Result<Self, Error> {
+        self.changed(self.engine.with_joint_torques(torques))
+    }
+
+    /// This grasp with other coefficients of friction, from the number of each contact and what it has.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp};
+    ///
+    /// let jaw = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).pressed_with(10.0);
+    /// let oily = Grasp::new([jaw(-1.0), jaw(1.0)])?.with_friction(|_, dry| 0.2 * dry)?;
+    /// assert!(oily.contacts().iter().all(|contact| contact.friction_coefficient() == 0.1));
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Contact`] if a coefficient is out of range.
+    pub fn with_friction(&self, friction: impl Fn(usize, f64) -> f64) -> Result<Self, Error> {
+        self.changed(self.engine.with_friction(&friction))
+    }
+
+    /// This grasp squeezed so many times as much: commands of contacts, of joints and of tendons, and torques that hold joints by force. Tensions
+    /// that hold tendons stay.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] unless the factor is finite and at most 1e50.
+    #[doc(alias = "grip force")]
+    pub fn squeezed(&self, factor: f64) -> Result<Self, Error> {
+        self.changed(self.engine.squeezed(factor))
+    }
+}
