@@ -4,7 +4,7 @@ use crate::contact::{Polygon, WEIGHTLESS};
 use crate::equilibrium::{ContactState, Equilibrium, Outcome};
 use crate::error::{Error, is_moderate};
 use crate::grasp::{Coordinates, Engine, WholeContacts};
-use crate::load_path::{Departure, Leg, Loss, Onset, PathEnd, Ramp};
+use crate::load_path::{Change, ContactChange, Departure, Event, Leg, Loss, Onset, PathEnd, Ramp};
 use crate::numerics::Size;
 use crate::object::Load;
 use crate::proofs::nothing_near;
@@ -25,7 +25,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         }
         let onset = self.onset(ramp, settings)?;
         let mut path = self.follow(&ramp.base, &[Leg::along(ramp)], settings)?;
-        path.run();
+        let events = path.run();
         let state = matches!(path.end(), Some(PathEnd::Completed)).then(|| path.state()).flatten();
         let mut gone = 1.0;
         if let Some(PathEnd::Completed) = path.end()
@@ -39,7 +39,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let held_to = if leg == 0 { fraction } else { 1.0 + fraction * (gone - 1.0) };
         let first_slip = self.first_slip(&onset);
         let holding = match (&state, path.end()) {
-            (Some(state), _) => self.held(state, first_slip.as_ref()),
+            (Some(state), _) => self.held(state, &events, first_slip.as_ref()),
             (None, Some(PathEnd::Lost(_))) => Holding::Lost,
             (None, Some(PathEnd::NoStart(start))) => match &**start {
                 Outcome::NoEquilibrium(none) => Holding::NoRest(none.clone()),
@@ -60,12 +60,20 @@ impl<D: Size, const C: usize> Engine<D, C> {
         Ok(Verdict { base: ramp.base, load: ramp.direction, holding, first_slip, held_to, lost, state })
     }
 
-    /// Whether something slides under all of the load, or has slid on the way.
-    fn held(&self, state: &Equilibrium<C>, first_slip: Option<&FirstSlip>) -> Holding<C> {
-        let has_slid = |i: usize| match state.contacts[i].state {
-            ContactState::Sliding { .. } => true,
-            ContactState::Sticking => state.contacts[i].slip.norm() != 0.0,
-            ContactState::Separated | ContactState::Frictionless => false,
+    /// Whether something slides under all of the load, or has slid on the way. The slips there do not tell: a contact that was open has one, too.
+    fn held(
+        &self,
+        state: &Equilibrium<C>,
+        events: &[Event<C>],
+        first_slip: Option<&FirstSlip>,
+    ) -> Holding<C> {
+        let changes = || events.iter().flat_map(|event| &event.changes);
+        let begins = |change: &ContactChange<C>| {
+            matches!(change.what, Change::Slides { .. } | Change::ClosesSliding { .. })
+        };
+        let has_slid = |i: usize| {
+            matches!(state.contacts[i].state, ContactState::Sliding { .. })
+                || changes().any(|change| change.contact.index == i && begins(change))
         };
         if state.contacts.iter().all(|contact| contact.force.norm() == 0.0) {
             return Holding::Loose;

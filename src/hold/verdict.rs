@@ -66,9 +66,9 @@ impl<const C: usize> Verdict<C> {
 pub enum Holding<const C: usize> {
     /// It is held, and everything sticks on the way.
     Sticks,
-    /// It is held, and these contacts slide under it or have slid on the way.
+    /// It is held, and contacts slide under it or have slid, opened or given way on the way.
     Slides {
-        /// Which.
+        /// Those that slide or have slid.
         contacts: Vec<WholeContact>,
     },
     /// No contact carries anything: the object lies loose between the fingers, and nothing pulls.

@@ -23,8 +23,11 @@ impl<const C: usize> fmt::Display for Verdict<C> {
                 f.write_str("HOLDS, but ")?;
                 match &self.first_slip {
                     Some(first) if first.factor == 0.0 => write!(f, "{first} from the start")?,
-                    Some(first) => write!(f, "{first} from {} of it on", number(first.factor))?,
-                    None => write!(f, "{}", does(contacts, "slides", "slide"))?,
+                    Some(first) if first.factor <= 1.0 => {
+                        write!(f, "{first} from {} of it on", number(first.factor))?;
+                    }
+                    // Of contacts that close on the way the first slip does not speak.
+                    _ => write!(f, "{}", does(contacts, "slides", "slide"))?,
                 }
                 match &self.lost {
                     Some(lost) => write!(f, "; lost at {} times this load", number(lost.factor)),

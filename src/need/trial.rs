@@ -4,7 +4,6 @@ use std::f64::consts::{PI, TAU};
 
 use super::question::{Demand, Need, Sought};
 use crate::ask::Grasp;
-use crate::equilibrium::Settings;
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::hold::Verdict;
@@ -112,7 +111,7 @@ impl<const C: usize> Loading<'_, C> {
             WeakestDirection::Never => Trial::Does,
             WeakestDirection::Force { size: most, .. } if most >= size => Trial::Does,
             WeakestDirection::Force { load, .. } => {
-                let first = self.grasp.with(&Settings::default()).hold(Ramp::load(*base, load - *base))?;
+                let first = self.grasp.hold(Ramp::load(*base, load - *base))?;
                 let who = first.first_slip.map_or_else(|| "it slides".to_owned(), |first| first.to_string());
                 Trial::DoesNot(format!("{who} under a force of one direction"))
             }

@@ -123,3 +123,21 @@ fn what_lies_loose_is_not_held() -> Tested {
     );
     Ok(())
 }
+
+/// A stop that is reached on the way has moved along the surface while it was open: that is no sliding.
+#[test]
+fn what_closes_on_the_way_does_not_slide() -> Tested {
+    let foot = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e3, 1e3).friction(0.9);
+    let stop = Contact::new([0.1, 0.05], [-1.0, 0.0])
+        .name("stop")
+        .series_stiffness(1e3, 1e3)
+        .friction(0.9)
+        .clearance(1e-3);
+    let table = Grasp::new([foot(-0.1), foot(0.1), stop])?;
+    let push = Ramp::load(Wrench::force([0.0, -20.0]), Wrench::new([4.0, -4.0], 0.0));
+    let verdict = table.hold(push)?;
+    let stopped = &verdict.state.as_ref().expect("held").contacts[2];
+    assert!(stopped.normal_force() > 0.1 && stopped.slip.norm() > 1e-4, "{stopped:?}");
+    assert_eq!(verdict.sticks(), Some(true), "{verdict}");
+    Ok(())
+}
