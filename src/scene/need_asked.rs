@@ -121,6 +121,17 @@ impl<const C: usize> Setup<C> {
     /// [`Error::Argument`] unless loads are given in one way, an arm with what a metre adds, an angle with a turn, and a contact is one of the scene.
     pub fn need(&self, asked: &NeedAsked<C>) -> Result<Need<C>, Error> {
         let missing = |what| Error::Argument { what, value: 0.0, allowed: "one" };
+        let of_its_own = [
+            (asked.per_metre.is_some(), Quantity::Arm, "per_metre of a need"),
+            (asked.contact.is_some(), Quantity::Friction, "contact of a need"),
+        ];
+        if let Some((.., what)) = of_its_own.iter().find(|(given, of, _)| *given && *of != asked.quantity) {
+            return Err(Error::Argument { what, value: 1.0, allowed: "left out for this quantity" });
+        }
+        if asked.at.is_some() && asked.any_force.is_none() {
+            let (what, allowed) = ("at of a need", "beside any_force");
+            return Err(Error::Argument { what, value: 1.0, allowed });
+        }
         let need = match asked.quantity {
             Quantity::Squeeze => Need::squeeze(asked.loads()?),
             Quantity::Load => Need::load(asked.loads()?),

@@ -8,6 +8,7 @@ use serde::Serialize;
 use super::question::Question;
 use super::setup::Setup;
 use super::written::{Scene, Space};
+use crate::ask::Grasp;
 use crate::equilibrium::{ContactAnswer, Outcome};
 use crate::error::Error;
 use crate::grasp::Wrench;
@@ -91,10 +92,11 @@ impl<const C: usize> Setup<C> {
     /// As for [`Self::grasp`].
     pub fn warnings(&self) -> Result<Vec<Warning>, Error> {
         let mut warnings = Vec::new();
-        if self.begins_without_load() && !self.grasp()?.presses() {
+        let grasp = self.grasp()?;
+        if self.begins_without_load() && !grasp.presses() {
             warnings.push(Warning::NothingPresses);
         }
-        warnings.extend(self.presses_otherwise()?);
+        warnings.extend(self.presses_otherwise(&grasp)?);
         for (contact, entry) in self.entries().enumerate() {
             let (point, normal) = (entry.contact.point(), entry.contact.normal);
             if points_out(&self.outline, &point, &normal) {
@@ -107,11 +109,11 @@ impl<const C: usize> Setup<C> {
 
 impl<const C: usize> Setup<C> {
     /// Contacts that press at rest with another force than they are pressed with.
-    fn presses_otherwise(&self) -> Result<Vec<Warning>, Error> {
+    fn presses_otherwise(&self, grasp: &Grasp<C>) -> Result<Vec<Warning>, Error> {
         if self.entries().all(|entry| entry.contact.press.is_none()) {
             return Ok(Vec::new());
         }
-        let Outcome::Equilibrium(state) = self.grasp()?.solve(&Wrench::ZERO)? else { return Ok(Vec::new()) };
+        let Outcome::Equilibrium(state) = grasp.solve(&Wrench::ZERO)? else { return Ok(Vec::new()) };
         let mut warnings = Vec::new();
         let mut first = 0;
         for (contact, entry) in self.entries().enumerate() {

@@ -50,32 +50,8 @@ pub(crate) enum Command {
     Need {
         #[command(flatten)]
         ask: Ask,
-        /// What is sought; without it the scene's own questions are asked.
-        #[arg(value_enum)]
-        quantity: Option<QuantityAsked>,
         #[command(flatten)]
-        load: LoadArguments,
-        /// A force of this size and any direction beside the load, N.
-        #[arg(long, value_name = "N")]
-        any_force: Option<f64>,
-        /// Of an arm: the direction in which the force is moved out.
-        #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
-        along: Option<Numbers>,
-        /// Of an angle in space: the axis about which the grasp is tilted.
-        #[arg(long, allow_hyphen_values = true, value_name = "X,Y,Z")]
-        axis: Option<Numbers>,
-        /// Of friction: the contact that it is sought of, by name or number.
-        #[arg(long)]
-        contact: Option<String>,
-        /// Contacts may slide, as long as the object is not lost.
-        #[arg(long)]
-        may_slide: bool,
-        /// For the safe amount friction is less by so many percent.
-        #[arg(long, default_value_t = 10.0, value_name = "PERCENT")]
-        friction_less: f64,
-        /// For the safe amount the squeeze is less by so many percent.
-        #[arg(long, default_value_t = 5.0, value_name = "PERCENT")]
-        squeeze_less: f64,
+        wanted: Wanted,
     },
     /// Where does the object go, and what do the contacts carry, under a load?
     Solve {
@@ -198,8 +174,39 @@ pub(crate) struct Ask {
     pub(crate) json: bool,
 }
 
+/// An amount that is sought.
+#[derive(Debug, Args)]
+pub(crate) struct Wanted {
+    /// What is sought; without it the scene's own questions are asked.
+    #[arg(value_enum)]
+    pub(crate) quantity: Option<QuantityAsked>,
+    #[command(flatten)]
+    pub(crate) load: LoadArguments,
+    /// A force of this size and any direction beside the load, N.
+    #[arg(long, value_name = "N")]
+    pub(crate) any_force: Option<f64>,
+    /// Of an arm: the direction in which the force is moved out.
+    #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
+    pub(crate) along: Option<Numbers>,
+    /// Of an angle in space: the axis about which the grasp is tilted.
+    #[arg(long, allow_hyphen_values = true, value_name = "X,Y,Z")]
+    pub(crate) axis: Option<Numbers>,
+    /// Of friction: the contact that it is sought of, by name.
+    #[arg(long)]
+    pub(crate) contact: Option<String>,
+    /// Contacts may slide, as long as the object is not lost.
+    #[arg(long)]
+    pub(crate) may_slide: bool,
+    /// For the safe amount friction is less by so many percent.
+    #[arg(long, default_value_t = 10.0, value_name = "PERCENT")]
+    pub(crate) friction_less: f64,
+    /// For the safe amount the squeeze is less by so many percent.
+    #[arg(long, default_value_t = 5.0, value_name = "PERCENT")]
+    pub(crate) squeeze_less: f64,
+}
+
 /// What is sought.
-#[derive(Debug, Clone, Copy, ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, ValueEnum)]
 pub(crate) enum QuantityAsked {
     /// What each contact has to press with.
     Squeeze,

@@ -13,7 +13,7 @@ use grasp_lcp::scene::{
 };
 use grasp_lcp::{planar, spatial};
 
-use crate::arguments::{Ask, LoadArguments, Numbers, QuantityAsked};
+use crate::arguments::{Ask, LoadArguments, Numbers, QuantityAsked, Wanted};
 use crate::failure::{Failure, UNDECIDED};
 use crate::{files, report};
 
@@ -24,25 +24,11 @@ const GRAVITY: f64 = 9.81;
 pub(crate) enum Asked {
     Everything,
     Hold { load: LoadArguments, base: Option<Numbers> },
-    Need(Option<Wanted>),
+    Need(Wanted),
     Solve(LoadArguments),
     Onset(LoadArguments),
     Turn { weight: Option<Numbers>, at: Option<Numbers>, axis: Option<Numbers> },
     Follow { to: Vec<Numbers>, at: Option<Numbers> },
-}
-
-/// An amount that is sought.
-pub(crate) struct Wanted {
-    pub(crate) quantity: QuantityAsked,
-    pub(crate) load: LoadArguments,
-    pub(crate) any_force: Option<f64>,
-    pub(crate) along: Option<Numbers>,
-    pub(crate) axis: Option<Numbers>,
-    /// By name or number.
-    pub(crate) contact: Option<String>,
-    pub(crate) may_slide: bool,
-    /// Parts by which friction and squeeze are less.
-    pub(crate) less: [f64; 2],
 }
 
 /// Asks and prints. The code says whether everything is decided.
@@ -97,8 +83,8 @@ struct Words<const C: usize> {
 fn put<const C: usize>(setup: &mut Setup<C>, asked: &Asked, words: &Words<C>) -> Result<(), Failure> {
     let question = match asked {
         Asked::Hold { load, base } => words.hold(load, base.as_ref())?,
-        Asked::Need(Some(wanted)) => Some(Question::Need(words.need(wanted, setup)?)),
-        Asked::Everything | Asked::Need(None) | Asked::Turn { weight: None, at: None, axis: None } => None,
+        Asked::Need(wanted) => words.need(wanted, setup)?.map(Question::Need),
+        Asked::Everything | Asked::Turn { weight: None, at: None, axis: None } => None,
         Asked::Solve(load) => words.wrench(load)?.map(|load| Question::Solve { load }),
         Asked::Onset(load) => words.wrench(load)?.map(|load| Question::Onset(RampAsked::along(load))),
         Asked::Turn { weight: Some(weight), at, axis } => {
@@ -174,8 +160,9 @@ impl<const C: usize> Words<C> {
     }
 
     /// How much does it need?
-    fn need(&self, wanted: &Wanted, setup: &Setup<C>) -> Result<NeedAsked<C>, Failure> {
-        let quantity = match wanted.quantity {
+    fn need(&self, wanted: &Wanted, setup: &Setup<C>) -> Result<Option<NeedAsked<C>>, Failure> {
+        let Some(sought) = wanted.quantity else { return Ok(None) };
+        let quantity = match sought {
             QuantityAsked::Squeeze => Quantity::Squeeze,
             QuantityAsked::Friction => Quantity::Friction,
             QuantityAsked::Load => Quantity::Load,
@@ -184,18 +171,33 @@ impl<const C: usize> Words<C> {
         };
         let mut asked = NeedAsked::of(quantity);
         let at = point(wanted.load.at.as_ref())?;
-        [asked.friction_less, asked.squeeze_less] = wanted.less;
+        asked.friction_less = 0.01 * wanted.friction_less;
+        asked.squeeze_less = 0.01 * wanted.squeeze_less;
+        let of_its_own = [
+            (wanted.along.is_some(), QuantityAsked::Arm, "--along"),
+            (wanted.axis.is_some(), QuantityAsked::Angle, "--axis"),
+            (wanted.contact.is_some(), QuantityAsked::Friction, "--contact"),
+        ];
+        if let Some((.., option)) = of_its_own.iter().find(|(given, of, _)| *given && *of != sought) {
+            return Err(Failure::Usage(format!("{option} is not for this quantity")));
+        }
+        if wanted.any_force.is_some() && matches!(sought, QuantityAsked::Arm | QuantityAsked::Angle) {
+            return Err(Failure::Usage("--any-force is not for this quantity".to_owned()));
+        }
         if wanted.may_slide {
             asked.demand = Demand::Held;
         }
         let load = self.wrench(&wanted.load)?;
         let missing = || Failure::Usage("say for which load: --mass, --force or --moment".to_owned());
-        match wanted.quantity {
+        match sought {
             QuantityAsked::Arm => {
                 let along = wanted.along.as_ref();
                 let along = along.ok_or_else(|| Failure::Usage("--along is missing: where to".to_owned()))?;
                 let along: [f64; C] = along.array("along").map_err(Failure::Usage)?;
                 let length = along.iter().map(|x| x * x).sum::<f64>().sqrt();
+                if length == 0.0 {
+                    return Err(Failure::Usage("--along: all zeros given, must be a direction".to_owned()));
+                }
                 let there = std::array::from_fn(|a| at[a] + along[a] / length);
                 let force = total_force(&wanted.load)?;
                 asked.per_metre = Some((self.force_at)(force, there) + (self.force_at)(force, at) * -1.0);
@@ -214,12 +216,12 @@ impl<const C: usize> Words<C> {
             }
         }
         if let Some(contact) = &wanted.contact {
-            let by_name = setup.entries().position(|entry| &entry.contact.label_text(usize::MAX) == contact);
-            let number = by_name.or_else(|| contact.parse().ok());
+            let mut labels = setup.entries().enumerate().map(|(i, entry)| entry.contact.label_text(i));
+            let by_name = labels.position(|label| label == *contact);
             let unknown = || Failure::Usage(format!("--contact: there is no contact {contact}"));
-            asked.contact = Some(number.ok_or_else(unknown)?);
+            asked.contact = Some(by_name.ok_or_else(unknown)?);
         }
-        Ok(asked)
+        Ok(Some(asked))
     }
 
     /// A force at a point.

@@ -19,7 +19,7 @@ use clap::Parser;
 use grasp_lcp::stream::{StreamOptions, answer_lines};
 
 use arguments::{Arguments, Command};
-use asking::{Asked, Wanted};
+use asking::Asked;
 use failure::Failure;
 use files::Pictures;
 
@@ -39,31 +39,7 @@ fn run(command: Command) -> Result<ExitCode, Failure> {
     match command {
         Command::Ask(ask) => return asking::ask(&ask, &Asked::Everything),
         Command::Hold { load, base, ask } => return asking::ask(&ask, &Asked::Hold { load, base }),
-        Command::Need {
-            ask,
-            quantity,
-            load,
-            any_force,
-            along,
-            axis,
-            contact,
-            may_slide,
-            friction_less,
-            squeeze_less,
-        } => {
-            let less = [friction_less, squeeze_less].map(|percent| 0.01 * percent);
-            let wanted = quantity.map(|quantity| Wanted {
-                quantity,
-                load,
-                any_force,
-                along,
-                axis,
-                contact,
-                may_slide,
-                less,
-            });
-            return asking::ask(&ask, &Asked::Need(wanted));
-        }
+        Command::Need { ask, wanted } => return asking::ask(&ask, &Asked::Need(wanted)),
         Command::Solve { load, ask } => return asking::ask(&ask, &Asked::Solve(load)),
         Command::Onset { load, ask } => return asking::ask(&ask, &Asked::Onset(load)),
         Command::Turn { weight, at, axis, ask } => {
