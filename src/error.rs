@@ -237,6 +237,8 @@ pub enum Field {
     CommandChange,
     /// Force with which the finger is commanded to press, N.
     Press,
+    /// [`Contact::force`](crate::grasp::Contact::force), N.
+    Force,
     /// Initial clearance along the normal, m.
     Clearance,
 }
@@ -254,6 +256,7 @@ impl fmt::Display for Field {
             Field::Command => "command",
             Field::CommandChange => "change of command",
             Field::Press => "pressing force",
+            Field::Force => "force",
             Field::Clearance => "clearance",
         })
     }

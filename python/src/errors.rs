@@ -66,6 +66,7 @@ fn argument(field: Field) -> &'static str {
         Field::Command => "command",
         Field::CommandChange => "command_change",
         Field::Press => "pressed_with",
+        Field::Force => "force",
         Field::Clearance => "clearance",
         _ => "contact",
     }

@@ -5,13 +5,16 @@ use std::sync::Arc;
 
 use super::questions::Questions;
 use crate::error::Error;
-use crate::grasp::{Contact, Engine, Hand};
+use crate::grasp::{Contact, Engine, Finger, Hand};
 use crate::numerics::Fixed;
 
 type Made<const C: usize> = Result<Arc<dyn Questions<C>>, Error>;
 
-/// The engine of a grasp without joints.
+/// The engine of a grasp without joints; contacts that are held by a force have slides.
 pub(super) fn of_contacts<const C: usize>(contacts: Vec<Contact<C>>) -> Made<C> {
+    if contacts.iter().any(|contact| contact.force.is_some()) {
+        return of_hand(Hand::new(contacts.into_iter().map(Finger::fixed)));
+    }
     in_the_plane_or_in_space(
         contacts,
         |contacts: Vec<Contact<2>>| -> Made<2> { Ok(Arc::new(Engine::<Fixed<3>, 2>::new(contacts)?)) },

@@ -19,6 +19,9 @@ pub struct JointAnswer {
     /// Which joint.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub joint: PartLabel,
+    /// Whether it slides along a line: lengths in m and forces in N, where other joints have angles in rad and torques in N m. Written if it does.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "std::ops::Not::not"))]
+    pub slides: bool,
     /// What its own drive does.
     pub state: DriveState,
     /// Displacement φ from the posture in which the contacts were given, rad or m.
@@ -105,7 +108,8 @@ impl<D: Size, const C: usize> Engine<D, C> {
             let margin = margin(&linkage.joints[j], carried, state);
             let torque = exerted[object + j] * length;
             let joint = linkage.label(HandPart::Joint(j));
-            JointAnswer { joint, state, displacement, torque, drive: carried, margin, yielded }
+            let slides = linkage.joints[j].slides;
+            JointAnswer { joint, slides, state, displacement, torque, drive: carried, margin, yielded }
         };
         let tendon = |(number, named): (usize, &Named)| {
             let Own { carried, state, yielded } = own(Owner::Tendon(number));

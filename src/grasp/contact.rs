@@ -75,6 +75,8 @@ pub struct Contact<const C: usize> {
     pub(crate) command_axes: Axes,
     /// Force that the command stands for, in place of its normal part; resolved once the contact is part of a grasp.
     pub(crate) press: Option<f64>,
+    /// Force along the normal that stays whatever the object does.
+    pub(crate) force: Option<f64>,
     pub(crate) clearance: f64,
     pub(crate) hold: Hold,
     /// Which point of a soft fingertip it is, from 0.
@@ -96,6 +98,7 @@ impl<const C: usize> Contact<C> {
             command: SVector::zeros(),
             command_axes: Axes::Frame,
             press: None,
+            force: None,
             clearance: 0.0,
             hold: Hold::Unilateral,
             point_of_pad: None,
@@ -236,7 +239,33 @@ impl<const C: usize> Contact<C> {
     #[doc(alias = "grip force", alias = "preload", alias = "squeeze")]
     #[must_use]
     pub fn pressed_with(mut self, force: f64) -> Self {
-        self.press = Some(force);
+        (self.press, self.force) = (Some(force), None);
+        self
+    }
+
+    /// A normal force that **stays**: an air cylinder, a weight on a lever, a motor that holds its current, N, from 0. The finger follows the object along
+    /// the normal wherever it goes, in place of a position; along the tangents its springs hold as usual. The points of a soft fingertip are pressed on by one
+    /// slide, so that they share the force as they stand. In place of [`Self::pressed_with`] and of the normal part of the command.
+    ///
+    /// The grasp has a joint more for it, "slide of" the contact, behind all other joints. Questions that are not for hands are not for such a grasp.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // 8 N against a jaw that stands still: they stay 8 N whatever pushes along them, and the jaw carries the rest.
+    /// let pad = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 1e3).friction(0.5);
+    /// let grasp = Grasp::new([pad(-1.0).force(8.0), pad(1.0)])?;
+    /// let outcome = grasp.solve(&Wrench::force([3.0, 0.0]))?;
+    /// let held = outcome.equilibrium().expect("holds");
+    /// assert!((held.contacts[0].normal_force() - 8.0).abs() < 1e-13);
+    /// assert!((held.contacts[1].normal_force() - 11.0).abs() < 1e-13);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[doc(alias = "clamp")]
+    #[doc(alias = "force control")]
+    #[must_use]
+    pub fn force(mut self, force: f64) -> Self {
+        (self.force, self.press) = (Some(force), None);
         self
     }
 

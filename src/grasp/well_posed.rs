@@ -105,6 +105,11 @@ impl<const C: usize> Contact<C> {
         {
             return fault(Field::Press, press, "from 0 to 1e50");
         }
+        if let Some(force) = self.force
+            && !(is_moderate(force) && force >= 0.0)
+        {
+            return fault(Field::Force, force, "from 0 to 1e50");
+        }
         if !is_moderate(self.clearance) {
             return fault(Field::Clearance, self.clearance, MODERATE);
         }

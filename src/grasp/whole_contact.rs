@@ -50,7 +50,7 @@ impl<'c, const C: usize> WholeContacts<'c, C> {
         let mut ranges: Vec<Range<usize>> = Vec::new();
         for (i, contact) in contacts.iter().enumerate() {
             match ranges.last_mut() {
-                Some(range) if contact.point_of_pad.is_some_and(|point| point > 0) => range.end = i + 1,
+                Some(range) if !contact.begins_a_whole() => range.end = i + 1,
                 _ => ranges.push(i..i + 1),
             }
         }
@@ -84,13 +84,23 @@ impl<'c, const C: usize> WholeContacts<'c, C> {
         self.ranges.iter().map(|range| range.clone().map(&of).sum()).collect()
     }
 
-    /// The name of a part; points of a soft fingertip have its name and their number.
+    /// The name of a part, or its number.
     fn label(&self, number: usize) -> String {
         let first = &self.contacts[self.ranges[number].start];
-        let of_the_pad = |name: &str| match first.point_of_pad {
-            Some(point) => name.strip_suffix(&format!(" {point}")).unwrap_or(name).to_owned(),
-            None => name.to_owned(),
-        };
-        first.name.as_deref().map_or_else(|| format!("contact {number}"), of_the_pad)
+        first.whole_name().map_or_else(|| format!("contact {number}"), str::to_owned)
+    }
+}
+
+impl<const C: usize> Contact<C> {
+    /// Whether it is the first point of a soft fingertip, or a contact of its own.
+    pub(crate) fn begins_a_whole(&self) -> bool {
+        self.point_of_pad.unwrap_or(0) == 0
+    }
+
+    /// Its name, of a point of a soft fingertip that of the fingertip.
+    pub(crate) fn whole_name(&self) -> Option<&str> {
+        let name = self.name.as_deref()?;
+        let of_the_pad = self.point_of_pad.and_then(|point| name.strip_suffix(&format!(" {point}")));
+        Some(of_the_pad.unwrap_or(name))
     }
 }

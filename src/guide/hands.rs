@@ -35,7 +35,7 @@
 //! | two jaws on one actuator | one joint without a spring for each jaw and a tendon over both; or one joint that moves both contacts |
 //! | a motor that stalls | [`Limit::Saturates`](crate::Limit::Saturates): the torque stays at its bound and follows its spring back |
 //! | a clutch, friction in a gear | [`Limit::Slips`](crate::Limit::Slips): what has slipped stays slipped |
-//! | a finger held by force | [`Finger::pressing`](crate::grasp::Finger::pressing), [`Joint::torque`](crate::grasp::Joint::torque) |
+//! | a finger held by force | [`Contact::force`](crate::grasp::Contact::force), [`Joint::torque`](crate::grasp::Joint::torque) |
 //! | a squeeze in newtons | [`Contact::pressed_with`](crate::grasp::Contact::pressed_with) |
 //! | a compliance matrix, measured or from finite elements | [`Finger::compliant`](crate::grasp::Finger::compliant) over one contact, a finger, or all |
 //!

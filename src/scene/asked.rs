@@ -3,7 +3,6 @@
 use nalgebra::SVector;
 
 use super::answer::Answer;
-use super::finger::FingerSetup;
 use super::labels::SceneNames;
 use super::onset::Factor;
 use super::question::{Commands, Goal, LegAsked, LoadGoal, Question, RampAsked};
@@ -98,10 +97,10 @@ impl<const C: usize> Setup<C> {
         }
     }
 
-    /// Number of all joints; a finger that presses with a force counts as one joint.
+    /// Number of all joints, behind them the slides of contacts that are held by a force.
     fn joints(&self) -> usize {
-        let of = |finger: &FingerSetup<C>| if finger.presses.is_some() { 1 } else { finger.joints.len() };
-        self.fingers.iter().map(of).sum()
+        let slides = self.entries().filter(|entry| entry.contact.force.is_some()).count();
+        self.fingers.iter().map(|finger| finger.joints.len()).sum::<usize>() + slides
     }
 
     /// What the scene calls the contacts of its grasp.

@@ -8,7 +8,7 @@ use super::fingertip::{Fingertip, LinkedContact, MovedBy};
 use super::matrix::Rows;
 use super::object;
 use crate::error::Error;
-use crate::grasp::{self, Contact, Joint};
+use crate::grasp::{self, Joint};
 use crate::serial::AsGiven;
 
 /// A finger of a scene: joints in a row from the palm on, and contacts on its links; see [`grasp::Finger`].
@@ -33,14 +33,12 @@ use crate::serial::AsGiven;
 pub struct FingerSetup<const C: usize> {
     /// For the reader of the file.
     pub comment: Option<String>,
-    /// From the palm on; none for a finger that only gives way, or that presses with a force.
+    /// From the palm on; none for a finger that only gives way.
     pub joints: Vec<Joint<C>>,
     /// A stiffness matrix among its joints beside their own springs; see [`grasp::Finger::coupled`].
     pub stiffness_matrix: Option<DMatrix<f64>>,
     /// A compliance matrix over its contacts; see [`grasp::Finger::compliant`].
     pub compliance: Option<DMatrix<f64>>,
-    /// The force, N, with which its one contact is pressed on, wherever that goes; see [`grasp::Finger::pressing`].
-    pub presses: Option<f64>,
     /// At least one.
     pub contacts: Vec<Fingertip<C>>,
 }
@@ -53,7 +51,6 @@ impl<const C: usize> FingerSetup<C> {
             joints: joints.into_iter().collect(),
             stiffness_matrix: None,
             compliance: None,
-            presses: None,
             contacts: Vec::new(),
         }
     }
@@ -68,15 +65,6 @@ impl<const C: usize> FingerSetup<C> {
     /// The finger of a hand. `first` is the index of its first contact in the scene.
     pub(super) fn spread(&self, first: usize) -> Result<grasp::Finger<C>, Error> {
         let points = |k: usize| self.contacts[k].points(first + k);
-        if let Some(force) = self.presses {
-            let [contact] = &<[Contact<C>; 1]>::try_from(points(0)?).map_err(|points| Error::Hand {
-                what: format!("contact {first}"),
-                field: "number of points",
-                value: points.len() as f64,
-                allowed: "1 on a finger that presses with a force",
-            })?;
-            return Ok(grasp::Finger::pressing(force, contact.clone()));
-        }
         let mut finger = grasp::Finger::new(self.joints.iter().cloned());
         finger.coupling.clone_from(&self.stiffness_matrix);
         finger.compliance.clone_from(&self.compliance);
@@ -105,12 +93,6 @@ impl<const C: usize> FingerSetup<C> {
         if self.contacts.is_empty() {
             return Err("contacts: none given, must be at least one a finger".to_owned());
         }
-        let alone = self.joints.is_empty() && self.stiffness_matrix.is_none() && self.compliance.is_none();
-        let moved = self.contacts.iter().any(|entry| entry.moved_by != MovedBy::LastLink);
-        if self.presses.is_some() && !(alone && self.contacts.len() == 1 && !moved) {
-            return Err("presses_with: a finger that presses with a force has one contact and nothing else"
-                .to_owned());
-        }
         Ok(self)
     }
 }
@@ -128,7 +110,7 @@ struct Written<const C: usize> {
     stiffness_matrix: Option<Rows>,
     /// Rows of a symmetric matrix over its contacts, contact by contact, axis by axis of their frames, m/N.
     compliance: Option<Rows>,
-    /// A force with which its only contact is pressed on, wherever that goes, N.
+    /// The `force` of its only contact, N.
     #[serde(default, with = "AsGiven::<Option<f64>>")]
     presses_with: Option<f64>,
     /// At least one; stiffness may be left out where there is a `compliance`.
@@ -145,8 +127,6 @@ struct Out<'a, const C: usize> {
     stiffness_matrix: Option<Rows>,
     #[serde(skip_serializing_if = "Option::is_none")]
     compliance: Option<Rows>,
-    #[serde(skip_serializing_if = "Option::is_none", with = "AsGiven::<Option<f64>>")]
-    presses_with: Option<f64>,
     contacts: &'a [Fingertip<C>],
 }
 
@@ -157,7 +137,6 @@ impl<const C: usize> Serialize for FingerSetup<C> {
             joints: &self.joints,
             stiffness_matrix: self.stiffness_matrix.as_ref().map(Rows::of),
             compliance: self.compliance.as_ref().map(Rows::of),
-            presses_with: self.presses,
             contacts: &self.contacts,
         }
         .serialize(serializer)
@@ -168,13 +147,22 @@ impl<'de, const C: usize> Deserialize<'de> for FingerSetup<C> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         object::read(deserializer, "a finger", |written: Written<C>| {
             let matrix = |rows: Option<Rows>, field| rows.map(|rows| rows.matrix(field)).transpose();
+            let mut contacts: Vec<_> =
+                written.contacts.into_iter().map(|LinkedContact(entry)| entry).collect();
+            if let Some(force) = written.presses_with {
+                let [entry] = &mut contacts[..] else {
+                    return Err(
+                        "presses_with: it is the force of one contact; say `force` of each".to_owned()
+                    );
+                };
+                entry.contact = entry.contact.clone().force(force);
+            }
             Self {
                 comment: written.comment,
                 joints: written.joints,
                 stiffness_matrix: matrix(written.stiffness_matrix, "stiffness_matrix")?,
                 compliance: matrix(written.compliance, "compliance")?,
-                presses: written.presses_with,
-                contacts: written.contacts.into_iter().map(|LinkedContact(entry)| entry).collect(),
+                contacts,
             }
             .checked()
         })

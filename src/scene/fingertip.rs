@@ -131,6 +131,9 @@ struct Written<const C: usize> {
     /// Force of the squeeze in place of the normal command, N.
     #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     pressed_with: Option<f64>,
+    /// Normal force that stays wherever the object goes, in place of a position, N.
+    #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
+    force: Option<f64>,
     /// Gap before anything moves, negative for an overlap, m; 0 if left out.
     #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     clearance: Option<f64>,
@@ -214,6 +217,7 @@ impl<const C: usize> Serialize for Fingertip<C> {
             command: command_along(Axes::Frame),
             command_world: command_along(Axes::World),
             pressed_with: contact.press,
+            force: contact.force,
             clearance: said(contact.clearance).then_some(contact.clearance),
             hold: contact.hold,
             soft: self.soft.clone(),
@@ -268,7 +272,15 @@ impl<const C: usize> Fingertip<C> {
                 return Err("command and command_world: a contact has one of them".to_owned());
             }
         };
-        contact.press = written.pressed_with;
+        contact = match (written.pressed_with, written.force) {
+            (Some(_), Some(_)) => {
+                return Err("pressed_with and force: a finger holds a position or a force, give one of them"
+                    .to_owned());
+            }
+            (Some(press), None) => contact.pressed_with(press),
+            (None, Some(force)) => contact.force(force),
+            (None, None) => contact,
+        };
         contact.clearance = written.clearance.unwrap_or(0.0);
         contact.hold = written.hold;
         let moved_by = match written.moved_by {

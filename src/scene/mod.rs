@@ -45,6 +45,7 @@
 //! | `command` | displacement of the finger's core in the contact frame, normal part first | m | 0 |
 //! | `command_world` | the same displacement along the coordinate axes, in place of `command` | m | not used |
 //! | `pressed_with` | force of the squeeze, in place of the normal command; see [`Contact::pressed_with`](crate::grasp::Contact::pressed_with) | N | |
+//! | `force` | normal force that stays wherever the object goes, in place of a position; see [`Contact::force`](crate::grasp::Contact::force) | N | not used |
 //! | `clearance` | gap before anything moves, negative for an overlap | m | 0 |
 //! | `hold` | `"unilateral"`, `"kept_closed"` or `"bonded"`, see [`Hold`](crate::grasp::Hold) | | unilateral |
 //! | `soft` | the patch of a soft fingertip in place of the point, see below | | a point |
@@ -63,12 +64,12 @@
 //! | `joints` | a list of joints from the palm on | | none |
 //! | `stiffness_matrix` | rows of a symmetric matrix among its joints, beside their own springs | N m/rad | none |
 //! | `compliance` | rows of a symmetric matrix over its contacts, contact by contact, axis by axis of their frames | m/N | none |
-//! | `presses_with` | a force with which its only contact is pressed on, wherever that goes; such a finger counts as one joint | N | not used |
+//! | `presses_with` | the `force` of its only contact | N | not used |
 //! | `contacts` | a list of contacts, at least one; stiffness may be left out where there is a `compliance` | | an error |
 //!
 //! Its contacts may say which joints move them: `"moved_by": {"link": 1}`, so many of the finger's joints counted from the palm, or
 //! `"moved_by": {"jacobian": [[…], …]}`, one row a coordinate axis and one column a joint. Else all joints of the finger move them. Contacts of
-//! fingers are counted on behind those of the list `contacts`.
+//! fingers are counted on behind those of the list `contacts`. Every contact with a `force` has a slide, a joint behind all joints of fingers.
 //!
 //! A joint is `"revolute"` – `{"point": [x, y]}` in the plane, `{"point": …, "axis": …}` in space –, `"prismatic"` (a direction), or neither,
 //! and then known by the Jacobians of its contacts alone. A tendon has `arms`, one for each joint of all fingers, m/rad or none:

@@ -173,10 +173,11 @@ impl<const C: usize> Setup<C> {
         self.entries().map(Fingertip::count).sum()
     }
 
-    /// Whether there are fingers or tendons: the grasp is then that of a [`Hand`], see [`Self::hand`].
+    /// Whether there are fingers or tendons, or forces that hold contacts: the grasp is then that of a [`Hand`], see [`Self::hand`].
     #[must_use]
     pub fn is_held_by_a_hand(&self) -> bool {
-        !self.fingers.is_empty() || !self.tendons.is_empty()
+        let by_force = self.contacts.iter().any(|entry| entry.contact.force.is_some());
+        by_force || !self.fingers.is_empty() || !self.tendons.is_empty()
     }
 
     /// The grasp, asked with the settings of the setup. Soft fingertips are spread, so that it may have more contacts than the scene.

@@ -48,13 +48,22 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
     ///
     /// # Errors
     /// [`Error::Contact`] naming the first contact, field and value that is out of range. In space
-    /// a contact's stiffness must be equal along both tangents.
+    /// a contact's stiffness must be equal along both tangents, and no force holds a contact.
     pub fn new(contacts: &[Contact<C>; N]) -> Result<Self, Error> {
         const { assert_plane_or_space::<D, C>() };
         const { assert!(2 <= N && N <= 5, "screening is for two to five contacts") };
         let (mut block, mut parted) = (Block::<C, N, 1>::EMPTY, Parted::EMPTY);
         for (index, contact) in contacts.iter().enumerate() {
             contact.check(index)?;
+            if let Some(value) = contact.force {
+                let allowed = "left out: screening knows fingers that hold positions";
+                return Err(Error::Contact {
+                    contact: contact.label(index),
+                    field: Field::Force,
+                    value,
+                    allowed,
+                });
+            }
             let frame = contact.frame(index)?;
             let frictionless = contact.springs() == 1;
             let k = contact.series_stiffness_of_axes();

@@ -280,8 +280,7 @@ fn a_tendon_over_two_fingers() -> Tested {
 /// A finger that is pressed on by a force carries that force whatever the load along it does, and the whole load comes to the other side.
 #[test]
 fn a_force_that_is_held_stays() -> Tested {
-    let grasp: Grasp =
-        Hand::new([Finger::pressing(8.0, pad(-1.0, 0.0)), Finger::fixed(pad(1.0, 0.0))]).grasp()?;
+    let grasp: Grasp = Grasp::new([pad(-1.0, 0.0).force(8.0), pad(1.0, 0.0)])?;
     for load in [0.0, 3.0, -3.0] {
         let outcome = grasp.solve(&Wrench::force([load, 0.0]))?;
         let held = outcome.equilibrium().ok_or("holds")?;

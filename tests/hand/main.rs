@@ -4,6 +4,7 @@ mod bad_input;
 mod closed_forms;
 mod every_question;
 mod exact;
+mod held_by_force;
 mod in_space;
 mod many_joints;
 mod paths;

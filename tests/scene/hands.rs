@@ -22,6 +22,8 @@ fn planar_scene() -> Value {
     let mut second = pad(json!([-1.0, -0.2]), json!([1.0, 0.0]));
     second["moved_by"] = json!({ "jacobian": [[0.5, 0.1], [0.0, 0.7]] });
     second["pressed_with"] = json!(2.0);
+    let mut by_force = pad(json!([1.0, -0.4]), json!([-1.0, 0.05]));
+    by_force["force"] = json!(2.5);
     json!({
         "format": "grasp-lcp/1",
         "planar": {
@@ -40,7 +42,7 @@ fn planar_scene() -> Value {
                     "joints": [{ "prismatic": [-1.0, 0.0], "limit": { "saturates": 4.0 }, "stiffness": 900.0, "command": 0.003 }],
                     "contacts": [pad(json!([1.0, 0.5]), json!([-1.0, 0.0]))]
                 },
-                { "presses_with": 2.5, "contacts": [pad(json!([1.0, -0.4]), json!([-1.0, 0.05]))] },
+                { "contacts": [by_force] },
                 {
                     "compliance": [[2e-3, 5e-4], [5e-4, 1e-3]],
                     "contacts": [{ "point": [1.0, 0.0], "normal": [-1.0, 0.0], "friction": 0.4, "pressed_with": 1.0 }]
@@ -77,7 +79,7 @@ fn by_calls() -> Result<planar::Grasp, grasp_lcp::Error> {
         Finger::fixed(pad([0.0, -1.0], [0.0, 1.0])),
         first,
         Finger::new([slide]).contact(pad([1.0, 0.5], [-1.0, 0.0])),
-        Finger::pressing(2.5, pad([1.0, -0.4], [-1.0, 0.05])),
+        Finger::fixed(pad([1.0, -0.4], [-1.0, 0.05]).force(2.5)),
         Finger::compliant([bare], DMatrix::from_row_slice(2, 2, &[2e-3, 5e-4, 5e-4, 1e-3])),
     ])
     .tendon(Tendon::new([0.02, 0.01, 0.0, 0.0]).name("flexor").stiffness(500.0).pull(1e-3).tension(0.5))
@@ -257,7 +259,7 @@ fn what_is_wrong_with_a_hand_is_named() {
         ),
         (
             &|s| s["fingers"][2]["joints"] = json!([{ "prismatic": [1.0, 0.0] }]),
-            "presses_with: a finger that presses",
+            "force is 2.5, must be left out on a finger with joints",
         ),
         (&|s| s["fingers"][1]["contacts"] = json!([]), "contacts: none given, must be at least one a finger"),
         (&|s| s["tendons"][0]["arms"] = json!([1.0, 1.0, 1.0, 1.0, 1.0]), "tendon 0 (flexor)"),
@@ -286,4 +288,33 @@ fn a_wrong_contact_of_a_finger_is_named_by_its_place() {
     // Its grasp has more coordinates than the object.
     let told = Setup::<2>::new([]).finger(scene::FingerSetup::new([]).contact(pad(1.0)));
     assert!(told.grasp().is_ok(), "no joint, no coordinate");
+}
+
+/// `presses_with` of a finger is the `force` of its contact, soft or not; of two contacts, or beside a squeeze, it is refused.
+#[test]
+fn a_finger_presses_with_the_force_of_its_contact() -> Tested {
+    let read = |change: Change<'_>| {
+        let mut scene = planar_scene();
+        change(&mut scene["planar"]);
+        serde_json::from_value::<Scene>(scene)
+    };
+    let of_the_finger = read(&|s| {
+        let contact = s["fingers"][2]["contacts"][0].as_object_mut().expect("an object");
+        let force = contact.remove("force");
+        s["fingers"][2]["presses_with"] = force.expect("given");
+    })?;
+    assert_eq!(of_the_finger, serde_json::from_value(planar_scene())?);
+    let soft =
+        read(&|s| s["fingers"][2]["contacts"][0]["soft"] = json!({ "pad": { "width": 0.02, "strips": 2 } }))?;
+    let Space::Planar(setup) = &soft.space else { return Err("planar".into()) };
+    let state = setup.grasp()?.solve(&Wrench::ZERO)?;
+    let state = state.equilibrium().ok_or("holds")?;
+    // Its points are one joint, on which the force acts.
+    assert!(state.joints.len() == 4 && (state.joints[3].torque - 2.5).abs() < 1e-12);
+    let told =
+        read(&|s| s["fingers"][2]["contacts"][0]["pressed_with"] = json!(1)).expect_err("both").to_string();
+    assert!(told.contains("pressed_with and force: a finger holds a position or a force"), "{told}");
+    let told = read(&|s| s["fingers"][0]["presses_with"] = json!(1)).expect_err("two contacts").to_string();
+    assert!(told.contains("presses_with: it is the force of one contact"), "{told}");
+    Ok(())
 }

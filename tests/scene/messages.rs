@@ -134,7 +134,7 @@ fn what_is_missing_doubled_or_unknown_is_named() {
         (
             "\"friction\"",
             "\"fricton\"",
-            "unknown field `fricton`, expected one of `name`, `comment`, `point`, `normal`, `tangent`, `body_stiffness`, `finger_stiffness`, `series_stiffness`, `friction`, `command`, `command_world`, `pressed_with`, `clearance`, `hold`, `soft`, `moved_by`",
+            "unknown field `fricton`, expected one of `name`, `comment`, `point`, `normal`, `tangent`, `body_stiffness`, `finger_stiffness`, `series_stiffness`, `friction`, `command`, `command_world`, `pressed_with`, `force`, `clearance`, `hold`, `soft`, `moved_by`",
         ),
         (
             "\"settings\"",

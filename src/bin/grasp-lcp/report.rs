@@ -244,11 +244,17 @@ fn table<const C: usize>(out: &mut dyn Write, setup: &Setup<C>, state: &Equilibr
     }
     for joint in &state.joints {
         let (label, torque, margin) = (joint.joint.text(), joint.torque, joint.margin);
-        writeln!(out, "  {label:24} torque  {torque:12.6}{}{}", left(margin), gives_way(joint.state))?;
+        let (what, unit) = if joint.slides { ("force", "N") } else { ("torque", "N m") };
+        writeln!(
+            out,
+            "  {label:24} {what:7} {torque:12.6} {unit}{}{}",
+            left(margin),
+            gives_way(joint.state)
+        )?;
     }
     for tendon in &state.tendons {
         let (label, tension, margin) = (tendon.tendon.text(), tendon.tension, tendon.margin);
-        writeln!(out, "  {label:24} tension {tension:12.6}{}{}", left(margin), gives_way(tendon.state))?;
+        writeln!(out, "  {label:24} tension {tension:12.6} N{}{}", left(margin), gives_way(tendon.state))?;
     }
     let worst = state.residuals.worst();
     writeln!(out, "  the object moves by {}, residual {worst:.0e}", row(state.twist.components()))?;

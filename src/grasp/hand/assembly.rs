@@ -20,13 +20,13 @@ impl<const C: usize> Hand<C> {
     /// [`Error::EmptyGrasp`] without contacts; [`Error::Hand`] naming joint, tendon or finger, the field and what is
     /// allowed; [`Error::Contact`] as for [`Grasp::new`].
     pub(crate) fn engine(self) -> Result<Engine<Any, C>, Error> {
-        let most = Any::of(self.coordinates());
+        let (most, used) = (Any::of(self.coordinates()), self.joints());
         let Self { fingers, tendons } = self;
         let joints: Vec<Joint<C>> = fingers.iter().flat_map(|finger| finger.joints.iter().cloned()).collect();
         let mut assembly = Assembly {
             contacts: Vec::new(),
             motions: Vec::new(),
-            used: joints.len(),
+            used,
             joints,
             lengths: Vector::from_fn(most, |_| 1.0),
             drives: Vec::new(),
@@ -169,7 +169,7 @@ impl<const C: usize> Assembly<C> {
             let actuator = self.joints.len() + number;
             self.drive(Owner::Tendon(number), &spring, (actuator, 1.0 / unit), tendon.limit, tendon.pushes);
         }
-        Ok(Named { name: tendon.name.clone(), limit: tendon.limit, held: tendon.tension })
+        Ok(Named { name: tendon.name.clone(), limit: tendon.limit, held: tendon.tension, slides: true })
     }
 
     /// A spring over joints with these arms, in inside coordinates, and the power of two by which its arms were divided.
@@ -228,8 +228,12 @@ impl<const C: usize> Assembly<C> {
     /// Puts the grasp together.
     fn grasp(self, tendons: Vec<Named>, commands: Vec<f64>) -> Result<Engine<Any, C>, Error> {
         let size = Any::of(Self::OBJECT + self.used);
-        let name =
-            |joint: &Joint<C>| Named { name: joint.name.clone(), limit: joint.limit, held: joint.torque };
+        let name = |joint: &Joint<C>| Named {
+            name: joint.name.clone(),
+            limit: joint.limit,
+            held: joint.torque,
+            slides: joint.motion.is_slide(),
+        };
         let linkage = Linkage {
             joints: self.joints.iter().map(name).collect(),
             tendons,

@@ -1,6 +1,6 @@
 //! The contacts of a finger: how joints move them, what else gives way behind them, and how they are pressed.
 
-use nalgebra::{DMatrix, DVector, SMatrix, SVector};
+use nalgebra::{DMatrix, DVector, SVector};
 
 use super::compliant::split;
 use super::draft::{Assembly, Columns, refuse};
@@ -33,12 +33,10 @@ impl<const C: usize> Assembly<C> {
             let press = contact.press.unwrap_or(0.0);
             self.presses.push((press, frame.column(0) * press));
             let mut columns = match &carried.by {
-                ContactMover::World(matrix) => {
-                    given(matrix, (finger, first), (&contact, index), &SMatrix::identity())?
-                }
-                ContactMover::Frame(matrix) => given(matrix, (finger, first), (&contact, index), &frame)?,
+                ContactMover::World(matrix) => given(matrix, (finger, first), (&contact, index))?,
                 ContactMover::Link(link) => self.on_link(*link, finger, (&contact, index), first)?,
             };
+            columns.extend(self.on_slide(finger, (&contact, index), &frame)?);
             // What the finger gives way by beside its pads: displacements of no joint.
             for (k, column) in own.iter().enumerate() {
                 let along = SVector::from_fn(|a, _| column[C * place + a]);
@@ -136,12 +134,11 @@ impl<const C: usize> Assembly<C> {
     }
 }
 
-/// The columns of a Jacobian that is given along these axes.
+/// The columns of a Jacobian that is given.
 fn given<const C: usize>(
     matrix: &DMatrix<f64>,
     (finger, first): (&Finger<C>, usize),
     (contact, index): (&Contact<C>, usize),
-    axes: &SMatrix<f64, C, C>,
 ) -> Result<Columns<C>, Error> {
     let expected = (C, finger.joints.len());
     if matrix.shape() != expected {
@@ -152,6 +149,6 @@ fn given<const C: usize>(
         let what = format!("contact {}", contact.label(index));
         return Err(Error::Hand { what, field: "jacobian", value, allowed: MODERATE });
     }
-    let column = |j: usize| axes * SVector::<f64, C>::from_fn(|a, _| matrix[(a, j)]);
+    let column = |j: usize| SVector::<f64, C>::from_fn(|a, _| matrix[(a, j)]);
     Ok((0..expected.1).map(|j| (first + j, column(j))).collect())
 }

@@ -17,6 +17,7 @@ pub(super) type Columns<const C: usize> = Vec<(usize, SVector<f64, C>)>;
 pub(super) struct Assembly<const C: usize> {
     pub(super) contacts: Vec<Contact<C>>,
     pub(super) motions: Vec<Columns<C>>,
+    /// Those of all fingers, then slides of contacts that are held by a force.
     pub(super) joints: Vec<Joint<C>>,
     /// Coordinates beside those of the object that are in use.
     pub(super) used: usize,

@@ -12,8 +12,6 @@ pub(super) enum ContactMover {
     Link(usize),
     /// This Jacobian, along the coordinate axes.
     World(DMatrix<f64>),
-    /// This Jacobian, along the axes of the contact frame.
-    Frame(DMatrix<f64>),
 }
 
 /// A contact and what moves it.
@@ -56,29 +54,6 @@ impl<const C: usize> Finger<C> {
     /// A finger with these joints, from the palm outwards.
     pub fn new(joints: impl IntoIterator<Item = Joint<C>>) -> Self {
         Self { joints: joints.into_iter().collect(), coupling: None, compliance: None, contacts: Vec::new() }
-    }
-
-    /// A finger whose tip is pressed on with this force along the normal, N, wherever it is: a normal force that is given instead of a
-    /// position. Along the tangents its pad holds as usual.
-    ///
-    /// ```
-    /// use grasp_lcp::planar::hand::{Finger, Hand};
-    /// use grasp_lcp::planar::{Wrench};
-    /// use grasp_lcp::planar::Contact;
-    ///
-    /// let pad = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 1e3).friction(0.5);
-    /// // Pressed with 8 N against a jaw that stands still.
-    /// let grasp = Hand::new([Finger::pressing(8.0, pad(-1.0)), Finger::fixed(pad(1.0))]).grasp()?;
-    /// let onset = grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, -1.0]))?;
-    /// assert!((onset.factor().expect("slides") - 8.0).abs() < 1e-13); // 2 · 0.5 · 8 N
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    #[must_use]
-    pub fn pressing(force: f64, contact: Contact<C>) -> Self {
-        let along_the_normal = DMatrix::from_fn(C, 1, |a, _| if a == 0 { 1.0 } else { 0.0 });
-        let mut finger = Self::new([Joint::given().torque(force)]);
-        finger.contacts.push(Carried { contact, by: ContactMover::Frame(along_the_normal) });
-        finger
     }
 
     /// A finger without joints: its contact and its springs are all there is.

@@ -53,7 +53,7 @@ impl<const C: usize> Hand<C> {
     }
 
     /// Coordinates that a grasp by this hand has at most: those of the object, one for each joint, one for each drive that saturates, and one for each axis of a contact
-    /// of a finger with a compliance matrix.
+    /// of a finger with a compliance matrix. Slides of contacts that are held by a force are joints.
     #[must_use]
     pub fn coordinates(&self) -> usize {
         let joints = self.fingers.iter().flat_map(|finger| &finger.joints);
@@ -65,9 +65,9 @@ impl<const C: usize> Hand<C> {
         of_the_object::<C>() + self.joints() + saturating + axes
     }
 
-    /// Number of joints.
+    /// Number of joints, with the slides of contacts that are [held by a force](crate::grasp::Contact::force), which are counted behind all others.
     #[must_use]
     pub fn joints(&self) -> usize {
-        self.fingers.iter().map(|finger| finger.joints.len()).sum()
+        self.fingers.iter().map(|finger| finger.joints.len() + finger.slides()).sum()
     }
 }

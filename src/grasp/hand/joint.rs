@@ -129,6 +129,11 @@ impl<const C: usize> Joint<C> {
 }
 
 impl<const C: usize> JointMotion<C> {
+    /// Whether it is a displacement along a line, m, on which a force acts, not a torque.
+    pub(super) fn is_slide(&self) -> bool {
+        matches!(self, Self::Prismatic { .. })
+    }
+
     /// The point that a revolute joint turns about.
     pub(super) fn centre(&self) -> Option<SVector<f64, C>> {
         if let Self::Revolute { point, .. } = self { Some(*point) } else { None }

@@ -39,6 +39,8 @@ pub(crate) struct Named {
     pub(crate) limit: Option<Limit>,
     /// The torque or tension that acts whatever it does.
     pub(crate) held: f64,
+    /// Whether its displacement is a length.
+    pub(crate) slides: bool,
 }
 
 /// A part of a hand that can give way.
@@ -68,7 +70,7 @@ impl fmt::Display for HandPart {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct PartLabel {
-    /// Which: joints are counted from 0 finger by finger, a finger that presses with a force counts as one. Written as `"joint": 3`.
+    /// Which: joints are counted from 0 finger by finger, slides of contacts that are held by a force behind them. Written as `"joint": 3`.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub part: HandPart,
     /// The user's name for it; not written if it has none.

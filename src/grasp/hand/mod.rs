@@ -25,6 +25,7 @@ mod draft;
 mod drive;
 mod finger;
 mod hand_builder;
+mod held_by_force;
 mod joint;
 mod linkage;
 mod positive;

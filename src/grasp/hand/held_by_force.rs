@@ -1,0 +1,52 @@
+//! Contacts that are held by a force: a slide along the normal behind each, without a spring, on which the force acts.
+
+use nalgebra::SMatrix;
+
+use super::draft::{Assembly, Columns};
+use super::finger::Finger;
+use super::joint::Joint;
+use crate::error::Error;
+use crate::grasp::contact::Contact;
+
+impl<const C: usize> Finger<C> {
+    /// How many slides its contacts need: points of one soft fingertip are on one.
+    pub(super) fn slides(&self) -> usize {
+        self.contacts.iter().filter(|carried| begins_a_slide(&carried.contact)).count()
+    }
+}
+
+fn begins_a_slide<const C: usize>(contact: &Contact<C>) -> bool {
+    contact.force.is_some() && contact.begins_a_whole()
+}
+
+impl<const C: usize> Assembly<C> {
+    /// Motion of a contact with its slide, if it is held by a force, which is put on the slide.
+    pub(super) fn on_slide(
+        &mut self,
+        finger: &Finger<C>,
+        (contact, index): (&Contact<C>, usize),
+        frame: &SMatrix<f64, C, C>,
+    ) -> Result<Columns<C>, Error> {
+        let Some(force) = contact.force else { return Ok(Columns::new()) };
+        let what = || format!("contact {}", contact.label(index));
+        if !finger.joints.is_empty() || finger.compliance.is_some() {
+            let allowed =
+                "left out on a finger with joints or a compliance: there a torque of a joint presses";
+            return Self::fault(what(), "force", force, allowed);
+        }
+        let along = contact.commanded()[0];
+        if along != 0.0 {
+            let allowed = "zero along the normal where a force holds the contact";
+            return Self::fault(what(), "command", along, allowed);
+        }
+        let along: [f64; C] = frame.column(0).into_owned().into();
+        if begins_a_slide(contact) {
+            let whole = self.contacts.iter().filter(|before| before.begins_a_whole()).count();
+            let name = contact.whole_name().map_or_else(|| format!("contact {whole}"), str::to_owned);
+            self.joints.push(Joint::prismatic(along).name(format!("slide of {name}")));
+        }
+        let slide = self.joints.len() - 1;
+        self.joints[slide].torque += force;
+        Ok(vec![(slide, along.into())])
+    }
+}
