@@ -25,12 +25,13 @@ fn main() -> Result<(), grasp_lcp::Error> {
         .with_normal(2_f64.to_radians());
     let robust = grasp.robust_onset(&ramp, &uncertainty)?;
     println!("slides {}", robust.onset);
-    if let Some(spread) = robust.spread {
-        println!(
-            "to first order {:.6} N are held with three standard deviations in reserve",
-            spread.held_with(3.0)
-        );
+    if let Some(deviation) = robust.spread.and_then(|spread| spread.deviation) {
+        println!("to first order that is off by {deviation:.6} N (one standard deviation)");
     }
+    let held = grasp.reserve(&Wrench::ZERO, &uncertainty, 3.0)?.along(&Wrench::force([0.0, -1.0]));
+    println!(
+        "with three standard deviations in reserve {held:.6} N are held: fewer than one in 740 slides below"
+    );
     let mut samples: Vec<f64> = Vec::new();
     for onset in grasp.onset_of_samples(&ramp, &uncertainty, 10_000) {
         samples.extend(onset?.factor());

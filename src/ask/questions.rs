@@ -23,7 +23,7 @@ use crate::numerics::{Any, Fixed, Memory};
 use crate::squeeze::{Bounds, LeastOnset, LeastSqueeze, Loads, WeakestDirection};
 use crate::statics::{Budget, Closure, LoadLimit, WrenchBall, WrenchScale};
 use crate::structured::{Search, SearchSettings};
-use crate::sweep::{OnsetSpread, RobustOnset, Uncertainty};
+use crate::sweep::{OnsetSpread, Reserve, RobustOnset, Uncertainty};
 
 /// Declares the questions once, and answers them by the engine's methods of the same names. Engines of hands refuse what knows no joints, so that it is
 /// compiled for the plane and for space alone.
@@ -148,9 +148,9 @@ questions! {
         fn onset_each(&self, ramps: &[Ramp<C>], settings: &Settings) -> Vec<Result<Onset<C>, Error>>;
         fn onset_of_turn_each(&self, turns: &[Turn<C>], settings: &Settings) -> Vec<Result<TurnOnset<C>, Error>>;
         fn robust_onset(&self, ramp: &Ramp<C>, uncertainty: &Uncertainty, settings: &Settings) -> Result<RobustOnset<C>, Error>;
-        fn robust_onset_each(&self, ramps: &[Ramp<C>], uncertainty: &Uncertainty, settings: &Settings) -> Vec<Result<RobustOnset<C>, Error>>;
         fn onset_spread(&self, event: &OnsetEvent<C>, uncertainty: &Uncertainty) -> Result<Option<OnsetSpread>, Error>;
         fn onset_of_samples(&self, ramp: &Ramp<C>, uncertainty: &Uncertainty, samples: u64, settings: &Settings) -> Vec<Result<Onset<C>, Error>>;
+        fn reserve(&self, base: &Wrench<C>, uncertainty: &Uncertainty, sigmas: f64, settings: &Settings) -> Result<Reserve<C>, Error>;
     }
     without_joints {
         fn onset_gradients_by_geometry(&self, event: &OnsetEvent<C>) -> Result<Vec<GeometryGradient<C>>, Error>;

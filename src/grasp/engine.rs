@@ -57,7 +57,11 @@ impl<D: Size, const C: usize> Engine<D, C> {
     ) -> Result<Self, Error> {
         match &self.linkage {
             None => Self::of(self.size, contacts),
-            Some(linkage) => Self::by_hand(self.size, contacts, linkage.stiffened(stiffer)),
+            Some(linkage) => {
+                let mut linkage = linkage.stiffened(stiffer);
+                linkage.press_instead(&self.contacts, &contacts);
+                Self::by_hand(self.size, contacts, linkage)
+            }
         }
     }
 
@@ -173,13 +177,12 @@ impl<D: Size, const C: usize> Engine<D, C> {
             return Err(Error::Argument { what: "factor of the squeeze", value: factor, allowed: MODERATE });
         }
         let mut grasp = self.clone();
-        grasp.contacts.iter_mut().for_each(|contact| contact.command *= factor);
+        for contact in &mut grasp.contacts {
+            contact.command *= factor;
+            contact.force = contact.force.map(|force| force * factor);
+        }
         if let Some(linkage) = &mut grasp.linkage {
-            linkage.commands.iter_mut().for_each(|command| *command *= factor);
-            for (j, joint) in linkage.joints.iter().enumerate() {
-                let k = of_the_object::<C>() + j;
-                linkage.held[k] += (factor - 1.0) * (joint.held / linkage.lengths[k]);
-            }
+            linkage.squeeze(factor);
         }
         Ok(grasp)
     }

@@ -57,6 +57,11 @@ impl<'c, const C: usize> WholeContacts<'c, C> {
         Self { contacts, ranges }
     }
 
+    /// The contacts of each part.
+    pub(crate) fn ranges(&self) -> &[Range<usize>] {
+        &self.ranges
+    }
+
     /// The parts that have points among these, in order.
     pub(crate) fn with(&self, is_meant: impl Fn(usize) -> bool) -> Vec<WholeContact> {
         let part = |(contact, range): (usize, &Range<usize>)| {

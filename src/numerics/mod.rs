@@ -18,6 +18,7 @@
 //! | `bordered` | LU of a matrix with one row and one column more |
 //! | `dormand_prince` | one step of a differential equation |
 //! | `double_double` | sums in twice the working precision |
+//! | `normal_tail` | how often chance goes far |
 //! | `exact_sum` | sums of products without rounding |
 //! | `pairwise` | sums made of halves, on several threads |
 //! | `unit_vector` | unit vectors along an axis |
@@ -40,6 +41,7 @@ mod largest_ball;
 mod linearly_implicit;
 mod memory;
 mod nearest_point;
+mod normal_tail;
 mod on_a_circle;
 mod orthogonal;
 mod pairwise;
@@ -66,6 +68,7 @@ pub(crate) use largest_ball::largest_ball;
 pub(crate) use linearly_implicit::implicit_step;
 pub(crate) use memory::Memory;
 pub(crate) use nearest_point::NearestPoint;
+pub(crate) use normal_tail::{normal_density, normal_tail};
 pub(crate) use on_a_circle::Turning;
 pub(crate) use orthogonal::{Orthogonal, orthonormalise_against, without};
 pub(crate) use pairwise::in_halves;

@@ -6,14 +6,22 @@
 //! the sums over very many contacts of one scene know of threads; they give the same bits, too.
 
 mod batch;
+mod courses;
+mod datum;
+mod failure;
 mod grasps;
 mod in_order;
+mod margin;
+mod off;
 mod progress;
+mod reserve;
 mod robust_onset;
+mod sticking;
 mod uncertainty;
 
 pub use batch::{least_squeezes_of_batch, onsets_of_batch, turn_onsets_of_batch};
 pub use in_order::map_in_order;
 pub use progress::{Progress, map_watched};
+pub use reserve::Reserve;
 pub use robust_onset::{LeaverSpread, OnsetSpread, RobustOnset};
 pub use uncertainty::Uncertainty;

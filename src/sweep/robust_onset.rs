@@ -11,11 +11,10 @@
 use crate::numerics::Size;
 use std::f64::consts::TAU;
 
-use super::in_order::map_in_order;
 use super::uncertainty::Uncertainty;
 use crate::equilibrium::Settings;
 use crate::error::Error;
-use crate::grasp::Engine;
+use crate::grasp::{Engine, WholeContacts};
 use crate::load_path::{Leaver, Onset, OnsetEvent, OnsetMargins, Parameter, Ramp};
 
 /// An onset of sliding with its spread.
@@ -25,14 +24,15 @@ pub struct RobustOnset<const C: usize> {
     /// The onset of the grasp as it is given.
     pub onset: Onset<C>,
     /// How far it spreads, to first order. `None` where nothing leaves, where the onset has no gradient
-    /// ([`Sensitivity::onset_gradients`](crate::ask::Sensitivity::onset_gradients)), and where nothing resists from the onset on.
+    /// ([`Sensitivity::onset_gradients`](crate::ask::Sensitivity::onset_gradients)), where nothing resists from the onset on, and where a
+    /// force holds a contact that is not known exactly.
     pub spread: Option<OnsetSpread>,
 }
 
 /// How far an onset spreads where the data are not known exactly, to first order.
 ///
 /// That holds where a few σ of each datum change which contact leaves first in no other way than the gradients do. Contacts that leave
-/// little later do not count; [`Grasp::onset_of_samples`](crate::ask::Grasp::onset_of_samples) has them. Not a number where a datum leaves no equilibrium when it is off, see
+/// little later do not count; [`Grasp::reserve`](crate::ask::Grasp::reserve) counts them, and [`Grasp::onset_of_samples`](crate::ask::Grasp::onset_of_samples) has them. Not a number where a datum leaves no equilibrium when it is off, see
 /// [`GeometryGradient`](crate::load_path::GeometryGradient).
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
@@ -57,20 +57,6 @@ pub struct LeaverSpread {
     pub deviation: f64,
 }
 
-impl OnsetSpread {
-    /// The factor with so many standard deviations in reserve: `τ - number · |g_j|`, the least over what leaves.
-    ///
-    /// One leaver keeps sticking there with probability Φ(number), 0.977 for two and 0.99865 for three; of several all do at least with
-    /// one less the sum of what each fails with.
-    #[must_use]
-    pub fn held_with(&self, number: f64) -> f64 {
-        let of_one = |spread: &LeaverSpread| self.factor - number * spread.deviation;
-        // Not a number wherever one is.
-        let lesser = |least: f64, x: f64| if x.is_nan() || x < least { x } else { least };
-        self.leaving.iter().map(of_one).fold(self.factor, lesser)
-    }
-}
-
 impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Grasp::robust_onset`](crate::ask::Grasp::robust_onset).
     pub(crate) fn robust_onset(
@@ -87,16 +73,6 @@ impl<D: Size, const C: usize> Engine<D, C> {
         Ok(RobustOnset { onset, spread })
     }
 
-    /// [`Grasp::robust_onset_each`](crate::ask::Grasp::robust_onset_each).
-    pub(crate) fn robust_onset_each(
-        &self,
-        ramps: &[Ramp<C>],
-        uncertainty: &Uncertainty,
-        settings: &Settings,
-    ) -> Vec<Result<RobustOnset<C>, Error>> {
-        map_in_order(ramps, |ramp| self.robust_onset(ramp, uncertainty, settings))
-    }
-
     /// [`Sensitivity::onset_spread`](crate::ask::Sensitivity::onset_spread).
     pub(crate) fn onset_spread(
         &self,
@@ -105,6 +81,10 @@ impl<D: Size, const C: usize> Engine<D, C> {
     ) -> Result<Option<OnsetSpread>, Error> {
         if uncertainty.position != 0.0 {
             self.refuse_hands("onset_spread with uncertain positions")?;
+        }
+        // What a force that holds a contact changes is no datum of which there are derivatives.
+        if uncertainty.squeeze != 0.0 && self.contacts().iter().any(|contact| contact.force.is_some()) {
+            return Ok(None);
         }
         let Some(margins) = OnsetMargins::new(self, event) else { return Ok(None) };
         let moves = self.moves(&margins, event, uncertainty);
@@ -148,23 +128,36 @@ impl<D: Size, const C: usize> Engine<D, C> {
             moves.push(sum);
         };
         let Uncertainty { friction, stiffness, squeeze, position, normal, load, .. } = *uncertainty;
-        for (contact, data) in self.contacts().iter().enumerate() {
-            if friction != 0.0 && data.friction_coefficient().is_finite() {
-                add(&[(Parameter::Friction { contact }, friction * data.friction_coefficient())]);
+        for whole in WholeContacts::of(self.contacts()).ranges() {
+            let mut of_all = |of: &dyn Fn(usize) -> Vec<(Parameter, f64)>| {
+                add(&whole.clone().flat_map(of).collect::<Vec<_>>());
+            };
+            let given = |contact: usize| &self.contacts()[contact];
+            if friction != 0.0 && given(whole.start).friction_coefficient().is_finite() {
+                of_all(&|contact| {
+                    vec![(Parameter::Friction { contact }, friction * given(contact).friction_coefficient())]
+                });
             }
             if stiffness != 0.0 {
-                let k = data.series_stiffness_of_axes();
-                let along = |axis: usize| (Parameter::Stiffness { contact, axis }, stiffness * k[axis]);
-                add(&(0..C).map(along).collect::<Vec<_>>());
+                of_all(&|contact| {
+                    let k = given(contact).series_stiffness_of_axes();
+                    let along = |axis| (Parameter::Stiffness { contact, axis }, stiffness * k[axis]);
+                    (0..C).map(along).collect()
+                });
             }
             if squeeze != 0.0 {
-                add(&[(Parameter::Command { contact, axis: 0 }, squeeze * data.commanded()[0])]);
+                of_all(&|contact| {
+                    let command = given(contact).commanded()[0];
+                    vec![(Parameter::Command { contact, axis: 0 }, squeeze * command)]
+                });
             }
             if position != 0.0 {
-                (0..C).for_each(|axis| add(&[(Parameter::Point { contact, axis }, position)]));
+                (0..C)
+                    .for_each(|axis| of_all(&|contact| vec![(Parameter::Point { contact, axis }, position)]));
             }
             if normal != 0.0 {
-                (1..C).for_each(|axis| add(&[(Parameter::Normal { contact, axis }, normal)]));
+                (1..C)
+                    .for_each(|axis| of_all(&|contact| vec![(Parameter::Normal { contact, axis }, normal)]));
             }
         }
         if stiffness != 0.0 {

@@ -4,16 +4,18 @@
 use nalgebra::SVector;
 
 use super::in_order::map_in_order;
+use super::off::Off;
 use crate::equilibrium::Settings;
 use crate::error::Error;
-use crate::grasp::{Contact, Engine};
+use crate::grasp::Engine;
 use crate::load_path::{Onset, Ramp};
 use crate::numerics::{Draw, Size};
 
 /// How far the data of a grasp and its load may be off. Each friction, stiffness and squeeze of each
 /// contact is multiplied by a factor of its own, `exp(σ z)` with z normally distributed (mean 0,
 /// variance 1). Its median is the datum, it keeps its sign, and zero and infinity stay what they
-/// are. For small σ that is the relative standard deviation; σ = 0 leaves the datum alone.
+/// are. For small σ that is the relative standard deviation; σ = 0 leaves the datum alone. Points of a
+/// soft fingertip are off together.
 ///
 /// Positions and normals have no size that they could be a part of: `σ z` is added to each
 /// coordinate of a contact point, and is the angle by which a normal tilts towards each of its
@@ -50,7 +52,7 @@ pub struct Uncertainty {
     pub friction: f64,
     /// σ of the stiffness, one factor for all axes of a contact, body and finger.
     pub stiffness: f64,
-    /// σ of the normal command: how well the squeeze is known.
+    /// σ of the normal command, and of a force that holds a contact: how well the squeeze is known.
     pub squeeze: f64,
     /// σ of the contact points along each coordinate axis, m. Not for hands.
     pub position: f64,
@@ -147,25 +149,22 @@ impl<D: Size, const C: usize> Engine<D, C> {
         }
         let drawn = |i: usize| {
             let mut draw = Draw::new([uncertainty.seed, number, i as u64]);
-            let factors = [uncertainty.friction, uncertainty.stiffness, uncertainty.squeeze]
-                .map(|sigma| factor(sigma, &mut draw));
-            (factors, draw)
-        };
-        let contacts = self.contacts().iter().enumerate().map(|(i, contact)| {
-            let ([friction, stiffness, squeeze], mut draw) = drawn(i);
-            let mut sampled: Contact<C> = contact.clone();
-            sampled.friction *= friction;
-            sampled.command[0] *= squeeze;
-            sampled.stiffness = contact.stiffness.scaled(stiffness);
+            let [friction, stiffness, squeeze] =
+                [uncertainty.friction, uncertainty.stiffness, uncertainty.squeeze]
+                    .map(|sigma| factor(sigma, &mut draw));
             // Drawn last, and whether they count or not: other data are the same with them and without.
             let mut displaced = |sigma: f64| SVector::from_fn(|_, _| sigma * draw.normal());
             let (moved, tilt) = (displaced(uncertainty.position), displaced(uncertainty.normal));
-            if uncertainty.position != 0.0 {
-                sampled.point += moved;
+            Off { friction, stiffness, squeeze, moved, tilt }
+        };
+        let mut off = Off::not();
+        let contacts = self.contacts().iter().enumerate().map(|(i, contact)| {
+            if contact.begins_a_whole() {
+                off = drawn(i);
             }
-            if uncertainty.normal == 0.0 { sampled } else { sampled.tilted(&tilt) }
+            off.applied_to(contact)
         });
-        self.with_data(contacts.collect(), |drive| drawn(self.len() + drive).0[1])
+        self.with_data(contacts.collect(), |drive| drawn(self.len() + drive).stiffness)
     }
 
     /// [`Grasp::onset_of_samples`](crate::ask::Grasp::onset_of_samples).

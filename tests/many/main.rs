@@ -1,5 +1,6 @@
 //! Many questions at once.
 
+mod reserve;
 mod robust_onset;
 mod screened_scenes;
 mod screening;

@@ -6,6 +6,8 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 #[cfg(feature = "cli-full")]
 use clap_complete::Shell;
 
+use crate::map::Unsure;
+
 /// Does the grasp hold? At which load does a contact start to slide, and what comes after?
 ///
 /// A scene is a JSON file: contacts with points, normals, stiffness, friction and squeeze, and questions. The format is described in the
@@ -95,12 +97,20 @@ pub(crate) enum Command {
         ask: Ask,
     },
     /// How much is held in every direction, and which is the weakest? A table and pictures.
+    ///
+    /// Beside the force at first slip stands the one below which so few grasps slide as the standard deviations in reserve say, where friction, stiffness
+    /// and squeeze of every contact are not known exactly.
     Map {
         /// The scene; `-` for standard input.
         scene: PathBuf,
         /// Where the force acts, m; the origin if left out.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         at: Option<Numbers>,
+        #[command(flatten)]
+        unsure: Unsure,
+        /// Prints the map as one JSON object, and draws nothing.
+        #[arg(long)]
+        json: bool,
         #[command(flatten)]
         output: Output,
     },

@@ -46,8 +46,9 @@ fn run(command: Command) -> Result<ExitCode, Failure> {
             return asking::ask(&ask, &Asked::Turn { weight, at, axis });
         }
         Command::Follow { to, at, ask } => return asking::ask(&ask, &Asked::Follow { to, at }),
-        Command::Map { scene, at, output } => {
-            map::map(&files::read(&scene)?, &Pictures::new(&output, &scene), at.as_ref())?;
+        Command::Map { scene, at, unsure, json, output } => {
+            let pictures = Pictures::new(&output, &scene);
+            map::map(&files::read(&scene)?, at.as_ref(), &unsure, (!json).then_some(&pictures))?;
         }
         Command::Draw { scene, output } => {
             drawing::draw(&files::read(&scene)?, &Pictures::new(&output, &scene))?;

@@ -7,6 +7,8 @@ use nalgebra::SVector;
 
 use super::drive::{Drive, Owner};
 use super::joint::Limit;
+use crate::grasp::contact::Contact;
+use crate::grasp::rotation::of_the_object;
 use crate::numerics::{Size, Vector};
 
 /// The joints behind a grasp, in inside coordinates.
@@ -109,6 +111,27 @@ impl<D: Size, const C: usize> Linkage<D, C> {
             }
         }
         linkage
+    }
+
+    /// With commands and with torques that hold joints so many times as large.
+    pub(crate) fn squeeze(&mut self, factor: f64) {
+        self.commands.iter_mut().for_each(|command| *command *= factor);
+        for (j, joint) in self.joints.iter_mut().enumerate() {
+            let k = of_the_object::<C>() + j;
+            self.held[k] += (factor - 1.0) * (joint.held / self.lengths[k]);
+            joint.held *= factor;
+        }
+    }
+
+    /// With the forces that hold some contacts in place of those that held them before.
+    pub(crate) fn press_instead(&mut self, before: &[Contact<C>], now: &[Contact<C>]) {
+        for ((before, now), motions) in before.iter().zip(now).zip(&self.motions) {
+            if let (Some(before), Some(now), [(slide, _)]) = (before.force, now.force, &motions[..]) {
+                let k = of_the_object::<C>() + slide;
+                self.held[k] += (now - before) / self.lengths[k];
+                self.joints[*slide].held += now - before;
+            }
+        }
     }
 
     /// A joint or a tendon with its name.

@@ -4,7 +4,7 @@ use grasp_lcp::Error;
 use grasp_lcp::load_path::{Departure, Onset, Ramp};
 use grasp_lcp::scene::{Question, Setup};
 use grasp_lcp::squeeze::WeakestDirection;
-use grasp_lcp::sweep::Uncertainty;
+use grasp_lcp::sweep::Reserve;
 use grasp_lcp::{ask::Grasp, grasp::Wrench};
 
 use crate::failure::Failure;
@@ -25,25 +25,16 @@ const MANY: usize = 4;
 pub(crate) struct First {
     /// N; infinite for never, not a number where that is not known.
     pub(crate) factor: f64,
-    /// N, at least 0: the onset less [`SIGMAS`] of its standard deviations where the data are not known exactly.
+    /// N, at least 0: below it no more slides than the standard deviations in reserve say.
     pub(crate) robust: f64,
     /// The contacts that leave, and how.
     pub(crate) who: String,
 }
 
 impl First {
-    fn told(factor: f64, who: &str) -> Self {
-        Self { factor, robust: factor, who: who.to_owned() }
+    fn told(factor: f64, robust: f64, who: &str) -> Self {
+        Self { factor, robust, who: who.to_owned() }
     }
-}
-
-/// So many standard deviations are kept in reserve: one contact keeps sticking with probability 0.99865.
-pub(crate) const SIGMAS: f64 = 3.0;
-/// What the robust onset stands for.
-pub(crate) const NOT_KNOWN: &str = "3σ in reserve: friction and stiffness\n±10 % each, squeeze ±5 % (1σ)";
-
-fn not_known_exactly() -> Uncertainty {
-    Uncertainty::seeded(0).with_friction(0.1).with_stiffness(0.1).with_squeeze(0.05)
 }
 
 /// The direction in which the least force stops sticking, with its size, N. `None` where something does not touch under the base load.
@@ -63,11 +54,13 @@ pub(crate) fn quick<const C: usize>(grasp: &Grasp<C>) -> Grasp<C> {
     grasp.with(&grasp.settings().with_most_states(0))
 }
 
-pub(crate) fn first<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>) -> Result<First, Error> {
-    let answer = grasp.robust_onset(ramp, &not_known_exactly())?;
-    // Below zero there is no reserve to speak of.
-    let spread = answer.spread.map(|spread| spread.held_with(SIGMAS)).map(|x| if x < 0.0 { 0.0 } else { x });
-    Ok(match answer.onset {
+/// What leaves first in a direction on top of the base load of a reserve.
+pub(crate) fn first<const C: usize>(
+    (grasp, reserve): (&Grasp<C>, &Reserve<C>),
+    (base, direction): (&Wrench<C>, Wrench<C>),
+) -> Result<First, Error> {
+    let robust = reserve.along(&direction);
+    Ok(match grasp.onset(&Ramp::load(*base, direction))? {
         Onset::At(event) => {
             let who = event.leaving.iter().map(|leaving| {
                 let does = if matches!(leaving.how, Departure::Opens) { "opens" } else { "slides" };
@@ -80,11 +73,11 @@ pub(crate) fn first<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>) -> Result<
                 let others = who.len() - 1;
                 who = vec![format!("{} and {others} others", who[0])];
             }
-            First { factor: event.factor, robust: spread.unwrap_or(f64::NAN), who: who.join(", ") }
+            First { factor: event.factor, robust, who: who.join(", ") }
         }
-        Onset::Never => First::told(f64::INFINITY, "never"),
-        Onset::GivesWay { factor, .. } => First::told(factor, "nothing resists"),
-        _ => First::told(f64::NAN, "not known"),
+        Onset::Never => First::told(f64::INFINITY, robust, "never"),
+        Onset::GivesWay { factor, .. } => First::told(factor, robust, "nothing resists"),
+        _ => First::told(f64::NAN, robust, "not known"),
     })
 }
 

@@ -9,7 +9,9 @@ use grasp_lcp::scene::Setup;
 
 use super::ask::{self, First};
 use super::limit::{self, Last, LimitEnd};
+use super::unsure::Unsure;
 use super::watch;
+use super::written::Map;
 use crate::failure::Failure;
 use crate::files::Pictures;
 
@@ -22,9 +24,13 @@ const SHOWN: f64 = 3.0;
 /// Then something is wrong.
 const MOST: Duration = Duration::from_secs(300);
 
-pub(crate) fn map(setup: &Setup<2>, pictures: &Pictures<'_>, at: [f64; 2]) -> Result<(), Failure> {
+pub(crate) fn map(
+    setup: &Setup<2>,
+    at: [f64; 2],
+    unsure: &Unsure,
+    pictures: Option<&Pictures<'_>>,
+) -> Result<(), Failure> {
     let grasp = setup.grasp()?;
-    let title = pictures.title();
     let base = ask::base(setup);
     let pull = |angle: f64| {
         // Quarter turns exactly, so that symmetric grasps have symmetric answers.
@@ -35,8 +41,10 @@ pub(crate) fn map(setup: &Setup<2>, pictures: &Pictures<'_>, at: [f64; 2]) -> Re
     ask::check_base(&grasp, &ramp(0.0))?;
     let quick = ask::quick(&grasp);
     let angles: Vec<f64> = (0..DIRECTIONS).map(|k| TAU * f64::from(k) / f64::from(DIRECTIONS)).collect();
-    let firsts = watch::sweep("onsets", &angles, MOST, |angle| ask::first(&quick, &ramp(*angle)))?
-        .ok_or_else(ask::too_long)?;
+    let reserve = grasp.reserve(&base, &unsure.uncertainty(), unsure.sigmas)?;
+    let firsts =
+        watch::sweep("onsets", &angles, MOST, |angle| ask::first((&quick, &reserve), (&base, pull(*angle))))?
+            .ok_or_else(ask::too_long)?;
     let onsets: Vec<f64> = firsts.iter().map(|first| first.factor).collect();
     let largest = onsets.iter().copied().filter(|x| x.is_finite()).fold(0.0, f64::max);
     if largest <= 0.0 {
@@ -52,11 +60,21 @@ pub(crate) fn map(setup: &Setup<2>, pictures: &Pictures<'_>, at: [f64; 2]) -> Re
         let onset = quick.onset(&ramp(angle)).ok().and_then(|onset| onset.factor());
         onset.unwrap_or(f64::NAN)
     };
-    let weakest = ask::weakest(&quick, &base, at)?.map(|([x, y], size)| (y.atan2(x).rem_euclid(TAU), size));
+    let weakest = ask::weakest(&quick, &base, at)?;
+    let Some(pictures) = pictures else {
+        let along = |angle: &f64| [pull(*angle).components()[0], pull(*angle).components()[1]];
+        let onsets = angles.iter().map(along).zip(&firsts).collect();
+        let paths = angles.iter().map(along).zip(&lasts).collect();
+        Map { at, base, unsure, onsets, paths, most, weakest }.print();
+        return Ok(());
+    };
+    let title = pictures.title();
+    let weakest = weakest.map(|([x, y], size)| (y.atan2(x).rem_euclid(TAU), size));
 
     let words = ask::words(at, &base);
     println!("{title}: {}", words.join(", "));
     print_table(&angles, &firsts, &lasts, most);
+    println!("  {}", unsure.words().join(" "));
     println!("  of {DIRECTIONS} paths: {}", limit::count(&lasts));
     if let Some((angle, size)) = weakest {
         println!(
@@ -65,7 +83,8 @@ pub(crate) fn map(setup: &Setup<2>, pictures: &Pictures<'_>, at: [f64; 2]) -> Re
             onset_at(angle)
         );
     }
-    let svg = draw(&title, &grasp, &words, &angles, &firsts, &lasts, weakest)?;
+    let drawing = Drawing { title: &title, grasp: &grasp, words: &words, reserve: unsure.words().join("\n") };
+    let svg = drawing.of(&angles, &firsts, &lasts, weakest)?;
     pictures.save("_map.svg", &svg)?;
     Ok(())
 }
@@ -79,7 +98,7 @@ fn quarter(angle: f64) -> Option<(f64, f64)> {
 fn print_table(angles: &[f64], firsts: &[First], lasts: &[Last], most: f64) {
     println!(
         "  {:>9}  {:>14}  {:>14}  {:>14}  {:22} leaves first",
-        "direction", "onset (N)", "less 3σ (N)", "held to (N)", "end of the path"
+        "direction", "onset (N)", "reserve (N)", "held to (N)", "end of the path"
     );
     for ((angle, first), last) in angles.iter().zip(firsts).zip(lasts).step_by(TABLE) {
         let held = last.words(most);
@@ -94,48 +113,58 @@ fn print_table(angles: &[f64], firsts: &[First], lasts: &[Last], most: f64) {
     }
 }
 
-fn draw(
-    title: &str,
-    grasp: &Grasp,
-    words: &[String],
-    angles: &[f64],
-    firsts: &[First],
-    lasts: &[Last],
-    weakest: Option<(f64, f64)>,
-) -> Result<String, Failure> {
-    let with = |radii: &mut dyn Iterator<Item = f64>| angles.iter().copied().zip(radii).collect::<Vec<_>>();
-    let most = |radii: &mut dyn Iterator<Item = f64>| radii.filter(|r| r.is_finite()).fold(0.0, f64::max);
-    let onsets = || firsts.iter().map(|first| first.factor);
-    let (onset, limit) = (most(&mut onsets()), most(&mut lasts.iter().map(|last| last.factor)));
-    let rim = onset.max(limit).min(SHOWN * onset) * 1.05;
-    let mut polar = Polar::new(format!("{title}: what a force in every direction does"), "N")
-        .rim(rim)
-        .curve("onset of sliding", with(&mut onsets()), Stroke::Line)
-        .curve(ask::NOT_KNOWN, with(&mut firsts.iter().map(|first| first.robust)), Stroke::Line)
-        .curve("held on the load path", with(&mut lasts.iter().map(|last| last.factor)), Stroke::Line);
-    for (end, words) in [
-        (LimitEnd::Snap, "… where it snaps: other\nequilibria exist beyond"),
-        (LimitEnd::Ends, "… where others may\nexist beyond"),
-        (LimitEnd::GivesWay, "… where nothing resists"),
-    ] {
-        let ends = angles.iter().zip(lasts).filter(|(_, last)| last.end == end);
-        let points: Vec<_> = ends.map(|(angle, last)| (*angle, last.factor)).step_by(8).collect();
-        if !points.is_empty() {
-            polar = polar.curve(words, points, Stroke::Circles);
+/// What is drawn beside the curves.
+struct Drawing<'a> {
+    title: &'a str,
+    grasp: &'a Grasp,
+    words: &'a [String],
+    reserve: String,
+}
+
+impl Drawing<'_> {
+    fn of(
+        &self,
+        angles: &[f64],
+        firsts: &[First],
+        lasts: &[Last],
+        weakest: Option<(f64, f64)>,
+    ) -> Result<String, Failure> {
+        let Self { title, grasp, words, reserve } = self;
+        let with =
+            |radii: &mut dyn Iterator<Item = f64>| angles.iter().copied().zip(radii).collect::<Vec<_>>();
+        let most = |radii: &mut dyn Iterator<Item = f64>| radii.filter(|r| r.is_finite()).fold(0.0, f64::max);
+        let onsets = || firsts.iter().map(|first| first.factor);
+        let (onset, limit) = (most(&mut onsets()), most(&mut lasts.iter().map(|last| last.factor)));
+        let rim = onset.max(limit).min(SHOWN * onset) * 1.05;
+        let mut polar = Polar::new(format!("{title}: what a force in every direction does"), "N")
+            .rim(rim)
+            .curve("onset of sliding", with(&mut onsets()), Stroke::Line)
+            .curve(reserve.as_str(), with(&mut firsts.iter().map(|first| first.robust)), Stroke::Line)
+            .curve("held on the load path", with(&mut lasts.iter().map(|last| last.factor)), Stroke::Line);
+        for (end, words) in [
+            (LimitEnd::Snap, "… where it snaps: other\nequilibria exist beyond"),
+            (LimitEnd::Ends, "… where others may\nexist beyond"),
+            (LimitEnd::GivesWay, "… where nothing resists"),
+        ] {
+            let ends = angles.iter().zip(lasts).filter(|(_, last)| last.end == end);
+            let points: Vec<_> = ends.map(|(angle, last)| (*angle, last.factor)).step_by(8).collect();
+            if !points.is_empty() {
+                polar = polar.curve(words, points, Stroke::Circles);
+            }
         }
+        if let Some((angle, size)) = weakest {
+            polar = polar
+                .mark(vec![(angle, size)], format!("weakest: {size:.6} N\nat {:.1}°", angle.to_degrees()));
+        }
+        for (i, (contact, frame)) in grasp.contacts().iter().zip(grasp.frames()).enumerate() {
+            polar = polar.ray(frame[(1, 0)].atan2(frame[(0, 0)]), contact.label_text(i));
+        }
+        for line in *words {
+            polar = polar.note(line);
+        }
+        for note in ["arc on the rim: beyond it", "arrows: contact normals,", "the way the finger pushes"] {
+            polar = polar.note(note);
+        }
+        Ok(polar.to_svg()?)
     }
-    if let Some((angle, size)) = weakest {
-        polar =
-            polar.mark(vec![(angle, size)], format!("weakest: {size:.6} N\nat {:.1}°", angle.to_degrees()));
-    }
-    for (i, (contact, frame)) in grasp.contacts().iter().zip(grasp.frames()).enumerate() {
-        polar = polar.ray(frame[(1, 0)].atan2(frame[(0, 0)]), contact.label_text(i));
-    }
-    for line in words {
-        polar = polar.note(line);
-    }
-    for note in ["arc on the rim: beyond it", "arrows: contact normals,", "the way the finger pushes"] {
-        polar = polar.note(note);
-    }
-    Ok(polar.to_svg()?)
 }

@@ -8,7 +8,9 @@ use grasp_lcp::spatial::{Grasp, Ramp, Wrench};
 
 use super::ask::{self, First};
 use super::limit::{self, Last, LimitEnd};
+use super::unsure::Unsure;
 use super::watch;
+use super::written::Map;
 use crate::failure::Failure;
 use crate::files::Pictures;
 
@@ -23,9 +25,13 @@ const ALL_PATHS: Duration = Duration::from_secs(120);
 /// Load paths are followed this many times as far as the largest onset.
 const FAR: f64 = 5.0;
 
-pub(crate) fn map(setup: &Setup<3>, pictures: &Pictures<'_>, at: [f64; 3]) -> Result<(), Failure> {
+pub(crate) fn map(
+    setup: &Setup<3>,
+    at: [f64; 3],
+    unsure: &Unsure,
+    pictures: Option<&Pictures<'_>>,
+) -> Result<(), Failure> {
     let grasp = setup.grasp()?;
-    let title = pictures.title();
     let base = ask::base(setup);
     let pull = |direction: [f64; 3]| Wrench::force_at(direction, at);
     let ramp = |direction: [f64; 3]| Ramp::load(base, pull(direction));
@@ -35,8 +41,9 @@ pub(crate) fn map(setup: &Setup<3>, pictures: &Pictures<'_>, at: [f64; 3]) -> Re
     let (rings, around) = if grasp.len() > MANY { PATHS } else { ONSETS };
     let grid = SphereGrid::new(rings, around);
     let directions = grid.directions();
-    let firsts = watch::sweep("onsets", &directions, ALL_ONSETS, |d| ask::first(&quick, &ramp(*d)))?
-        .ok_or_else(ask::too_long)?;
+    let reserve = grasp.reserve(&base, &unsure.uncertainty(), unsure.sigmas)?;
+    let first = |d: [f64; 3]| ask::first((&quick, &reserve), (&base, pull(d)));
+    let firsts = watch::sweep("onsets", &directions, ALL_ONSETS, |d| first(*d))?.ok_or_else(ask::too_long)?;
     let onsets: Vec<f64> = firsts.iter().map(|first| first.factor).collect();
     let finite = || onsets.iter().copied().enumerate().filter(|(_, x)| x.is_finite());
     let largest = finite().map(|(_, x)| x).fold(0.0, f64::max);
@@ -53,9 +60,17 @@ pub(crate) fn map(setup: &Setup<3>, pictures: &Pictures<'_>, at: [f64; 3]) -> Re
     let ways = coarse.directions();
     let lasts = load_paths(&grasp, base, &pull, (&ways, most))?;
 
+    let Some(pictures) = pictures else {
+        let onsets = directions.iter().copied().zip(&firsts).collect();
+        let paths = ways.iter().copied().zip(lasts.iter().flatten()).collect();
+        Map { at, base, unsure, onsets, paths, most, weakest: Some((weakest, onset)) }.print();
+        return Ok(());
+    };
+    let title = pictures.title();
     let words = ask::words(at, &base).join(", ");
     println!("{title}: {words}");
-    print_table(&grasp, &ramp, &pull, (base, most), weakest)?;
+    print_table(&grasp, &first, &pull, (base, most), weakest)?;
+    println!("  {}", unsure.words().join(" "));
     println!("  onsets in {} directions: {least:.6} to {largest:.6} N", directions.len());
     println!("  weakest direction ({}): onset {onset:.12} N", components(weakest));
     match &lasts {
@@ -71,9 +86,9 @@ pub(crate) fn map(setup: &Setup<3>, pictures: &Pictures<'_>, at: [f64; 3]) -> Re
             grasp.len()
         ),
     }
-    let first = ask::first(&quick, &ramp(weakest))?;
+    let first = first(weakest)?;
 
-    let drawing = Drawing { grasp: &grasp, pictures, title: &title, words: &words };
+    let drawing = Drawing { grasp: &grasp, pictures, title: &title, words: &words, unsure };
     let weak = format!("Weakest: {onset:.6} N along ({}), where {}.", components(weakest), first.who);
     drawing.of_onsets(grid, &firsts, (weakest, onset, &weak))?;
     match lasts.filter(|lasts| lasts.iter().any(|last| last.factor.is_finite())) {
@@ -107,6 +122,7 @@ struct Drawing<'a> {
     pictures: &'a Pictures<'a>,
     title: &'a str,
     words: &'a str,
+    unsure: &'a Unsure,
 }
 
 impl Drawing<'_> {
@@ -123,10 +139,11 @@ impl Drawing<'_> {
             .mark(weakest, format!("weakest {onset:.3} N"))
             .meanings("never slides", "not known");
         self.save("_map.svg", map, weak)?;
-        let title = format!("{}: onset of sliding with 3σ in reserve", self.title);
-        let map = SphereMap::new(title, "onset − 3σ (N)", grid, of(|first| first.robust))?
+        let sigmas = self.unsure.sigmas;
+        let title = format!("{}: onset of sliding with {sigmas}σ in reserve", self.title);
+        let map = SphereMap::new(title, "with reserve (N)", grid, of(|first| first.robust))?
             .meanings("never slides", "not known");
-        self.save("_map_robust.svg", map, &ask::NOT_KNOWN.replace('\n', " "))
+        self.save("_map_robust.svg", map, &self.unsure.words().join(" "))
     }
 
     /// How far load paths go.
@@ -156,14 +173,14 @@ const MANY: usize = 8;
 
 fn print_table(
     grasp: &Grasp,
-    ramp: &impl Fn([f64; 3]) -> Ramp,
+    first: &impl Fn([f64; 3]) -> Result<First, grasp_lcp::Error>,
     pull: &impl Fn([f64; 3]) -> Wrench,
     (base, most): (Wrench, f64),
     weakest: [f64; 3],
 ) -> Result<(), Failure> {
     println!(
         "  {:9}  {:>14}  {:>14}  {:>14}  {:22} leaves first",
-        "direction", "onset (N)", "less 3σ (N)", "held to (N)", "end of the path"
+        "direction", "onset (N)", "reserve (N)", "held to (N)", "end of the path"
     );
     let (x, y, z) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]);
     let back = |d: [f64; 3]| d.map(|x: f64| 0.0 - x);
@@ -176,7 +193,7 @@ fn print_table(
         ("−z", back(z)),
         ("weakest", weakest),
     ] {
-        let First { factor, who, robust } = ask::first(&ask::quick(grasp), &ramp(d))?;
+        let First { factor, who, robust } = first(d)?;
         let last = limit::last(grasp, base, pull(d), most)?;
         let held = last.words(most);
         println!("  {name:9}  {factor:14.9}  {robust:14.9}  {held:>14}  {:22} {who}", last.end.word());

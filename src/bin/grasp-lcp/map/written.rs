@@ -1,0 +1,61 @@
+//! A map for machines.
+
+use serde_json::{Value, json};
+
+use super::ask::First;
+use super::limit::{Last, LimitEnd};
+use super::unsure::Unsure;
+use grasp_lcp::grasp::Wrench;
+
+/// Everything that a map knows.
+pub(super) struct Map<'a, const C: usize> {
+    pub(super) at: [f64; C],
+    pub(super) base: Wrench<C>,
+    pub(super) unsure: &'a Unsure,
+    pub(super) onsets: Vec<([f64; C], &'a First)>,
+    /// Load paths, and how far they were followed.
+    pub(super) paths: Vec<([f64; C], &'a Last)>,
+    pub(super) most: f64,
+    pub(super) weakest: Option<([f64; C], f64)>,
+}
+
+impl<const C: usize> Map<'_, C> {
+    /// One object; a force that is never reached is "never", one that is not known is null.
+    pub(super) fn print(&self) {
+        let onset = |(direction, first): &([f64; C], &First)| {
+            json!({
+                "direction": direction.to_vec(),
+                "onset": force(first.factor, "never"),
+                "with_reserve": force(first.robust, "never"),
+                "leaves_first": first.who,
+            })
+        };
+        let path = |(direction, last): &([f64; C], &Last)| {
+            let held =
+                if last.end == LimitEnd::Held { json!("further") } else { force(last.factor, "further") };
+            json!({ "direction": direction.to_vec(), "held_to": held, "end": last.end.word() })
+        };
+        let weakest =
+            self.weakest.map(|(direction, size)| json!({ "direction": direction.to_vec(), "onset": size }));
+        let map = json!({
+            "at": self.at.to_vec(),
+            "base": self.base.components(),
+            "standard_deviations": self.unsure.written(),
+            "weakest": weakest,
+            "onsets": self.onsets.iter().map(onset).collect::<Vec<_>>(),
+            "followed_to": self.most,
+            "paths": self.paths.iter().map(path).collect::<Vec<_>>(),
+        });
+        println!("{map}");
+    }
+}
+
+fn force(newtons: f64, never: &str) -> Value {
+    if newtons.is_finite() {
+        json!(newtons)
+    } else if newtons.is_nan() {
+        Value::Null
+    } else {
+        json!(never)
+    }
+}

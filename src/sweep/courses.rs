@@ -1,0 +1,124 @@
+//! Forces of contacts that keep their states: linear in the load, and what it changes of them that data are off.
+
+use std::sync::Arc;
+
+use nalgebra::{Matrix, SVector};
+
+use super::datum::Datum;
+use super::margin::{Change, LOOKED_AT, change};
+use crate::contact::{Polygon, State};
+use crate::error::Error;
+use crate::grasp::{Engine, Wrench, of_the_object};
+use crate::numerics::{Size, Vector};
+use crate::object::{Load, Piece, PieceState};
+
+/// Forces with data as known, and with each datum off by what is looked at.
+#[derive(Debug, Clone)]
+pub(super) struct AllForces<const C: usize> {
+    known: Forces<C>,
+    off: Vec<[Forces<C>; LOOKED_AT.len()]>,
+}
+
+/// Forces of all sites, or gaps of those that are open: by commands alone, and by each component of the load.
+#[derive(Debug, Clone)]
+struct Forces<const C: usize> {
+    commanded: Vec<SVector<f64, C>>,
+    by_load: Vec<Vec<SVector<f64, C>>>,
+}
+
+/// Forces by commands or by one load: as known, and what each datum changes of them.
+#[derive(Debug, Clone)]
+pub(super) struct Course<const C: usize> {
+    pub(super) known: Vec<SVector<f64, C>>,
+    /// What each datum changes of each.
+    pub(super) off: Vec<Vec<Change<C>>>,
+}
+
+impl<const C: usize> Course<C> {
+    fn with(all: &AllForces<C>, forces: impl Fn(&Forces<C>) -> Vec<SVector<f64, C>>) -> Self {
+        let known = forces(&all.known);
+        let of_datum = |values: &[Forces<C>; LOOKED_AT.len()]| {
+            let seen = values.each_ref().map(&forces);
+            let of_site = |(i, known)| change(seen.each_ref().map(|forces| forces[i] - known));
+            known.iter().enumerate().map(of_site).collect()
+        };
+        let off = all.off.iter().map(of_datum).collect();
+        Self { known, off }
+    }
+
+    /// By commands and by forces that hold contacts.
+    pub(super) fn commanded(all: &AllForces<C>) -> Self {
+        Self::with(all, |forces| forces.commanded.clone())
+    }
+
+    /// By a load.
+    pub(super) fn of(all: &AllForces<C>, load: &Wrench<C>) -> Self {
+        Self::with(all, |forces| {
+            let mut sum = vec![SVector::zeros(); forces.commanded.len()];
+            for (by, x) in forces.by_load.iter().zip(load.components()).filter(|(_, x)| **x != 0.0) {
+                sum.iter_mut().zip(by).for_each(|(sum, by)| *sum += by * *x);
+            }
+            sum
+        })
+    }
+
+    /// Both together.
+    pub(super) fn and(mut self, other: &Self) -> Self {
+        self.known.iter_mut().zip(&other.known).for_each(|(sum, more)| *sum += more);
+        for (sum, more) in self.off.iter_mut().flatten().zip(other.off.iter().flatten()) {
+            sum.iter_mut().zip(more).for_each(|(sum, more)| *sum += more);
+        }
+        self
+    }
+
+    /// The largest force as known.
+    pub(super) fn largest(&self) -> f64 {
+        self.known.iter().map(Matrix::norm).fold(0.0, f64::max)
+    }
+}
+
+impl<D: Size, const C: usize> Engine<D, C> {
+    /// Forces while sites keep these states, none of which slides, as known and with data off; and the piece they come from.
+    pub(super) fn all_forces(
+        &self,
+        states: &[State<C>],
+        polygon: &Arc<Polygon<C>>,
+        data: &[Datum],
+        sigmas: f64,
+    ) -> Result<(AllForces<C>, Piece<D, C>), Error> {
+        let (known, piece) = self.forces(states, polygon);
+        let mut off = Vec::with_capacity(data.len());
+        for datum in data {
+            let of = |part: f64| Ok::<_, Error>(datum.engine(self, part * sigmas)?.forces(states, polygon).0);
+            let [low, half_low, half_high, high] = LOOKED_AT;
+            off.push([of(low)?, of(half_low)?, of(half_high)?, of(high)?]);
+        }
+        Ok((AllForces { known, off }, piece))
+    }
+
+    fn forces(&self, states: &[State<C>], polygon: &Arc<Polygon<C>>) -> (Forces<C>, Piece<D, C>) {
+        let drives = self.drives();
+        let at_rest = vec![SVector::zeros(); drives.len()];
+        let problem = self.problem(polygon.clone(), false, drives.clone(), &Load::from(&Vector::zeros()));
+        let piece = Piece::new(&problem, states);
+        let seen = |drives: &[SVector<f64, C>], wrench: &Vector<D>| {
+            let PieceState { mut forces, twist } = piece.solve_roughly(drives, wrench);
+            for (i, site) in self.sites().iter().enumerate().filter(|(i, _)| states[*i].is_open()) {
+                forces[i] = SVector::zeros();
+                forces[i][0] = -site.stretch(&drives[i], &twist)[0];
+            }
+            forces
+        };
+        let commanded = seen(&drives, &self.load_unchecked(&Wrench::ZERO));
+        let by_load =
+            (0..of_the_object::<C>()).map(|k| seen(&at_rest, &self.inside_unchecked(&unit(k)))).collect();
+        (Forces { commanded, by_load }, piece)
+    }
+}
+
+/// One newton or newton metre of a component.
+pub(super) fn unit<const C: usize>(component: usize) -> Wrench<C> {
+    let mut unit = [0.0; 6];
+    unit[component] = 1.0;
+    Wrench::from_components(&unit)
+}

@@ -1,0 +1,93 @@
+//! The data that are not known exactly, one by one.
+
+use super::off::Off;
+use super::uncertainty::Uncertainty;
+use crate::error::Error;
+use crate::grasp::{Contact, Engine};
+use crate::numerics::Size;
+
+/// One datum with its σ, which is that of a factor, or of what is added.
+pub(super) struct Datum {
+    what: What,
+    sigma: f64,
+}
+
+/// Whose it is: that of a contact, or of the soft fingertip that begins there.
+#[derive(Clone, Copy)]
+enum What {
+    Stiffness { contact: usize },
+    Squeeze { contact: usize },
+    Point { contact: usize, axis: usize },
+    Normal { contact: usize, axis: usize },
+    Joint(usize),
+}
+
+impl Datum {
+    /// The engine where it is off by z σ.
+    pub(super) fn engine<D: Size, const C: usize>(
+        &self,
+        of: &Engine<D, C>,
+        z: f64,
+    ) -> Result<Engine<D, C>, Error> {
+        let (factor, added) = ((self.sigma * z).exp(), self.sigma * z);
+        let mut off = Off::not();
+        let whose = match self.what {
+            What::Stiffness { contact } => {
+                off.stiffness = factor;
+                Some(contact)
+            }
+            What::Squeeze { contact } => {
+                off.squeeze = factor;
+                Some(contact)
+            }
+            What::Point { contact, axis } => {
+                off.moved[axis] = added;
+                Some(contact)
+            }
+            What::Normal { contact, axis } => {
+                off.tilt[axis] = added;
+                Some(contact)
+            }
+            What::Joint(_) => None,
+        };
+        let mut contacts = of.contacts().to_vec();
+        let is_meant = |i: usize, contact: &Contact<C>| Some(i) == whose || !contact.begins_a_whole();
+        for (i, contact) in contacts.iter_mut().enumerate().skip(whose.unwrap_or(usize::MAX)) {
+            if !is_meant(i, contact) {
+                break;
+            }
+            *contact = off.applied_to(contact);
+        }
+        of.with_data(
+            contacts,
+            |joint| if matches!(self.what, What::Joint(j) if j == joint) { factor } else { 1.0 },
+        )
+    }
+}
+
+impl<D: Size, const C: usize> Engine<D, C> {
+    /// What is not known exactly, friction and load aside, which change no force by themselves.
+    pub(super) fn data(&self, uncertainty: &Uncertainty) -> Vec<Datum> {
+        let Uncertainty { stiffness, squeeze, position, normal, .. } = *uncertainty;
+        let mut data = Vec::new();
+        let mut add = |what: What, sigma: f64| {
+            if sigma != 0.0 {
+                data.push(Datum { what, sigma });
+            }
+        };
+        for (contact, given) in self.contacts().iter().enumerate().filter(|(_, given)| given.begins_a_whole())
+        {
+            add(What::Stiffness { contact }, stiffness);
+            if given.commanded()[0] != 0.0 || given.force.is_some() {
+                add(What::Squeeze { contact }, squeeze);
+            }
+            (0..C).for_each(|axis| add(What::Point { contact, axis }, position));
+            (1..C).for_each(|axis| add(What::Normal { contact, axis }, normal));
+        }
+        for joint in (0..self.joint_commands().len()).filter(|joint| self.drives_of(*joint).next().is_some())
+        {
+            add(What::Joint(joint), stiffness);
+        }
+        data
+    }
+}

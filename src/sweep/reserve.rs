@@ -1,0 +1,122 @@
+//! The question up to which load nearly everything that a grasp may be keeps sticking, where its data are not known exactly.
+
+use super::courses::unit;
+use super::failure::Edges;
+use super::sticking::Sticking;
+use super::uncertainty::Uncertainty;
+use crate::contact::{Polygon, State};
+use crate::equilibrium::{Outcome, Settings};
+use crate::error::Error;
+use crate::grasp::{Engine, Wrench, of_the_object};
+use crate::numerics::{Size, Vector};
+use crate::object::Load;
+
+/// More standard deviations than this leave less than 1e-15, which rounding hides.
+const MOST_SIGMAS: f64 = 8.0;
+
+/// Up to which load a grasp keeps sticking with so many standard deviations in reserve, in any direction on top of one base load; made by
+/// [`Grasp::reserve`](crate::ask::Grasp::reserve).
+#[derive(Debug, Clone)]
+pub struct Reserve<const C: usize> {
+    rest: AtBase<C>,
+    sigmas: f64,
+}
+
+/// What the grasp does under the base load.
+#[derive(Debug, Clone)]
+enum AtBase<const C: usize> {
+    Sticks(Box<Sticking<C>>),
+    Slides,
+    NotKnown,
+}
+
+impl<const C: usize> Reserve<C> {
+    /// How many times this load keeps everything sticking on top of the base load, from 0. Infinite where it always does; not a number where nothing is known
+    /// of the base load.
+    ///
+    /// Zero where something slides already, and where it would too often. Contacts that are open under the base load count as leaving where they close: what
+    /// follows is not looked at.
+    #[must_use]
+    pub fn along(&self, direction: &Wrench<C>) -> f64 {
+        match &self.rest {
+            AtBase::NotKnown => f64::NAN,
+            AtBase::Slides => 0.0,
+            AtBase::Sticks(sticking) => sticking.most(direction),
+        }
+    }
+
+    /// The standard deviations in reserve.
+    #[must_use]
+    pub fn sigmas(&self) -> f64 {
+        self.sigmas
+    }
+}
+
+impl<D: Size, const C: usize> Engine<D, C> {
+    /// [`Grasp::reserve`](crate::ask::Grasp::reserve).
+    pub(crate) fn reserve(
+        &self,
+        base: &Wrench<C>,
+        uncertainty: &Uncertainty,
+        sigmas: f64,
+        settings: &Settings,
+    ) -> Result<Reserve<C>, Error> {
+        if !(sigmas > 0.0 && sigmas <= MOST_SIGMAS) {
+            let what = "standard deviations in reserve";
+            return Err(Error::Argument { what, value: sigmas, allowed: "above 0, at most 8" });
+        }
+        if uncertainty.position != 0.0 {
+            self.refuse_hands("reserve with uncertain positions")?;
+        }
+        let rest = match self.solve(base, settings)? {
+            Outcome::Equilibrium(state) if state.local.states.iter().any(State::<C>::slides) => {
+                AtBase::Slides
+            }
+            Outcome::Equilibrium(state) => {
+                let states = &state.local.states;
+                AtBase::Sticks(Box::new(self.sticking(base, states, uncertainty, sigmas, settings)?))
+            }
+            Outcome::NoEquilibrium(_) => AtBase::Slides,
+            Outcome::Undecided(_) => AtBase::NotKnown,
+        };
+        Ok(Reserve { rest, sigmas })
+    }
+
+    fn sticking(
+        &self,
+        base: &Wrench<C>,
+        states: &[State<C>],
+        uncertainty: &Uncertainty,
+        sigmas: f64,
+        settings: &Settings,
+    ) -> Result<Sticking<C>, Error> {
+        let polygon = Polygon::shared(&settings.cone);
+        let problem = self.problem(
+            polygon.clone(),
+            settings.is_round::<C>(),
+            self.drives(),
+            &Load::from(&Vector::zeros()),
+        );
+        let edges = states.iter().enumerate().map(|(i, state)| {
+            let local = problem.local(i);
+            if state.is_open() {
+                return if local.is_absent() { Edges::None } else { Edges::Opens };
+            }
+            match (local.is_round(), local.may_slide()) {
+                (true, _) => Edges::Round(local.cone()),
+                (_, true) => Edges::Facets(local.cone(), local.facets().to_vec()),
+                _ if local.may_open() => Edges::Opens,
+                _ => Edges::None,
+            }
+        });
+        let edges = edges.collect();
+        let (forces, piece) = self.all_forces(states, &polygon, &self.data(uncertainty), sigmas)?;
+        let mut unresisted = Vec::new();
+        for motion in piece.free_motions() {
+            let of = |k: usize| self.inside_unchecked(&unit(k)).dot(motion);
+            let work: Vec<f64> = (0..of_the_object::<C>()).map(of).collect();
+            unresisted.push(Wrench::from_components(&work));
+        }
+        Ok(Sticking::new(edges, forces, base, unresisted, [sigmas, uncertainty.friction, uncertainty.load]))
+    }
+}

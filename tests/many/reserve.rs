@@ -1,0 +1,176 @@
+//! The load that a grasp keeps sticking under with a reserve is never less safe than it says: as often as that, or less, a sample slides below it.
+
+use std::f64::consts::TAU;
+
+use grasp_lcp::ask::Grasp;
+use grasp_lcp::grasp::Wrench;
+use grasp_lcp::sweep::Uncertainty;
+use grasp_lcp::{Error, planar, spatial};
+use proptest::prelude::*;
+
+const SAMPLES: u64 = 20_000;
+/// Φ(-2) and Φ(-3).
+const TAILS: [(f64, f64); 2] = [(2.0, 0.022_750_131_948_179_21), (3.0, 0.001_349_898_031_630_094_5)];
+
+/// Samples that slide below the reserve are no more than it says, by four standard deviations of their number.
+fn is_safe<const C: usize>(grasp: &Grasp<C>, base: Wrench<C>, direction: Wrench<C>, off: &Uncertainty) {
+    let ramp = grasp_lcp::load_path::Ramp::load(base, direction);
+    let known = grasp.onset(&ramp).unwrap().factor().unwrap_or(0.0);
+    let slides =
+        |onset: Result<grasp_lcp::load_path::Onset<C>, Error>| onset.unwrap().factor().unwrap_or(0.0);
+    let onsets: Vec<f64> = grasp.onset_of_samples(&ramp, off, SAMPLES).into_iter().map(slides).collect();
+    for (sigmas, tail) in TAILS {
+        let held = grasp.reserve(&base, off, sigmas).unwrap().along(&direction);
+        assert!(held <= known, "{held} {known}");
+        let below = onsets.iter().filter(|onset| **onset < held).count() as f64;
+        let expected = tail * SAMPLES as f64;
+        assert!(
+            below <= expected + 4.0 * expected.sqrt(),
+            "{below} of {expected} below {held}, onset {known}"
+        );
+    }
+}
+
+fn everything() -> Uncertainty {
+    Uncertainty::seeded(4).with_friction(0.1).with_stiffness(0.1).with_squeeze(0.05)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    #[test]
+    fn in_the_plane(
+        (data, pull, places) in (
+            prop::collection::vec((0.5..4.0_f64, 0.5..3.0_f64, 0.3..0.9_f64, 5.0..12.0_f64, -0.3..0.3_f64), 2..=5),
+            (0.0..TAU, -0.01..0.01_f64),
+            any::<bool>(),
+        )
+    ) {
+        let count = data.len() as f64;
+        let contact = |(i, (kn, kt, mu, newtons, tilt)): (usize, (f64, f64, f64, f64, f64))| {
+            let angle = TAU * (i as f64 + 0.3 * tilt) / count;
+            planar::Contact::new([0.03 * angle.cos(), 0.03 * angle.sin()], [-(angle + 0.3 * tilt).cos(), -(angle + 0.3 * tilt).sin()])
+                .series_stiffness(1e3 * kn, 1e3 * kt).friction(mu).pressed_with(newtons)
+        };
+        let grasp = planar::Grasp::new(data.into_iter().enumerate().map(contact)).unwrap();
+        let force = planar::Wrench::force_at([pull.0.cos(), pull.0.sin()], [pull.1, 0.0]);
+        let off = if places { everything().with_position(5e-4).with_normal(0.02).with_load(0.05) } else { everything() };
+        is_safe(&grasp, planar::Wrench::ZERO, force, &off);
+    }
+
+    #[test]
+    fn in_space(
+        (data, pull, places) in (
+            prop::collection::vec((0.5..4.0_f64, 0.5..3.0_f64, 0.3..0.9_f64, 5.0..12.0_f64, -0.1..0.1_f64), 3..=5),
+            ([-1.0..1.0_f64, -1.0..1.0_f64, -1.0..1.0_f64], -0.01..0.01_f64),
+            any::<bool>(),
+        )
+    ) {
+        let count = data.len() as f64;
+        let contact = |(i, (kn, kt, mu, newtons, tilt)): (usize, (f64, f64, f64, f64, f64))| {
+            let angle = TAU * (i as f64 + tilt) / count;
+            spatial::Contact::new([0.03 * angle.cos(), 0.03 * angle.sin(), 0.1 * tilt], [-angle.cos(), -angle.sin(), tilt])
+                .series_stiffness(1e3 * kn, 1e3 * kt).friction(mu).pressed_with(newtons)
+        };
+        let grasp = spatial::Grasp::new(data.into_iter().enumerate().map(contact)).unwrap();
+        let force = spatial::Wrench::force_at(pull.0, [pull.1, 0.0, 0.0]);
+        let off = if places { everything().with_position(5e-4).with_normal(0.02).with_load(0.05) } else { everything() };
+        is_safe(&grasp, spatial::Wrench::ZERO, force, &off);
+    }
+}
+
+/// Between two fingers the weight goes down either; with friction alone unknown each slides at `2 μ N exp(σ z)`, so that the reserve is known.
+#[test]
+fn of_two_fingers_either_may_be_the_bad_one() {
+    let finger = |x: f64| {
+        planar::Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).pressed_with(10.0)
+    };
+    let grasp = planar::Grasp::new([finger(-1.0), finger(1.0)]).unwrap();
+    let down = planar::Wrench::force([0.0, -1.0]);
+    let sigma = 0.05;
+    let held = grasp
+        .reserve(&planar::Wrench::ZERO, &Uncertainty::seeded(1).with_friction(sigma), 3.0)
+        .unwrap()
+        .along(&down);
+    // Φ(-3.2052) is half of Φ(-3).
+    let exact = 10.0 * (-3.2052 * sigma).exp();
+    assert!(held <= exact && held > 0.98 * exact, "{held} {exact}");
+    // With nothing unknown the reserve is the onset.
+    let held = grasp.reserve(&planar::Wrench::ZERO, &Uncertainty::seeded(1), 3.0).unwrap().along(&down);
+    assert!((held - 10.0).abs() < 1e-7, "{held}");
+}
+
+/// On the round cone a contact that nothing drags may slide any way: `|F_t|` of two normal numbers alike is beyond r with probability `exp(-r²/2σ²)`.
+#[test]
+fn any_way_around_a_round_cone() {
+    // A load of random size along both tangents is what tilting normals of four stiff supports about a pressed pad gives; here the direct case:
+    // two posts hold the object, one finger rests on it, and the squeeze of two more drags it along either tangent.
+    let post =
+        |x: f64| spatial::Contact::new([x, 0.0, 0.0], [0.0, 0.0, 1.0]).series_stiffness(1e-3, 1e-3).bonded();
+    let pad = spatial::Contact::new([0.0; 3], [0.0, 0.0, 1.0]).series_stiffness(1e3, 1e3).friction(0.5);
+    let side = |n: [f64; 3]| {
+        spatial::Contact::new([0.0; 3], n).series_stiffness(1e-3, 1e-3).friction(0.0).pressed_with(1.0)
+    };
+    let grasp = spatial::Grasp::new([
+        post(-1.0),
+        post(1.0),
+        pad,
+        side([1.0, 0.0, 0.0]),
+        side([-1.0, 0.0, 0.0]),
+        side([0.0, 1.0, 0.0]),
+        side([0.0, -1.0, 0.0]),
+    ])
+    .unwrap();
+    let sigma = 0.3;
+    let off = Uncertainty::seeded(1).with_squeeze(sigma);
+    let down = spatial::Wrench::force([0.0, 0.0, -1.0]);
+    let is_far_below = |weight: f64| {
+        let samples =
+            grasp.onset_of_samples(&grasp_lcp::load_path::Ramp::load(down * weight, down), &off, 40_000);
+        samples.into_iter().filter(|onset| onset.as_ref().is_ok_and(|onset| onset.factor().is_none())).count()
+    };
+    // As much weight as the pad needs to stick with two deviations: found by trial of its base load.
+    let sticks = |weight: f64| grasp.reserve(&(down * weight), &off, 2.0).unwrap().along(&down) > 0.0;
+    let (mut no, mut yes) = (0.0, 10.0);
+    for _ in 0..40 {
+        let weight = 0.5 * (no + yes);
+        if sticks(weight) { yes = weight } else { no = weight }
+    }
+    let fails = is_far_below(yes) as f64 / 40_000.0;
+    // The sum over both ends counts what fails twice.
+    assert!((0.2..1.0).contains(&(fails / TAILS[0].1)), "{fails} at {yes}");
+}
+
+/// A reserve goes on from direction to direction without a jump.
+#[test]
+fn a_reserve_is_continuous_over_directions() {
+    let finger = |x: f64, y: f64| {
+        planar::Contact::new([x, y], [-x.signum(), 0.0])
+            .series_stiffness(2e3, 1.5e3)
+            .friction(0.5)
+            .pressed_with(6.0)
+    };
+    let grasp = planar::Grasp::new([finger(-0.04, 0.02), finger(-0.04, -0.02), finger(0.04, 0.0)]).unwrap();
+    let reserve = grasp.reserve(&planar::Wrench::ZERO, &everything(), 3.0).unwrap();
+    let at = |k: i32| {
+        let (sin, cos) = (f64::from(k) * TAU / 1440.0).sin_cos();
+        reserve.along(&planar::Wrench::force([cos, sin]))
+    };
+    let held: Vec<f64> = (0..1440).map(at).collect();
+    for (here, next) in held.iter().zip(held.iter().cycle().skip(1)) {
+        assert!(*here > 0.0 && (here / next - 1.0).abs() < 0.02, "{here} {next}");
+    }
+}
+
+#[test]
+fn a_wrong_number_of_deviations_is_refused() {
+    let contact = planar::Contact::new([0.0; 2], [0.0, 1.0]).series_stiffness(1.0, 1.0).friction(0.5);
+    let grasp = planar::Grasp::new([contact]).unwrap();
+    for sigmas in [0.0, -1.0, 9.0, f64::NAN] {
+        let refused = grasp.reserve(&planar::Wrench::ZERO, &everything(), sigmas).unwrap_err();
+        assert!(
+            matches!(refused, Error::Argument { what: "standard deviations in reserve", .. }),
+            "{refused}"
+        );
+    }
+}
