@@ -12,6 +12,8 @@ use crate::grasp::{WholeContacts, Wrench};
 const MOST_DOUBLINGS: usize = 20;
 /// Amounts this close together are one, relatively.
 const CLOSE: f64 = 1e-13;
+/// At the bound itself rounding may keep a verdict from being told: what does not is then looked for this far beyond, relatively.
+const BLURRED: f64 = 1e-9;
 /// A scan goes so many times below and above the bound.
 const SCANNED: f64 = 4.0;
 
@@ -137,6 +139,9 @@ fn amount<const C: usize>(grasp: &Grasp<C>, need: &Need<C>, less: [f64; 2]) -> R
             trial => bad = (middle, trial),
         }
     }
+    if let Trial::Unknown(_) = bad.1 {
+        bad = beyond_the_blur(good, bad, tried)?;
+    }
     let otherwise = match bad.1 {
         Trial::Unknown(doubt) => return Ok(Amount::Undecided { at: bad.0, doubt }),
         Trial::DoesNot(otherwise) => otherwise,
@@ -145,6 +150,22 @@ fn amount<const C: usize>(grasp: &Grasp<C>, need: &Need<C>, less: [f64; 2]) -> R
     let presses = if let Sought::Squeeze { .. } = need.sought { presses(grasp, good)? } else { Vec::new() };
     let changes = changes(need.scan, good, is_least, tried)?;
     Ok(Amount::Bound { does: good, does_not: bad.0, otherwise, changes, presses })
+}
+
+/// An amount that clearly does not, close beyond a bound at which it is not known; else the one that was tried.
+fn beyond_the_blur(
+    good: f64,
+    bad: (f64, Trial),
+    tried: impl Fn(f64) -> Result<Trial, Error>,
+) -> Result<(f64, Trial), Error> {
+    let mut gap = bad.0 - good;
+    while gap.abs() <= 0.25 * BLURRED * good.abs() {
+        gap *= 4.0;
+        if let trial @ Trial::DoesNot(_) = tried(good + gap)? {
+            return Ok((good + gap, trial));
+        }
+    }
+    Ok(bad)
 }
 
 /// How often the verdict changes among amounts around the bound, those next to it included.

@@ -58,6 +58,21 @@ fn a_wedge_locks() -> Tested {
     Ok(())
 }
 
+/// A ladder is climbed until friction of foot and wall is used up at once; put on from nothing, its load is then at the boundary in all of its parts.
+#[test]
+fn a_ladder_is_climbed() -> Tested {
+    let ([mu_foot, mu_wall], [reach, height]) = ([0.4, 0.2], [2.113, 4.532]);
+    let foot = Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(5e5, 2e5).friction(mu_foot);
+    let top = Contact::new([reach, height], [-1.0, 0.0]).series_stiffness(2e5, 1e5).friction(mu_wall);
+    let ladder = Grasp::new([foot, top])?;
+    let (own, climber) = (150.0, 800.0);
+    let load = Wrench::force_at([0.0, -own], [0.5 * reach, 0.0]) + Wrench::force([0.0, -climber]);
+    // N_wall = μ_foot N_foot and N_foot + μ_wall N_wall = W, then moments about the foot.
+    let wall = mu_foot * (own + climber) / (1.0 + mu_foot * mu_wall);
+    let arm = (wall * height + mu_wall * wall * reach - own * 0.5 * reach) / climber;
+    is(&Need::arm(load, Wrench::new([0.0, 0.0], -climber)).to_hold(), &ladder, arm)
+}
+
 fn box_on_feet(friction: f64) -> Result<Grasp, grasp_lcp::Error> {
     let foot = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e4, 8e3).friction(friction);
     Grasp::new([foot(-0.05), foot(0.05)])
