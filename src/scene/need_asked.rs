@@ -114,6 +114,18 @@ impl<const C: usize> NeedAsked<C> {
     }
 }
 
+impl<const C: usize> NeedAsked<C> {
+    /// Whether nothing but the grasp's own squeeze acts before the loads are put on: a weight that turns is there from the first.
+    pub(super) fn begins_without_load(&self) -> bool {
+        self.turn.is_none_or(|turn| turn.load_at(0.0) == Wrench::ZERO)
+    }
+
+    /// The loads that are given as such.
+    pub(super) fn put_on(&self) -> impl Iterator<Item = &Wrench<C>> {
+        self.load.iter().chain(&self.loads)
+    }
+}
+
 impl<const C: usize> Setup<C> {
     /// The question for an amount as the grasp has it. Friction sought of a soft fingertip is that of all its points.
     ///

@@ -132,8 +132,10 @@ impl<const C: usize> Setup<C> {
     /// Whether a question does, or none is asked yet.
     fn begins_without_load(&self) -> bool {
         let without = |question: &Question<C>| match question {
-            Question::Hold { base, .. } => *base == Wrench::ZERO,
-            Question::Need(_) => true,
+            Question::Hold { base, load } => *base == Wrench::ZERO && !self.lies_on_a_contact(load),
+            Question::Need(asked) => {
+                asked.begins_without_load() && !asked.put_on().any(|load| self.lies_on_a_contact(load))
+            }
             Question::Solve { load } => *load == Wrench::ZERO,
             Question::Onset(asked) => asked.base == Wrench::ZERO,
             Question::OnsetOfTurn(turn) => turn.load_at(0.0) == Wrench::ZERO,
@@ -142,6 +144,20 @@ impl<const C: usize> Setup<C> {
         self.questions.is_empty() || self.questions.iter().any(without)
     }
 }
+
+impl<const C: usize> Setup<C> {
+    /// Whether a load presses a contact on by itself, as a weight does the table: it needs no finger for that.
+    fn lies_on_a_contact(&self, load: &Wrench<C>) -> bool {
+        let along = |normal: &SVector<f64, C>| {
+            normal.iter().zip(load.components()).map(|(n, force)| n * force).sum::<f64>() / normal.norm()
+        };
+        let size = load.components()[..C].iter().map(|force| force * force).sum::<f64>().sqrt();
+        self.entries().any(|entry| along(&entry.contact.normal) < -ALONG * size)
+    }
+}
+
+/// Of a force that is said to press on a contact this part does.
+const ALONG: f64 = 1e-6;
 
 /// Forces that differ by less than this part are what was meant.
 const OTHERWISE: f64 = 0.02;
