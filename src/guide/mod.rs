@@ -3,6 +3,7 @@
 //! | question | page |
 //! |---|---|
 //! | What is there, from the program to the solvers? | [`tour`] |
+//! | How is it asked in twelve everyday cases? | [`everyday`] |
 //! | Of all the numbers, which may be trusted, and when? | [`which_answer`] |
 //! | Why are there several equilibria, and which one is real? | [`several_equilibria`] |
 //! | What does it mean that Lemke's method ended on a ray? | [`reading_a_ray`] |
@@ -13,6 +14,7 @@
 //! The pages have no items of their own; their examples are compiled and run with the tests.
 
 pub mod choosing_facets;
+pub mod everyday;
 pub mod hands;
 pub mod reading_a_ray;
 pub mod several_equilibria;

@@ -1,7 +1,9 @@
 //! The program `grasp-lcp` as a user calls it: answers, messages and exit codes.
 
 mod answers;
+mod everyday;
 mod mistakes;
+mod new;
 mod readme;
 mod schema;
 mod stream;
@@ -59,6 +61,24 @@ fn run_on(input: &[u8], arguments: &[&str]) -> Output {
 
 fn run(arguments: &[&str]) -> Output {
     run_on(b"", arguments)
+}
+
+/// Commands of a dialogue with what is said to them: scenes stand in a folder below those of the repository.
+fn dialogues<'t>(block: &'t str, folder: &str) -> Vec<(Vec<String>, &'t str)> {
+    let in_folder = |word: &str| {
+        let is_a_scene = Path::new(word).extension().is_some_and(|end| end == "json");
+        let name = word.strip_prefix(folder).unwrap_or(word);
+        if is_a_scene {
+            Path::new(ROOT).join(folder).join(name).display().to_string()
+        } else {
+            word.to_owned()
+        }
+    };
+    let parts = block
+        .split("$ grasp-lcp ")
+        .skip(1)
+        .map(|part| part.split_once('\n').expect("a command and what it says"));
+    parts.map(|(command, told)| (command.split_whitespace().map(in_folder).collect(), told)).collect()
 }
 
 fn text(bytes: &[u8]) -> String {

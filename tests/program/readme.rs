@@ -1,13 +1,14 @@
 //! What the README says that the program prints.
 
-use super::{ROOT, folder, run, scene};
+use super::{ROOT, dialogues, folder, run, scene};
 
 fn readme() -> String {
     std::fs::read_to_string(format!("{ROOT}/README.md")).expect("is there")
 }
 
-fn printed(arguments: &[&str]) -> String {
-    let output = run(arguments);
+fn printed(arguments: &[String]) -> String {
+    let arguments: Vec<_> = arguments.iter().map(String::as_str).collect();
+    let output = run(&arguments);
     assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
     String::from_utf8(output.stdout).expect("text")
 }
@@ -17,18 +18,11 @@ fn the_dialogue_is_what_is_printed() {
     let readme = readme();
     let block =
         readme.split("```text\n").nth(1).and_then(|rest| rest.split("```").next()).expect("a dialogue");
-    let mut dialogues = 0;
-    for part in block.split("$ grasp-lcp ").skip(1) {
-        let (command, told) = part.split_once('\n').expect("a command and what it says");
-        let arguments: Vec<_> = command
-            .split_whitespace()
-            .map(|word| word.strip_prefix("examples/scenes/").map_or_else(|| word.to_owned(), scene))
-            .collect();
-        let arguments: Vec<_> = arguments.iter().map(String::as_str).collect();
-        assert_eq!(printed(&arguments), told, "{command}");
-        dialogues += 1;
+    let dialogues = dialogues(block, "examples/scenes/");
+    for (arguments, told) in &dialogues {
+        assert_eq!(printed(arguments), *told, "{arguments:?}");
     }
-    assert_eq!(dialogues, 3);
+    assert_eq!(dialogues.len(), 3);
 }
 
 #[test]
@@ -48,7 +42,6 @@ fn every_command_of_the_table_answers() {
         if command.starts_with("map") {
             arguments.extend(["--output".to_owned(), output.display().to_string()]);
         }
-        let arguments: Vec<_> = arguments.iter().map(String::as_str).collect();
         assert!(!printed(&arguments).is_empty(), "{command}");
         commands += 1;
     }

@@ -7,6 +7,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
 use crate::map::Unsure;
+use crate::new::{FIELDS, Template};
 
 /// Does the grasp hold? At which load does a contact start to slide, and what comes after?
 ///
@@ -21,6 +22,7 @@ pub(crate) struct Arguments {
 
 const AFTER: &str = "\
 Examples:
+  grasp-lcp new gripper > gripper.json        a scene to begin with; `new --help` explains its fields
   grasp-lcp hold mug.json --mass 0.4          does it hold 400 g, and how much more
   grasp-lcp need mug.json squeeze --mass 0.4  how many newtons each finger has to press with
   grasp-lcp onset mug.json --force 0,0,-1     the weight at which the first finger slides
@@ -36,6 +38,15 @@ Exit codes:
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
+    /// Writes an ordinary scene to begin with.
+    ///
+    /// It goes to standard output, with questions in it, so that `ask` answers at once.
+    #[command(arg_required_else_help = true, after_long_help = FIELDS)]
+    New {
+        /// Of what.
+        #[arg(value_enum)]
+        of: Template,
+    },
     /// Answers every question of a scene.
     Ask(Ask),
     /// Does it hold? The load is put on from rest, and the answer is a sentence.

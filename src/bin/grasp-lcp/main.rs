@@ -8,10 +8,11 @@ mod drawing;
 mod failure;
 mod files;
 mod map;
+mod new;
 mod report;
 mod words;
 
-use std::io::{self, BufWriter};
+use std::io::{self, BufWriter, Write};
 use std::process::ExitCode;
 use std::time::Instant;
 
@@ -37,6 +38,7 @@ fn main() -> ExitCode {
 
 fn run(command: Command) -> Result<ExitCode, Failure> {
     match command {
+        Command::New { of } => io::stdout().write_all(of.text().as_bytes())?,
         Command::Ask(ask) => return asking::ask(&ask, &Asked::Everything),
         Command::Hold { load, base, ask } => return asking::ask(&ask, &Asked::Hold { load, base }),
         Command::Need { ask, wanted } => return asking::ask(&ask, &Asked::Need(wanted)),

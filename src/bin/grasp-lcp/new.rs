@@ -1,0 +1,68 @@
+//! Scenes to begin with.
+
+use clap::ValueEnum;
+
+/// An ordinary scene, to be changed where one's own differs.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+pub(crate) enum Template {
+    /// Two soft jaws on a box.
+    Gripper,
+    /// Thumb and two fingers around a mug.
+    ThreeFingers,
+    /// A suction cup on a plate.
+    Suction,
+    /// Locators and clamps on a workpiece, in the plane.
+    Fixture,
+    /// Two fingers with a joint and a motor each, in the plane.
+    Hand,
+    /// A wedge in a gap, in the plane.
+    Wedge,
+}
+
+impl Template {
+    /// The scene as text.
+    pub(crate) fn text(self) -> &'static str {
+        match self {
+            Self::Gripper => include_str!("../../../examples/scenes/everyday/gripper.json"),
+            Self::ThreeFingers => include_str!("../../../examples/scenes/everyday/mug.json"),
+            Self::Suction => include_str!("../../../examples/scenes/everyday/suction.json"),
+            Self::Fixture => include_str!("../../../examples/scenes/everyday/fixture.json"),
+            Self::Hand => include_str!("../../../examples/scenes/everyday/hand.json"),
+            Self::Wedge => include_str!("../../../examples/scenes/everyday/wedge.json"),
+        }
+    }
+}
+
+/// What the fields of these scenes are, for the help and the manual: JSON has no comments.
+pub(crate) const FIELDS: &str = "\
+What stands in the scenes:
+  format             the version, always \"grasp-lcp/1\"
+  comment            a text for the reader; nothing looks at it
+  planar, spatial    the plane, with two numbers a point, or space with three
+  contacts           where the object is touched; one entry each
+  name               what answers and messages call it
+  point              where it touches, m
+  normal             the direction into the object, the way the finger pushes; its length does not count
+  series_stiffness   [normal, tangential], N/m: how finger and object give way there
+  friction           the coefficient of friction μ; 0 if left out
+  pressed_with       the squeeze, N: the contact's spring is wound up so far, and the object gives way until forces
+                     agree; a warning says where a contact then presses with something else
+  clearance          a gap before anything touches, m; negative for an overlap
+  soft               a soft pad in place of a point, which resists twisting and tilting: a ring or a disc of this
+                     radius, m; points on a ring and annuli, with two rings each, say how finely it is divided
+  fingers            fingers with joints, and contacts that press with a force that is kept: presses_with, N
+  joints             from the palm on: where it turns (revolute, a point), how stiff its motor is (stiffness, N m/rad),
+                     how far it is told to close (command, rad), where it stalls (limit, saturates, N m)
+  outline            corners of the object, m; only drawn
+  questions          what is asked, in order:
+  hold               does it hold the load, beside the base that is there at rest?
+  need               how much of a quantity (squeeze, friction, load, arm, angle) does the load take?
+                     any_force is a force of any direction, N, at a point
+  load, base         a force, N, and where it acts: at, m; the origin if left out
+
+  grasp-lcp new gripper > gripper.json
+  grasp-lcp ask gripper.json                   answers its questions
+  grasp-lcp hold gripper.json --mass 0.8       and another one
+  grasp-lcp draw gripper.json                  shows whether all is where it is meant to be
+
+Lengths are in m, forces in N, stiffnesses in N/m. All other fields: documentation of the module `scene`.";

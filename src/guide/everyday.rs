@@ -1,0 +1,104 @@
+//! Twelve everyday questions, in the words in which people ask them, each one command.
+//!
+//! The scenes are those of `examples/scenes/everyday`, of at most 12 lines each, and the commands are typed there. The first line of what is printed is the
+//! answer, and it is quoted here; more follows where there is more to say. Six of the scenes are also what `grasp-lcp new` writes, for a start of one's own.
+//!
+//! # My gripper presses with 20 N on a box of half a kilogram. Does it hold while the arm starts upwards with 5 m/s²?
+//!
+//! ```text
+//! $ grasp-lcp hold gripper.json --mass 0.5 --accelerated 0,0,5
+//! HOLDS, everything sticks: 3.24105 times this load until it is lost, as left jaw and right jaw slide
+//! ```
+//!
+//! Two jaws, 20 N, friction 0.6: 24 N, and the box pulls with 0.5 · (9.81 + 5) = 7.4 N.
+//!
+//! # I push a box on a table with 8 N. Does it slide or tip over?
+//!
+//! ```text
+//! $ grasp-lcp hold box_on_table.json
+//! TIPS OVER at 6.53333 N of 8 N beside the load at rest: the object tips over about right edge, left edge opens. Nothing holds all of it, wherever the object goes
+//! ```
+//!
+//! Its weight of 19.6 N has an arm of 50 mm about the right edge, the push one of 150 mm. Sliding would take 0.4 · 19.6 = 7.84 N.
+//!
+//! # Which friction does a wedge of 15 degrees need to stay in its gap?
+//!
+//! ```text
+//! $ grasp-lcp need wedge.json
+//! NEEDS a coefficient of friction of 0.131653 so that nothing slides, a coefficient of friction of 0.146281 if friction is 10 % less and the squeeze is 5 % less. With less: left face slides
+//! ```
+//!
+//! That is tan 7.5°, however hard it is driven in.
+//!
+//! # Does a suction cup of 40 mm hold a plate of 2 kg that is pulled sideways with 10 N?
+//!
+//! ```text
+//! $ grasp-lcp hold suction.json
+//! HOLDS, everything sticks: 1.68983 times this load until the first slip (cup), 1.90308 times until it is lost
+//! ```
+//!
+//! See [`suction_cups`](super::suction_cups).
+//!
+//! # How far may I climb on a ladder?
+//!
+//! ```text
+//! $ grasp-lcp need ladder.json
+//! TAKES an arm of 1.98101 m and it is not lost. With more: TURNS OUT at 0 N of 950 N: the object turns about (-6.9726, 2.266) m. Nothing holds all of it within 0.691007 mm and 0.0158355° of there
+//! ```
+//!
+//! So far out from its foot, 4.69 m of the 5 m of the ladder: friction of foot and wall is then used up at once.
+//!
+//! # How hard do the clamps of my fixture have to press, whichever way the cutter pushes?
+//!
+//! ```text
+//! $ grasp-lcp need fixture.json
+//! NEEDS 204.657 N at lower left, 192.933 N at lower right, 214.652 N at side, 427.898 N at upper clamp and 267.436 N at side clamp (0.534872 times the squeeze given) so that nothing slides, 1.13976 times as much if friction is 10 % less and the squeeze is 5 % less. With less: lower right slides under a force of one direction
+//! ```
+//!
+//! # How hard do three fingers have to press to carry a full mug of 400 g?
+//!
+//! ```text
+//! $ grasp-lcp need mug.json squeeze --mass 0.4 --at 0.006,0,-0.02
+//! NEEDS 3.49237 N at thumb, 2.01635 N at index and 2.01635 N at middle (0.349227 times the squeeze given) so that nothing slides, 1.16959 times as much if friction is 10 % less and the squeeze is 5 % less. With less: index and middle slide
+//! ```
+//!
+//! # How far can I tip a bottle before it slips in my hand?
+//!
+//! ```text
+//! $ grasp-lcp need bottle.json
+//! TAKES 36.4669° and nothing slides, 28.2407° if friction is 10 % less and the squeeze is 5 % less. With more: something slides at 36.466914°
+//! ```
+//!
+//! # How hard do I have to pull to get a book out of a row?
+//!
+//! ```text
+//! $ grasp-lcp need book.json
+//! TAKES 7 times the load and it is not lost. With more: SLIPS OUT at 7 N of 7 N: the object moves along −y, left front, left back, right front and right back slide (gross slip). Nothing holds all of it within 0.86424 mm and 0.919513° of there
+//! ```
+//!
+//! Four places, 5 N each, friction 0.35; the load of the scene is 1 N.
+//!
+//! # Do my soft jaws carry a plate by its rim?
+//!
+//! ```text
+//! $ grasp-lcp hold plate.json
+//! HOLDS, everything sticks: 1.32092 times this load until the first slip (upper jaw), held up to 100 times
+//! ```
+//!
+//! # Which motor of my hand stalls first, and when?
+//!
+//! ```text
+//! $ grasp-lcp hold hand.json
+//! HOLDS, everything sticks: 1.85897 times this load until the first slip (right motor gives way), 2.08333 times until it is lost
+//! ```
+//!
+//! The motor stalls at 0.5 N m, its finger is 60 mm long: it presses with 8.33 N at most, 2.08 times the 4 N of the load, once the other finger has let go.
+//!
+//! # How far may I tilt a tray before the glass on it tips or slides?
+//!
+//! ```text
+//! $ grasp-lcp need tray.json
+//! TAKES 23.1986° and it is not lost, 23.1986° if friction is 10 % less and the squeeze is 5 % less. With more: it is lost at 23.198591°
+//! ```
+//!
+//! It tips: half its foot of 30 mm over the 70 mm of its centre of mass is tan 23.2°. It would slide at tan⁻¹ 0.5 = 26.6°.

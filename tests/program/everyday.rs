@@ -1,0 +1,42 @@
+//! The guide's twelve everyday questions are answered as it says, each on a scene of at most twelve lines.
+
+use std::collections::HashSet;
+
+use crate::{ROOT, dialogues, run, text};
+
+const SCENES: &str = "examples/scenes/everyday/";
+
+#[test]
+fn the_first_line_is_the_one_quoted() {
+    let page = std::fs::read_to_string(format!("{ROOT}/src/guide/everyday.rs")).expect("is there");
+    let page: String =
+        page.lines().map(|line| format!("{}\n", line.trim_start_matches("//!").trim_start())).collect();
+    let (mut scenes, mut wrong) = (HashSet::new(), Vec::new());
+    let dialogues = dialogues(&page, SCENES);
+    for (arguments, told) in &dialogues {
+        let output = run(&arguments.iter().map(String::as_str).collect::<Vec<_>>());
+        assert!(
+            output.status.success() && output.stderr.is_empty(),
+            "{arguments:?}: {}",
+            text(&output.stderr)
+        );
+        let printed = text(&output.stdout);
+        let (printed, told) =
+            (printed.lines().next().expect("an answer"), told.lines().next().expect("a line"));
+        if printed != told {
+            wrong.push(format!("{arguments:?}\n  is told: {told}\n  printed: {printed}"));
+        }
+        scenes.insert(arguments[1].clone());
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    assert_eq!((dialogues.len(), scenes.len()), (12, 12));
+}
+
+#[test]
+fn no_scene_has_more_than_twelve_lines() {
+    for file in std::fs::read_dir(format!("{ROOT}/{SCENES}")).expect("is there") {
+        let file = file.expect("is there").path();
+        let lines = std::fs::read_to_string(&file).expect("a scene").lines().count();
+        assert!(lines <= 12, "{}: {lines}", file.display());
+    }
+}
