@@ -108,6 +108,16 @@ pub enum Error {
         /// Which contact.
         contact: ContactLabel,
     },
+    /// A field of a question is missing, or is none of this question.
+    #[error("{question}: {field} {fault}")]
+    Question {
+        /// Which question.
+        question: &'static str,
+        /// Which of its fields.
+        field: &'static str,
+        /// What is wrong, and what is allowed.
+        fault: &'static str,
+    },
     /// A load that turns where only straight ones can be followed.
     #[error("{method}: the load of a leg turns, must go straight")]
     StraightOnly {

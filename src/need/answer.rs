@@ -117,6 +117,6 @@ pub(super) fn check_part(what: &'static str, value: f64) -> Result<(), Error> {
     if (0.0..1.0).contains(&value) {
         Ok(())
     } else {
-        Err(Error::Argument { what, value, allowed: "from 0 to less than 1" })
+        Err(Error::Argument { what, value, allowed: "from 0 to less than 1: 0.1 is ten percent" })
     }
 }

@@ -38,13 +38,7 @@ impl<const C: usize> Grasp<C> {
     #[doc(alias = "grip force")]
     #[doc(alias = "required")]
     pub fn need(&self, need: &Need<C>) -> Result<Needed, Error> {
-        check_part("part by which friction is less", need.lower[0])?;
-        check_part("part by which the squeeze is less", need.lower[1])?;
-        if let Sought::Squeeze { loads } | Sought::Friction { loads, .. } | Sought::Load { loads } =
-            &need.sought
-        {
-            loads.check_size()?;
-        }
+        need.check()?;
         let quantity = need.quantity();
         let amount = amount(self, need, [0.0; 2])?;
         let is_uncertain = need.lower.iter().any(|part| *part != 0.0);
@@ -54,6 +48,18 @@ impl<const C: usize> Grasp<C> {
 }
 
 impl<const C: usize> Need<C> {
+    /// Refuses numbers that no grasp would take.
+    pub(crate) fn check(&self) -> Result<(), Error> {
+        check_part("part by which friction is less", self.lower[0])?;
+        check_part("part by which the squeeze is less", self.lower[1])?;
+        match &self.sought {
+            Sought::Squeeze { loads } | Sought::Friction { loads, .. } | Sought::Load { loads } => {
+                loads.check_size()
+            }
+            Sought::Arm { .. } | Sought::Angle { .. } => Ok(()),
+        }
+    }
+
     fn quantity(&self) -> Quantity {
         match self.sought {
             Sought::Squeeze { .. } => Quantity::Squeeze,

@@ -5,6 +5,7 @@ use std::fmt;
 use serde::Deserialize;
 use serde_path_to_error::Track;
 
+use super::plain_words::in_plain_words;
 use super::written::{FORMAT, Id, Scene};
 use crate::error::Error;
 
@@ -84,8 +85,13 @@ impl Fault {
         }
         let message = inner.to_string();
         let position = format!(" at line {line} column {column}");
-        let message = message.strip_suffix(&position).unwrap_or(&message).to_owned();
-        let field = Some(error.path().to_string()).filter(|path| path != "." && path != "?");
+        let here = text.split(|byte| *byte == b'\n').nth(line.saturating_sub(1));
+        let here = here.and_then(|line| line.get(column.saturating_sub(1))).copied();
+        let message = in_plain_words(message.strip_suffix(&position).unwrap_or(&message), here);
+        let path = error.path().to_string();
+        // The name of the field in question was not yet read.
+        let path = path.strip_suffix(".?").unwrap_or(&path);
+        let field = Some(path.to_owned()).filter(|path| path != "." && path != "?");
         let kind = if inner.is_data() { FaultKind::Scene } else { FaultKind::Syntax };
         Self { kind, message, field, at }
     }

@@ -237,7 +237,8 @@ impl<'de, const C: usize> Deserialize<'de> for Fingertip<C> {
             if written.moved_by.is_some() {
                 return Err("moved_by: of the contacts of a finger alone".to_owned());
             }
-            let stiffness = written.stiffness()?.ok_or(NO_STIFFNESS)?;
+            let missing = || format!("{}{NO_STIFFNESS}", named(written.name.as_deref()));
+            let stiffness = written.stiffness()?.ok_or_else(missing)?;
             let entry = Self::of_written(written, stiffness)?;
             entry.checked(true)
         })
@@ -272,6 +273,16 @@ impl<const C: usize> Fingertip<C> {
                 return Err("command and command_world: a contact has one of them".to_owned());
             }
         };
+        let pressed = [("pressed_with", written.pressed_with), ("force", written.force)];
+        if let Some((field, _)) = pressed.iter().find(|(_, given)| given.is_some())
+            && contact.command_axes == Axes::Frame
+            && contact.command[0] != 0.0
+        {
+            let name = named(contact.name.as_deref());
+            return Err(format!(
+                "{name}{field} is given, must be left out beside a command with a normal part: both say how the finger presses"
+            ));
+        }
         contact = match (written.pressed_with, written.force) {
             (Some(_), Some(_)) => {
                 return Err("pressed_with and force: a finger holds a position or a force, give one of them"
@@ -297,10 +308,9 @@ impl<const C: usize> Fingertip<C> {
         // Where it stands in the list is known to the list only.
         let fault = |error| match error {
             Error::Contact { contact: ContactLabel { name, .. }, field, value, allowed } => {
-                let name = name.map_or(String::new(), |name| format!("{name}: "));
-                format!("{name}{field} is {value}, must be {allowed}")
+                format!("{}{field} is {value}, must be {allowed}", named(name.as_deref()))
             }
-            other => other.to_string(),
+            other => format!("{}{other}", named(contact.name.as_deref())),
         };
         if springs {
             contact.check(0).map_err(fault)?;
@@ -311,6 +321,11 @@ impl<const C: usize> Fingertip<C> {
         }
         Ok(self)
     }
+}
+
+/// How a message of a contact begins.
+fn named(name: Option<&str>) -> String {
+    name.map_or(String::new(), |name| format!("{name}: "))
 }
 
 const NO_STIFFNESS: &str = "no stiffness: give body_stiffness, finger_stiffness or both, or series_stiffness";

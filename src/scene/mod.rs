@@ -275,6 +275,8 @@ mod object;
 mod onset;
 mod patch;
 mod path;
+#[cfg(feature = "json")]
+mod plain_words;
 mod question;
 mod settings;
 mod setup;

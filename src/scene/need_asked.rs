@@ -68,6 +68,10 @@ pub struct NeedAsked<const C: usize> {
     pub squeeze_less: f64,
 }
 
+fn wrong(field: &'static str, fault: &'static str) -> Error {
+    Error::Question { question: "need", field, fault }
+}
+
 const fn a_tenth() -> f64 {
     0.1
 }
@@ -104,12 +108,10 @@ impl<const C: usize> NeedAsked<C> {
             (None, [_, ..], None, None) => Ok(Loads::Each(self.loads.clone())),
             (_, [], Some(size), None) => Ok(Loads::AnyForce { base, size, point }),
             (None, [], None, Some(turn)) => Ok(Loads::Turn(turn)),
-            (load, loads, force, turn) => {
-                let given = [load.is_some(), !loads.is_empty(), force.is_some(), turn.is_some()];
-                let value = given.into_iter().filter(|given| *given).count() as f64;
-                let what = "number of kinds of loads of a need (load, loads, any_force, turn)";
-                Err(Error::Argument { what, value, allowed: "one" })
+            (None, [], None, None) => {
+                Err(wrong("load", "is missing, must be one of load, loads, any_force and turn"))
             }
+            _ => Err(wrong("load", "is given twice, must be one of load, loads, any_force and turn")),
         }
     }
 }
@@ -130,19 +132,33 @@ impl<const C: usize> Setup<C> {
     /// The question for an amount as the grasp has it. Friction sought of a soft fingertip is that of all its points.
     ///
     /// # Errors
-    /// [`Error::Argument`] unless loads are given in one way, an arm with what a metre adds, an angle with a turn, and a contact is one of the scene.
+    /// [`Error::Question`] unless loads are given in one way, an arm with what a metre adds and an angle with a turn. [`Error::Argument`] for a contact that
+    /// is none of the scene, and for numbers out of range.
     pub fn need(&self, asked: &NeedAsked<C>) -> Result<Need<C>, Error> {
-        let missing = |what| Error::Argument { what, value: 0.0, allowed: "one" };
         let of_its_own = [
-            (asked.per_metre.is_some(), Quantity::Arm, "per_metre of a need"),
-            (asked.contact.is_some(), Quantity::Friction, "contact of a need"),
+            (
+                asked.per_metre.is_some(),
+                Quantity::Arm,
+                "per_metre",
+                "is given, must be left out unless an arm is sought",
+            ),
+            (
+                asked.contact.is_some(),
+                Quantity::Friction,
+                "contact",
+                "is given, must be left out unless friction is sought",
+            ),
         ];
-        if let Some((.., what)) = of_its_own.iter().find(|(given, of, _)| *given && *of != asked.quantity) {
-            return Err(Error::Argument { what, value: 1.0, allowed: "left out for this quantity" });
+        if let Some((.., field, fault)) =
+            of_its_own.iter().find(|(given, of, ..)| *given && *of != asked.quantity)
+        {
+            return Err(wrong(field, fault));
         }
         if asked.at.is_some() && asked.any_force.is_none() {
-            let (what, allowed) = ("at of a need", "beside any_force");
-            return Err(Error::Argument { what, value: 1.0, allowed });
+            return Err(wrong(
+                "at",
+                "is given, must be left out unless there is any_force (a load has its own)",
+            ));
         }
         let need = match asked.quantity {
             Quantity::Squeeze => Need::squeeze(asked.loads()?),
@@ -152,17 +168,20 @@ impl<const C: usize> Setup<C> {
                 Some(contact) => Need::friction_of(self.points_of(contact)?, asked.loads()?),
             },
             Quantity::Arm => {
-                let load = asked.load.ok_or_else(|| missing("number of loads of an arm (load)"))?;
-                let per_metre = asked.per_metre;
-                let per_metre =
-                    per_metre.ok_or_else(|| missing("number of wrenches of an arm (per_metre)"))?;
+                let load = asked
+                    .load
+                    .ok_or_else(|| wrong("load", "is missing, must be given where an arm is sought"))?;
+                let missing = "is missing, must be what a metre adds to the load where an arm is sought";
+                let per_metre = asked.per_metre.ok_or_else(|| wrong("per_metre", missing))?;
                 Need::arm(load, per_metre)
             }
             Quantity::Angle => {
-                Need::angle(asked.turn.ok_or_else(|| missing("number of turns of an angle (turn)"))?)
+                let missing = "is missing, must be given where an angle is sought";
+                Need::angle(asked.turn.ok_or_else(|| wrong("turn", missing))?)
             }
         };
         let need = need.if_lower_by(asked.friction_less, asked.squeeze_less);
+        need.check()?;
         Ok(if asked.demand == Demand::Held { need.to_hold() } else { need })
     }
 

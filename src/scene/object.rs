@@ -35,7 +35,9 @@ where
     type Value = T;
 
     fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        f.write_str(self.what)
+        // A name says no more of what is written there than an example does.
+        let brackets = if self.what.contains('{') { "" } else { ", an object in { }" };
+        write!(f, "{}{brackets}", self.what)
     }
 
     fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<T, A::Error> {

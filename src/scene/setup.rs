@@ -104,7 +104,7 @@ impl<'de, const C: usize> Deserialize<'de> for Setup<C> {
                 setup.grasp().map(drop).map_err(|error| error.to_string())?;
             }
             for (index, question) in setup.questions.iter().enumerate() {
-                setup.check(question).map_err(|error| format!("question {index}: {error}"))?;
+                setup.check(question).map_err(|error| format!("questions[{index}]: {error}"))?;
             }
             Ok(setup)
         })

@@ -1,5 +1,6 @@
 //! What a scene says that is seldom meant: it is answered, with a word of warning.
 
+use std::collections::BTreeMap;
 use std::fmt;
 
 use nalgebra::SVector;
@@ -12,7 +13,7 @@ use crate::ask::Grasp;
 use crate::equilibrium::{ContactAnswer, Outcome};
 use crate::error::Error;
 use crate::grasp::Wrench;
-use crate::words::number;
+use crate::words::{listed, number};
 
 /// Something that a scene says and hardly means.
 ///
@@ -43,6 +44,13 @@ pub enum Warning {
         /// What it presses with, N.
         force: f64,
     },
+    /// Several contacts have one name, so that answers do not tell which is meant.
+    SameName {
+        /// The contacts of the scene, from 0.
+        contacts: Vec<usize>,
+        /// The name.
+        name: String,
+    },
     /// The outline says that a normal points out of the object.
     PointsOut {
         /// The contact of the scene, from 0.
@@ -64,6 +72,10 @@ impl fmt::Display for Warning {
                 number(*force),
                 number(*told)
             ),
+            Self::SameName { contacts, name } => {
+                let numbers: Vec<_> = contacts.iter().map(|contact| format!("contact {contact}")).collect();
+                write!(f, "{} are called {name}: answers do not tell which is meant", listed(&numbers))
+            }
             Self::PointsOut { name, .. } => write!(
                 f,
                 "{name}: its normal points out of the outline; normals point into the object, the way the finger pushes"
@@ -97,6 +109,7 @@ impl<const C: usize> Setup<C> {
             warnings.push(Warning::NothingPresses);
         }
         warnings.extend(self.presses_otherwise(&grasp)?);
+        warnings.extend(self.same_names());
         for (contact, entry) in self.entries().enumerate() {
             let (point, normal) = (entry.contact.point(), entry.contact.normal);
             if points_out(&self.outline, &point, &normal) {
@@ -127,6 +140,18 @@ impl<const C: usize> Setup<C> {
             }
         }
         Ok(warnings)
+    }
+
+    /// Names that more than one contact has.
+    fn same_names(&self) -> Vec<Warning> {
+        let mut named: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
+        for (contact, entry) in self.entries().enumerate() {
+            if let Some(name) = entry.contact.name.as_deref() {
+                named.entry(name).or_default().push(contact);
+            }
+        }
+        let several = named.into_iter().filter(|(_, contacts)| contacts.len() > 1);
+        several.map(|(name, contacts)| Warning::SameName { contacts, name: name.to_owned() }).collect()
     }
 
     /// Whether a question does, or none is asked yet.

@@ -35,7 +35,8 @@ pub(super) fn part<K>(given: Option<&Few<K, 3>>, expected: usize, name: &str) ->
     if let Some(given) = given.map(Few::as_slice) {
         if given.len() != expected {
             let (count, space) = (given.len(), if expected == 3 { "space" } else { "the plane" });
-            return Err(format!("{name}: {count} given, must be {expected} in {space}"));
+            let numbers = if count == 1 { "number" } else { "numbers" };
+            return Err(format!("{name}: {count} {numbers} given, must be {expected} in {space}"));
         }
         part[..expected].copy_from_slice(given);
     }
@@ -64,6 +65,9 @@ struct WrittenTwist {
     rotation: Option<Few<Computed, 3>>,
 }
 
+/// Told to whoever writes something else.
+const WRENCH: &str = "a wrench, such as {\"force\": [0, -1]}, with three numbers in space";
+
 /// `{"force": …, "moment": …}` (feature `serde`), see [`crate::scene`].
 impl<const C: usize> Serialize for Wrench<C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -75,7 +79,7 @@ impl<const C: usize> Serialize for Wrench<C> {
 /// Refuses numbers that a grasp would refuse.
 impl<'de, const C: usize> Deserialize<'de> for Wrench<C> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
-        object::read(deserializer, "a wrench", |WrittenWrench { force, moment, at }| {
+        object::read(deserializer, WRENCH, |WrittenWrench { force, moment, at }| {
             let parts = [force.as_ref(), moment.as_ref()];
             let mut wrench = join::<_, C>(parts, ["force", "moment"])?;
             if at.is_some() {

@@ -265,7 +265,7 @@ fn what_is_wrong_with_a_hand_is_named() {
         (&|s| s["tendons"][0]["arms"] = json!([1.0, 1.0, 1.0, 1.0, 1.0]), "tendon 0 (flexor)"),
         (
             &|s| s["questions"][2]["follow"]["legs"][0]["joints_by"] = json!([0.0]),
-            "question 2: joint commands of a leg: 1 given, must be 5, one a joint and one a tendon",
+            "questions[2]: joint commands of a leg: 1 given, must be 5, one a joint and one a tendon",
         ),
     ];
     for (change, expected) in cases {

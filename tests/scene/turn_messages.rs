@@ -35,7 +35,7 @@ fn an_axis_is_needed_in_space_and_has_a_length() {
     };
     for (to, expected) in [
         ("\"axis\": [0, 0, 0]", 73, "length of the axis is 0, must be more than 0 and at most 1e50"),
-        ("\"axis\": [0, 1]", 70, "axis: 2 given, must be 3 in space"),
+        ("\"axis\": [0, 1]", 70, "axis: 2 numbers given, must be 3 in space"),
         ("\"at\": [0, 0, 0]", 71, "missing field `axis` of a turn in space"),
     ]
     .map(|(to, column, told)| case(to, column, told))
@@ -74,7 +74,7 @@ fn an_angle_is_a_number_above_zero() {
             (
                 "\"angle\": 3",
                 "\"angle\": \"not a number\"",
-                "line 4, column 77: planar.questions[0].onset_of_turn.angle: invalid value: string \"not a number\", expected a number",
+                "line 4, column 77: planar.questions[0].onset_of_turn.angle: \"not a number\" given, must be a number",
             ),
         ],
     );

@@ -8,6 +8,8 @@ use clap_complete::Shell;
 
 use crate::map::Unsure;
 use crate::new::{FIELDS, Template};
+pub(crate) use crate::numbers::Numbers;
+use crate::numbers::{count, kilograms, newtons, percent};
 
 /// Does the grasp hold? At which load does a contact start to slide, and what comes after?
 ///
@@ -144,13 +146,13 @@ pub(crate) enum Command {
         #[arg(long)]
         brief: bool,
         /// A scene with more points of contact is refused.
-        #[arg(long, default_value_t = 2000)]
+        #[arg(long, allow_hyphen_values = true, value_parser = count, default_value_t = 2000)]
         most_points: usize,
         /// Most combinations of contact states that a scene may try.
-        #[arg(long, default_value_t = 20_000)]
+        #[arg(long, allow_hyphen_values = true, value_parser = count, default_value_t = 20_000)]
         most_states: usize,
         /// Most steps along sliding arcs that a leg may take.
-        #[arg(long, default_value_t = 20_000)]
+        #[arg(long, allow_hyphen_values = true, value_parser = count, default_value_t = 20_000)]
         most_steps: usize,
     },
     /// The JSON Schema of scenes or of answers, for editors and for programs that write them.
@@ -204,7 +206,7 @@ pub(crate) struct Wanted {
     #[command(flatten)]
     pub(crate) load: LoadArguments,
     /// A force of this size and any direction beside the load, N.
-    #[arg(long, value_name = "N")]
+    #[arg(long, allow_hyphen_values = true, value_parser = newtons, value_name = "N")]
     pub(crate) any_force: Option<f64>,
     /// Of an arm: the direction in which the force is moved out.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
@@ -219,10 +221,10 @@ pub(crate) struct Wanted {
     #[arg(long)]
     pub(crate) may_slide: bool,
     /// For the safe amount friction is less by so many percent.
-    #[arg(long, default_value_t = 10.0, value_name = "PERCENT")]
+    #[arg(long, allow_hyphen_values = true, value_parser = percent, default_value_t = 10.0, value_name = "PERCENT")]
     pub(crate) friction_less: f64,
     /// For the safe amount the squeeze is less by so many percent.
-    #[arg(long, default_value_t = 5.0, value_name = "PERCENT")]
+    #[arg(long, allow_hyphen_values = true, value_parser = percent, default_value_t = 5.0, value_name = "PERCENT")]
     pub(crate) squeeze_less: f64,
 }
 
@@ -254,7 +256,7 @@ pub(crate) struct LoadArguments {
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
     pub(crate) at: Option<Numbers>,
     /// A mass, kg, whose weight is put on.
-    #[arg(long, value_name = "KG")]
+    #[arg(long, allow_hyphen_values = true, value_parser = kilograms, value_name = "KG")]
     pub(crate) mass: Option<f64>,
     /// Gravity, m/s²; down along the last axis with 9.81 if left out.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]", requires = "mass")]
@@ -273,33 +275,4 @@ pub(crate) struct Output {
     /// What the names of pictures begin with; the name of the scene's file if left out.
     #[arg(long)]
     pub(crate) name: Option<String>,
-}
-
-/// Numbers between commas.
-#[derive(Debug, Clone)]
-pub(crate) struct Numbers(pub(crate) Vec<f64>);
-
-impl std::str::FromStr for Numbers {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let number = |part: &str| match part.trim().parse::<f64>() {
-            Ok(number) if number.is_finite() => Ok(number),
-            _ => Err(format!(
-                "`{part}` is no finite number; write numbers with commas between them, such as 0,0,-1"
-            )),
-        };
-        text.split(',').map(number).collect::<Result<_, _>>().map(Self)
-    }
-}
-
-impl Numbers {
-    /// As many as the axes of the scene.
-    pub(crate) fn array<const N: usize>(&self, option: &str) -> Result<[f64; N], String> {
-        let space = if N == 3 { "three numbers in space" } else { "two numbers in the plane" };
-        self.0
-            .as_slice()
-            .try_into()
-            .map_err(|_| format!("--{option}: {} given, must be {space}", self.0.len()))
-    }
 }

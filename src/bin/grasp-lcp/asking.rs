@@ -15,10 +15,8 @@ use grasp_lcp::{planar, spatial};
 
 use crate::arguments::{Ask, LoadArguments, Numbers, QuantityAsked, Wanted};
 use crate::failure::{Failure, UNDECIDED};
+use crate::loads::{direction, point, pull_of_mass, total_force};
 use crate::{files, report};
-
-/// Weight of a kilogram where nothing else is said, m/s².
-const GRAVITY: f64 = 9.81;
 
 /// What is asked.
 pub(crate) enum Asked {
@@ -44,7 +42,7 @@ pub(crate) fn ask(ask: &Ask, asked: &Asked) -> Result<ExitCode, Failure> {
             put(setup, asked, &Words { force_at: spatial::Wrench::force_at, moment, turn: spatial_turn })?;
         }
     }
-    let answers = scene.answers()?;
+    let answers = scene.answers().map_err(|error| files::refused(&ask.scene, &error))?;
     let mut out = io::stdout().lock();
     if ask.json {
         serde_json::to_writer_pretty(&mut out, &answers).map_err(io::Error::from)?;
@@ -146,7 +144,8 @@ impl<const C: usize> Words<C> {
         if let Some(moment) = moment {
             let (given, expected) = (moment.0.len(), C * (C - 1) / 2);
             if given != expected {
-                return Err(Failure::Usage(format!("--moment: {given} given, must be {expected}")));
+                let space = if C == 3 { "three numbers in space" } else { "one number in the plane" };
+                return Err(Failure::Usage(format!("--moment: {given} given, must be {space}")));
             }
             all = all + (self.moment)(&moment.0);
         }
@@ -174,15 +173,16 @@ impl<const C: usize> Words<C> {
         asked.friction_less = 0.01 * wanted.friction_less;
         asked.squeeze_less = 0.01 * wanted.squeeze_less;
         let of_its_own = [
-            (wanted.along.is_some(), QuantityAsked::Arm, "--along"),
-            (wanted.axis.is_some(), QuantityAsked::Angle, "--axis"),
-            (wanted.contact.is_some(), QuantityAsked::Friction, "--contact"),
+            (wanted.along.is_some(), QuantityAsked::Arm, "--along", "an arm"),
+            (wanted.axis.is_some(), QuantityAsked::Angle, "--axis", "an angle"),
+            (wanted.contact.is_some(), QuantityAsked::Friction, "--contact", "friction"),
         ];
-        if let Some((.., option)) = of_its_own.iter().find(|(given, of, _)| *given && *of != sought) {
-            return Err(Failure::Usage(format!("{option} is not for this quantity")));
+        if let Some((.., option, of)) = of_its_own.iter().find(|(given, of, ..)| *given && *of != sought) {
+            return Err(Failure::Usage(format!("{option}: given, must be left out unless {of} is sought")));
         }
         if wanted.any_force.is_some() && matches!(sought, QuantityAsked::Arm | QuantityAsked::Angle) {
-            return Err(Failure::Usage("--any-force is not for this quantity".to_owned()));
+            let message = "--any-force: given, must be left out where an arm or an angle is sought";
+            return Err(Failure::Usage(message.to_owned()));
         }
         if wanted.may_slide {
             asked.demand = Demand::Held;
@@ -192,12 +192,11 @@ impl<const C: usize> Words<C> {
         match sought {
             QuantityAsked::Arm => {
                 let along = wanted.along.as_ref();
-                let along = along.ok_or_else(|| Failure::Usage("--along is missing: where to".to_owned()))?;
-                let along: [f64; C] = along.array("along").map_err(Failure::Usage)?;
+                let along = along.ok_or_else(|| {
+                    Failure::Usage(format!("--along is missing: where to, such as --along {}", x_axis::<C>()))
+                })?;
+                let along: [f64; C] = direction(along, "along")?;
                 let length = along.iter().map(|x| x * x).sum::<f64>().sqrt();
-                if length == 0.0 {
-                    return Err(Failure::Usage("--along: all zeros given, must be a direction".to_owned()));
-                }
                 let there = std::array::from_fn(|a| at[a] + along[a] / length);
                 let force = total_force(&wanted.load)?;
                 asked.per_metre = Some((self.force_at)(force, there) + (self.force_at)(force, at) * -1.0);
@@ -216,10 +215,21 @@ impl<const C: usize> Words<C> {
             }
         }
         if let Some(contact) = &wanted.contact {
-            let mut labels = setup.entries().enumerate().map(|(i, entry)| entry.contact.label_text(i));
-            let by_name = labels.position(|label| label == *contact);
-            let unknown = || Failure::Usage(format!("--contact: there is no contact {contact}"));
-            asked.contact = Some(by_name.ok_or_else(unknown)?);
+            let labels = setup.entries().enumerate().map(|(i, entry)| entry.contact.label_text(i));
+            let labels: Vec<_> = labels.collect();
+            let mut by_name = (0..labels.len()).filter(|i| labels[*i] == *contact);
+            asked.contact = by_name.next();
+            if asked.contact.is_none() {
+                let all = labels.join(", ");
+                return Err(Failure::Usage(format!(
+                    "--contact: there is no {contact}, must be one of {all}"
+                )));
+            }
+            if by_name.next().is_some() {
+                return Err(Failure::Usage(format!(
+                    "--contact: there are several {contact}, must be the name of one"
+                )));
+            }
         }
         Ok(Some(asked))
     }
@@ -240,35 +250,9 @@ impl<const C: usize> Words<C> {
     }
 }
 
-/// Where a force acts: the origin unless said otherwise.
-fn point<const C: usize>(at: Option<&Numbers>) -> Result<[f64; C], Failure> {
-    at.map_or(Ok([0.0; C]), |at| at.array("at")).map_err(Failure::Usage)
-}
-
-/// With what a mass pulls: its weight, less what accelerates it.
-fn pull_of_mass<const C: usize>(load: &LoadArguments) -> Result<[f64; C], Failure> {
-    let mass = load.mass.unwrap_or(0.0);
-    if !(mass > 0.0 && mass.is_finite()) {
-        return Err(Failure::Usage(format!("--mass: {mass} given, must be more than 0 kg")));
-    }
-    let down = std::array::from_fn(|a| if a + 1 == C { -GRAVITY } else { 0.0 });
-    let given = |numbers: Option<&Numbers>, option: &str, default: [f64; C]| {
-        numbers.map_or(Ok(default), |numbers| numbers.array(option)).map_err(Failure::Usage)
-    };
-    let gravity = given(load.gravity.as_ref(), "gravity", down)?;
-    let accelerated = given(load.accelerated.as_ref(), "accelerated", [0.0; C])?;
-    Ok(std::array::from_fn(|a| mass * (gravity[a] - accelerated[a])))
-}
-
-/// The force of a load, a weight included.
-fn total_force<const C: usize>(load: &LoadArguments) -> Result<[f64; C], Failure> {
-    let pull = if load.mass.is_some() { pull_of_mass(load)? } else { [0.0; C] };
-    let force = load.force.as_ref().map_or(Ok([0.0; C]), |force| force.array("force"));
-    let force = force.map_err(Failure::Usage)?;
-    if load.mass.is_none() && load.force.is_none() {
-        return Err(Failure::Usage("say for which load: --mass or --force".to_owned()));
-    }
-    Ok(std::array::from_fn(|a| pull[a] + force[a]))
+/// The first axis, as it is written.
+fn x_axis<const C: usize>() -> &'static str {
+    if C == 3 { "1,0,0" } else { "1,0" }
 }
 
 fn planar_turn(weight: [f64; 2], at: Option<&Numbers>, axis: Option<&Numbers>) -> Result<Turn<2>, Failure> {
@@ -279,9 +263,10 @@ fn planar_turn(weight: [f64; 2], at: Option<&Numbers>, axis: Option<&Numbers>) -
 }
 
 fn spatial_turn(weight: [f64; 3], at: Option<&Numbers>, axis: Option<&Numbers>) -> Result<Turn<3>, Failure> {
-    let axis =
-        axis.ok_or_else(|| Failure::Usage("--axis is missing: about which the grasp is tilted".to_owned()))?;
-    let axis: [f64; 3] = axis.array("axis").map_err(Failure::Usage)?;
+    let axis = axis.ok_or_else(|| {
+        Failure::Usage("--axis is missing: about which the grasp is tilted, such as --axis 1,0,0".to_owned())
+    })?;
+    let axis: [f64; 3] = direction(axis, "axis")?;
     Ok(spatial::Turn::tilting(weight, point(at)?, axis)?)
 }
 

@@ -11,7 +11,7 @@ use crate::failure::Failure;
 
 /// A scene from a file, or from standard input for `-`; warnings about it go to standard error.
 pub(crate) fn read(path: &Path) -> Result<Scene, Failure> {
-    let name = if path == Path::new("-") { "standard input".to_owned() } else { path.display().to_string() };
+    let name = name(path);
     let text = if path == Path::new("-") {
         let mut text = Vec::new();
         io::stdin().read_to_end(&mut text).map(|_| text)
@@ -20,11 +20,21 @@ pub(crate) fn read(path: &Path) -> Result<Scene, Failure> {
     };
     let text = text.map_err(|error| Failure::Files(format!("{name}: {error}")))?;
     let scene = Scene::from_json(&text).map_err(|fault| Failure::Scene(format!("{name}: {fault}")))?;
-    let warnings = scene.warnings().map_err(|error| Failure::Scene(format!("{name}: {error}")))?;
+    let warnings = scene.warnings().map_err(|error| refused(path, &error))?;
     for warning in warnings {
         eprintln!("warning: {name}: {warning}");
     }
     Ok(scene)
+}
+
+/// What messages call a scene.
+fn name(path: &Path) -> String {
+    if path == Path::new("-") { "standard input".to_owned() } else { path.display().to_string() }
+}
+
+/// A scene that is refused as it is asked.
+pub(crate) fn refused(path: &Path, error: &grasp_lcp::Error) -> Failure {
+    Failure::Scene(format!("{}: {error}", name(path)))
 }
 
 /// Where pictures of a scene go.

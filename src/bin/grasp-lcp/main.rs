@@ -7,8 +7,10 @@ mod beside;
 mod drawing;
 mod failure;
 mod files;
+mod loads;
 mod map;
 mod new;
+mod numbers;
 mod report;
 mod words;
 

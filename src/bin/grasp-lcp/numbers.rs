@@ -1,0 +1,60 @@
+//! Numbers of the command line: each kind says what it takes, in its unit.
+
+use std::ops::RangeInclusive;
+
+/// Larger numbers are no lengths, forces or masses of anything that is held.
+const LARGEST: f64 = 1e50;
+
+/// Numbers between commas.
+#[derive(Debug, Clone)]
+pub(crate) struct Numbers(pub(crate) Vec<f64>);
+
+impl std::str::FromStr for Numbers {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let number = |part: &str| match part.trim().parse::<f64>() {
+            Ok(number) if number.is_finite() => Ok(number),
+            _ => Err(format!(
+                "`{part}` is no finite number; write numbers with commas between them, such as 0,0,-1"
+            )),
+        };
+        text.split(',').map(number).collect::<Result<_, _>>().map(Self)
+    }
+}
+
+impl Numbers {
+    /// As many as the axes of the scene.
+    pub(crate) fn array<const N: usize>(&self, option: &str) -> Result<[f64; N], String> {
+        let space = if N == 3 { "three numbers in space" } else { "two numbers in the plane" };
+        self.0
+            .as_slice()
+            .try_into()
+            .map_err(|_| format!("--{option}: {} given, must be {space}", self.0.len()))
+    }
+}
+
+/// A mass, kg.
+pub(crate) fn kilograms(text: &str) -> Result<f64, String> {
+    within(text, f64::MIN_POSITIVE..=LARGEST, "a number of kg, more than 0, such as 0.5")
+}
+
+/// The size of a force, N.
+pub(crate) fn newtons(text: &str) -> Result<f64, String> {
+    within(text, 0.0..=LARGEST, "a number of N, from 0 on, such as 4.9")
+}
+
+/// A part of something, in percent.
+pub(crate) fn percent(text: &str) -> Result<f64, String> {
+    within(text, 0.0..=100.0_f64.next_down(), "a number of percent, from 0 to less than 100, such as 10")
+}
+
+fn within(text: &str, range: RangeInclusive<f64>, allowed: &str) -> Result<f64, String> {
+    let number = text.trim().parse().ok().filter(|number| range.contains(number));
+    number.ok_or_else(|| format!("must be {allowed}"))
+}
+
+/// So many.
+pub(crate) fn count(text: &str) -> Result<usize, String> {
+    text.trim().parse().map_err(|_| "must be a whole number, from 0 on".to_owned())
+}

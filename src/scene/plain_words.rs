@@ -1,0 +1,103 @@
+//! What a reader of JSON says of a text, in the words of somebody who writes a scene.
+
+/// A message of serde or of its JSON. `here` is the byte at the place of the fault, if it is known.
+pub(super) fn in_plain_words(message: &str, here: Option<u8>) -> String {
+    if let Some((given, wanted)) = message
+        .strip_prefix("invalid type: ")
+        .or_else(|| message.strip_prefix("invalid value: "))
+        .and_then(|rest| rest.rsplit_once(", expected "))
+    {
+        return format!("{} given, must be {}", self::given(given), self::wanted(wanted));
+    }
+    if let Some((length, wanted)) =
+        message.strip_prefix("invalid length ").and_then(|rest| rest.split_once(", expected "))
+    {
+        return format!("a list of {length} given, must be {wanted}");
+    }
+    for kind in ["field", "variant"] {
+        let unknown = format!("unknown {kind} `");
+        if let Some((name, known)) = message.strip_prefix(&unknown).and_then(|rest| rest.split_once("`, ")) {
+            let what = if kind == "field" { "unknown field `" } else { "unknown name `" };
+            let allowed = known.strip_prefix("expected ").unwrap_or(known);
+            let meant = alike(name, allowed).map_or(String::new(), |meant| format!(" (`{meant}`?)"));
+            return format!("{what}{name}`{meant}, must be {allowed}");
+        }
+    }
+    if let Some(field) = message.strip_prefix("duplicate field ") {
+        return format!("field {field} stands there twice, must be once");
+    }
+    if let Some(what) = message.strip_prefix("EOF while parsing ") {
+        return format!("the text ends within {}: something is missing, perhaps a bracket", wanted(what));
+    }
+    match message {
+        // A number or a list where a name is wanted is no value of this kind, though it is one of JSON.
+        "expected value" | "expected ident" if here.is_some_and(|byte| b"0123456789-[".contains(&byte)) => {
+            "this is none of the values that are allowed here, must be a name in double quotes, or an object"
+        }
+        "expected value" | "expected ident" => {
+            "no value begins like this: texts and names stand in double quotes, numbers begin with a digit or a minus, and there is no NaN"
+        }
+        "key must be a string" => {
+            "the name of a field must stand here, in double quotes (and a decimal comma must be a point)"
+        }
+        "trailing characters" => "there is more text behind the end of the scene, must be nothing",
+        "trailing comma" => "the comma has nothing behind it, or there are two fields where one is allowed",
+        "number out of range" => "a number too large to be read, must be at most 1e50 in size",
+        "invalid number" => "no number: write it as 0.5, -3 or 1e6",
+        other => other,
+    }
+    .to_owned()
+}
+
+/// What stands in the text.
+fn given(what: &str) -> &str {
+    match what {
+        "map" => "an object",
+        "sequence" => "a list",
+        "unit variant" => "a name alone",
+        "newtype variant" | "struct variant" | "tuple variant" => "a name with something",
+        // A number or a text is shown as it stands there, the one between backquotes, the other behind the word.
+        other => {
+            let quoted = other.split_once('`').and_then(|(_, rest)| rest.strip_suffix('`'));
+            quoted.or_else(|| other.strip_prefix("string ")).unwrap_or(other)
+        }
+    }
+}
+
+/// What should stand there.
+fn wanted(what: &str) -> &str {
+    match what {
+        "a sequence" => "a list, in [ ]",
+        "a string" | "string" => "a text, in double quotes",
+        "usize" | "u64" | "u32" => "a whole number from 0 on",
+        "i64" => "a whole number",
+        "f64" => "a number",
+        "a boolean" => "true or false",
+        "struct variant" | "newtype variant" => "an object with its fields, such as {\"disc\": {…}}",
+        "unit variant" => "the name alone",
+        other => other.strip_prefix("struct ").map_or(other, |_| "an object, in { }"),
+    }
+}
+
+/// The one of the allowed names, which stand in backquotes, that differs from the given one by a slip of the pen or two.
+fn alike<'a>(name: &str, allowed: &'a str) -> Option<&'a str> {
+    let names = allowed.split('`').skip(1).step_by(2);
+    let near = names.map(|known| (slips(name, known), known)).min()?;
+    (near.0 <= 1 + name.len() / 5).then_some(near.1)
+}
+
+/// So many letters have to be put in, left out or changed.
+fn slips(a: &str, b: &str) -> usize {
+    let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, x) in a.iter().enumerate() {
+        let mut before = row[0];
+        row[0] = i + 1;
+        for (j, y) in b.iter().enumerate() {
+            let changed = before + usize::from(x != y);
+            before = row[j + 1];
+            row[j + 1] = changed.min(before + 1).min(row[j] + 1);
+        }
+    }
+    row[b.len()]
+}
