@@ -34,6 +34,9 @@ use crate::error::{Error, LARGEST};
 /// | tilting stiffness, N m/rad | k_n ⟨r²⟩/2 | k_n R²/2 | k_n R²/4 | k_n R²/6 | k_n R²/5 |
 /// | first opening under tilting, N m | N ⟨r²⟩/2R | N R/2 | N R/4 | N R/6 | N R/5 |
 ///
+/// A rectangle of sides a and b, with uniform pressure, has the formulas of its
+/// [constructor](SoftFingertip::rectangle).
+///
 /// In the plane, for a pad of width 2b:
 ///
 /// | | formula | pair | pad: uniform | parabolic | Hertz |
@@ -78,8 +81,8 @@ use crate::error::{Error, LARGEST};
 #[derive(Debug, Clone, PartialEq)]
 pub struct SoftFingertip<const C: usize> {
     /// Distance of the outermost points from the centre.
-    radius: f64,
-    places: Vec<Place<C>>,
+    pub(super) radius: f64,
+    pub(super) places: Vec<Place<C>>,
 }
 
 /// Sines and cosines below this size are zero but for rounding. A cosine of 6e-17 in place of 0
@@ -89,10 +92,16 @@ const ZERO: f64 = 1e-15;
 
 /// One point of the patch.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Place<const C: usize> {
+pub(super) struct Place<const C: usize> {
     /// Where, in the frame of the contact (its normal component is zero), from the centre.
-    offset: SVector<f64, C>,
-    share: f64,
+    pub(super) offset: SVector<f64, C>,
+    pub(super) share: f64,
+}
+
+/// Layers on both sides of the middle, in order along a line: where, in units of the half width, and the share.
+pub(super) fn along_a_line(layers: &[Layer]) -> impl Iterator<Item = (f64, f64)> {
+    let side = |sign: f64| move |layer: &Layer| (sign * layer.distance, 0.5 * layer.share);
+    layers.iter().rev().map(side(-1.0)).chain(layers.iter().map(side(1.0)))
 }
 
 impl SoftFingertip<3> {
@@ -227,13 +236,8 @@ impl SoftFingertip<2> {
     /// In order along the tangent.
     fn of_layers(width: f64, layers: &[Layer]) -> Result<Self, Error> {
         let radius = 0.5 * usable(width, "width")?;
-        let side = |sign: f64| {
-            move |layer: &Layer| Place {
-                offset: SVector::from([0.0, sign * layer.distance * radius]),
-                share: 0.5 * layer.share,
-            }
-        };
-        let places = layers.iter().rev().map(side(-1.0)).chain(layers.iter().map(side(1.0))).collect();
+        let place = |(at, share)| Place { offset: SVector::from([0.0, at * radius]), share };
+        let places = along_a_line(layers).map(place).collect();
         Ok(Self { radius, places })
     }
 }
@@ -290,19 +294,27 @@ impl<const C: usize> SoftFingertip<C> {
     }
 
     /// Stiffness against tilting about any tangent, N m/rad: `k_n ⟨r²⟩/2` in space, `k_n ⟨x²⟩` in
-    /// the plane.
+    /// the plane. Of a rectangle the lesser of the [two](SoftFingertip::tilting_stiffnesses).
     #[must_use]
     pub fn tilting_stiffness(&self, contact: &Contact<C>) -> f64 {
-        contact.series_stiffness_of_axes()[0] * self.mean(|at| at[1] * at[1])
+        let least = (1..C).map(|axis| self.square(axis)).fold(f64::INFINITY, f64::min);
+        contact.series_stiffness_of_axes()[0] * least
     }
 
     /// The moment about a tangent at which the first point opens, N m, if the tip is squeezed by
     /// `normal_force` (N): `N ⟨r²⟩/2R` in space, `N ⟨x²⟩/b` in the plane. In space this is for a
     /// tilt towards a point on the rim; half a spacing beside it the first opening comes later, by
-    /// up to the factor 1/cos(π/points).
+    /// up to the factor 1/cos(π/points). Of a rectangle it is the lesser of both tilts along a
+    /// side; towards a corner an edge opens earlier.
     #[must_use]
     pub fn first_opening(&self, normal_force: f64) -> f64 {
-        normal_force * (self.mean(|at| at[1] * at[1]) / self.radius)
+        let along = |axis: usize| self.square(axis) / self.largest(|at| at[axis].abs());
+        normal_force * (1..C).map(along).fold(f64::INFINITY, f64::min)
+    }
+
+    /// `⟨x²⟩` along a tangent.
+    pub(super) fn square(&self, axis: usize) -> f64 {
+        self.mean(|at| at[axis] * at[axis])
     }
 
     /// `Σ w_i f(ρ_i)`.
@@ -318,11 +330,11 @@ impl<const C: usize> SoftFingertip<C> {
 /// How messages say which lengths are [usable].
 const NEITHER_TINY_NOR_HUGE: &str = "from 1e-50 to 1e50";
 
-fn usable(length: f64, what: &'static str) -> Result<f64, Error> {
+pub(super) fn usable(length: f64, what: &'static str) -> Result<f64, Error> {
     let usable = (1.0 / LARGEST..=LARGEST).contains(&length);
     check(usable, what, length, NEITHER_TINY_NOR_HUGE).map(|()| length)
 }
 
-fn check(good: bool, what: &'static str, value: f64, allowed: &'static str) -> Result<(), Error> {
+pub(super) fn check(good: bool, what: &'static str, value: f64, allowed: &'static str) -> Result<(), Error> {
     if good { Ok(()) } else { Err(Error::Fingertip { what, value, allowed }) }
 }

@@ -33,6 +33,7 @@ mod hand;
 mod inside;
 mod motion;
 mod pressure;
+mod rectangular_pad;
 mod remembered;
 mod rigid_motion;
 mod rotation;

@@ -51,8 +51,9 @@
 //! | `soft` | the patch of a soft fingertip in place of the point, see below | | a point |
 //!
 //! The patch shares stiffness and has friction, command, clearance and hold of the contact (see
-//! [`SoftFingertip`](crate::grasp::SoftFingertip)). In space `{"ring": {"radius": …, "points": …}}`
-//! or `{"disc": {"radius": …, "annuli": …, "points": …, "pressure": …}}`, in the plane `{"pair":
+//! [`SoftFingertip`](crate::grasp::SoftFingertip)). In space `{"ring": {"radius": …, "points": …}}`,
+//! `{"disc": {"radius": …, "annuli": …, "points": …, "pressure": …}}` or `{"rectangle": {"sides": [a, b], "strips": [1, 1]}}`
+//! with sides along the first and the second tangent, in the plane `{"pair":
 //! {"width": …}}` or `{"pad": {"width": …, "strips": …, "pressure": …}}`. Lengths in m; the
 //! pressure is `"uniform"` (if left out), `"parabolic"` or `"hertz"`.
 //!

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::error::Error;
 use crate::grasp::{Pressure, SoftFingertip};
 
-/// The patch of a [`SoftFingertip`]: rings and discs in space, pairs and pads in the plane.
+/// The patch of a [`SoftFingertip`]: rings, discs and rectangles in space, pairs and pads in the plane.
 /// `{"disc": {"radius": 0.006, …}}`. Which numbers are allowed say the functions named.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -31,6 +31,14 @@ pub enum Tip {
         #[serde(default)]
         pressure: Pressure,
     },
+    /// [`SoftFingertip::rectangle`].
+    Rectangle {
+        /// Sides along the first and the second tangent, m.
+        sides: [f64; 2],
+        /// Strips in half of each side, two points each; one of each unless said otherwise.
+        #[serde(default = "one_each")]
+        strips: [usize; 2],
+    },
     /// [`SoftFingertip::pair`].
     Pair {
         /// Width of the pad at whose edges the two points are, m.
@@ -48,6 +56,10 @@ pub enum Tip {
     },
 }
 
+const fn one_each() -> [usize; 2] {
+    [1, 1]
+}
+
 impl Tip {
     /// The patch.
     ///
@@ -60,13 +72,14 @@ impl Tip {
             Self::Disc { radius, annuli, points, pressure } => {
                 SoftFingertip::disc(radius, annuli, points, pressure)?.of_axes()
             }
+            Self::Rectangle { sides, strips } => SoftFingertip::rectangle(sides, strips)?.of_axes(),
             Self::Pair { width } => SoftFingertip::pair(width)?.of_axes(),
             Self::Pad { width, strips, pressure } => SoftFingertip::pad(width, strips, pressure)?.of_axes(),
         };
         patch.ok_or(Error::Fingertip {
             what: "number of axes of the patch",
             value: if C == 2 { 3.0 } else { 2.0 },
-            allowed: if C == 2 { "2: a pair or a pad" } else { "3: a ring or a disc" },
+            allowed: if C == 2 { "2: a pair or a pad" } else { "3: a ring, a disc or a rectangle" },
         })
     }
 }

@@ -12,6 +12,7 @@ pub(super) fn in_plain_words(message: &str, here: Option<u8>) -> String {
     if let Some((length, wanted)) =
         message.strip_prefix("invalid length ").and_then(|rest| rest.split_once(", expected "))
     {
+        let wanted = wanted.replace("an array of length", "a list of");
         return format!("a list of {length} given, must be {wanted}");
     }
     for kind in ["field", "variant"] {
@@ -75,6 +76,7 @@ fn wanted(what: &str) -> &str {
         "a boolean" => "true or false",
         "struct variant" | "newtype variant" => "an object with its fields, such as {\"disc\": {…}}",
         "unit variant" => "the name alone",
+        "an array of length 2" => "a list of 2",
         other => other.strip_prefix("struct ").map_or(other, |_| "an object, in { }"),
     }
 }

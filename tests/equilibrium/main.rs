@@ -19,6 +19,7 @@ mod nearly_symmetric;
 mod overlap_and_world_commands;
 mod pinch;
 mod properties_law;
+mod rectangular_pad;
 mod round_cone;
 mod small_motions;
 mod soft_fingertip;

@@ -291,6 +291,31 @@ fn soft_fingertips_are_spread() {
     assert_eq!((&touch[8]["contact"], touch[8].get("point")), (&json!(1), None));
 }
 
+/// A rectangle has one strip in half of each side unless the scene says otherwise.
+#[test]
+fn rectangular_pads_are_spread() {
+    let contact = |soft: &str| {
+        let told = format!(
+            r#"{{"point": [0, 0, 0], "normal": [0, 0, 1], "series_stiffness": [2e3, 1e3], "soft": {{"rectangle": {soft}}}}}"#
+        );
+        serde_json::from_str::<Fingertip<3>>(&told)
+    };
+    let (sides, finger) =
+        ([0.02, 0.012], spatial::Contact::new([0.0; 3], [0.0, 0.0, 1.0]).series_stiffness(2e3, 1e3));
+    for (soft, strips) in
+        [(r#"{"sides": [0.02, 0.012]}"#, [1, 1]), (r#"{"sides": [0.02, 0.012], "strips": [2, 1]}"#, [2, 1])]
+    {
+        let tip = contact(soft).unwrap();
+        assert_eq!(tip.soft, Some(Tip::Rectangle { sides, strips }));
+        let grasp = Setup::new([tip]).grasp().unwrap();
+        let expected = Grasp::<3>::new(
+            spatial::SoftFingertip::rectangle(sides, strips).unwrap().contacts(&finger).unwrap(),
+        );
+        assert_eq!(grasp.contacts(), expected.unwrap().contacts());
+    }
+    assert!(contact(r#"{"sides": [0.02]}"#).unwrap_err().to_string().contains("2"));
+}
+
 /// A grasp's own answer is written like that of its scene, which measures it besides. What was read knows no more than what was written.
 #[test]
 fn an_answer_that_was_read_has_nothing_more_to_say() {

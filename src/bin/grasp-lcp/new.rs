@@ -48,8 +48,9 @@ What stands in the scenes:
   pressed_with       the squeeze, N: the contact's spring is wound up so far, and the object gives way until forces
                      agree; a warning says where a contact then presses with something else
   clearance          a gap before anything touches, m; negative for an overlap
-  soft               a soft pad in place of a point, which resists twisting and tilting: a ring or a disc of this
-                     radius, m; points on a ring and annuli, with two rings each, say how finely it is divided
+  tangent            the direction of the first tangent, along which the first side of a rectangular pad lies
+  soft               a soft pad in place of a point, which resists twisting and tilting: a rectangle with its sides, m,
+                     or a ring of a radius, m, with so many points on it
   fingers            fingers with joints, and contacts that press with a force that is kept: presses_with, N
   joints             from the palm on: where it turns (revolute, a point), how stiff its motor is (stiffness, N m/rad),
                      how far it is told to close (command, rad), where it stalls (limit, saturates, N m)
