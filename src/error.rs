@@ -249,6 +249,8 @@ pub enum Field {
     Press,
     /// [`Contact::force`](crate::grasp::Contact::force), N.
     Force,
+    /// [`Contact::suction`](crate::grasp::Contact::suction), N.
+    Suction,
     /// Initial clearance along the normal, m.
     Clearance,
 }
@@ -267,6 +269,7 @@ impl fmt::Display for Field {
             Field::CommandChange => "change of command",
             Field::Press => "pressing force",
             Field::Force => "force",
+            Field::Suction => "suction",
             Field::Clearance => "clearance",
         })
     }

@@ -2,11 +2,11 @@
 //!
 //! The contact frame is (n, t₁, t₂) with n into the object and `t₂ = n × t₁`.
 
-pub use crate::grasp::Pressure;
+pub use crate::grasp::{Pressure, SuctionCup};
 
 /// A point contact in space; see [`crate::grasp::Contact`].
 pub type Contact = crate::grasp::Contact<3>;
-/// A ring or disc of point contacts that stands for one fingertip; see [`crate::grasp::SoftFingertip`].
+/// A ring, disc or rectangle of point contacts that stands for one fingertip; see [`crate::grasp::SoftFingertip`].
 pub type SoftFingertip = crate::grasp::SoftFingertip<3>;
 /// A spatial grasp; see [`crate::ask::Grasp`].
 pub type Grasp = crate::ask::Grasp<3>;

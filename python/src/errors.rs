@@ -67,6 +67,7 @@ fn argument(field: Field) -> &'static str {
         Field::CommandChange => "command_change",
         Field::Press => "pressed_with",
         Field::Force => "force",
+        Field::Suction => "suction",
         Field::Clearance => "clearance",
         _ => "contact",
     }

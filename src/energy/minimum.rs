@@ -185,7 +185,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             let drives = linkage.drives.iter().zip(&point.forces[self.len()..]);
             stored_energy += drives.map(|(drive, force)| drive.stored(force)).sum::<f64>();
         }
-        let own_work = load.coordinates::<D>().dot(&self.outside_coordinates(&point.twist));
+        let own_work = self.with_vacuum(load).coordinates::<D>().dot(&self.outside_coordinates(&point.twist));
         MinimumEnergy {
             load: *load,
             twist: self.outside(&point.twist),

@@ -205,7 +205,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             }
         }
         let Written { mut g, h, equalities, inequalities, constant } = written;
-        for (g, load) in g.iter_mut().skip(columns - count).zip(load.components()) {
+        for (g, load) in g.iter_mut().skip(columns - count).zip(self.with_vacuum(load).components()) {
             *g = -load;
         }
         let (equalities, a, c) = equalities.finish();

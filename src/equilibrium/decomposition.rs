@@ -25,7 +25,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let contact = |i: usize| equilibrium.contacts.get(i);
         let carries: Vec<bool> =
             (0..self.len()).map(|i| contact(i).is_some_and(|c| c.state != ContactState::Separated)).collect();
-        let load = self.inside_unchecked(&equilibrium.load);
+        let load = self.inside_unchecked(&self.with_vacuum(&equilibrium.load));
         // Forces on the object, whatever joints are behind them.
         let load = object_alone::<D, C>(&load);
         let on_object = |site: &Site<D, C>| {

@@ -193,7 +193,10 @@ impl<D: Size, const C: usize> Engine<D, C> {
     ) -> f64 {
         let Some(linkage) = self.linkage() else { return 0.0 };
         let (object, count) = (of_the_object::<C>(), self.size().count());
-        let from_outside = self.inside_unchecked(load) + &linkage.pulled;
+        let mut from_outside = self.inside_unchecked(load) + &linkage.pulled;
+        if let Some(vacuum) = self.vacuum() {
+            from_outside += &vacuum.inside;
+        }
         let mut sums = &linkage.held + &from_outside;
         let mut sizes = linkage.held.map(f64::abs) + from_outside.map(f64::abs);
         let mut add = |k: usize, term: f64| {
@@ -225,6 +228,12 @@ impl<D: Size, const C: usize> Engine<D, C> {
             sum += wrench_of::<D, C>(&contact.point, &answer.force_world);
             force_size += answer.force_world.norm();
             moment_size += contact.point.norm() * answer.force_world.norm();
+        }
+        let pulling = self.contacts().iter().zip(self.sites()).filter(|(contact, _)| contact.suction != 0.0);
+        for (contact, site) in pulling {
+            sum += contact.pulled(site);
+            force_size += contact.suction;
+            moment_size += contact.point.norm() * contact.suction;
         }
         // Where nothing carries anything, forces are the rounding of what the springs could do.
         force_size += spring_force;

@@ -77,6 +77,8 @@ pub struct Contact<const C: usize> {
     pub(crate) press: Option<f64>,
     /// Force along the normal that stays whatever the object does.
     pub(crate) force: Option<f64>,
+    /// Force with which a vacuum pulls the object onto the contact, whatever it does, N.
+    pub(crate) suction: f64,
     pub(crate) clearance: f64,
     pub(crate) hold: Hold,
     /// Which point of a soft fingertip it is, from 0.
@@ -99,10 +101,19 @@ impl<const C: usize> Contact<C> {
             command_axes: Axes::Frame,
             press: None,
             force: None,
+            suction: 0.0,
             clearance: 0.0,
             hold: Hold::Unilateral,
             point_of_pad: None,
         }
+    }
+
+    /// A vacuum that pulls the object onto the contact with this force, N, from 0: against the normal, whatever object and finger do. What presses is the lip, with
+    /// this force less what pulls at the object. See [`SuctionCup`](super::SuctionCup), whose lip is a ring.
+    #[must_use]
+    pub fn suction(mut self, force: f64) -> Self {
+        self.suction = force;
+        self
     }
 
     /// A name for messages and tables.

@@ -7,6 +7,7 @@ use super::hand::{Drive, HandPart, Linkage};
 use super::remembered::Remembered;
 use super::rotation::{assert_plane_or_space, of_the_object};
 use super::site::Site;
+use super::vacuum::Vacuum;
 use crate::error::{Error, Field, LARGEST, MODERATE, is_moderate};
 use crate::numerics::{Fixed, Size, cleared_for};
 
@@ -25,6 +26,8 @@ pub(crate) struct Engine<D: Size, const C: usize> {
     pub(super) length: f64,
     /// The joints behind the contacts, if any.
     pub(super) linkage: Option<Box<Linkage<D, C>>>,
+    /// What vacuums pull with beside the caller's loads, if there are any.
+    pub(super) vacuum: Option<Box<Vacuum<D, C>>>,
     /// The factors of the elastic trial.
     trial: Remembered,
 }
@@ -46,6 +49,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         }
         grasp.sites.extend(linkage.drives.iter().map(|drive| drive.site(size)));
         grasp.linkage = Some(Box::new(linkage));
+        grasp.vacuum = Vacuum::of(&grasp.contacts, &grasp.sites);
         Ok(grasp)
     }
 
@@ -65,11 +69,11 @@ impl<D: Size, const C: usize> Engine<D, C> {
         }
     }
 
-    /// Whether some drive pushes at rest, or a force is held.
+    /// Whether some drive pushes at rest, or a force is held, or a vacuum pulls.
     #[cfg(feature = "serde")]
     pub(crate) fn presses(&self) -> bool {
         let by_force = self.linkage().is_some_and(|linkage| linkage.held.iter().any(|force| *force != 0.0));
-        by_force || self.drives().iter().any(|drive| drive[0] > 0.0)
+        by_force || self.vacuum().is_some() || self.drives().iter().any(|drive| drive[0] > 0.0)
     }
 
     /// [`Grasp::links`](crate::ask::Grasp::links).
@@ -96,8 +100,9 @@ impl<D: Size, const C: usize> Engine<D, C> {
         // A single point has no size of its own; then any unit of length does.
         let length = if spread * LARGEST > 1.0 { spread } else { 1.0 };
         let site = |(index, contact)| Site::new(size, (contact, index), (&origin, length));
-        let sites = contacts.iter().enumerate().map(site).collect::<Result<_, Error>>()?;
-        Ok(Self { size, contacts, sites, origin, length, linkage: None, trial: Remembered::default() })
+        let sites = contacts.iter().enumerate().map(site).collect::<Result<Vec<_>, Error>>()?;
+        let (vacuum, trial) = (Vacuum::of(&contacts, &sites), Remembered::default());
+        Ok(Self { size, contacts, sites, origin, length, linkage: None, vacuum, trial })
     }
 
     /// How many coordinates it has.
@@ -180,7 +185,9 @@ impl<D: Size, const C: usize> Engine<D, C> {
         for contact in &mut grasp.contacts {
             contact.command *= factor;
             contact.force = contact.force.map(|force| force * factor);
+            contact.suction *= factor;
         }
+        grasp.vacuum = Vacuum::of(&grasp.contacts, &grasp.sites);
         if let Some(linkage) = &mut grasp.linkage {
             linkage.squeeze(factor);
         }

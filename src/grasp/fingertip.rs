@@ -249,7 +249,7 @@ impl<const C: usize> SoftFingertip<C> {
     /// The point contacts that take the place of `contact`.
     ///
     /// Each has the normal, tangents, friction, command, clearance and hold of `contact`. Of the
-    /// stiffness of its body and its finger, and of a force, it has the share w_i. Its name is
+    /// stiffness of its body and its finger, and of forces, it has the share w_i. Its name is
     /// that of `contact` and a number from 0, "thumb 3".
     ///
     /// # Errors
@@ -264,6 +264,7 @@ impl<const C: usize> SoftFingertip<C> {
             stiffness: contact.stiffness.scaled(place.share),
             press: contact.press.map(|force| force * place.share),
             force: contact.force.map(|force| force * place.share),
+            suction: contact.suction * place.share,
             point_of_pad: Some(i),
             ..contact.clone()
         };

@@ -39,7 +39,9 @@ mod rigid_motion;
 mod rotation;
 mod site;
 mod stiffness;
+mod suction_cup;
 mod support;
+mod vacuum;
 mod well_posed;
 mod whole_contact;
 mod wrench;
@@ -63,6 +65,7 @@ pub(crate) use rotation::{
 };
 pub(crate) use site::{Site, size_of};
 pub(crate) use stiffness::Stiffness;
+pub use suction_cup::SuctionCup;
 pub use whole_contact::WholeContact;
 pub(crate) use whole_contact::WholeContacts;
 pub use wrench::{Twist, Wrench};

@@ -110,6 +110,9 @@ impl<const C: usize> Contact<C> {
         {
             return fault(Field::Force, force, "from 0 to 1e50");
         }
+        if !(is_moderate(self.suction) && self.suction >= 0.0) {
+            return fault(Field::Suction, self.suction, "from 0 to 1e50");
+        }
         if !is_moderate(self.clearance) {
             return fault(Field::Clearance, self.clearance, MODERATE);
         }

@@ -1,8 +1,11 @@
-//! Suction cups: a vacuum is a load, and the lip of the cup is a ring of contacts.
+//! Suction cups: what a vacuum holds, and when it lets go.
 //!
 //! The vacuum pulls object and cup together with the force `V = p A`, pressure difference times the area inside of the lip, whatever the load
-//! does. So it belongs to the load: a force V on the object, at the middle of the lip, against the normal of the contact. The lip carries
-//! what is left. It is a [`SoftFingertip::ring`](crate::grasp::SoftFingertip::ring) of radius R, and its springs are those of the lip.
+//! does. What touches the object is the lip: a ring of points that presses with V less what pulls at the object. A [`SuctionCup`](crate::grasp::SuctionCup) is both; in scenes
+//! it is `"suction": {"radius": 0.015, "pressure": 60000}` on a contact, whose normal points into the object.
+//!
+//! The vacuum is no load of the caller's: what an answer tells as the load is the weight and whatever else was asked. Unlike a force of a finger it needs
+//! nothing on the other side of the object, since it pulls at cup and object alike.
 //!
 //! | load | the first point of the lip leaves at | how |
 //! |---|---|---|
@@ -11,21 +14,24 @@
 //! | peel: a moment across the normal | V R / 2 | one point opens |
 //! | spin: a moment about the normal | μ V R | all of it slides |
 //!
-//! A point of a real lip that opens lets air in, so that the onset of peeling is the end. A load of several kinds at once has no such short formula,
-//! and is what [`Grasp::onset`](crate::ask::Grasp::onset) answers.
+//! A point of a real lip that opens lets air in, so that the onset of peeling is the end. On a bellows that follows, the vacuum may last until the lip is open all around:
+//! [`Grasp::hold`](crate::ask::Grasp::hold) says at the latest there that the cup lets go. [`Grasp::solve`](crate::ask::Grasp::solve) and paths leave the vacuum on; look at the states of the lip.
+//! A load of several kinds at once has no such short formula, and is what [`Grasp::onset`](crate::ask::Grasp::onset) answers. How much vacuum it takes answers
+//! [`Grasp::need`](crate::ask::Grasp::need) for a squeeze.
 //!
 //! ```
-//! use grasp_lcp::spatial::{Contact, Grasp, SoftFingertip, Wrench};
+//! use grasp_lcp::need::Need;
+//! use grasp_lcp::spatial::{Contact, Grasp, SuctionCup, Wrench};
 //!
 //! // A cup of 30 mm on top of a plate, 60 kPa: V = 60e3 · π · 0.015² = 42.4 N. Normals point down, into the plate.
 //! let (radius, friction) = (0.015, 0.6);
-//! let vacuum = 60e3 * std::f64::consts::PI * radius * radius;
-//! let lip = Contact::new([0.0, 0.0, 0.0], [0.0, 0.0, -1.0]).series_stiffness(8e3, 4e3).friction(friction);
-//! let plate = Grasp::new(SoftFingertip::ring(radius, 12)?.contacts(&lip)?)?;
+//! let lip = Contact::new([0.0, 0.0, 0.0], [0.0, 0.0, -1.0]).name("cup").series_stiffness(8e3, 4e3).friction(friction);
+//! let cup = SuctionCup::of_pressure(radius, 12, 60e3)?;
+//! let plate = Grasp::new(cup.contacts(&lip)?)?;
 //!
-//! let pulled = Wrench::force([0.0, 0.0, vacuum]);
-//! let limit = |load: Wrench| -> Result<f64, grasp_lcp::Error> { Ok(plate.onset_of_sliding(&pulled, &load)?.factor().unwrap()) };
+//! let limit = |load: Wrench| -> Result<f64, grasp_lcp::Error> { Ok(plate.onset_of_sliding(&Wrench::ZERO, &load)?.factor().unwrap()) };
 //! let is = |found: f64, expected: f64| assert!((found - expected).abs() < 1e-9 * expected, "{found} {expected}");
+//! let vacuum = cup.force();
 //! is(limit(Wrench::force([0.0, 0.0, -1.0]))?, vacuum);
 //! is(limit(Wrench::force([1.0, 0.0, 0.0]))?, friction * vacuum);
 //! is(limit(Wrench::new([0.0; 3], [0.0, 1.0, 0.0]))?, vacuum * radius / 2.0);
@@ -34,5 +40,9 @@
 //! // The weight hangs 20 mm below the lip and the arm accelerates sideways: shear and peel at once.
 //! let shaken = limit(Wrench::force_at([0.5, 0.0, -1.0], [0.0, 0.0, -0.02]))?;
 //! assert!(shaken < vacuum * radius / 2.0 / 0.01);
+//!
+//! // What vacuum do 10 N in the plane of the lip take? 10 N / μ.
+//! let needed = plate.need(&Need::squeeze(Wrench::force([10.0, 0.0, 0.0])).if_lower_by(0.0, 0.0))?;
+//! assert_eq!(needed.to_string(), "NEEDS 16.6667 N at cup so that nothing slides. With less: cup slides");
 //! # Ok::<(), grasp_lcp::Error>(())
 //! ```

@@ -25,7 +25,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         }
         let onset = self.onset(ramp, settings)?;
         let mut path = self.follow(&ramp.base, &[Leg::along(ramp)], settings)?;
-        let events = path.run();
+        let (events, mut beyond) = (path.run(), Vec::new());
         let state = matches!(path.end(), Some(PathEnd::Completed)).then(|| path.state()).flatten();
         let mut gone = 1.0;
         if let Some(PathEnd::Completed) = path.end()
@@ -33,11 +33,30 @@ impl<D: Size, const C: usize> Engine<D, C> {
         {
             gone = settings.most_load;
             path.continue_with(&[Leg::along(&ramp.times(gone - 1.0))])?;
-            path.run();
+            beyond = path.run();
         }
-        let (leg, fraction) = path.place();
-        let held_to = if leg == 0 { fraction } else { 1.0 + fraction * (gone - 1.0) };
+        let reached = |(leg, fraction): (usize, f64)| {
+            if leg == 0 { fraction } else { 1.0 + fraction * (gone - 1.0) }
+        };
         let first_slip = self.first_slip(&onset);
+        if let Some((event, cups)) = self.cups_let_go(events.iter().chain(&beyond)) {
+            let held_to = reached((event.leg, event.fraction));
+            let state = state.filter(|_| held_to > 1.0);
+            let holding =
+                state.as_ref().map_or(Holding::Lost, |s| self.held(s, &events, first_slip.as_ref()));
+            let lost = Some(Lost::without_vacuum(held_to, event, cups));
+            let state = state.map(Box::new);
+            return Ok(Verdict {
+                base: ramp.base,
+                load: ramp.direction,
+                holding,
+                first_slip,
+                held_to,
+                lost,
+                state,
+            });
+        }
+        let held_to = reached(path.place());
         let holding = match (&state, path.end()) {
             (Some(state), _) => self.held(state, &events, first_slip.as_ref()),
             (None, Some(PathEnd::Lost(_))) => Holding::Lost,

@@ -54,6 +54,11 @@ pub enum WayOut<const C: usize> {
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         axis: SVector<f64, C>,
     },
+    /// The lips of suction cups are open all around: their vacuum is gone.
+    LetsGo {
+        /// The cups.
+        cups: Vec<WholeContact>,
+    },
     /// The motion is not determined by what gives way.
     NotKnown,
 }

@@ -141,6 +141,7 @@ impl<const C: usize> Lost<C> {
             WayOut::SlidesOut { .. } => "SLIPS OUT",
             WayOut::TipsOver { .. } => "TIPS OVER",
             WayOut::TurnsAbout { .. } | WayOut::Turns { .. } => "TURNS OUT",
+            WayOut::LetsGo { .. } => "LETS GO",
             WayOut::NotKnown => "GIVES WAY",
         }
     }
@@ -195,6 +196,10 @@ impl<const C: usize> fmt::Display for WayOut<C> {
                     write!(f, "{} through ", along(axis))?;
                 }
                 write!(f, "{} m", numbers(centre.as_slice()))
+            }
+            Self::LetsGo { cups } => {
+                let them = if cups.len() == 1 { "its vacuum" } else { "their vacuum" };
+                write!(f, "{} all around, and {them} is gone", does(cups, "opens", "open"))
             }
             Self::NotKnown => f.write_str("nothing holds on"),
         }

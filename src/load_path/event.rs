@@ -215,6 +215,6 @@ pub enum LossKind {
     Asymptote,
     /// From here on nothing resists the motion, on which the load works as it changes.
     GivesWay,
-    /// A contact with infinite friction loses its normal force while it still holds a tangential one.
+    /// A contact with infinite friction loses its normal force while it still holds a tangential one; or all of the lip of a suction cup is open.
     LetsGo,
 }

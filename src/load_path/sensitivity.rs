@@ -179,7 +179,9 @@ impl<'g, D: Size, const C: usize> Local<'g, D, C> {
             Parameter::Point { contact, .. } | Parameter::Normal { contact, .. } if contact < contacts => {
                 let change = self.map_change(contact, by)?;
                 drives[contact] = -change.tr_mul(&self.twist);
-                wrench = &change * self.forces[contact];
+                let mut force = self.forces[contact];
+                force[0] -= self.grasp.contacts()[contact].suction;
+                wrench = &change * force;
             }
             Parameter::Load { component } if component < of_the_object::<C>() => {
                 let mut unit = Vector::<D>::zeros();

@@ -13,7 +13,7 @@ pub(crate) struct Load<D: Size> {
 }
 
 impl<D: Size, const C: usize> Engine<D, C> {
-    /// A load of the caller's with what acts on joints whatever they do, in inside coordinates.
+    /// A load of the caller's with what vacuums pull and what acts on joints whatever they do, in inside coordinates.
     ///
     /// # Errors
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50; `what` names it.
@@ -29,7 +29,10 @@ impl<D: Size, const C: usize> Engine<D, C> {
 
     /// [`Self::load_alone`] of a wrench that was checked before.
     pub(crate) fn load_unchecked(&self, load: &Wrench<C>) -> Vector<D> {
-        let inside = self.inside_unchecked(load);
+        let mut inside = self.inside_unchecked(load);
+        if let Some(vacuum) = self.vacuum() {
+            inside += &vacuum.inside;
+        }
         match self.linkage() {
             None => inside,
             Some(linkage) => inside + &linkage.held + &linkage.pulled,

@@ -108,9 +108,10 @@ impl<const C: usize> Setup<C> {
         let mut labels = Vec::new();
         for (index, entry) in self.entries().enumerate() {
             let label = |point| ContactLabel { point, ..entry.contact.label(index) };
-            match entry.soft {
-                None => labels.push(label(None)),
-                Some(_) => labels.extend((0..entry.count()?).map(Some).map(label)),
+            if entry.is_spread() {
+                labels.extend((0..entry.count()?).map(Some).map(label));
+            } else {
+                labels.push(label(None));
             }
         }
         Ok(SceneNames(labels))

@@ -4,9 +4,10 @@ use nalgebra::DMatrix;
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
 
-use super::fingertip::{Fingertip, LinkedContact, MovedBy};
+use super::fingertip::{Fingertip, MovedBy};
 use super::matrix::Rows;
 use super::object;
+use super::written_contact::LinkedContact;
 use crate::error::Error;
 use crate::grasp::{self, Joint};
 use crate::serial::AsGiven;
@@ -73,7 +74,7 @@ impl<const C: usize> FingerSetup<C> {
                 finger = match &entry.moved_by {
                     MovedBy::LastLink => finger.contact(point),
                     MovedBy::Link(joints) => finger.contact_on(*joints, point),
-                    MovedBy::Jacobian(_) if entry.soft.is_some() => {
+                    MovedBy::Jacobian(_) if entry.is_spread() => {
                         return Err(Error::Hand {
                             what: format!("contact {}", first + k),
                             field: "number of points",

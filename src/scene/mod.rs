@@ -48,6 +48,7 @@
 //! | `force` | normal force that stays wherever the object goes, in place of a position; see [`Contact::force`](crate::grasp::Contact::force) | N | not used |
 //! | `clearance` | gap before anything moves, negative for an overlap | m | 0 |
 //! | `hold` | `"unilateral"`, `"kept_closed"` or `"bonded"`, see [`Hold`](crate::grasp::Hold) | | unilateral |
+//! | `suction` | a suction cup in place of the point: `{"radius": …, "pressure": …}` with m and Pa, or a `force`, N, in place of the pressure, and `points`, 12 if left out; see [`SuctionCup`](crate::grasp::SuctionCup). Or a number: what a vacuum within a soft fingertip pulls with | N | none |
 //! | `soft` | the patch of a soft fingertip in place of the point, see below | | a point |
 //!
 //! The patch shares stiffness and has friction, command, clearance and hold of the contact (see
@@ -261,6 +262,7 @@ mod schema;
 mod answer;
 mod asked;
 mod brief;
+mod cup;
 #[cfg(feature = "json")]
 mod fault;
 mod finger;
@@ -281,13 +283,16 @@ mod plain_words;
 mod question;
 mod settings;
 mod setup;
+mod springs;
 mod turn;
 mod warning;
 mod wrench;
 mod written;
+mod written_contact;
 
 pub use answer::Answer;
 pub use brief::Brief;
+pub use cup::Cup;
 #[cfg(feature = "json")]
 pub use fault::{Fault, FaultKind, TextPosition};
 pub use finger::FingerSetup;

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde_json::Value;
 
-use super::fingertip::Springs;
+use super::springs::Springs;
 use super::written::{FORMAT, Format};
 use crate::error::LARGEST;
 use crate::grasp::{Twist, Wrench, of_the_object};

@@ -55,14 +55,12 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
         let (mut block, mut parted) = (Block::<C, N, 1>::EMPTY, Parted::EMPTY);
         for (index, contact) in contacts.iter().enumerate() {
             contact.check(index)?;
-            if let Some(value) = contact.force {
-                let allowed = "left out: screening knows fingers that hold positions";
-                return Err(Error::Contact {
-                    contact: contact.label(index),
-                    field: Field::Force,
-                    value,
-                    allowed,
-                });
+            let suction = Some(contact.suction).filter(|suction| *suction != 0.0);
+            for (field, value) in [(Field::Force, contact.force), (Field::Suction, suction)] {
+                if let Some(value) = value {
+                    let allowed = "left out: screening knows fingers that hold positions";
+                    return Err(Error::Contact { contact: contact.label(index), field, value, allowed });
+                }
             }
             let frame = contact.frame(index)?;
             let frictionless = contact.springs() == 1;

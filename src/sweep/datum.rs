@@ -78,7 +78,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         for (contact, given) in self.contacts().iter().enumerate().filter(|(_, given)| given.begins_a_whole())
         {
             add(What::Stiffness { contact }, stiffness);
-            if given.commanded()[0] != 0.0 || given.force.is_some() {
+            if given.commanded()[0] != 0.0 || given.force.is_some() || given.suction != 0.0 {
                 add(What::Squeeze { contact }, squeeze);
             }
             (0..C).for_each(|axis| add(What::Point { contact, axis }, position));

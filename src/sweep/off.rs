@@ -28,6 +28,7 @@ impl<const C: usize> Off<C> {
         off.friction *= self.friction;
         off.command[0] *= self.squeeze;
         off.force = contact.force.map(|force| force * self.squeeze);
+        off.suction *= self.squeeze;
         off.stiffness = contact.stiffness.scaled(self.stiffness);
         off.point += self.moved;
         off.tilted(&self.tilt)

@@ -2,5 +2,6 @@
 
 mod everyday;
 mod nothing_near;
+mod suction;
 mod ways_out;
 mod words;

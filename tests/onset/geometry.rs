@@ -79,6 +79,8 @@ impl<const D: usize, const C: usize> Scene<D, C> {
                 .series_stiffness_axes(self.stiffness[i])
                 .friction(self.friction[i])
                 .command(self.command[i])
+                // A vacuum pulls along the normal at the point, and goes with both.
+                .suction(if i == 0 { 0.1 } else { 0.0 })
         }))
         .unwrap()
     }

@@ -14,8 +14,7 @@ fn every_scene_answers_at_once() {
         let scene = run(&["new", name]).stdout;
         let asked = run_on(&scene, &["ask", "-"]);
         assert!(asked.status.success() && asked.stderr.is_empty(), "{name}: {}", text(&asked.stderr));
-        // What a vacuum needs is asked with a base, which `need` does not have.
-        for command in &["hold", "need"][..if name == "suction" { 1 } else { 2 }] {
+        for command in ["hold", "need"] {
             let answer = text(&run_on(&scene, &[command, "-"]).stdout);
             let says = ["HOLDS, everything sticks", "NEEDS ", "TAKES "];
             assert!(says.iter().any(|begin| answer.starts_with(begin)), "{name} {command}: {answer}");

@@ -10,6 +10,7 @@ mod planar_still;
 mod soft_still;
 mod spatial_page;
 mod spatial_still;
+mod suction;
 mod svg;
 mod turn_charts;
 mod turn_messages;

@@ -51,7 +51,10 @@ What stands in the scenes:
   tangent            the direction of the first tangent, along which the first side of a rectangular pad lies
   soft               a soft pad in place of a point, which resists twisting and tilting: a rectangle with its sides, m,
                      or a ring of a radius, m, with so many points on it
-  fingers            fingers with joints, and contacts that press with a force that is kept: presses_with, N
+  suction            a suction cup in place of a point: the radius of its lip, m, and the pressure of its vacuum below that
+                     of the air around, Pa
+  force              a normal force that stays wherever the object goes, N: an air cylinder, a clamp
+  fingers            fingers with joints, and their contacts
   joints             from the palm on: where it turns (revolute, a point), how stiff its motor is (stiffness, N m/rad),
                      how far it is told to close (command, rad), where it stalls (limit, saturates, N m)
   outline            corners of the object, m; only drawn

@@ -1,0 +1,82 @@
+//! Suction cups: a lip, and the vacuum within it.
+
+use std::f64::consts::PI;
+
+use super::contact::Contact;
+use super::fingertip::{SoftFingertip, check};
+use crate::error::{Error, LARGEST};
+
+/// A suction cup: a vacuum pulls the object onto a lip, a ring of points that shares stiffness and friction of one contact.
+///
+/// The vacuum acts between cup and object, with the same force V whatever the load does, as long as the lip is closed. It is no load of
+/// the caller's: an object that hangs at a cup has no more than its weight. The lip presses with V less what pulls at the object. With the radius R and the
+/// friction μ, a load of one kind alone makes the first point of the lip leave at
+///
+/// | load | | how |
+/// |---|---|---|
+/// | a force away from the cup | V | all of the lip opens |
+/// | a force in the plane of the lip | μ V | all of it slides |
+/// | a moment across the normal | V R/2 | one point opens |
+/// | a moment about the normal | μ V R | all of it slides |
+///
+/// A real lip lets air in where its first point opens: that is the onset. [`Grasp::hold`](crate::ask::Grasp::hold) says that the cup lets go where all of its lip is open;
+/// other questions leave the vacuum on there.
+///
+/// ```
+/// use grasp_lcp::spatial::{Contact, Grasp, SuctionCup, Wrench};
+///
+/// // A cup of 40 mm at 60 kPa on top of a plate of 2 kg.
+/// let lip = Contact::new([0.0; 3], [0.0, 0.0, -1.0]).name("cup").series_stiffness(8e3, 4e3).friction(0.5);
+/// let cup = SuctionCup::of_pressure(0.02, 12, 60e3)?;
+/// assert!((cup.force() - 75.398).abs() < 1e-3);
+/// let plate = Grasp::new(cup.contacts(&lip)?)?;
+/// let hangs = plate.hold(Wrench::force([0.0, 0.0, -19.62]))?;
+/// assert_eq!(hangs.to_string(), "HOLDS, everything sticks: 3.84293 times this load until it is lost, as cup opens");
+/// # Ok::<(), grasp_lcp::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct SuctionCup {
+    lip: SoftFingertip<3>,
+    force: f64,
+}
+
+impl SuctionCup {
+    /// A cup whose lip is a ring of this radius (m) and so many points, and whose vacuum pulls with this force (N): the difference of pressure times the area within
+    /// the lip, or what was measured.
+    ///
+    /// # Errors
+    /// [`Error::Fingertip`] as for [`SoftFingertip::ring`], and unless the force is from 0 to 1e50.
+    pub fn of_force(radius: f64, points: usize, force: f64) -> Result<Self, Error> {
+        check((0.0..=LARGEST).contains(&force), "force of the vacuum", force, "from 0 to 1e50")?;
+        Ok(Self { lip: SoftFingertip::ring(radius, points)?, force })
+    }
+
+    /// A cup under this pressure below that of the air around, Pa: it pulls with `π R²` times that.
+    ///
+    /// # Errors
+    /// As for [`Self::of_force`].
+    pub fn of_pressure(radius: f64, points: usize, pressure: f64) -> Result<Self, Error> {
+        check((0.0..=LARGEST).contains(&pressure), "pressure of the vacuum", pressure, "from 0 to 1e50")?;
+        Self::of_force(radius, points, PI * radius * radius * pressure)
+    }
+
+    /// What its vacuum pulls with, N.
+    #[must_use]
+    pub fn force(&self) -> f64 {
+        self.force
+    }
+
+    /// Its lip.
+    #[must_use]
+    pub fn lip(&self) -> &SoftFingertip<3> {
+        &self.lip
+    }
+
+    /// The points of the lip, which share the springs of `contact` and the vacuum. See [`SoftFingertip::contacts`].
+    ///
+    /// # Errors
+    /// As for [`SoftFingertip::contacts`].
+    pub fn contacts(&self, contact: &Contact<3>) -> Result<Vec<Contact<3>>, Error> {
+        self.lip.contacts(&contact.clone().suction(self.force))
+    }
+}

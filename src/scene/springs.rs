@@ -1,0 +1,34 @@
+//! Stiffness as it is written.
+
+use nalgebra::SVector;
+use serde::de::{Deserialize, Deserializer, Error as _};
+use serde::ser::{Serialize, Serializer};
+
+use crate::serial::{Few, SpringStiffness};
+
+/// Stiffness: normal and tangential, one for each axis, or "rigid" for all.
+pub(super) struct Springs<const C: usize>(pub(super) SVector<f64, C>);
+
+impl<const C: usize> Serialize for Springs<C> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        Few::<SpringStiffness, 3>::of(self.0.as_slice()).serialize(serializer)
+    }
+}
+
+impl<'de, const C: usize> Deserialize<'de> for Springs<C> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        match *Few::<SpringStiffness, 3>::deserialize(deserializer)?.as_slice() {
+            [all] if all == f64::INFINITY => Ok(Self(SVector::repeat(all))),
+            [n, t] => Ok(Self(SVector::from_fn(|a, _| if a == 0 { n } else { t }))),
+            ref axes if axes.len() == C => Ok(Self(SVector::from_column_slice(axes))),
+            ref other => {
+                let or_axes = if C == 3 { " or 3 (normal, two tangential)" } else { "" };
+                let message = format!(
+                    "{} given, must be 2 (normal, tangential){or_axes}, each a number or \"rigid\"; or \"rigid\" alone",
+                    other.len()
+                );
+                Err(D::Error::custom(message))
+            }
+        }
+    }
+}

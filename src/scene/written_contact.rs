@@ -1,0 +1,270 @@
+//! A contact as it is written, and what of it is refused.
+
+use std::sync::Arc;
+
+use nalgebra::SVector;
+use serde::de::{Deserialize, Deserializer};
+use serde::ser::{Serialize, Serializer};
+
+use super::cup::WrittenSuction;
+use super::fingertip::{Fingertip, MovedBy};
+use super::matrix::Rows;
+use super::object;
+use super::patch::Tip;
+use super::springs::Springs;
+use crate::error::{ContactLabel, Error};
+use crate::grasp::{Axes, Contact, Hold, Stiffness};
+use crate::serial::{AsGiven, AxisRow, Friction, Given, Number};
+
+/// A contact as it stands in a file.
+#[derive(serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+struct Written<const C: usize> {
+    /// What messages and answers call it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    name: Option<Arc<str>>,
+    /// For the reader of the file.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    comment: Option<String>,
+    /// Where it touches, m.
+    #[serde(with = "AsGiven::<SVector<f64, C>>")]
+    point: SVector<f64, C>,
+    /// Direction into the object, of any length.
+    #[serde(with = "AsGiven::<SVector<f64, C>>")]
+    normal: SVector<f64, C>,
+    /// Direction of the first tangent; chosen from the normal if left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    tangent: Option<AxisRow<Given, C>>,
+    /// The object's springs, N/m: normal and tangential; rigid if left out and the finger is not.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    body_stiffness: Option<Springs<C>>,
+    /// The finger's springs, N/m: normal and tangential; rigid if left out and the body is not.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    finger_stiffness: Option<Springs<C>>,
+    /// Both in series, N/m, in place of the two.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    series_stiffness: Option<Springs<C>>,
+    /// Coefficient of friction; 0 if left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    friction: Option<Number<Friction>>,
+    /// Displacement of the finger's core in the contact frame, normal part first, m; 0 if left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    command: Option<AxisRow<Given, C>>,
+    /// The command along the coordinate axes, in place of `command`, m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    command_world: Option<AxisRow<Given, C>>,
+    /// Force of the squeeze in place of the normal command, N.
+    #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
+    pressed_with: Option<f64>,
+    /// Normal force that stays wherever the object goes, in place of a position, N.
+    #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
+    force: Option<f64>,
+    /// Gap before anything moves, negative for an overlap, m; 0 if left out.
+    #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
+    clearance: Option<f64>,
+    /// What the contact can do; unilateral if left out.
+    #[serde(default, skip_serializing_if = "is_unilateral")]
+    hold: Hold,
+    /// The patch of a soft fingertip in place of the point.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    soft: Option<Tip>,
+    /// A suction cup in place of the point; or what a vacuum within a soft fingertip pulls with, N.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    suction: Option<WrittenSuction>,
+    /// Which joints of its finger move it; all if left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    moved_by: Option<WrittenMover>,
+}
+
+/// What moves a contact of a finger, if not all joints by what they are.
+#[derive(serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(rename = "MovedBy"))]
+#[serde(rename_all = "snake_case")]
+enum WrittenMover {
+    Link(usize),
+    Jacobian(Rows),
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes fields by reference")]
+fn is_unilateral(hold: &Hold) -> bool {
+    *hold == Hold::Unilateral
+}
+
+impl<const C: usize> Serialize for Fingertip<C> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let contact = &self.contact;
+        let rigid = |k: &SVector<f64, C>| k.iter().all(|k| *k == f64::INFINITY);
+        let unless_rigid = |k: &SVector<f64, C>| (!rigid(k)).then_some(Springs(*k));
+        let (body, finger, series) = match &contact.stiffness {
+            Stiffness::BodyAndFinger { body, finger } => (unless_rigid(body), unless_rigid(finger), None),
+            Stiffness::Series(k) => (None, None, unless_rigid(k)),
+        };
+        let said = |x: f64| x.to_bits() != 0;
+        let command_along = |axes: Axes| {
+            let given = axes == Axes::World || contact.command.iter().any(|x| said(*x));
+            (given && axes == contact.command_axes).then(|| AxisRow::new(contact.command))
+        };
+        Written {
+            name: contact.name.clone(),
+            comment: self.comment.clone(),
+            point: contact.point,
+            normal: contact.normal,
+            tangent: contact.tangent.map(AxisRow::new),
+            body_stiffness: body,
+            finger_stiffness: finger,
+            series_stiffness: series,
+            friction: said(contact.friction).then(|| Number::new(contact.friction)),
+            command: command_along(Axes::Frame),
+            command_world: command_along(Axes::World),
+            pressed_with: contact.press,
+            force: contact.force,
+            clearance: said(contact.clearance).then_some(contact.clearance),
+            hold: contact.hold,
+            soft: self.soft.clone(),
+            suction: match &self.cup {
+                Some(cup) => Some(WrittenSuction::Cup(cup.clone())),
+                None => said(contact.suction).then_some(WrittenSuction::Force(contact.suction)),
+            },
+            moved_by: match &self.moved_by {
+                MovedBy::LastLink => None,
+                MovedBy::Link(joints) => Some(WrittenMover::Link(*joints)),
+                MovedBy::Jacobian(matrix) => Some(WrittenMover::Jacobian(Rows::of(matrix))),
+            },
+        }
+        .serialize(serializer)
+    }
+}
+
+impl<'de, const C: usize> Deserialize<'de> for Fingertip<C> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        object::read(deserializer, "a contact", |written: Written<C>| {
+            if written.moved_by.is_some() {
+                return Err("moved_by: of the contacts of a finger alone".to_owned());
+            }
+            let missing = || format!("{}{NO_STIFFNESS}", named(written.name.as_deref()));
+            let stiffness = written.stiffness()?.ok_or_else(missing)?;
+            let entry = Self::of_written(written, stiffness)?;
+            entry.checked(true)
+        })
+    }
+}
+
+/// A contact of a finger: it may say what moves it, and a compliance of the finger may stand for its springs.
+pub(super) struct LinkedContact<const C: usize>(pub(super) Fingertip<C>);
+
+impl<'de, const C: usize> Deserialize<'de> for LinkedContact<C> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        object::read(deserializer, "a contact", |written: Written<C>| {
+            let given = written.stiffness()?;
+            let stiffness = given.unwrap_or(Stiffness::Series(SVector::repeat(f64::INFINITY)));
+            Fingertip::of_written(written, stiffness)?.checked(given.is_some()).map(Self)
+        })
+    }
+}
+
+impl<const C: usize> Fingertip<C> {
+    fn of_written(written: Written<C>, stiffness: Stiffness<C>) -> Result<Self, String> {
+        let mut contact = Contact::new(written.point, written.normal);
+        contact.name = written.name;
+        contact.tangent = written.tangent.map(|row| row.0);
+        contact.stiffness = stiffness;
+        contact.friction = written.friction.map_or(0.0, |mu| mu.0);
+        contact = match (written.command, written.command_world) {
+            (Some(u), None) => contact.command(u.0),
+            (None, Some(u)) => contact.command_world(u.0),
+            (None, None) => contact,
+            (Some(_), Some(_)) => {
+                return Err("command and command_world: a contact has one of them".to_owned());
+            }
+        };
+        let pressed = [("pressed_with", written.pressed_with), ("force", written.force)];
+        if let Some((field, _)) = pressed.iter().find(|(_, given)| given.is_some())
+            && contact.command_axes == Axes::Frame
+            && contact.command[0] != 0.0
+        {
+            let name = named(contact.name.as_deref());
+            return Err(format!(
+                "{name}{field} is given, must be left out beside a command with a normal part: both say how the finger presses"
+            ));
+        }
+        contact = match (written.pressed_with, written.force) {
+            (Some(_), Some(_)) => {
+                return Err("pressed_with and force: a finger holds a position or a force, give one of them"
+                    .to_owned());
+            }
+            (Some(press), None) => contact.pressed_with(press),
+            (None, Some(force)) => contact.force(force),
+            (None, None) => contact,
+        };
+        contact.clearance = written.clearance.unwrap_or(0.0);
+        contact.hold = written.hold;
+        let cup = match written.suction {
+            None => None,
+            Some(WrittenSuction::Force(force)) => {
+                contact.suction = force;
+                None
+            }
+            Some(WrittenSuction::Cup(_)) if written.soft.is_some() => {
+                let name = named(contact.name.as_deref());
+                return Err(format!("{name}soft and suction: a cup has a lip of its own, give one of them"));
+            }
+            Some(WrittenSuction::Cup(cup)) => Some(cup),
+        };
+        let moved_by = match written.moved_by {
+            None => MovedBy::LastLink,
+            Some(WrittenMover::Link(joints)) => MovedBy::Link(joints),
+            Some(WrittenMover::Jacobian(rows)) => MovedBy::Jacobian(rows.matrix("jacobian")?),
+        };
+        Ok(Self { contact, soft: written.soft, cup, comment: written.comment, moved_by })
+    }
+
+    /// Refuses what no grasp would take. Springs that a finger's compliance stands for are judged with the finger.
+    fn checked(self, springs: bool) -> Result<Self, String> {
+        let contact = &self.contact;
+        // Where it stands in the list is known to the list only.
+        let fault = |error| match error {
+            Error::Contact { contact: ContactLabel { name, .. }, field, value, allowed } => {
+                format!("{}{field} is {value}, must be {allowed}", named(name.as_deref()))
+            }
+            other => format!("{}{other}", named(contact.name.as_deref())),
+        };
+        if springs {
+            contact.check(0).map_err(fault)?;
+        }
+        contact.frame(0).map_err(fault)?;
+        self.patch().map_err(fault)?;
+        Ok(self)
+    }
+}
+
+/// How a message of a contact begins.
+fn named(name: Option<&str>) -> String {
+    name.map_or(String::new(), |name| format!("{name}: "))
+}
+
+const NO_STIFFNESS: &str = "no stiffness: give body_stiffness, finger_stiffness or both, or series_stiffness";
+
+impl<const C: usize> Written<C> {
+    /// The springs, if any are given.
+    fn stiffness(&self) -> Result<Option<Stiffness<C>>, String> {
+        let axes = |side: &Option<Springs<C>>| side.as_ref().map_or(SVector::repeat(f64::INFINITY), |k| k.0);
+        match (&self.body_stiffness, &self.finger_stiffness, &self.series_stiffness) {
+            (None, None, None) => Ok(None),
+            (None, None, Some(k)) => Ok(Some(Stiffness::Series(k.0))),
+            (body, finger, None) => {
+                Ok(Some(Stiffness::BodyAndFinger { body: axes(body), finger: axes(finger) }))
+            }
+            _ => Err(
+                "series_stiffness is body and finger together: give it, or body_stiffness and finger_stiffness"
+                    .to_owned(),
+            ),
+        }
+    }
+}
+
+#[cfg(feature = "schema")]
+schema_as_written!("Contact", Fingertip<C>, Written<C>, C);
+#[cfg(feature = "schema")]
+schema_as_written!("Contact", LinkedContact<C>, Written<C>, C);

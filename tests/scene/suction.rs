@@ -1,0 +1,105 @@
+//! Suction in scenes: a cup with its lip, or the force of a vacuum within a pad.
+
+use grasp_lcp::scene::{Answer, Answers, Cup, Fingertip, OnsetAnswer, Scene, Setup, Space};
+use grasp_lcp::spatial::{Contact, SuctionCup};
+use serde_json::{Value, json};
+
+fn with(contact: &Value) -> Result<Scene, serde_json::Error> {
+    let mut cup = json!({ "name": "lip", "point": [0, 0, 0], "normal": [0, 0, -1], "series_stiffness": [6000, 3000], "friction": 0.5 });
+    cup.as_object_mut().expect("an object").extend(contact.as_object().expect("an object").clone());
+    let pad = |name: &str, y: f64| json!({ "name": name, "point": [0, y, 0], "normal": [0, 0, -1], "series_stiffness": [30000, 15000], "friction": 0.8 });
+    let weight = json!({ "force": [0, 0, -19.62] });
+    let questions = json!([
+        { "onset": { "base": weight, "direction": { "force": [1, 0, 0] } } },
+        { "onset": { "base": weight, "direction": { "force": [1, 0, 0], "at": [0, 0, -0.01] } } },
+        { "onset": { "direction": { "force": [0, 0, -1], "at": [0.05, 0, -0.01] } } }
+    ]);
+    let contacts = json!([cup, pad("pad l", -0.05), pad("pad r", 0.05)]);
+    serde_json::from_value(
+        json!({ "format": "grasp-lcp/1", "spatial": { "contacts": contacts, "questions": questions } }),
+    )
+}
+
+fn onsets(scene: &Scene) -> Vec<f64> {
+    let Answers::Spatial(answers) = scene.answers().expect("answers") else { panic!("in space") };
+    let factor = |answer: &Answer<3>| match answer {
+        Answer::Onset(OnsetAnswer::At(event)) => event.at.factor,
+        other => panic!("{other:?}"),
+    };
+    answers.iter().map(factor).collect()
+}
+
+/// A cup and two friction pads on a plate of 2 kg: the figures of the same plate with a ring and the vacuum in its loads, 62.83 N up.
+#[test]
+fn a_cup_holds_what_its_vacuum_does_as_a_load() {
+    let cases = [
+        json!({ "suction": { "radius": 0.02, "pressure": 50000 } }),
+        json!({ "suction": { "radius": 0.02, "points": 12, "force": 62.83185307179586 } }),
+        json!({ "suction": 62.83185307179586, "soft": { "ring": { "radius": 0.02, "points": 12 } } }),
+    ];
+    for case in &cases {
+        let scene = with(case).expect("a scene");
+        let expected = [21.605926535898, 3.323988697830, 1.121997376282];
+        for (found, expected) in onsets(&scene).into_iter().zip(expected) {
+            assert!((found - expected).abs() < 1e-11, "{case}: {found} {expected}");
+        }
+        let written = serde_json::to_value(&scene).expect("is written");
+        let back: Scene = serde_json::from_value(written.clone()).expect("is read");
+        assert_eq!(back, scene, "{written}");
+        assert_eq!(written["spatial"]["contacts"][0]["suction"].is_number(), case["suction"].is_number());
+    }
+}
+
+#[test]
+fn a_cup_is_the_one_of_the_crate() {
+    let lip = Contact::new([0.0; 3], [0.0, 0.0, -1.0]).name("lip").series_stiffness(8e3, 4e3).friction(0.5);
+    let setup = Setup::<3>::new([Fingertip::from(lip.clone()).with_cup(Cup::of_pressure(0.02, 6e4))]);
+    let expected = SuctionCup::of_pressure(0.02, 12, 6e4).unwrap().contacts(&lip).unwrap();
+    assert_eq!(
+        setup.grasp().unwrap().contacts(),
+        grasp_lcp::spatial::Grasp::new(expected).unwrap().contacts()
+    );
+    // The grasp as a scene: every point of the lip with its part of the vacuum.
+    let scene = Scene::from(&setup.grasp().unwrap());
+    let back: Scene = serde_json::from_value(serde_json::to_value(&scene).unwrap()).unwrap();
+    let Space::Spatial(points) = back.space else { panic!("in space") };
+    let load = grasp_lcp::spatial::Wrench::force([3.0, 0.0, -20.0]);
+    let [one, other] =
+        [points.grasp().unwrap(), setup.grasp().unwrap()].map(|grasp| grasp.solve(&load).unwrap());
+    let forces = |outcome: &grasp_lcp::spatial::Outcome| {
+        outcome.equilibrium().unwrap().contacts.iter().map(|c| c.force).collect::<Vec<_>>()
+    };
+    assert_eq!(forces(&one), forces(&other));
+}
+
+#[test]
+fn what_is_no_cup_is_told() {
+    let cases = [
+        (json!({ "suction": { "radius": 0.02 } }), "a cup has a pressure or a force, give one of them"),
+        (
+            json!({ "suction": { "radius": 0.02, "pressure": 1, "force": 1 } }),
+            "a cup has a pressure or a force",
+        ),
+        (
+            json!({ "suction": { "radius": 0, "force": 1 } }),
+            "lip: soft fingertip: radius is 0, must be from 1e-50 to 1e50",
+        ),
+        (
+            json!({ "suction": { "radius": 0.02, "pressure": -1 } }),
+            "pressure of the vacuum is -1, must be from 0 to 1e50",
+        ),
+        (json!({ "suction": -5 }), "lip: suction is -5, must be from 0 to 1e50"),
+        (json!({ "suction": "60 kPa" }), "expected a force, N, or a cup such as"),
+        (
+            json!({ "suction": { "radius": 0.02, "force": 1 }, "soft": { "ring": { "radius": 0.02, "points": 6 } } }),
+            "lip: soft and suction: a cup has a lip of its own, give one of them",
+        ),
+    ];
+    for (contact, expected) in cases {
+        let told = with(&contact).expect_err("refused").to_string();
+        assert!(told.contains(expected), "{told}");
+    }
+    let planar = r#"{"format": "grasp-lcp/1", "planar": {"contacts": [{"point": [0, 0], "normal": [0, 1], "series_stiffness": [1, 1], "suction": {"radius": 1, "force": 1}}]}}"#;
+    let told = serde_json::from_str::<Scene>(planar).expect_err("no ring in the plane").to_string();
+    assert!(told.contains("number of axes of the cup is 3, must be 2: a force, N, as a number"), "{told}");
+}
