@@ -7,6 +7,7 @@ mod new;
 mod readme;
 mod schema;
 mod stream;
+mod values;
 
 use std::io::Write;
 use std::path::{Path, PathBuf};

@@ -49,6 +49,8 @@ pub(crate) enum Command {
         #[arg(value_enum)]
         of: Template,
     },
+    /// Ordinary coefficients of friction and stiffnesses, with their sources.
+    Values,
     /// Answers every question of a scene.
     Ask(Ask),
     /// Does it hold? The load is put on from rest, and the answer is a sentence.

@@ -12,6 +12,7 @@ mod map;
 mod new;
 mod numbers;
 mod report;
+mod values;
 mod words;
 
 use std::io::{self, BufWriter, Write};
@@ -41,6 +42,7 @@ fn main() -> ExitCode {
 fn run(command: Command) -> Result<ExitCode, Failure> {
     match command {
         Command::New { of } => io::stdout().write_all(of.text().as_bytes())?,
+        Command::Values => values::print(&mut io::stdout().lock())?,
         Command::Ask(ask) => return asking::ask(&ask, &Asked::Everything),
         Command::Hold { load, base, ask } => return asking::ask(&ask, &Asked::Hold { load, base }),
         Command::Need { ask, wanted } => return asking::ask(&ask, &Asked::Need(wanted)),

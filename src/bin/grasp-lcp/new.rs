@@ -69,4 +69,4 @@ What stands in the scenes:
   grasp-lcp hold gripper.json --mass 0.8       and another one
   grasp-lcp draw gripper.json                  shows whether all is where it is meant to be
 
-Lengths are in m, forces in N, stiffnesses in N/m. All other fields: documentation of the module `scene`.";
+Lengths are in m, forces in N, stiffnesses in N/m; `grasp-lcp values` has ordinary ones and friction. All other fields: documentation of the module `scene`.";

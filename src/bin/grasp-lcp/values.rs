@@ -1,0 +1,38 @@
+//! Ordinary values of friction and stiffness, each with its source.
+
+use std::io::{self, Write};
+
+/// One value or source a line, its columns between tabs.
+const TABLE: &str = include_str!("values.tsv");
+
+const HEAD: &str = "\
+What is not known is best measured: tilt the object on the pad until it slides, at the angle θ: μ = tan θ. Where that cannot be done, these are ordinary
+values to begin with; dust, moisture and age change friction by more than any table tells. `need` says how much friction it takes.";
+
+const STIFFNESS: &str = "\
+Springs in series add their compliances, 1/k: of pad, finger and mechanism the softest counts. Of a bellows or a clamp it is force over stroke
+in its data sheet.";
+
+/// The table in words: what, from where to where, and the number of its source in the list at its end.
+pub(crate) fn print(out: &mut dyn Write) -> io::Result<()> {
+    let lines = || {
+        TABLE.lines().filter(|line| !line.starts_with('#')).map(|line| line.split('\t').collect::<Vec<_>>())
+    };
+    let sources: Vec<_> = lines().filter(|line| line[0] == "source").collect();
+    writeln!(out, "{HEAD}")?;
+    for (quantity, title) in [("friction", "Coefficient of friction, static"), ("stiffness", "Stiffness")] {
+        writeln!(out, "\n{title}")?;
+        for line in lines().filter(|line| line[0] == quantity) {
+            let [what, from, to, unit, source] = line[1..] else { continue };
+            let range = if from == to { from.to_owned() } else { format!("{from} to {to}") };
+            let number = sources.iter().position(|known| known[1] == source).map_or(0, |at| at + 1);
+            let range = format!("{range} {unit}");
+            writeln!(out, "  {:20} {what} [{number}]", range.trim_end())?;
+        }
+    }
+    writeln!(out, "\n{STIFFNESS}\n")?;
+    for (number, source) in sources.iter().enumerate() {
+        writeln!(out, "[{}] {}", number + 1, source[2])?;
+    }
+    Ok(())
+}
