@@ -130,7 +130,7 @@ CASES: list[tuple[Callable[[], object], type[Exception], str]] = [
     (lambda: pinch().least_squeeze(any_force=-1), ValueError, "any_force is -1, must be zero, or more and at most 1e50"),
     (lambda: pinch().weakest_direction(at=[0, 0, 0]), ValueError, "at: 3 numbers given, must be 2"),
     # Scenes.
-    (lambda: Grasp.from_json("{"), ValueError, "line 1, column 1: EOF while parsing an object"),
+    (lambda: Grasp.from_json("{"), ValueError, "line 1, column 1: the text ends within an object: something is missing, perhaps a bracket"),
     (lambda: answers({"format": "grasp-lcp/1"}), ValueError, "line 1, column 25: missing field `planar` or `spatial`"),
     # Batches: what is wrong with all rows at once.
     (lambda: onsets([1, 2], NORMALS, [0, 1]), ValueError, "points: shape (2,) given, must be (..., n, 2) or (..., n, 3)"),

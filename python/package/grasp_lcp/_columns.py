@@ -150,6 +150,27 @@ def plain(name: str, given: Any) -> Any:
     return finite(name, given).tolist()
 
 
+def as_written(name: str, given: Any) -> Any:
+    """A part of a contact as scenes write it; whole numbers stay whole."""
+    if isinstance(given, Mapping):
+        return {key: as_written(f"{name}[{key!r}]", value) for key, value in given.items()}
+    if isinstance(given, (list, tuple)):
+        return [as_written(f"{name}[{index}]", value) for index, value in enumerate(given)]
+    if isinstance(given, (str, bool, int)):
+        return given
+    return int(given) if isinstance(given, np.integer) else finite(name, given).tolist()
+
+
+def one_each(name: str, given: Any, contacts: int) -> list[Any]:
+    """One for each contact: what is given for all, or a list of one or none each."""
+    if isinstance(given, (Mapping, str)) or np.ndim(given) == 0:
+        return [given] * contacts
+    each = listed(name, given, "one for all contacts, or a list of one each")
+    if len(each) != contacts:
+        raise ValueError(f"{name}: {len(each)} given, must be one for all or {contacts}, one a contact")
+    return each
+
+
 def wrench_json(name: str, given: Any, axes: int) -> Any:
     """A load as scenes write it, from a mapping or from an array of a force, or of a force and a moment."""
     if isinstance(given, Mapping):

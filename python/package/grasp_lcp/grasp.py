@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _grasp_lcp
-from ._columns import columns, dumped, finite, floats, listed, plain, wrench_json
+from ._columns import as_written, columns, dumped, finite, floats, listed, one_each, plain, wrench_json
 from .answers import Answer, Needed, Onset, Path, Solution, TurnOnset, Verdict
 from .equilibrium import Equilibrium
 from .quality import Closure, LeastSqueeze, LoadLimit, Quality, WeakestDirection, WrenchBall
@@ -82,6 +82,8 @@ class Grasp:
         pressed_with: ArrayLike | None = None,
         clearance: ArrayLike | None = None,
         tangents: ArrayLike | None = None,
+        soft: Mapping[str, Any] | Sequence[Mapping[str, Any] | None] | None = None,
+        suction: ArrayLike | Mapping[str, Any] | Sequence[Mapping[str, Any] | float | None] | None = None,
         hold: str | Sequence[str] = "unilateral",
         names: Sequence[str | None] | None = None,
         outline: ArrayLike | None = None,
@@ -103,6 +105,9 @@ class Grasp:
             give these forces on an object that stays; if the forces do not balance it moves until they do.
         :param clearance: gaps before anything moves, m, negative for an overlap, shape (n,) or one for all.
         :param tangents: directions of the first tangent, shape (n, 2).
+        :param soft: patches of soft pads in place of the points, as in scenes: ``{"pad": {"width": 0.01, "strips": 1}}`` or ``{"pair":
+            {"width": 0.01}}``, one for all or a list of one or None a contact.
+        :param suction: what a vacuum pulls the object onto the contact with, N, one for all or a list of one or None a contact.
         :param hold: ``"unilateral"``, ``"kept_closed"`` or ``"bonded"``, one word or one a contact.
         :param names: names of the contacts for messages and pictures.
         :param outline: corners of the object, m, shape (k, 2); only drawn.
@@ -110,11 +115,12 @@ class Grasp:
         :raises ValueError: naming the argument, its index, the value and what is allowed.
         :raises TypeError: for what is no number.
         """
-        return cls._made(
+        made = cls._made(
             2, points, normals, friction, hold, names, outline, settings, series_stiffness=series_stiffness,
             body_stiffness=body_stiffness, finger_stiffness=finger_stiffness, command=command,
             command_world=command_world, pressed_with=pressed_with, clearance=clearance, tangents=tangents,
         )  # fmt: skip
+        return made._spread(soft=soft, suction=suction)
 
     @classmethod
     def spatial(
@@ -131,6 +137,8 @@ class Grasp:
         pressed_with: ArrayLike | None = None,
         clearance: ArrayLike | None = None,
         tangents: ArrayLike | None = None,
+        soft: Mapping[str, Any] | Sequence[Mapping[str, Any] | None] | None = None,
+        suction: ArrayLike | Mapping[str, Any] | Sequence[Mapping[str, Any] | float | None] | None = None,
         hold: str | Sequence[str] = "unilateral",
         names: Sequence[str | None] | None = None,
         outline: ArrayLike | None = None,
@@ -140,12 +148,17 @@ class Grasp:
 
         Stiffnesses are one number, ``[normal, tangential]`` or ``[normal, first tangent, second tangent]``. Without ``tangents`` the first
         tangent is the projection of the coordinate axis that is farthest from the normal.
+
+        Soft pads are ``{"ring": {"radius": 0.008, "points": 6}}``, ``{"disc": {"radius": 0.008, "annuli": 1, "points": 6}}`` or ``{"rectangle":
+        {"sides": [0.02, 0.012]}}``, whose first side lies along the first tangent. Suction may also be a cup with its lip, ``{"radius": 0.02,
+        "pressure": 60000}``, m and Pa.
         """
-        return cls._made(
+        made = cls._made(
             3, points, normals, friction, hold, names, outline, settings, series_stiffness=series_stiffness,
             body_stiffness=body_stiffness, finger_stiffness=finger_stiffness, command=command,
             command_world=command_world, pressed_with=pressed_with, clearance=clearance, tangents=tangents,
         )  # fmt: skip
+        return made._spread(soft=soft, suction=suction)
 
     @classmethod
     def _made(
@@ -175,6 +188,22 @@ class Grasp:
             raise ValueError(f"outline: shape {corners.shape} given, must be (k, {axes})")
         told = None if settings is None else dumped(settings)
         return cls._of(_grasp_lcp.Grasp.of_columns(made, told_names, corners, told))
+
+    def _spread(self, **given: Any) -> Grasp:
+        """This grasp with soft pads and suction as scenes have them."""
+        told = {name: one_each(name, value, len(self)) for name, value in given.items() if value is not None}
+        if not told:
+            return self
+        scene = self.to_dict()
+        contacts = scene["planar" if self.axes == 2 else "spatial"]["contacts"]
+        for name, each in told.items():
+            for index, one in enumerate(each):
+                if one is not None:
+                    contacts[index][name] = as_written(f"{name}[{index}]", one)
+        try:
+            return Grasp.from_dict(scene)
+        except ValueError as error:
+            raise ValueError(f"{', '.join(told)}: {error}") from None
 
     @classmethod
     def from_json(cls, text: str) -> Grasp:
