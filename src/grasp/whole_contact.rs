@@ -90,7 +90,7 @@ impl<'c, const C: usize> WholeContacts<'c, C> {
     }
 
     /// The name of a part, or its number.
-    fn label(&self, number: usize) -> String {
+    pub(crate) fn label(&self, number: usize) -> String {
         let first = &self.contacts[self.ranges[number].start];
         first.whole_name().map_or_else(|| format!("contact {number}"), str::to_owned)
     }

@@ -3,13 +3,16 @@
 use std::ops::Range;
 
 use plotters::chart::ChartContext;
+use plotters::coord::Shift;
 use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
 use plotters::coord::types::RangedCoordf64;
-use plotters::prelude::{Cartesian2d, SVGBackend};
+use plotters::prelude::{Cartesian2d, DrawingArea, SVGBackend};
 
 use super::round_numbers::{in_steps, round_up, whole_above, whole_below};
 
 pub(super) type Canvas<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<AxisRange, AxisRange>>;
+/// Where one chart is drawn.
+pub(super) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 /// What plotters says of each stroke.
 pub(super) type Plotted = Result<(), Box<dyn std::error::Error>>;
 

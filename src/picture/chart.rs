@@ -1,13 +1,12 @@
 //! Curves against a load factor, with events marked.
 
-use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use super::canvas::{AxisRange, Canvas, FINE, Plotted};
-use super::chart_strokes::{draw_label, draw_mark, draw_series};
+use super::canvas::{Area, AxisRange, Canvas, FINE, Plotted};
+use super::chart_strokes::{draw_label, draw_marks, draw_names, draw_note, draw_series};
 use super::error::PictureError;
-use super::legend_corner::emptiest_corner;
+use super::legend_corner::{emptiest_corner, legend_width};
 use super::palette::{FONT, GREY, PALETTE};
 use super::series::{ChartSeries, Stroke};
 
@@ -15,6 +14,11 @@ use super::series::{ChartSeries, Stroke};
 const SIZE: (u32, u32) = (860, 540);
 const TITLE: u32 = 23 * FINE;
 const LETTERS: u32 = 17 * FINE;
+/// Names of more series stand beside the chart.
+const MOST_INSIDE: usize = 6;
+/// Letters at most of a name beside the chart, and of one on it.
+const LONGEST_BESIDE: usize = 26;
+const LONGEST_INSIDE: usize = 70;
 /// Width of a letter in parts of the height that plotters takes for it.
 const LETTER: f64 = 0.5;
 /// Room for what has a size in pixels, beside and above points that are not in lines, in parts of
@@ -32,6 +36,7 @@ pub struct Chart {
     marks: Vec<(f64, String)>,
     labels: Vec<((f64, f64), String)>,
     shaded: Option<(f64, String)>,
+    note: Option<String>,
     logarithmic: bool,
 }
 
@@ -85,6 +90,20 @@ impl Chart {
     pub fn shade_from(mut self, x: f64, label: impl Into<String>) -> Self {
         self.shaded = Some((x, label.into()));
         self
+    }
+
+    /// Adds a sentence below the chart, in as many lines as it takes; another one takes its place.
+    #[must_use]
+    pub fn note(mut self, words: impl Into<String>) -> Self {
+        self.note = Some(words.into());
+        self
+    }
+
+    /// Whether there is no finite point to draw.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        let mut points = self.series.iter().flat_map(|series| &series.points);
+        !points.any(|(x, y)| x.is_finite() && y.is_finite())
     }
 
     /// Both axes logarithmic. Points and marks without a logarithm are left out.
@@ -181,12 +200,16 @@ impl Chart {
             .pos(Pos::new(HPos::Center, VPos::Center));
         let (wide, _) = root.dim_in_pixel();
         root.draw(&Text::new(self.title.as_str(), (wide.cast_signed() / 2, 26 * FINE.cast_signed()), title))?;
+        let below = draw_note(root, self.note.as_deref().unwrap_or_default())?;
+        // Many names stand beside the chart: on it they would hide it.
+        let beside = (self.series.len() > MOST_INSIDE).then(|| legend_width(&self.series, LONGEST_BESIDE));
         let mut chart = ChartBuilder::on(root)
             .margin(14 * FINE)
             // The title.
             .margin_top(46 * FINE)
             // Half of the last number at the axis.
-            .margin_right(30 * FINE)
+            .margin_right(30 * FINE + beside.unwrap_or(0))
+            .margin_bottom(14 * FINE + below)
             .x_label_area_size(50 * FINE)
             .y_label_area_size(82 * FINE)
             .build_cartesian_2d(
@@ -206,13 +229,25 @@ impl Chart {
         }
         self.draw_axes(&mut chart)?;
         for (series, color) in self.series.iter().zip(PALETTE.iter().cycle()) {
-            draw_series(&mut chart, series, *color)?;
+            draw_series(
+                &mut chart,
+                series,
+                *color,
+                if beside.is_some() { LONGEST_BESIDE } else { LONGEST_INSIDE },
+            )?;
         }
-        for (x, label) in &self.marks {
-            draw_mark(&mut chart, window, *x, label)?;
-        }
+        draw_marks(&mut chart, window, &self.marks)?;
         for (point, label) in &self.labels {
             draw_label(&mut chart, *point, label)?;
+        }
+        if beside.is_some() {
+            let (right, top) = chart.plotting_area().get_pixel_range();
+            return draw_names(
+                root,
+                (right.end + 12 * FINE.cast_signed(), top.start),
+                &self.series,
+                LONGEST_BESIDE,
+            );
         }
         chart
             .configure_series_labels()
@@ -247,9 +282,6 @@ fn fine_pixels(count: usize, each: u32) -> Result<u32, PictureError> {
     let all = u32::try_from(count).ok().and_then(|count| count.checked_mul(each * FINE));
     all.ok_or_else(|| PictureError(format!("{count} are too many to be drawn")))
 }
-
-/// Where one chart is drawn.
-type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
 /// Smallest and largest value, with some room; a range of zero width gets one.
 fn range(values: impl Iterator<Item = f64>, room: f64) -> (f64, f64) {

@@ -1,13 +1,14 @@
 //! The strokes of a chart: series, marks and labels.
 
-use plotters::element::{DashedPathElement, EmptyElement, IntoDynElement};
+use plotters::element::{DashedPathElement, DynElement, EmptyElement, IntoDynElement};
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use super::canvas::{Canvas, FINE, Plotted};
-use super::palette::{FONT, GREY};
+use super::canvas::{Area, Canvas, FINE, Plotted};
+use super::palette::{FONT, GREY, PALETTE};
 use super::series::{ChartSeries, Stroke};
 use super::sheet::plaque_size;
+use super::words::{lines, shortened};
 
 /// Length and half the width of an arrow on a line, pixels.
 const ARROW: (f64, f64) = (11.0, 4.5);
@@ -18,6 +19,9 @@ const DASH: (u32, u32) = (7 * FINE, 5 * FINE);
 /// Height of letters, and of those on plaques.
 const LETTERS: u32 = 16 * FINE;
 const NUMBERS: u32 = 14 * FINE;
+/// Height of a line of a note, and its letters.
+const NOTE_LINE: u32 = 18 * FINE;
+const NOTE_LETTERS: usize = 105;
 
 /// Samples of the legend around which there is a line: one with a dot, and one with an arrow.
 const DOTTED: [(i32, i32); 10] =
@@ -25,11 +29,12 @@ const DOTTED: [(i32, i32); 10] =
 const ARROWED: [(i32, i32); 10] =
     [(0, -1), (6, -1), (6, -5), (15, -1), (20, -1), (20, 1), (15, 1), (6, 5), (6, 1), (0, 1)];
 
-/// Draws a series and its entry in the legend.
+/// Draws a series and its entry in the legend, a name of so many letters at most.
 pub(super) fn draw_series<'a, 'b: 'a>(
     chart: &mut Canvas<'a, 'b>,
     series: &ChartSeries,
     color: RGBColor,
+    letters: usize,
 ) -> Plotted {
     let (style, stroke) = (color.stroke_width(2 * FINE), series.stroke);
     let is_finite = |(x, y): &(f64, f64)| x.is_finite() && y.is_finite();
@@ -56,27 +61,51 @@ pub(super) fn draw_series<'a, 'b: 'a>(
         }
         Stroke::Line | Stroke::Directed | Stroke::Dashed => {}
     }
-    let fine = FINE.cast_signed();
     let entry = chart.draw_series(std::iter::empty::<Circle<(f64, f64), u32>>())?;
-    entry.label(&series.name).legend(move |(x, y)| {
-        let (line, middle) = ([(x, y), (x + 20 * fine, y)], (x + 10 * fine, y));
-        let around = |corners: &[(i32, i32)]| {
-            let corners = corners.iter().map(|(across, down)| (x + across * fine, y + down * fine));
-            Polygon::new(corners.collect::<Vec<_>>(), color.filled())
-        };
-        match stroke {
-            Stroke::Circles => Circle::new(middle, 4 * FINE, style).into_dyn(),
-            Stroke::Dots => Circle::new(middle, 2 * FINE, faint(color)).into_dyn(),
-            Stroke::Bars => {
-                let corners = [(x, y - 5 * fine), (x + 20 * fine, y + 5 * fine)];
-                Rectangle::new(corners, faint(color)).into_dyn()
-            }
-            Stroke::Dashed => DashedPathElement::new(line, 5 * FINE, 3 * FINE, style).into_dyn(),
-            Stroke::Marked => around(&DOTTED).into_dyn(),
-            Stroke::Directed => around(&ARROWED).into_dyn(),
-            Stroke::Line => PathElement::new(line, style).into_dyn(),
+    entry.label(shortened(&series.name, letters)).legend(move |at| sample(stroke, color, at));
+    Ok(())
+}
+
+/// What stands for a series in a legend.
+fn sample<'b>(
+    stroke: Stroke,
+    color: RGBColor,
+    (x, y): (i32, i32),
+) -> DynElement<'static, SVGBackend<'b>, (i32, i32)> {
+    let (style, fine) = (color.stroke_width(2 * FINE), FINE.cast_signed());
+    let (line, middle) = ([(x, y), (x + 20 * fine, y)], (x + 10 * fine, y));
+    let around = |corners: &[(i32, i32)]| {
+        let corners = corners.iter().map(|(across, down)| (x + across * fine, y + down * fine));
+        Polygon::new(corners.collect::<Vec<_>>(), color.filled())
+    };
+    match stroke {
+        Stroke::Circles => Circle::new(middle, 4 * FINE, style).into_dyn(),
+        Stroke::Dots => Circle::new(middle, 2 * FINE, faint(color)).into_dyn(),
+        Stroke::Bars => {
+            let corners = [(x, y - 5 * fine), (x + 20 * fine, y + 5 * fine)];
+            Rectangle::new(corners, faint(color)).into_dyn()
         }
-    });
+        Stroke::Dashed => DashedPathElement::new(line, 5 * FINE, 3 * FINE, style).into_dyn(),
+        Stroke::Marked => around(&DOTTED).into_dyn(),
+        Stroke::Directed => around(&ARROWED).into_dyn(),
+        Stroke::Line => PathElement::new(line, style).into_dyn(),
+    }
+}
+
+/// Names of series one below the other, from a place in the sheet downwards.
+pub(super) fn draw_names(
+    root: &Area<'_>,
+    (x, y): (i32, i32),
+    series: &[ChartSeries],
+    letters: usize,
+) -> Plotted {
+    let fine = FINE.cast_signed();
+    for ((series, color), k) in series.iter().zip(PALETTE.iter().cycle()).zip(0..) {
+        let y = y + (20 * k + 12) * fine;
+        root.draw(&sample(series.stroke, *color, (x, y)))?;
+        let style = (FONT, LETTERS).into_font().color(&BLACK).pos(Pos::new(HPos::Left, VPos::Center));
+        root.draw(&Text::new(shortened(&series.name, letters), (x + 28 * fine, y), style))?;
+    }
     Ok(())
 }
 
@@ -106,17 +135,43 @@ fn draw_arrows(chart: &mut Canvas, line: &[(f64, f64)], color: RGBColor) -> Plot
     Ok(())
 }
 
-/// A vertical line with a label.
-pub(super) fn draw_mark(chart: &mut Canvas, [x0, x1, y0, y1]: [f64; 4], x: f64, label: &str) -> Plotted {
-    let style = BLACK.stroke_width(FINE);
-    chart.draw_series(DashedLineSeries::new([(x, y0), (x, y1)], 4 * FINE, 4 * FINE, style))?;
-    // To the side on which there is room.
-    let left = (x - x0) > 0.6 * (x1 - x0);
-    let (anchor, side) = if left { (HPos::Right, -1.0) } else { (HPos::Left, 1.0) };
-    let style = (FONT, LETTERS).into_font().color(&BLACK).pos(Pos::new(anchor, VPos::Top));
-    let at = (x + 0.008 * (x1 - x0) * side, y1 - 0.02 * (y1 - y0));
-    chart.draw_series([Text::new(label.to_owned(), at, style)])?;
+/// Vertical lines with labels at the top, below each other where they would meet.
+pub(super) fn draw_marks(chart: &mut Canvas, [x0, x1, y0, y1]: [f64; 4], marks: &[(f64, String)]) -> Plotted {
+    let (wide, high) = chart.plotting_area().dim_in_pixel();
+    let mut taken: Vec<[f64; 3]> = Vec::new();
+    for (x, label) in marks {
+        let style = BLACK.stroke_width(FINE);
+        chart.draw_series(DashedLineSeries::new([(*x, y0), (*x, y1)], 4 * FINE, 4 * FINE, style))?;
+        // To the side on which there is room.
+        let part = (x - x0) / (x1 - x0);
+        let (anchor, side) = if part > 0.6 { (HPos::Right, -1.0) } else { (HPos::Left, 1.0) };
+        let long = plaque_size(label, f64::from(LETTERS)).0 / f64::from(wide);
+        let from = if side > 0.0 { part } else { part - long };
+        // One that would go beyond the chart is moved.
+        let moved = from.min(1.0 - long).max(0.0) - from;
+        let from = from + moved;
+        let meets = |row: f64| taken.iter().any(|[at, to, r]| *r == row && from < *to && from + long > *at);
+        let row = (0..20).map(f64::from).find(|row| !meets(*row)).unwrap_or(0.0);
+        taken.push([from, from + long, row]);
+        let style = (FONT, LETTERS).into_font().color(&BLACK).pos(Pos::new(anchor, VPos::Top));
+        let down = 0.02 + 1.3 * row * f64::from(LETTERS) / f64::from(high);
+        let at = (x + (0.008 * side + moved) * (x1 - x0), y1 - down * (y1 - y0));
+        chart.draw_series([Text::new(label.to_owned(), at, style)])?;
+    }
     Ok(())
+}
+
+/// Writes a sentence at the foot of a chart, in as many lines as it takes; returns how high they are.
+pub(super) fn draw_note(root: &Area<'_>, words: &str) -> Result<u32, Box<dyn std::error::Error>> {
+    let note = lines(words, NOTE_LETTERS);
+    let (_, high) = root.dim_in_pixel();
+    let below = (0..u32::try_from(note.len()).unwrap_or(0)).rev();
+    for (words, up) in note.iter().zip(below) {
+        let style = (FONT, NUMBERS).into_font().color(&GREY).pos(Pos::new(HPos::Left, VPos::Center));
+        let y = high.cast_signed() - (14 * FINE + up * NOTE_LINE).cast_signed();
+        root.draw(&Text::new(words.as_str(), (24 * FINE.cast_signed(), y), style))?;
+    }
+    Ok(NOTE_LINE * u32::try_from(note.len()).unwrap_or(0))
 }
 
 /// A few letters on a plaque.

@@ -6,7 +6,7 @@ use nalgebra::SVector;
 
 use super::contact_look::word;
 use crate::equilibrium::{ContactAnswer, ContactState};
-use crate::grasp::Contact;
+use crate::grasp::{Contact, WholeContacts};
 
 /// Consecutive contacts of a grasp.
 #[derive(Debug, Clone)]
@@ -29,24 +29,12 @@ pub(super) struct Resultant<const C: usize> {
     pub(super) word: &'static str,
 }
 
-/// Points of a soft fingertip have the name of the fingertip with 0, 1, 2 … behind it, as
-/// [`SoftFingertip`](crate::grasp::SoftFingertip) names them, and a normal in common.
+/// The contacts of a grasp as people count them.
 pub(super) fn fingertips<const C: usize>(contacts: &[Contact<C>]) -> Vec<ContactGroup> {
-    let mut tips = Vec::new();
-    let mut first = 0;
-    while first < contacts.len() {
-        let stem = contacts[first].name.as_deref().and_then(|name| name.strip_suffix(" 0"));
-        let belongs = |stem: &str, i: usize| {
-            contacts[i].name.as_ref().is_some_and(|name| **name == *format!("{stem} {}", i - first))
-                && contacts[i].normal == contacts[first].normal
-        };
-        let points = stem.map_or(1, |stem| (first..contacts.len()).take_while(|i| belongs(stem, *i)).count());
-        let name = stem.filter(|_| points > 1).map(str::to_owned);
-        let name = name.unwrap_or_else(|| contacts[first].label_text(first));
-        tips.push(ContactGroup { name, contacts: first..first + points });
-        first += points;
-    }
-    tips
+    let whole = WholeContacts::of(contacts);
+    let group =
+        |(k, range): (usize, &Range<usize>)| ContactGroup { name: whole.label(k), contacts: range.clone() };
+    whole.ranges().iter().enumerate().map(group).collect()
 }
 
 impl ContactGroup {

@@ -2,6 +2,7 @@
 
 use plotters::chart::SeriesLabelPosition;
 
+use super::canvas::FINE;
 use super::series::{ChartSeries, Stroke};
 
 /// Places for the legend: how much of the room beside and below it is on its left and below.
@@ -13,6 +14,12 @@ const PLACES: [(SeriesLabelPosition, f64, f64); 6] = [
     (SeriesLabelPosition::MiddleRight, 1.0, 0.5),
     (SeriesLabelPosition::LowerLeft, 0.0, 0.0),
 ];
+
+/// Fine pixels that names of series take beside a chart, of so many letters at most.
+pub(super) fn legend_width(series: &[ChartSeries], longest: usize) -> u32 {
+    let letters = series.iter().map(|series| series.name.chars().count().min(longest)).max().unwrap_or(0);
+    FINE * (52 + 9 * u32::try_from(letters).unwrap_or(0))
+}
 
 /// Where the legend hides least of the curves, of labels of marks, and of that of a shaded area.
 pub(super) fn emptiest_corner(

@@ -32,7 +32,10 @@ pub(super) fn short(x: f64) -> String {
     } else if size.is_infinite() {
         "∞".to_owned()
     } else if !PLAIN.contains(&size) {
-        format!("{size:.4e}").replace('-', "−")
+        let written = format!("{size:.4e}");
+        let (digits, power) = written.split_once('e').unwrap_or((&written, "0"));
+        let digits = digits.trim_end_matches('0').trim_end_matches('.');
+        format!("{digits}e{}", power.replace('-', "−"))
     } else {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to 7")]
         let digits = (FIVE_DIGITS / size).log10().ceil().clamp(0.0, 7.0) as usize;
@@ -42,17 +45,30 @@ pub(super) fn short(x: f64) -> String {
     if x < 0.0 { format!("−{written}") } else { written }
 }
 
-/// A text in lines of so many letters; a longer word has a line of its own.
+/// A text in lines of so many letters at most; a longer word is broken.
 pub(super) fn lines(text: &str, letters: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split_whitespace() {
+        let mut word: Vec<char> = word.chars().collect();
+        while word.len() > letters {
+            lines.push(word.drain(..letters).collect());
+        }
         match lines.last_mut() {
-            Some(line) if line.chars().count() + 1 + word.chars().count() <= letters => {
+            Some(line) if line.chars().count() + 1 + word.len() <= letters => {
                 line.push(' ');
-                line.push_str(word);
+                line.extend(word);
             }
-            _ => lines.push(word.to_owned()),
+            _ => lines.push(word.into_iter().collect()),
         }
     }
     lines
+}
+
+/// A name in so many letters at most.
+pub(super) fn shortened(name: &str, letters: usize) -> String {
+    if name.chars().count() <= letters {
+        return name.to_owned();
+    }
+    let start: String = name.chars().take(letters.saturating_sub(1)).collect();
+    format!("{}…", start.trim_end())
 }

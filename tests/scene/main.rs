@@ -2,6 +2,7 @@
 
 mod direction_pictures;
 mod format;
+mod friction_charts;
 mod hands;
 mod lines;
 mod messages;

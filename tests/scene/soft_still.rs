@@ -74,10 +74,32 @@ fn a_fingertip_has_one_force_at_its_centre_of_pressure() -> Result<(), Failure> 
 }
 
 #[test]
-fn the_same_points_under_other_names_are_drawn_one_by_one() -> Result<(), Failure> {
+fn points_are_one_fingertip_under_any_name_and_without_one() -> Result<(), Failure> {
     let (grasp, state) = pinch()?;
     let renamed = grasp.contacts().iter().enumerate().map(|(i, c)| c.clone().name(format!("p{i}")));
-    let grasp = Grasp::new(renamed.collect::<Vec<_>>())?;
+    let tip = SoftFingertip::disc(0.01, 2, 4, Pressure::Uniform)?;
+    let nameless = |x: f64| {
+        let at = Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0]).tangent([0.0, 0.0, 1.0]);
+        tip.contacts(&at.series_stiffness(3000.0, 2000.0).friction(0.8).command([0.002, 0.0, 0.0]))
+    };
+    for contacts in [renamed.collect::<Vec<_>>(), [nameless(-0.03)?, nameless(0.03)?].concat()] {
+        let grasp = Grasp::new(contacts)?;
+        let svg = SpatialPage::new(&grasp, "A pinch").frame("held", &state).to_svg(Some(0), View::FRONT)?;
+        let mut starts = thick(&shapes(&svg)?, STICKING);
+        starts.retain(|at| at[0] < 620.0);
+        assert_eq!(starts.len(), TIPS);
+    }
+    Ok(())
+}
+
+#[test]
+fn the_same_points_one_by_one_are_so_many_contacts() -> Result<(), Failure> {
+    let (grasp, state) = pinch()?;
+    let alone = |c: &Contact| {
+        let at = Contact::new(c.point(), [-c.point()[0], 0.0, 0.0]).tangent([0.0, 0.0, 1.0]);
+        at.series_stiffness(3000.0, 2000.0).friction(0.8).command([0.002, 0.0, 0.0])
+    };
+    let grasp = Grasp::new(grasp.contacts().iter().map(alone).collect::<Vec<_>>())?;
     let svg = SpatialPage::new(&grasp, "A pinch").frame("held", &state).to_svg(Some(0), View::FRONT)?;
     let mut starts = thick(&shapes(&svg)?, STICKING);
     starts.retain(|at| at[0] < 620.0);

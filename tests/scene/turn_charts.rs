@@ -11,10 +11,10 @@ fn palm(name: &str, x: f64) -> Contact {
 }
 
 /// Angles in degrees, and friction used there.
-type Curve = Vec<(f64, f64)>;
+pub(crate) type Curve = Vec<(f64, f64)>;
 
 /// The points of each series of a chart.
-fn curves(chart: &Chart) -> Result<Vec<Curve>, Box<dyn std::error::Error>> {
+pub(crate) fn curves(chart: &Chart) -> Result<Vec<Curve>, Box<dyn std::error::Error>> {
     let text = format!("{chart:?}");
     let lists = text.split("points: [").skip(1).filter_map(|rest| rest.split(']').next());
     lists

@@ -1,0 +1,238 @@
+//! How much of its friction each contact uses along the path of a load: of a soft fingertip all of it, not its points.
+
+use super::chart::Chart;
+use super::fingertip::{ContactGroup, fingertips};
+use super::palette::PALETTE;
+use super::series::{ChartSeries, Stroke};
+use super::words::shortened;
+use crate::ask::Grasp;
+use crate::equilibrium::{ContactAnswer, ContactState, Equilibrium};
+use crate::error::Error;
+use crate::grasp::{Contact, Hold, Wrench};
+use crate::load_path::{Change, Event, Leg, LoadPath, PathEnd};
+
+/// Places at least at which states on a leg are drawn, events besides.
+const SAMPLES_ON_A_LEG: usize = 24;
+/// Events closer than this part of what is drawn have one label.
+const APART: f64 = 0.15;
+/// Curves are told apart by so many colours, in lines and then in dashes; more are not drawn but named.
+const MOST_CURVES: usize = 2 * PALETTE.len();
+/// Curves that are nowhere farther apart are one on paper.
+const SAME: f64 = 4e-3;
+/// Letters of a name, and names, in what is written at a mark.
+const MARK_LETTERS: usize = 26;
+const MARK_NAMES: usize = 2;
+/// Names at most in a list of what is not drawn.
+const MOST_NAMES: usize = 12;
+const NAME_LETTERS: usize = 60;
+
+/// A program whose friction is drawn against what its axis says.
+pub(super) struct Drawn<'a, const C: usize> {
+    pub(super) grasp: &'a Grasp<C>,
+    pub(super) start: Wrench<C>,
+    pub(super) legs: &'a [Leg<C>],
+    pub(super) axis: &'a str,
+    /// Places at which states are drawn, events besides, on all legs together.
+    pub(super) samples: usize,
+    /// Where on the axis a part of a leg lies.
+    pub(super) place: &'a dyn Fn(usize, f64) -> f64,
+}
+
+impl<const C: usize> Drawn<'_, C> {
+    /// One curve a contact, from the start to the end of the path; when the first stops sticking is marked, and so is the end.
+    pub(super) fn chart(&self, title: &str) -> Result<Chart, Error> {
+        let mut path = self.grasp.follow(&self.start, self.legs)?;
+        let events = path.run();
+        let tips = fingertips(self.grasp.contacts());
+        let states = self.states(&path, &events);
+        let curve = |tip: &ContactGroup| -> Vec<(f64, f64)> {
+            let used = |(x, state): &(f64, Equilibrium<C>)| {
+                (
+                    *x,
+                    part_used(
+                        &state.contacts[tip.contacts.clone()],
+                        &self.grasp.contacts()[tip.contacts.clone()],
+                    ),
+                )
+            };
+            states.iter().map(used).collect()
+        };
+        let named = tips.iter().map(|tip| {
+            (tip, ChartSeries { name: tip.name.clone(), points: curve(tip), stroke: Stroke::Line })
+        });
+        let mut chart = Chart::new(title, self.axis, "friction used, |F_t| / (μ F_n)");
+        let Shared { drawn, left_out } = shared(named.collect(), self.grasp.contacts());
+        for (k, series) in drawn.iter().enumerate() {
+            let is_hidden = drawn[..k].iter().any(|earlier| coincide(earlier, series));
+            let stroke = if is_hidden || k >= PALETTE.len() { Stroke::Dashed } else { Stroke::Line };
+            chart = chart.series(series.name.clone(), series.points.clone(), stroke);
+        }
+        if !left_out.is_empty() && !states.is_empty() {
+            chart = chart.note(format!("Not drawn: {}.", left_out.join("; ")));
+        }
+        let marks = self.marks(&path, &events, &tips);
+        Ok(marks.into_iter().fold(chart, |chart, (x, label)| chart.mark(x, label)))
+    }
+
+    /// How far the path goes: the last leg, and the part of it.
+    fn reach(&self, path: &LoadPath<C>) -> (usize, f64) {
+        let last = path.end().and_then(|end| Some((end.leg()?, end.fraction()?)));
+        last.unwrap_or((self.legs.len().saturating_sub(1), 1.0))
+    }
+
+    /// Equilibria along the path, and where on the axis they are.
+    fn states(&self, path: &LoadPath<C>, events: &[Event<C>]) -> Vec<(f64, Equilibrium<C>)> {
+        let (last, end) = self.reach(path);
+        let count = (self.samples / (last + 1)).max(SAMPLES_ON_A_LEG);
+        let on_leg = |leg: usize| {
+            let to = if leg == last { end } else { 1.0 };
+            let mut fractions: Vec<f64> = (0..=count).map(|k| to * k as f64 / count as f64).collect();
+            fractions.extend(events.iter().filter(|event| event.leg == leg).map(|event| event.fraction));
+            fractions.sort_by(f64::total_cmp);
+            fractions.into_iter().map(move |fraction| (leg, fraction))
+        };
+        let on_the_way = (0..=last).flat_map(on_leg);
+        let on_the_way =
+            on_the_way.filter_map(|(leg, part)| Some(((self.place)(leg, part), path.state_at(leg, part)?)));
+        let at_the_end = path.state().map(|state| {
+            let (leg, part) = path.place();
+            ((self.place)(leg, part), state)
+        });
+        on_the_way.chain(at_the_end).collect()
+    }
+
+    fn marks(&self, path: &LoadPath<C>, events: &[Event<C>], tips: &[ContactGroup]) -> Vec<(f64, String)> {
+        let left = events
+            .iter()
+            .find_map(|event| Some(((self.place)(event.leg, event.fraction), left_by(event, tips)?)));
+        let (last, part) = self.reach(path);
+        let to = (self.place)(last, part);
+        let end = match path.end() {
+            Some(PathEnd::Lost(loss)) => {
+                let edge = |tip: &&ContactGroup| {
+                    loss.contacts.iter().any(|contact| tip.contacts.contains(&contact.index))
+                };
+                let names: Vec<_> = tips.iter().filter(edge).map(|tip| tip.name.as_str()).collect();
+                let names = some(&names, MARK_NAMES, MARK_LETTERS);
+                let who = if left.is_none() { format!(": {names} on the edge") } else { String::new() };
+                Some((to, format!("lost{who}")))
+            }
+            Some(PathEnd::Undecided { .. }) => Some((to, "undecided beyond".to_owned())),
+            _ => None,
+        };
+        match (left, end) {
+            (Some((at, left)), Some((to, end))) if to - at < APART * to => {
+                vec![(at, format!("{left}, {end}"))]
+            }
+            (left, end) => left.into_iter().chain(end).collect(),
+        }
+    }
+}
+
+/// The part of their friction that points use together: 1 where all of them slide. Not a number where that says nothing.
+fn part_used<const C: usize>(answers: &[ContactAnswer<C>], contacts: &[Contact<C>]) -> f64 {
+    let rubs = |answer: &&ContactAnswer<C>| {
+        matches!(answer.state, ContactState::Sticking | ContactState::Sliding { .. })
+            && answer.margin.is_finite()
+    };
+    if let ([answer], [contact]) = (answers, contacts) {
+        return if rubs(&answer) {
+            answer.friction_used() / contact.friction_coefficient()
+        } else {
+            f64::NAN
+        };
+    }
+    // A margin is what is left of the friction.
+    let (used, all) = answers.iter().filter(rubs).fold((0.0, 0.0), |(used, all), answer| {
+        (used + answer.friction_force(), all + answer.friction_force() + answer.margin)
+    });
+    if all > 0.0 { used / all } else { f64::NAN }
+}
+
+/// Curves that are drawn, and words for those that are not.
+struct Shared {
+    drawn: Vec<ChartSeries>,
+    left_out: Vec<String>,
+}
+
+/// All curves that there are, or as many as can be told apart: those that come highest.
+fn shared<const C: usize>(curves: Vec<(&ContactGroup, ChartSeries)>, contacts: &[Contact<C>]) -> Shared {
+    let most = |series: &ChartSeries| series.points.iter().map(|(_, y)| *y).fold(f64::NEG_INFINITY, f64::max);
+    let mut left_out = Vec::new();
+    let (mut drawn, none): (Vec<_>, Vec<_>) =
+        curves.into_iter().partition(|(_, series)| most(series).is_finite());
+    for why in ["no friction", "glued", "friction without limit", "never touches"] {
+        let those = none.iter().filter(|(tip, _)| no_curve(&contacts[tip.contacts.start]) == why);
+        let names: Vec<_> = those.map(|(tip, _)| tip.name.as_str()).collect();
+        if !names.is_empty() {
+            left_out.push(format!("{} ({why})", some(&names, MOST_NAMES, NAME_LETTERS)));
+        }
+    }
+    let mut highest: Vec<f64> = drawn.iter().map(|(_, series)| most(series)).collect();
+    highest.sort_by(|a, b| b.total_cmp(a));
+    if drawn.len() > MOST_CURVES {
+        let least = highest[MOST_CURVES - 1];
+        let mut room = MOST_CURVES;
+        let (kept, lower): (Vec<_>, Vec<_>) = drawn.into_iter().partition(|(_, series)| {
+            let is_kept = room > 0 && most(series) >= least;
+            room -= usize::from(is_kept);
+            is_kept
+        });
+        let names: Vec<_> = lower.iter().map(|(tip, _)| tip.name.as_str()).collect();
+        left_out.push(format!(
+            "{} that use no more than {least:.3} of their friction: {}",
+            names.len(),
+            some(&names, MOST_NAMES, NAME_LETTERS)
+        ));
+        drawn = kept;
+    }
+    Shared { drawn: drawn.into_iter().map(|(_, series)| series).collect(), left_out }
+}
+
+/// Whether two curves can hardly be told apart: the second one is dashed, so that both are seen.
+fn coincide(a: &ChartSeries, b: &ChartSeries) -> bool {
+    let near = |(p, q): (&(f64, f64), &(f64, f64))| match (p.1.is_nan(), q.1.is_nan()) {
+        (false, false) => (p.1 - q.1).abs() <= SAME,
+        (none, neither) => none == neither,
+    };
+    a.points.iter().zip(&b.points).all(near)
+}
+
+/// Why a contact has no curve.
+fn no_curve<const C: usize>(contact: &Contact<C>) -> &'static str {
+    let friction = contact.friction_coefficient();
+    if contact.hold == Hold::Bonded {
+        "glued"
+    } else if friction == 0.0 {
+        "no friction"
+    } else if friction.is_infinite() {
+        "friction without limit"
+    } else {
+        "never touches"
+    }
+}
+
+/// Names in a row, the first of them if there are many, in so many letters each.
+fn some(names: &[&str], most: usize, letters: usize) -> String {
+    let more = names.len().saturating_sub(most);
+    let shown: Vec<_> = names[..names.len() - more].iter().map(|name| shortened(name, letters)).collect();
+    let shown = shown.join(", ");
+    if more > 0 { format!("{shown} and {more} more") } else { shown }
+}
+
+/// Who stops sticking at an event, and how, if anybody does.
+fn left_by<const C: usize>(event: &Event<C>, tips: &[ContactGroup]) -> Option<String> {
+    let name = |index: usize| tips.iter().find(|tip| tip.contacts.contains(&index));
+    let contact = event.changes.iter().find_map(|change| {
+        let tip = name(change.contact.index)?;
+        let does = match (&change.what, tip.is_soft()) {
+            (Change::Slides { .. }, false) => "slides",
+            (Change::Opens, false) => "opens",
+            (Change::Slides { .. }, true) => "begins to slide",
+            (Change::Opens, true) => "begins to open",
+            _ => return None,
+        };
+        Some(format!("{} {does}", shortened(&tip.name, MARK_LETTERS)))
+    });
+    contact.or_else(|| event.drives.first().map(|drive| format!("{} gives way", drive.part.text())))
+}
