@@ -1,7 +1,9 @@
-//! Places for names, beside their points, where they cover least.
+//! Places for names, beside their points, where they cover least and no other name.
 
+use super::palette::GREY;
 use super::sheet::{Place, Sheet, plaque_size};
 use super::window::Window;
+use super::words::{lines, shortened};
 
 /// Ways from a point to its name, to the right and downwards, the best first.
 const SIDES: [(f64, f64); 8] =
@@ -10,9 +12,11 @@ const SIDES: [(f64, f64); 8] =
 const AWAY: [f64; 4] = [8.0, 14.0, 22.0, 32.0];
 /// A pixel further away is as bad as so many pixels of a thin line covered.
 const CLOSE: f64 = 1.2;
-
-/// A name that meets another is as bad as so many pixels covered: worse than any other place.
-const MEETS: f64 = 1e4;
+/// Pixels from place to place where a name that has no room beside its point looks for one, with a line to its point.
+const STEP: f64 = 9.0;
+/// Letters at most of a line beside a point, and in the corner.
+const LETTERS: usize = 36;
+const CORNER_LETTERS: usize = 80;
 
 /// Middle, width, height.
 type Plate = (Place, (f64, f64));
@@ -22,28 +26,68 @@ pub(super) struct Labels {
     /// What is better not covered, with weights.
     ink: Vec<(Place, f64)>,
     taken: Vec<Plate>,
+    /// How many found no place at all.
+    pub(super) left_out: usize,
 }
 
 impl Labels {
     pub(super) fn new(window: Window, ink: Vec<(Place, f64)>) -> Self {
-        Self { window, ink, taken: Vec::new() }
+        Self { window, ink, taken: Vec::new(), left_out: 0 }
     }
 
-    /// Writes lines that belong to a point beside it; no later ones will stand there unless there
-    /// is no other place.
-    pub(super) fn write(&mut self, paper: &mut Sheet, point: Place, words: &[&str], size: f64) {
-        let sizes: Vec<_> = words.iter().map(|line| plaque_size(line, size)).collect();
-        let wide = sizes.iter().map(|line| line.0).fold(0.0, f64::max);
-        let high: f64 = sizes.iter().map(|line| line.1).sum();
-        let (x, y) = self.place(point, (wide, high));
-        let (mut below, line) = (y - high / 2.0, high / words.len() as f64);
-        for words in words {
-            paper.plaque((x, below + line / 2.0), words, size, 0.5);
-            below += line;
+    /// Writes a sentence in the upper left corner, before all names.
+    pub(super) fn write_in_the_corner(&mut self, paper: &mut Sheet, words: &str, size: f64) {
+        let mut below = self.window.top;
+        for line in lines(words, CORNER_LETTERS) {
+            let (wide, high) = plaque_size(&line, size);
+            let at = (self.window.left + 4.0, below + high / 2.0);
+            paper.plaque(at, &line, size, 0.0);
+            self.taken.push(((at.0 + wide / 2.0, at.1), (wide, high)));
+            below += high;
         }
     }
 
-    fn place(&mut self, point: Place, (wide, high): (f64, f64)) -> Place {
+    /// Writes lines that belong to a point beside it, or the first of them where there is no room for all, and nowhere upon other names.
+    pub(super) fn write(&mut self, paper: &mut Sheet, point: Place, words: &[&str], size: f64) {
+        let words: Vec<_> = words.iter().map(|line| shortened(line, LETTERS)).collect();
+        for count in [words.len(), 1] {
+            let sizes: Vec<_> = words[..count].iter().map(|line| plaque_size(line, size)).collect();
+            let wide = sizes.iter().map(|line| line.0).fold(0.0, f64::max);
+            let high: f64 = sizes.iter().map(|line| line.1).sum();
+            let Some((x, y)) = self.place(paper, point, (wide, high)) else { continue };
+            let (mut below, line) = (y - high / 2.0, high / count as f64);
+            for words in &words[..count] {
+                paper.plaque((x, below + line / 2.0), words, size, 0.5);
+                below += line;
+            }
+            return;
+        }
+        self.left_out += 1;
+    }
+
+    /// The best place beside the point, or the best one anywhere with a line to the point; none where the paper is full.
+    fn place(&mut self, paper: &mut Sheet, point: Place, size: (f64, f64)) -> Option<Place> {
+        let plate = if let Some(plate) = self.best(point, self.beside(point, size)) {
+            plate
+        } else {
+            let plate = self.best(point, self.anywhere(size))?;
+            let ((x, y), (wide, high)) = plate;
+            let end = |at: f64, middle: f64, size: f64| at.clamp(middle - size / 2.0, middle + size / 2.0);
+            paper.line([point, (end(point.0, x, wide), end(point.1, y, high))], GREY, 0.75);
+            plate
+        };
+        self.taken.push(plate);
+        Some(plate.0)
+    }
+
+    /// That of these plates which covers least, among those that meet no other.
+    fn best(&self, point: Place, plates: Vec<Plate>) -> Option<Plate> {
+        let free = plates.into_iter().filter(|plate| !self.meets(plate));
+        let best = free.map(|plate| (self.cost(point, &plate), plate)).min_by(|a, b| a.0.total_cmp(&b.0));
+        best.map(|(_, plate)| plate)
+    }
+
+    fn beside(&self, point: Place, (wide, high): (f64, f64)) -> Vec<Plate> {
         let middles = AWAY.iter().flat_map(|away| {
             SIDES.map(|(x, y)| {
                 // At a corner the same distance is shared by both ways.
@@ -51,12 +95,19 @@ impl Labels {
                 (point.0 + x * (wide / 2.0 + away), point.1 + y * (high / 2.0 + away))
             })
         });
-        let plates = middles.map(|middle| (self.inside(middle, (wide, high)), (wide, high)));
-        let cost = |plate: &Plate| self.cost(point, plate);
-        let best = plates.map(|plate| (cost(&plate), plate)).min_by(|a, b| a.0.total_cmp(&b.0));
-        let plate = best.map_or((point, (wide, high)), |(_, plate)| plate);
-        self.taken.push(plate);
-        plate.0
+        middles.map(|middle| (self.inside(middle, (wide, high)), (wide, high))).collect()
+    }
+
+    fn anywhere(&self, (wide, high): (f64, f64)) -> Vec<Plate> {
+        let places = |low: f64, room: f64, size: f64| {
+            let first = low + size / 2.0;
+            (0..)
+                .map(move |k| first + STEP * f64::from(k))
+                .take_while(move |at| *at <= low + room - size / 2.0)
+        };
+        let Window { left, top, wide: room, high: tall } = self.window;
+        let rows = places(top, tall, high);
+        rows.flat_map(|y| places(left, room, wide).map(move |x| ((x, y), (wide, high)))).collect()
     }
 
     fn inside(&self, (x, y): Place, (wide, high): (f64, f64)) -> Place {
@@ -66,17 +117,20 @@ impl Labels {
         (within(x, left, self.window.wide, wide), within(y, top, self.window.high, high))
     }
 
+    /// Whether a name stands there already.
+    fn meets(&self, (middle, (wide, high)): &Plate) -> bool {
+        self.taken.iter().any(|(other, (w, h))| {
+            let (x, y) = ((other.0 - middle.0).abs(), (other.1 - middle.1).abs());
+            x < f64::midpoint(*wide, *w) + 2.0 && y < f64::midpoint(*high, *h)
+        })
+    }
+
     fn cost(&self, point: Place, (middle, (wide, high)): &Plate) -> f64 {
         let aside = |other: Place| ((other.0 - middle.0).abs(), (other.1 - middle.1).abs());
         let covered = |at: Place| aside(at).0 < wide / 2.0 && aside(at).1 < high / 2.0;
         let ink: f64 = self.ink.iter().filter(|(at, _)| covered(*at)).map(|(_, weight)| weight).sum();
-        let meets = |other: &&Plate| {
-            let (x, y) = aside(other.0);
-            x < f64::midpoint(*wide, other.1.0) + 2.0 && y < f64::midpoint(*high, other.1.1)
-        };
-        let names = self.taken.iter().filter(meets).count() as f64;
         let (x, y) = aside(point);
         let away = (x - wide / 2.0).max(0.0).hypot((y - high / 2.0).max(0.0));
-        ink + MEETS * names + CLOSE * away
+        ink + CLOSE * away
     }
 }

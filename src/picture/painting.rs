@@ -61,6 +61,11 @@ impl Painting {
         self.strokes.push((-IN_FRONT, Shape::Dashes { ends, ink, width }));
     }
 
+    /// A dashed line in front of the paper.
+    pub(super) fn dashed_line(&mut self, ends: [Place; 2], ink: RGBColor, width: f64) {
+        self.strokes.push((0.0, Shape::Dashes { ends, ink, width }));
+    }
+
     pub(super) fn area(&mut self, corners: impl IntoIterator<Item = Place>, ink: RGBAColor, depth: f64) {
         self.strokes.push((depth, Shape::Area { corners: corners.into_iter().collect(), ink }));
     }
@@ -85,6 +90,22 @@ impl Painting {
         for k in 0..heads {
             let back = (long * k as f64).min(size - long);
             self.head(tip - (along * back).push(0.0), along * long, ink, width);
+        }
+    }
+
+    /// An arrow that points to the eye, a dot in a circle, or away from it, a cross in one.
+    pub(super) fn end_on(&mut self, at: EyePoint, to_the_eye: bool, ink: RGBColor, width: f64) {
+        let radius = 3.0 * width;
+        self.dot(at, radius, ink, true);
+        if to_the_eye {
+            self.dot(at + EyePoint::new(0.0, 0.0, IN_FRONT), width, ink, false);
+        } else {
+            let out = radius * std::f64::consts::FRAC_1_SQRT_2;
+            for side in [-1.0, 1.0] {
+                let arm = EyePoint::new(out, side * out, 0.0);
+                let front = EyePoint::new(0.0, 0.0, 2.0 * IN_FRONT);
+                self.line([at - arm + front, at + arm + front], ink, 2.0);
+            }
         }
     }
 

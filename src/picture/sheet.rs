@@ -156,8 +156,13 @@ impl Sheet {
 
     /// The title of the picture in its upper left corner, smaller where it would not fit.
     pub(super) fn title(&mut self, words: &str) {
+        self.title_line(0.0, words);
+    }
+
+    /// A further line of it, so many pixels below.
+    pub(super) fn title_line(&mut self, below: f64, words: &str) {
         let room = (self.wide - 2.0 * ASIDE) / (WIDE_LETTER * words.chars().count() as f64);
-        self.text((ASIDE, 26.0), words, TITLE.min(room), 0.0, BLACK);
+        self.text((ASIDE, 26.0 + below), words, TITLE.min(room), 0.0, BLACK);
     }
 
     /// A line of text on a light ground, so that it can be read on anything.
