@@ -12,7 +12,7 @@ use crate::grasp::Contact;
 const NO_RESERVE: f64 = 1e-12;
 /// A cone with a larger coefficient of friction is drawn with this one: its edges then lie across
 /// the normal to less than a pixel, while an infinite one could not be drawn.
-const STEEPEST: f64 = 1e3;
+pub(super) const STEEPEST: f64 = 1e3;
 
 /// Whether nothing but rounding is left of the friction in reserve.
 pub(super) fn no_friction_left<const C: usize>(answer: &ContactAnswer<C>) -> bool {

@@ -1,11 +1,15 @@
 //! What a page draws, as JSON.
 
-use super::drawing::{AXIS, CONE, Drawing, FINGER, MANY, SLIP};
+use nalgebra::Vector3;
+
+use super::drawing::{AXIS, CONE, Drawing, FINGER, MANY, SHORTEST, SLIP};
 use super::eye::View;
 use super::frame::Frame;
 use super::text::{json_number, json_row, json_string};
 use crate::picture::contact_look::{slope, word};
 use crate::picture::error::PictureError;
+use crate::picture::words::short;
+use crate::spatial::Equilibrium;
 
 impl Drawing<'_> {
     pub(super) fn json(&self) -> Result<String, PictureError> {
@@ -19,13 +23,12 @@ impl Drawing<'_> {
             let points =
                 list(&contacts[tip.contacts.clone()], |contact| json_row(contact.point().as_slice()))?;
             Ok(format!(
-                "{{\"name\":{},\"point\":{},\"points\":{points},\"normal\":{},\"tangents\":[{},{}],\"mu\":{}}}",
+                "{{\"name\":{},\"point\":{},\"points\":{points},\"normal\":{},\"tangents\":[{},{}]}}",
                 json_string(&tip.name),
                 json_row(tip.middle(contacts).as_slice())?,
                 json_row(frame.column(0).as_slice())?,
                 json_row(frame.column(1).as_slice())?,
-                json_row(frame.column(2).as_slice())?,
-                json_number(slope(&contacts[tip.contacts.start]))?
+                json_row(frame.column(2).as_slice())?
             ))
         })?;
         let frames = list(&page.frames, |frame| self.frame(frame))?;
@@ -37,6 +40,7 @@ impl Drawing<'_> {
             ("cone", CONE),
             ("force", self.force),
             ("moment", self.moment),
+            ("shortest", SHORTEST),
             ("displacement", self.displacement),
         ]
         .into_iter()
@@ -52,19 +56,47 @@ impl Drawing<'_> {
         ))
     }
 
+    /// What an answer shows; parts that there are not are left out.
     fn frame(&self, frame: &Frame) -> Result<String, PictureError> {
-        let Some(state) = frame.state() else { return Ok("null".to_owned()) };
+        let mut parts = frame.state().map(|state| self.state(frame, state)).transpose()?.unwrap_or_default();
+        if let Some(load) = frame.load() {
+            let load = self.load(load);
+            let size = |size: f64, unit| json_string(&format!("{} {unit}", short(size)));
+            parts.push(format!(
+                "\"load\":{{\"at\":{},\"force\":{},\"moment\":{},\"newtons\":{},\"newton_metres\":{}}}",
+                json_row(load.at.as_slice())?,
+                json_row(load.force.as_slice())?,
+                json_row(load.moment.as_slice())?,
+                size(load.force.norm(), "N"),
+                size(load.moment.norm(), "N m"),
+            ));
+        }
+        if let Some(motion) = &frame.leaving {
+            let way = self.way_out(motion);
+            let row = |point: &Vector3<f64>| json_row(point.as_slice());
+            let lines = list(&way.lines, |corners| list(corners, row))?;
+            let arrows =
+                list(&way.arrows, |[from, to]| Ok(format!("[{},{}]", row(from)?, row(&(to - from))?)))?;
+            parts.push(format!("\"leaves\":{{\"lines\":{lines},\"arrows\":{arrows}}}"));
+        }
+        Ok(if parts.is_empty() { "null".to_owned() } else { format!("{{{}}}", parts.join(",")) })
+    }
+
+    fn state(&self, frame: &Frame, state: &Equilibrium) -> Result<Vec<String>, PictureError> {
+        let given = self.page.grasp.contacts();
         let contacts = list(&self.tips, |tip| {
-            let resultant = tip.resultant(self.page.grasp.contacts(), &state.contacts);
+            let resultant = tip.resultant(given, &state.contacts);
             let slides = resultant.slides.map(|way| json_row(way.as_slice())).transpose()?;
             let state_of = |word: &str| json_string(&word.replace(' ', "-"));
             let states = list(&state.contacts[tip.contacts.clone()], |answer| Ok(state_of(word(answer))))?;
+            let first = tip.contacts.start;
             Ok(format!(
-                "{{\"state\":{},\"states\":{states},\"at\":{},\"force\":{},\"normal_force\":{},\"displacement\":{},\"slides\":{}}}",
+                "{{\"state\":{},\"states\":{states},\"at\":{},\"force\":{},\"normal_force\":{},\"mu\":{},\"displacement\":{},\"slides\":{}}}",
                 state_of(resultant.word),
                 json_row(resultant.at.as_slice())?,
                 json_row(resultant.force.as_slice())?,
                 json_number(resultant.normal_force)?,
+                json_number(frame.slope(first, slope(&given[first])))?,
                 json_row(resultant.displacement.as_slice())?,
                 slides.unwrap_or_else(|| "null".to_owned()),
             ))
@@ -78,14 +110,10 @@ impl Drawing<'_> {
         let yields = list(at, |(name, at)| {
             Ok(format!("{{\"name\":{},\"at\":{}}}", json_string(name), json_row(at.as_slice())?))
         })?;
-        let load = self.load(state);
-        Ok(format!(
-            "{{\"twist\":{},\"load\":{{\"at\":{},\"force\":{},\"moment\":{}}},\n\"contacts\":{contacts},\"free\":{free},\"yields\":{yields}}}",
-            json_row(state.twist.components())?,
-            json_row(load.at.as_slice())?,
-            json_row(load.force.as_slice())?,
-            json_row(load.moment.as_slice())?,
-        ))
+        Ok(vec![
+            format!("\"twist\":{}", json_row(state.twist.components())?),
+            format!("\n\"contacts\":{contacts},\"free\":{free},\"yields\":{yields}"),
+        ])
     }
 }
 

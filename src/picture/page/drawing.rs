@@ -11,7 +11,7 @@ use crate::picture::fingertip::{ContactGroup, fingertips};
 use crate::picture::force_scale::metres_per_newton;
 use crate::picture::round_numbers::round_down;
 use crate::picture::words::short;
-use crate::spatial::{Contact, ContactState, Equilibrium, Twist};
+use crate::spatial::{Contact, ContactState, Equilibrium, Twist, Wrench};
 
 /// Parts of the size of the picture that the largest moment and displacement take in it at most.
 const LARGEST_MOMENT: f64 = 0.3;
@@ -23,6 +23,9 @@ const ROUNDING: f64 = 1e-12;
 /// A motion whose rotation moves the grasp by less than this part of its translation is drawn as a
 /// translation: its axis lies a billion spans away, where rounding decides on its direction.
 const TURNS: f64 = 1e-9;
+/// Parts of the span: a line of action that passes the middle of the grasp farther away is not drawn where it is. A grasp in a picture of it
+/// would be a dot.
+const BESIDE: f64 = 1.5;
 /// Lengths in parts of the span: a finger behind its contact, the arrow of a slip, half of the axis
 /// of a free motion.
 pub(super) const FINGER: f64 = 0.12;
@@ -31,7 +34,9 @@ pub(super) const AXIS: f64 = 0.75;
 /// How much longer a cone is than the arrow of the normal force in it.
 pub(super) const CONE: f64 = 1.15;
 /// More contacts are not named in the picture.
-pub(super) const MANY: usize = 12;
+pub(super) const MANY: usize = 30;
+/// An arrow of the load that is shorter would hardly be seen, pixels.
+pub(super) const SHORTEST: f64 = 18.0;
 
 pub(super) struct Drawing<'p> {
     pub(super) page: &'p SpatialPage,
@@ -58,11 +63,13 @@ struct Largest {
 }
 
 /// A load as a force on its line of action, at the point next to the middle of the grasp, and the
-/// moment that is left.
+/// moment that is left; or in the middle, with its moment about that.
 pub(super) struct LoadArrow {
     pub(super) at: Vector3<f64>,
     pub(super) force: Vector3<f64>,
     pub(super) moment: Vector3<f64>,
+    /// The force is drawn in the middle, not on its line of action.
+    pub(super) is_moved: bool,
 }
 
 /// Axis of a motion: of its rotation, or, where it has none, the direction in which it moves.
@@ -74,9 +81,14 @@ pub(super) struct Axis {
 
 impl<'p> Drawing<'p> {
     pub(super) fn new(page: &'p SpatialPage) -> Result<Self, PictureError> {
-        for Frame { label, shown } in &page.frames {
-            if let Ok(state) = shown {
-                check(page, label, state)?;
+        for frame in &page.frames {
+            if let Some(state) = frame.state() {
+                check(page, &frame.label, state)?;
+            }
+            let motion = frame.leaving.iter().flat_map(|motion| motion.object.components());
+            let numbers = frame.load.iter().flat_map(Wrench::components).chain(motion);
+            if let Some(x) = numbers.into_iter().find(|x| !x.is_finite()) {
+                return Err(PictureError(format!("\"{}\" has {x} among its numbers", frame.label)));
             }
         }
         let corners =
@@ -102,10 +114,15 @@ impl<'p> Drawing<'p> {
             displacement: 0.0,
         };
         let states = || page.frames.iter().filter_map(Frame::state);
+        let loads = || page.frames.iter().filter_map(Frame::load).map(|load| drawing.load(load));
         // Arrows are to be seen beside a load that acts far away.
-        let away = |state: &Equilibrium| (drawing.load(state).at - drawing.centre).norm();
-        let size = states().map(away).fold(span, f64::max);
-        let largest = drawing.largest(states());
+        let away = |load: LoadArrow| (load.at - drawing.centre).norm();
+        let size = loads().map(away).fold(span, f64::max);
+        let mut largest = drawing.largest(states());
+        for load in loads() {
+            largest.force = largest.force.max(load.force.norm());
+            largest.moment = largest.moment.max(load.moment.norm());
+        }
         let part = |of: f64, largest: f64| if largest > 0.0 { of * size / largest } else { 0.0 };
         drawing.size = size;
         drawing.force = drawing.force_scale(states(), largest.force);
@@ -127,9 +144,6 @@ impl<'p> Drawing<'p> {
     fn largest<'s>(&self, states: impl IntoIterator<Item = &'s Equilibrium>) -> Largest {
         let mut most = Largest::default();
         for state in states {
-            let load = self.load(state);
-            most.force = most.force.max(load.force.norm());
-            most.moment = most.moment.max(load.moment.norm());
             for tip in &self.tips {
                 let resultant = tip.resultant(self.page.grasp.contacts(), &state.contacts);
                 most.force = most.force.max(resultant.force.norm());
@@ -172,18 +186,23 @@ impl<'p> Drawing<'p> {
         sentences
     }
 
-    pub(super) fn load(&self, state: &Equilibrium) -> LoadArrow {
-        let (force, moment) = halves(&state.load.to_vector());
+    pub(super) fn load(&self, load: &Wrench) -> LoadArrow {
+        let (force, moment) = halves(&load.to_vector());
         let about_centre = moment - self.centre.cross(&force);
         let size = force.norm();
+        let in_the_middle = |is_moved| LoadArrow { at: self.centre, force, moment: about_centre, is_moved };
         if size == 0.0 {
-            return LoadArrow { at: self.centre, force, moment };
+            return LoadArrow { moment, ..in_the_middle(false) };
         }
         let along = force / size;
+        let away = along.cross(&(about_centre / size));
+        if away.norm() > BESIDE * self.span {
+            return in_the_middle(true);
+        }
         let left = along * along.dot(&about_centre);
         let rounding = ROUNDING * (size * (self.span + self.centre.norm()) + moment.norm());
         let left = if left.norm() <= rounding { Vector3::zeros() } else { left };
-        LoadArrow { at: self.centre + along.cross(&(about_centre / size)), force, moment: left }
+        LoadArrow { at: self.centre + away, force, moment: left, is_moved: false }
     }
 
     pub(super) fn axis(&self, motion: &Twist) -> Axis {
@@ -227,6 +246,6 @@ fn check(page: &SpatialPage, label: &str, state: &Equilibrium) -> Result<(), Pic
     }
 }
 
-fn halves(v: &Vector6<f64>) -> (Vector3<f64>, Vector3<f64>) {
+pub(super) fn halves(v: &Vector6<f64>) -> (Vector3<f64>, Vector3<f64>) {
     (Vector3::new(v[0], v[1], v[2]), Vector3::new(v[3], v[4], v[5]))
 }

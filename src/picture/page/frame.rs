@@ -1,6 +1,8 @@
 //! What one of the buttons of a page shows.
 
-use crate::spatial::Equilibrium;
+use crate::grasp::Motion;
+use crate::picture::contact_look::STEEPEST;
+use crate::spatial::{Equilibrium, Wrench};
 
 /// One of the answers between which the buttons choose.
 #[derive(Debug, Clone)]
@@ -8,10 +10,37 @@ pub(super) struct Frame {
     pub(super) label: String,
     /// An equilibrium, or why contacts are drawn without forces.
     pub(super) shown: Result<Box<Equilibrium>, String>,
+    /// What is said beside it.
+    pub(super) says: Vec<String>,
+    /// The way the object takes.
+    pub(super) leaving: Option<Motion<3>>,
+    /// The load where there is no equilibrium.
+    pub(super) load: Option<Wrench>,
+    /// Coefficients of friction of the contacts, where they are not those of the page.
+    pub(super) friction: Option<Vec<f64>>,
 }
 
 impl Frame {
+    pub(super) fn new(label: String, shown: Result<Box<Equilibrium>, String>) -> Self {
+        Self { label, shown, says: Vec::new(), leaving: None, load: None, friction: None }
+    }
+
     pub(super) fn state(&self) -> Option<&Equilibrium> {
         self.shown.as_deref().ok()
+    }
+
+    /// The load that is drawn.
+    pub(super) fn load(&self) -> Option<&Wrench> {
+        self.state().map(|state| &state.load).or(self.load.as_ref())
+    }
+
+    /// The coefficient of friction of a contact that has this one on the page.
+    pub(super) fn friction(&self, contact: usize, given: f64) -> f64 {
+        self.friction.as_ref().and_then(|all| all.get(contact).copied()).unwrap_or(given)
+    }
+
+    /// The slope of its cone, as it is drawn.
+    pub(super) fn slope(&self, contact: usize, given: f64) -> f64 {
+        self.friction(contact, given).min(STEEPEST)
     }
 }

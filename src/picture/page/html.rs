@@ -7,10 +7,17 @@ use super::frame::Frame;
 use super::spatial_page::SpatialPage;
 use super::table;
 use crate::picture::error::PictureError;
+use crate::picture::fingertip::ContactGroup;
 use crate::picture::words::escaped;
 
 const STYLE: &str = include_str!("style.css");
-const VIEW: &str = include_str!("view.js");
+/// Parts of one script, which share their names.
+const VIEW: [&str; 4] = [
+    include_str!("view/eye.js"),
+    include_str!("view/strokes.js"),
+    include_str!("view/grasp.js"),
+    include_str!("view/hands.js"),
+];
 const LEGEND: &str = include_str!("legend.html");
 
 impl SpatialPage {
@@ -33,14 +40,18 @@ impl SpatialPage {
             page,
             "<canvas id=\"view\" tabindex=\"0\" role=\"img\" aria-label=\"{title}; the numbers are in the table\"></canvas>"
         );
-        page +=
-            "<p class=\"hint\">Drag to turn, wheel to enlarge, double click to reset.</p>\n</div>\n<aside>\n";
+        page += "<p class=\"hint\">Drag to turn, wheel or two fingers to enlarge, double click to reset.</p>\n</div>\n<aside>\n";
         write_buttons(&mut page, &self.frames);
         page += LEGEND;
+        if drawing.tips.iter().any(ContactGroup::is_soft) {
+            page += "<p><label><input type=\"checkbox\" id=\"points\">points of soft fingertips in the table</label></p>\n";
+        }
         let _ = writeln!(page, "<p class=\"scale\">{}</p>\n</aside>\n</main>", escaped(&scales));
         table::write(&mut page, &self.grasp, &drawing.tips, &self.actuators, &self.frames)?;
         let _ = writeln!(page, "<script type=\"application/json\" id=\"grasp\">{}</script>", drawing.json()?);
-        let _ = write!(page, "<script>\n{VIEW}</script>\n</body>\n</html>\n");
+        let view = VIEW.concat();
+        let _ =
+            write!(page, "<script>\n\"use strict\";\n(() => {{\n{view}}})();\n</script>\n</body>\n</html>\n");
         Ok(page)
     }
 }

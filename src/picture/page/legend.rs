@@ -2,7 +2,7 @@
 
 use plotters::style::{Color, RGBColor, colors::BLACK};
 
-use super::drawing::Drawing;
+use super::drawing::{Drawing, LoadArrow};
 use super::frame::Frame;
 use super::marks::{BROWN, CONTACT, PINK, POINT, SKY};
 use crate::picture::contact_look::{ink, word};
@@ -50,9 +50,13 @@ impl Legend {
         if let Some(state) = state {
             entries.push(entry(Sample::None, "Contact, force on the object, friction cone:"));
             entries.extend(of_contacts(drawing, state));
-            entries.extend(of_object(drawing, state));
+        }
+        if let Some(frame) = frame {
+            entries.extend(of_object(drawing, frame));
+        }
+        if let Some(state) = state {
             entries.extend(scale(drawing.force * pixels, 3.0, 1, "N"));
-            let moment = drawing.load(state).moment.norm() > 0.0;
+            let moment = drawing.load(&state.load).moment.norm() > 0.0;
             entries.extend(scale(drawing.moment * pixels, 2.0, 2, "N m").filter(|_| moment));
         }
         for words in drawing.scales() {
@@ -137,22 +141,37 @@ fn of_contacts(drawing: &Drawing, state: &Equilibrium) -> Vec<Entry> {
 }
 
 /// What belongs to the object, as far as there is any of it.
-fn of_object(drawing: &Drawing, state: &Equilibrium) -> Vec<Entry> {
-    let load = drawing.load(state);
-    let moment =
-        if load.force.norm() > 0.0 { "moment of the load about that line" } else { "moment of the load" };
+fn of_object(drawing: &Drawing, frame: &Frame) -> Vec<Entry> {
+    let state = frame.state();
+    let load = frame.load().map(|load| drawing.load(load));
+    let acts = |what: fn(&LoadArrow) -> f64| load.as_ref().is_some_and(|load| what(load) > 0.0);
+    let (force, moment) = (acts(|load| load.force.norm()), acts(|load| load.moment.norm()));
+    let is_moved = load.as_ref().is_some_and(|load| load.is_moved);
+    let of_force =
+        if is_moved { "load, whose line passes the grasp by" } else { "load, on its line of action" };
+    let of_moment = match (force, is_moved) {
+        (false, _) => "moment of the load",
+        (true, false) => "moment of the load about that line",
+        (true, true) => "moment of the load about where it is drawn",
+    };
     let contacts = drawing.page.grasp.contacts();
-    let slides = |tip: &ContactGroup| tip.resultant(contacts, &state.contacts).slides.is_some();
+    let slides = |state: &Equilibrium| {
+        drawing.tips.iter().any(|tip| tip.resultant(contacts, &state.contacts).slides.is_some())
+    };
     let arrow = |ink, width, heads| Sample::Arrow { ink, width, heads, long: SAMPLE };
-    let displaced = state.contacts.iter().any(|answer| answer.body_core.norm() > 0.0);
-    let moves = state.twist.to_vector().norm() > 0.0 && drawing.displacement > 0.0;
+    let dashes = |ink| Sample::Dashes { ink };
+    let displaced = |state: &Equilibrium| state.contacts.iter().any(|answer| answer.body_core.norm() > 0.0);
+    let moves = |state: &Equilibrium| state.twist.to_vector().norm() > 0.0 && drawing.displacement > 0.0;
+    let is_free = |state: &Equilibrium| !state.free_motions.is_empty();
+    let has_outlines = !drawing.page.outlines.is_empty();
     let all = [
-        (drawing.tips.iter().any(slides), arrow(BROWN, 2.0, 1), "slip of the finger over the object"),
-        (load.force.norm() > 0.0, arrow(BLACK, 3.0, 1), "load, on its line of action"),
-        (load.moment.norm() > 0.0, arrow(BLACK, 2.0, 2), moment),
-        (displaced, arrow(PINK, 2.0, 1), "displacement of the object at a contact"),
-        (moves && !drawing.page.outlines.is_empty(), Sample::Dashes { ink: PINK }, "where the object goes"),
-        (!state.free_motions.is_empty(), Sample::Dashes { ink: SKY }, "motion that no contact resists"),
+        (state.is_some_and(slides), arrow(BROWN, 2.0, 1), "slip of the finger over the object"),
+        (force, arrow(BLACK, 3.0, 1), of_force),
+        (moment, arrow(BLACK, 2.0, 2), of_moment),
+        (state.is_some_and(displaced), arrow(PINK, 2.0, 1), "displacement of the object at a contact"),
+        (state.is_some_and(moves) && has_outlines, dashes(PINK), "where the object goes"),
+        (state.is_some_and(is_free), dashes(SKY), "motion that no contact resists"),
+        (frame.leaving.is_some(), dashes(VERMILION), "its way out when it is lost, not to scale"),
     ];
     let there = all.into_iter().filter(|(there, ..)| *there);
     there.map(|(_, sample, words)| entry(sample, words)).collect()

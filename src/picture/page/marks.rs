@@ -3,13 +3,16 @@
 use std::f64::consts::TAU;
 
 use nalgebra::Vector3;
-use plotters::style::{RGBColor, colors::BLACK};
+use plotters::style::RGBColor;
 
 use super::drawing::{AXIS, CONE, Drawing, FINGER, MANY, SLIP, goes};
+use super::frame::Frame;
+use super::leaving::WayOut;
 use crate::picture::contact_look::{ink, slope, word};
 use crate::picture::fingertip::{ContactGroup, Resultant};
 use crate::picture::palette::{GREY, PALETTE, VERMILION};
-use crate::spatial::{Contact, ContactState, Equilibrium};
+use crate::picture::words::short;
+use crate::spatial::{Contact, ContactState, Equilibrium, Wrench};
 
 /// Displacements.
 pub(super) const PINK: RGBColor = PALETTE[3];
@@ -54,6 +57,16 @@ pub(super) enum Mark {
         rim: Vec<Point>,
         ink: RGBColor,
     },
+    /// A load, at least as long as can be seen.
+    Load {
+        from: Point,
+        along: Point,
+        width: f64,
+        heads: usize,
+        /// Its name, and what it says besides where the arrow is not to scale.
+        name: Option<&'static str>,
+        size: String,
+    },
     /// An edge of the object, darker where it is nearer.
     Edge {
         corners: Vec<Point>,
@@ -81,7 +94,7 @@ impl Mark {
             Self::Line { corners, .. } | Self::Edge { corners } | Self::Body { corners, .. } => {
                 corners.clone()
             }
-            Self::Arrow { from, along, .. } => vec![*from, from + along],
+            Self::Arrow { from, along, .. } | Self::Load { from, along, .. } => vec![*from, from + along],
             Self::Cone { apex, rim, .. } => rim.iter().copied().chain([*apex]).collect(),
             Self::Dot { at, .. } | Self::Name { at, .. } => vec![*at],
         }
@@ -89,8 +102,8 @@ impl Mark {
 }
 
 /// The grasp, and in it the answer.
-pub(super) fn marks(drawing: &Drawing, state: Option<&Equilibrium>) -> Vec<Mark> {
-    let page = drawing.page;
+pub(super) fn marks(drawing: &Drawing, frame: Option<&Frame>) -> Vec<Mark> {
+    let (page, state) = (drawing.page, frame.and_then(Frame::state));
     let mut marks = Vec::new();
     marks.extend(drawing.bodies.iter().map(|corners| Mark::Body { corners: points(corners), ink: BODY }));
     marks.extend(
@@ -105,8 +118,8 @@ pub(super) fn marks(drawing: &Drawing, state: Option<&Equilibrium>) -> Vec<Mark>
     }
     let (contacts, frames): (_, Vec<_>) = (page.grasp.contacts(), page.grasp.frames().collect());
     for tip in &drawing.tips {
-        let frame = frames[tip.contacts.start];
-        let [n, t, b] = [0, 1, 2].map(|k| Point::new(frame[(0, k)], frame[(1, k)], frame[(2, k)]));
+        let axes = frames[tip.contacts.start];
+        let [n, t, b] = [0, 1, 2].map(|k| Point::new(axes[(0, k)], axes[(1, k)], axes[(2, k)]));
         // The finger, behind the contact.
         let at = tip.middle(contacts);
         let tail = at - n * (FINGER * drawing.span);
@@ -114,7 +127,9 @@ pub(super) fn marks(drawing: &Drawing, state: Option<&Equilibrium>) -> Vec<Mark>
         match state {
             Some(state) => {
                 let resultant = tip.resultant(contacts, &state.contacts);
-                draw_answer(&mut marks, drawing, &contacts[tip.contacts.start], [n, t, b], &resultant);
+                let given = slope(&contacts[tip.contacts.start]);
+                let slope = frame.map_or(given, |frame| frame.slope(tip.contacts.start, given));
+                draw_answer(&mut marks, drawing, slope, [n, t, b], &resultant);
                 draw_points(&mut marks, contacts, state, tip);
             }
             None => marks.push(Mark::Dot { at, radius: CONTACT, ink: GREY, open: true }),
@@ -123,8 +138,13 @@ pub(super) fn marks(drawing: &Drawing, state: Option<&Equilibrium>) -> Vec<Mark>
             marks.push(Mark::Name { at: tail, words: tip.name.clone() });
         }
     }
+    if let Some(load) = frame.and_then(Frame::load) {
+        draw_load(&mut marks, drawing, load);
+    }
+    if let Some(motion) = frame.and_then(|frame| frame.leaving.as_ref()) {
+        draw_way_out(&mut marks, &drawing.way_out(motion));
+    }
     if let Some(state) = state {
-        draw_load(&mut marks, drawing, state);
         for (name, at) in page.actuators.that_yield(state).filter_map(|(name, at)| Some((name, at?))) {
             marks.push(Mark::Dot { at, radius: CONTACT, ink: VERMILION, open: false });
             marks.push(Mark::Name { at, words: format!("{name} yields") });
@@ -144,12 +164,12 @@ pub(super) fn marks(drawing: &Drawing, state: Option<&Equilibrium>) -> Vec<Mark>
 fn draw_answer(
     marks: &mut Vec<Mark>,
     drawing: &Drawing,
-    contact: &Contact,
+    slope: f64,
     [n, t, b]: [Point; 3],
     resultant: &Resultant<3>,
 ) {
     let (from, ink) = (resultant.at, ink(resultant.word));
-    let (high, slope) = (CONE * resultant.normal_force * drawing.force, slope(contact));
+    let high = CONE * resultant.normal_force * drawing.force;
     if high > 0.0 && slope > 0.0 {
         let wide = (slope * high).min(WIDEST * drawing.size);
         let middle = from + n * (wide / slope);
@@ -179,15 +199,37 @@ fn draw_points(marks: &mut Vec<Mark>, contacts: &[Contact], state: &Equilibrium,
     }
 }
 
-fn draw_load(marks: &mut Vec<Mark>, drawing: &Drawing, state: &Equilibrium) {
-    let load = drawing.load(state);
-    let [force, moment] = [load.force * drawing.force, load.moment * drawing.moment];
-    for (along, width, heads) in [(force, 3.0, 1), (moment, 2.0, 2)] {
-        marks.push(Mark::Arrow { from: load.at, along, ink: BLACK, width, heads });
+fn draw_load(marks: &mut Vec<Mark>, drawing: &Drawing, load: &Wrench) {
+    let load = drawing.load(load);
+    let [force, moment] = [load.force.norm(), load.moment.norm()];
+    let arrow = |along: Point, size: f64, width, heads, unit: &str, name| Mark::Load {
+        from: load.at,
+        along: along * (if heads == 1 { drawing.force } else { drawing.moment }),
+        width,
+        heads,
+        name,
+        size: format!("{} {unit}", short(size)),
+    };
+    if force > 0.0 {
+        marks.push(arrow(load.force, force, 3.0, 1, "N", Some("load")));
     }
-    let along = if force == Point::zeros() { moment } else { force };
-    if along != Point::zeros() {
-        marks.push(Mark::Name { at: load.at + along, words: "load".into() });
+    if moment > 0.0 {
+        marks.push(arrow(load.moment, moment, 2.0, 2, "N m", (force == 0.0).then_some("load")));
+    }
+}
+
+fn draw_way_out(marks: &mut Vec<Mark>, way: &WayOut) {
+    for corners in &way.lines {
+        let corners = closed(corners.clone());
+        marks.extend(corners.map(|corners| Mark::Line {
+            corners,
+            ink: VERMILION,
+            width: 1.5,
+            dashes: Some(MOVED),
+        }));
+    }
+    for [from, to] in &way.arrows {
+        marks.push(Mark::Arrow { from: *from, along: to - from, ink: VERMILION, width: 1.5, heads: 1 });
     }
 }
 

@@ -5,6 +5,7 @@ mod drawing;
 mod eye;
 mod frame;
 mod html;
+mod leaving;
 mod legend;
 mod marks;
 mod paint;

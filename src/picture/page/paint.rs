@@ -1,8 +1,9 @@
 //! Marks as the eye sees them.
 
 use nalgebra::Vector3;
-use plotters::style::{Color, RGBColor};
+use plotters::style::{Color, RGBColor, colors::BLACK};
 
+use super::drawing::SHORTEST;
 use super::eye::Eye;
 use super::marks::Mark;
 use crate::picture::painting::{EyePoint, Painting};
@@ -10,6 +11,8 @@ use crate::picture::painting::{EyePoint, Painting};
 /// Greys of the edges of the object that are nearest to the eye and farthest from it.
 const NEAR: f64 = 90.0;
 const FAR: f64 = 200.0;
+/// A load that is shorter on paper points to the eye or away from it, pixels.
+const SEEN: f64 = 8.0;
 /// The contour of the object.
 const CONTOUR: RGBColor = RGBColor(150, 150, 150);
 
@@ -35,6 +38,15 @@ pub(super) fn painting(eye: &Eye, marks: &[Mark]) -> Painting {
             Mark::Arrow { from, along, ink, width, heads } => {
                 painting.arrow([eye.see(from), eye.see(&(from + along))], *ink, *width, *heads);
             }
+            Mark::Load { from, along, width, heads, .. } => {
+                let (ends, _) = load_ends(eye, from, along);
+                let long = (ends[1] - ends[0]).xy().norm();
+                if long < SEEN {
+                    painting.end_on(ends[0], ends[1].z > ends[0].z, BLACK, *width);
+                } else {
+                    painting.arrow(ends, BLACK, *width, *heads);
+                }
+            }
             Mark::Cone { apex, rim, ink } => {
                 let rim: Vec<_> = rim.iter().map(|point| eye.see(point)).collect();
                 cone(&mut painting, &eye.see(apex), &rim, *ink);
@@ -51,6 +63,17 @@ pub(super) fn painting(eye: &Eye, marks: &[Mark]) -> Painting {
         }
     }
     painting
+}
+
+/// From where to where a load is drawn, and whether it is as long as its size says.
+pub(super) fn load_ends(eye: &Eye, from: &Vector3<f64>, along: &Vector3<f64>) -> ([EyePoint; 2], bool) {
+    let long = along.norm() * eye.scale;
+    let is_to_scale = long >= SHORTEST;
+    // A tiny vector has no square: its largest component comes first.
+    let size = along.amax();
+    let unit = if size > 0.0 { (along / size).normalize() } else { *along };
+    let along = if is_to_scale { *along } else { unit * (SHORTEST / eye.scale) };
+    ([eye.see(from), eye.see(&(from + along))], is_to_scale)
 }
 
 /// The grey of an edge of the object by its place towards the eye.

@@ -2,30 +2,34 @@
 
 use super::frame::Frame;
 use super::text::proof_in_words;
+use crate::grasp::Motion;
 use crate::picture::actuators::Actuators;
-use crate::spatial::{Equilibrium, Grasp, NoEquilibrium, Outcome};
+use crate::spatial::{Contact, Equilibrium, Grasp, NoEquilibrium, Outcome, Wrench};
 
 /// A spatial grasp and one or more of its answers as a single HTML file that needs nothing else: no
 /// network, no installation ([`Self::to_html`]); or one of the answers from one side as an SVG, for
 /// paper ([`Self::to_svg`]).
 ///
-/// On the page the picture is turned by dragging, enlarged by the wheel and reset by a double
+/// On the page the picture is turned by dragging, enlarged by the wheel or two fingers and reset by a double
 /// click; buttons choose among the answers. Drawn are, in the coordinates of the grasp (z upwards
 /// to begin with):
 ///
 /// * contacts, coloured by what they do, with friction cones as long as the normal forces in them;
 /// * the force F on the object at each contact and the force of the load on its line of action, at
-///   one scale for all answers, so short that contact forces do not go through the object;
+///   one scale for all answers, so short that contact forces do not go through the object; a load
+///   that would be too short to be seen is drawn longer, and that is said beside it;
 /// * of all points of a [soft fingertip](crate::spatial::SoftFingertip) one force and one cone, at
 ///   their centre of pressure, and dots in the colours of what the points do;
 /// * the moment of the load about that line (of a load without force: its whole moment), with two
-///   heads;
+///   heads; a line that passes the grasp by in a distance is not drawn there, but its force in the
+///   middle of the grasp, with the moment about that;
 /// * displacements u_c of the object, magnified, the same for all answers; the factor is written
 ///   beside;
-/// * axes of the motions that no contact resists;
+/// * axes of the motions that no contact resists, and where the object would be next on its way out;
 /// * links of a [hand](crate::grasp::Hand) where they were before anything moved, and its joints that yield at their limit.
 ///
-/// A table on the page has the numbers of the answer shown, in N, m and rad.
+/// A table on the page has the numbers of the answer shown, in N, m and rad; of a soft fingertip sums, and on request its points.
+/// On narrow screens picture, legend and table stand below each other.
 ///
 /// ```
 /// use grasp_lcp::picture::SpatialPage;
@@ -97,8 +101,52 @@ impl SpatialPage {
     /// with.
     #[must_use]
     pub fn frame(mut self, label: impl Into<String>, state: &Equilibrium) -> Self {
-        let shown = Ok(Box::new(state.clone()));
-        self.frames.push(Frame { label: label.into(), shown });
+        self.frames.push(Frame::new(label.into(), Ok(Box::new(state.clone()))));
+        self
+    }
+
+    /// An equilibrium of the same grasp with other coefficients of friction or other commands, such as the one with [what it
+    /// needs](crate::ask::Grasp::with_amount).
+    #[must_use]
+    pub fn frame_of(mut self, label: impl Into<String>, grasp: &Grasp, state: &Equilibrium) -> Self {
+        let mut frame = Frame::new(label.into(), Ok(Box::new(state.clone())));
+        frame.friction = Some(grasp.contacts().iter().map(Contact::friction_coefficient).collect());
+        self.frames.push(frame);
+        self
+    }
+
+    /// An answer without an equilibrium, and why there is none.
+    #[must_use]
+    pub fn nothing(mut self, label: impl Into<String>, why: impl Into<String>) -> Self {
+        self.frames.push(Frame::new(label.into(), Err(why.into())));
+        self
+    }
+
+    /// Says a sentence beside the answer given last.
+    #[must_use]
+    pub fn says(mut self, sentence: impl Into<String>) -> Self {
+        if let Some(frame) = self.frames.last_mut() {
+            frame.says.push(sentence.into());
+        }
+        self
+    }
+
+    /// Draws the way the object takes from the answer given last, if there is one: that of a [loss](crate::hold::Lost::motion). Only the direction of
+    /// the motion counts.
+    #[must_use]
+    pub fn maybe_leaving(mut self, motion: Option<&Motion<3>>) -> Self {
+        if let Some(frame) = self.frames.last_mut() {
+            frame.leaving = motion.cloned();
+        }
+        self
+    }
+
+    /// The load of the answer given last, to be drawn where it has no equilibrium.
+    #[must_use]
+    pub fn under(mut self, load: Wrench) -> Self {
+        if let Some(frame) = self.frames.last_mut() {
+            frame.load = Some(load);
+        }
         self
     }
 
@@ -116,7 +164,7 @@ impl SpatialPage {
                 undecided.doubt
             )),
         };
-        self.frames.push(Frame { label: label.into(), shown });
+        self.frames.push(Frame::new(label.into(), shown));
         self
     }
 

@@ -3,12 +3,11 @@
 use nalgebra::Vector2;
 use plotters::style::colors::BLACK;
 
-use super::drawing::Drawing;
+use super::drawing::{Drawing, MANY};
 use super::eye::{Eye, View};
-use super::frame::Frame;
 use super::legend::{self, Legend};
 use super::marks::{Mark, marks};
-use super::paint::painting;
+use super::paint::{load_ends, painting};
 use super::spatial_page::SpatialPage;
 use crate::picture::error::PictureError;
 use crate::picture::labels::Labels;
@@ -70,14 +69,17 @@ impl SpatialPage {
         let frame = answer.map(chosen).transpose()?;
         let drawing = Drawing::new(self)?;
         let title = lines(&self.title, LETTERS.0);
-        let label = frame.map_or_else(Vec::new, |frame| lines(&frame.label, LETTERS.1));
+        let label = frame.map_or_else(Vec::new, |frame| {
+            let sentences = [&frame.label].into_iter().chain(&frame.says);
+            sentences.flat_map(|words| lines(words, LETTERS.1)).collect()
+        });
         let top = 20.0 + 24.0 * title.len() as f64 + 20.0 * label.len() as f64;
         let window = Window { left: MARGIN, top, wide: ROOM.0, high: ROOM.1 };
         // Everything of every answer has room, so that stills can be compared.
-        let states = self.frames.iter().map(Frame::state).chain([None]);
-        let points = states.flat_map(|state| marks(&drawing, state)).flat_map(|mark| mark.points());
+        let frames = self.frames.iter().map(Some).chain([None]);
+        let points = frames.flat_map(|frame| marks(&drawing, frame)).flat_map(|mark| mark.points());
         let eye = Eye::new(view, window.within(BORDER), drawing.span, points)?;
-        let marks = marks(&drawing, frame.and_then(Frame::state));
+        let marks = marks(&drawing, frame);
         let legend = Legend::new(&drawing, frame, eye.scale);
         let foot = top + ROOM.1.max(legend.high() + AXES_ROOM);
         Ok(sheet((WIDE, foot + MARGIN), |paper| {
@@ -91,10 +93,25 @@ impl SpatialPage {
             painting.draw(paper);
             let mut labels = Labels::new(window, painting.ink());
             for mark in &marks {
-                if let Mark::Name { at, words } = mark {
-                    let seen = eye.see(at);
-                    labels.write(paper, (seen.x, seen.y), &[words], NAMES);
-                }
+                let (seen, words) = match mark {
+                    Mark::Name { at, words } => (eye.see(at), words.clone()),
+                    Mark::Load { from, along, name, size, heads, .. } => {
+                        let ([_, tip], is_to_scale) = load_ends(&eye, from, along);
+                        let otherwise = if *heads == 1 { "load" } else { "moment" };
+                        match name {
+                            Some(name) if is_to_scale => (tip, (*name).to_owned()),
+                            None if is_to_scale => continue,
+                            _ => (tip, format!("{} {size}, not to scale", name.unwrap_or(otherwise))),
+                        }
+                    }
+                    _ => continue,
+                };
+                labels.write(paper, (seen.x, seen.y), &[&words], NAMES);
+            }
+            let unnamed = if drawing.tips.len() > MANY { drawing.tips.len() } else { labels.left_out };
+            if unnamed > 0 {
+                let words = format!("{unnamed} names have no room here");
+                paper.text((window.left + 6.0, foot - 4.0), &words, 13.0, 0.0, GREY);
             }
             legend.draw(paper, top + 12.0);
             draw_axes(paper, &eye, (legend::LEFT + AXES_ROOM / 2.0, foot - AXES_ROOM / 2.0));

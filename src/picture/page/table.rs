@@ -32,31 +32,31 @@ pub(super) fn write(
     actuators: &Actuators<3>,
     frames: &[Frame],
 ) -> Result<(), PictureError> {
-    for (k, Frame { label, shown }) in frames.iter().enumerate() {
+    for (k, frame) in frames.iter().enumerate() {
         let hidden = if k == 0 { "" } else { " hidden" };
-        let _ = writeln!(page, "<section data-frame=\"{k}\"{hidden}>\n<h2>{}</h2>", escaped(label));
-        match shown {
+        let _ = writeln!(page, "<section data-frame=\"{k}\"{hidden}>\n<h2>{}</h2>", escaped(&frame.label));
+        for sentence in &frame.says {
+            let _ = writeln!(page, "<p class=\"says\">{}</p>", escaped(sentence));
+        }
+        match &frame.shown {
             Err(why) => {
                 let _ = writeln!(page, "<p class=\"none\">{}</p>", escaped(why));
             }
-            Ok(state) => write_state(page, grasp, tips, actuators, state)?,
+            Ok(state) => {
+                write_words(page, actuators, state);
+                write_rows(page, grasp, tips, frame, state)?;
+            }
         }
         page.push_str("</section>\n");
     }
     Ok(())
 }
 
-fn write_state(
-    page: &mut String,
-    grasp: &Grasp,
-    tips: &[ContactGroup],
-    actuators: &Actuators<3>,
-    state: &Equilibrium,
-) -> Result<(), PictureError> {
+fn write_words(page: &mut String, actuators: &Actuators<3>, state: &Equilibrium) {
     let (load, twist) = (state.load.components(), state.twist.components());
     let _ = writeln!(
         page,
-        "<p>LoadArrow: force {} N, moment about the origin {} N m. The object moves by {} m and turns by {} rad. \
+        "<p>Load: force {} N, moment about the origin {} N m. The object moves by {} m and turns by {} rad. \
          Residual {:.0e}.</p>",
         vector(&load[..3]),
         vector(&load[3..]),
@@ -76,57 +76,113 @@ fn write_state(
     if !at_their_limit.is_empty() {
         let _ = writeln!(page, "<p>At their limit, and yielding: {}.</p>", at_their_limit.join(", "));
     }
-    page.push_str("<table>\n<thead><tr>");
+}
+
+/// A row for each contact; of a soft fingertip one for all of it, and one for each of its points that is shown on request.
+fn write_rows(
+    page: &mut String,
+    grasp: &Grasp,
+    tips: &[ContactGroup],
+    frame: &Frame,
+    state: &Equilibrium,
+) -> Result<(), PictureError> {
+    // Wider than a narrow screen, the table moves and not the page.
+    page.push_str("<div class=\"scrolls\">\n<table>\n<thead><tr>");
     for (heading, meaning) in COLUMNS {
         let _ = write!(page, "<th title=\"{}\">{}</th>", escaped(meaning), escaped(heading));
     }
     page.push_str("</tr></thead>\n<tbody>\n");
-    for (i, (contact, answer)) in grasp.contacts().iter().zip(&state.contacts).enumerate() {
-        // The place among what is drawn.
-        let tip = tips.iter().position(|tip| tip.contacts.contains(&i)).unwrap_or(i);
-        write_row(page, (i, tip), contact, answer)?;
+    for (number, tip) in tips.iter().enumerate() {
+        let contact = &grasp.contacts()[tip.contacts.start];
+        if tip.is_soft() {
+            let row = Row::of_tip(tip, grasp.contacts(), state, frame);
+            row.write(page, number, "", &tip.name, contact.hold)?;
+        }
+        for i in tip.contacts.clone() {
+            let (contact, answer) = (&grasp.contacts()[i], &state.contacts[i]);
+            let class = if tip.is_soft() { " class=\"point\"" } else { "" };
+            let name = if tip.is_soft() { contact.label_text(i) } else { tip.name.clone() };
+            let friction = frame.friction(i, contact.friction_coefficient());
+            Row::of_point(answer, friction).write(page, number, class, &name, contact.hold)?;
+        }
     }
-    page.push_str("</tbody>\n</table>\n");
+    page.push_str("</tbody>\n</table>\n</div>\n");
     Ok(())
 }
 
-fn write_row(
-    page: &mut String,
-    (index, tip): (usize, usize),
-    contact: &Contact,
-    answer: &ContactAnswer,
-) -> Result<(), PictureError> {
-    // What is left of a contact on the edge of its cone is rounding.
-    let reserve = if no_friction_left(answer) { 0.0 } else { answer.margin };
-    let moved = if answer.gap > 0.0 { answer.gap } else { answer.slip.norm() };
-    let numbers = [
-        answer.normal_force(),
-        answer.friction_force(),
-        answer.friction_used(),
-        contact.friction_coefficient(),
-        reserve,
-        moved,
-        answer.body_core.norm(),
-    ];
-    let name = contact.label_text(index);
-    if numbers.iter().any(|x| x.is_nan()) {
-        return Err(PictureError(format!("a number of {name} is not a number")));
+/// Numbers of a row, in the order of the columns.
+struct Row {
+    state: &'static str,
+    numbers: [f64; 7],
+}
+
+impl Row {
+    fn of_point(answer: &ContactAnswer, friction: f64) -> Self {
+        let numbers = [
+            answer.normal_force(),
+            answer.friction_force(),
+            answer.friction_used(),
+            friction,
+            reserve(answer),
+            if answer.gap > 0.0 { answer.gap } else { answer.slip.norm() },
+            answer.body_core.norm(),
+        ];
+        Self { state: word(answer), numbers }
     }
-    let mut words = numbers.map(short);
-    if contact.hold == Hold::Bonded {
-        // Glued, it has no friction to use.
-        (words[2], words[3]) = ("–".into(), "bonded".into());
+
+    /// Sums of forces and reserves; gap or slip is the largest.
+    fn of_tip(tip: &ContactGroup, contacts: &[Contact], state: &Equilibrium, frame: &Frame) -> Self {
+        let does = tip.resultant(contacts, &state.contacts);
+        let first = &contacts[tip.contacts.start];
+        let answers = &state.contacts[tip.contacts.clone()];
+        let normal = first.normal.normalize();
+        let along = does.force - normal * does.force.dot(&normal);
+        let moved =
+            answers.iter().map(|answer| if answer.gap > 0.0 { answer.gap } else { answer.slip.norm() });
+        let (pushes, rubs) = (does.normal_force, along.norm());
+        let numbers = [
+            pushes,
+            rubs,
+            if rubs == 0.0 { 0.0 } else { rubs / pushes },
+            frame.friction(tip.contacts.start, first.friction_coefficient()),
+            answers.iter().map(reserve).sum(),
+            moved.fold(0.0, f64::max),
+            does.displacement.norm(),
+        ];
+        Self { state: does.word, numbers }
     }
-    let state = word(answer);
-    let _ = write!(
-        page,
-        "<tr data-contact=\"{tip}\"><th>{}</th><td class=\"{}\">{state}</td>",
-        escaped(&name),
-        state.replace(' ', "-")
-    );
-    for words in words {
-        let _ = write!(page, "<td>{words}</td>");
+
+    fn write(
+        &self,
+        page: &mut String,
+        tip: usize,
+        class: &str,
+        name: &str,
+        hold: Hold,
+    ) -> Result<(), PictureError> {
+        if self.numbers.iter().any(|x| x.is_nan()) {
+            return Err(PictureError(format!("a number of {name} is not a number")));
+        }
+        let mut words = self.numbers.map(short);
+        if hold == Hold::Bonded {
+            // Glued, it has no friction to use.
+            (words[2], words[3]) = ("–".into(), "bonded".into());
+        }
+        let (name, state) = (escaped(name), self.state);
+        let _ = write!(
+            page,
+            "<tr data-contact=\"{tip}\"{class}><th>{name}</th><td class=\"{}\">{state}</td>",
+            state.replace(' ', "-")
+        );
+        for words in words {
+            let _ = write!(page, "<td>{words}</td>");
+        }
+        page.push_str("</tr>\n");
+        Ok(())
     }
-    page.push_str("</tr>\n");
-    Ok(())
+}
+
+/// What is left of a contact on the edge of its cone is rounding.
+fn reserve(answer: &ContactAnswer) -> f64 {
+    if no_friction_left(answer) { 0.0 } else { answer.margin }
 }
