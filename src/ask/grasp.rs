@@ -11,7 +11,7 @@ use super::sensitivity::Sensitivity;
 use super::statics::Statics;
 use crate::equilibrium::{Equilibrium, Outcome, Settings};
 use crate::error::Error;
-use crate::grasp::{Contact, Hand, HandPart, Wrench};
+use crate::grasp::{Contact, Hand, HandPart, WholeContact, WholeContacts, Wrench};
 use crate::hold::Verdict;
 use crate::load_path::{
     Beyond, Leg, LoadPath, Onset, OnsetEvent, PatchPath, Ramp, SteppedPath, StickingRange, Turn, TurnOnset,
@@ -96,6 +96,12 @@ impl<const C: usize> Grasp<C> {
     #[must_use]
     pub fn with(&self, settings: &Settings) -> Self {
         Self { engine: self.engine.clone(), settings: *settings }
+    }
+
+    /// Contacts as people count them, of those that are meant: a soft fingertip is one, with so many of its points.
+    #[must_use]
+    pub fn whole_contacts(&self, is_meant: impl Fn(usize) -> bool) -> Vec<WholeContact> {
+        WholeContacts::of(self.contacts()).with(is_meant)
     }
 
     /// The settings with which it is asked.

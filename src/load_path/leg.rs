@@ -176,7 +176,8 @@ impl<const C: usize> Leg<C> {
     }
 
     /// What a ramp changes for one unit of its factor.
-    pub(crate) fn along(ramp: &Ramp<C>) -> Self {
+    #[must_use]
+    pub fn along(ramp: &Ramp<C>) -> Self {
         let by = |change: &Vec<_>| StepGoal::By(change.clone());
         Self {
             load: LoadGoal::Straight(StepGoal::By(ramp.direction)),

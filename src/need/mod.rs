@@ -16,6 +16,7 @@
 //! so that the search looks at a scan of amounts first and counts how often the verdict changes.
 
 mod answer;
+mod at_amount;
 mod needed;
 mod question;
 mod trial;

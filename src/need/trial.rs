@@ -31,44 +31,53 @@ pub(super) fn try_amount<const C: usize>(
     amount: f64,
     less: [f64; 2],
 ) -> Result<Trial, Error> {
-    let [friction, squeeze] = less.map(|part| 1.0 - part);
-    let changed = |squeezed: f64, mu: &dyn Fn(usize, f64) -> f64| {
-        let grasp = if squeezed == 1.0 { grasp.clone() } else { grasp.squeezed(squeezed)? };
-        let grasp = grasp.with_friction(|i, given| friction * mu(i, given))?;
-        Ok::<_, Error>(grasp.with(&grasp.settings().with_most_load(1.0)))
-    };
-    let given = |_: usize, mu: f64| mu;
-    let put_on = match &need.sought {
-        Sought::Squeeze { loads } => Loading { grasp: changed(squeeze * amount, &given)?, loads, times: 1.0 },
-        Sought::Friction { loads, contacts } => {
-            let is_meant = |i: usize, mu: f64| contacts.as_ref().map_or(mu > 0.0, |those| those.contains(&i));
-            let with = |i: usize, mu: f64| if is_meant(i, mu) { amount } else { mu };
-            Loading { grasp: changed(squeeze, &with)?, loads, times: 1.0 }
-        }
-        Sought::Load { loads } => Loading { grasp: changed(squeeze, &given)?, loads, times: amount },
-        Sought::Arm { at, per_metre } => {
-            let loads = &Loads::from(*at + *per_metre * amount);
-            return Loading { grasp: changed(squeeze, &given)?, loads, times: 1.0 }.put_on(need.demand);
-        }
-        Sought::Angle { turn } => {
-            let loads = &Loads::Turn(turn.up_to(amount));
-            return Loading { grasp: changed(squeeze, &given)?, loads, times: 1.0 }.put_on(need.demand);
-        }
-    };
-    put_on.put_on(need.demand)
+    Loading::of(grasp, need, amount, less)?.put_on(need.demand)
 }
 
 /// Loads that are put on a grasp, so many times as large.
-struct Loading<'l, const C: usize> {
-    grasp: Grasp<C>,
-    loads: &'l Loads<C>,
-    times: f64,
+pub(super) struct Loading<const C: usize> {
+    pub(super) grasp: Grasp<C>,
+    pub(super) loads: Loads<C>,
+    pub(super) times: f64,
 }
 
-impl<const C: usize> Loading<'_, C> {
+impl<const C: usize> Loading<C> {
+    /// The grasp and its loads with an amount of what is sought, friction and squeeze being less by these parts.
+    pub(super) fn of(grasp: &Grasp<C>, need: &Need<C>, amount: f64, less: [f64; 2]) -> Result<Self, Error> {
+        let [friction, squeeze] = less.map(|part| 1.0 - part);
+        let changed = |squeezed: f64, mu: &dyn Fn(usize, f64) -> f64| {
+            let grasp = if squeezed == 1.0 { grasp.clone() } else { grasp.squeezed(squeezed)? };
+            let grasp = grasp.with_friction(|i, given| friction * mu(i, given))?;
+            Ok::<_, Error>(grasp.with(&grasp.settings().with_most_load(1.0)))
+        };
+        let given = |_: usize, mu: f64| mu;
+        Ok(match &need.sought {
+            Sought::Squeeze { loads } => {
+                Self { grasp: changed(squeeze * amount, &given)?, loads: loads.clone(), times: 1.0 }
+            }
+            Sought::Friction { loads, contacts } => {
+                let is_meant =
+                    |i: usize, mu: f64| contacts.as_ref().map_or(mu > 0.0, |those| those.contains(&i));
+                let with = |i: usize, mu: f64| if is_meant(i, mu) { amount } else { mu };
+                Self { grasp: changed(squeeze, &with)?, loads: loads.clone(), times: 1.0 }
+            }
+            Sought::Load { loads } => {
+                Self { grasp: changed(squeeze, &given)?, loads: loads.clone(), times: amount }
+            }
+            Sought::Arm { at, per_metre } => {
+                let loads = Loads::from(*at + *per_metre * amount);
+                Self { grasp: changed(squeeze, &given)?, loads, times: 1.0 }
+            }
+            Sought::Angle { turn } => {
+                let loads = Loads::Turn(turn.up_to(amount));
+                Self { grasp: changed(squeeze, &given)?, loads, times: 1.0 }
+            }
+        })
+    }
+
     fn put_on(&self, demand: Demand) -> Result<Trial, Error> {
         let times = self.times;
-        match self.loads {
+        match &self.loads {
             Loads::Each(loads) => {
                 let ramps = loads.iter().map(|load| Ramp::from(*load * times));
                 self.all(ramps, demand)
@@ -86,11 +95,14 @@ impl<const C: usize> Loading<'_, C> {
                     (_, trial) => Ok(trial),
                 }
             }
-            Loads::Turn(turn) => {
-                let [constant, cosine, sine] = turn.parts().map(|part| part * times);
-                self.turn(&Turn::new(constant, cosine, sine).up_to(turn.angle()), demand)
-            }
+            Loads::Turn(turn) => self.turn(&self.so_many(turn), demand),
         }
+    }
+
+    /// A turn of loads so many times as large.
+    pub(super) fn so_many(&self, turn: &Turn<C>) -> Turn<C> {
+        let [constant, cosine, sine] = turn.parts().map(|part| part * self.times);
+        Turn::new(constant, cosine, sine).up_to(turn.angle())
     }
 
     fn all(&self, ramps: impl Iterator<Item = Ramp<C>>, demand: Demand) -> Result<Trial, Error> {
@@ -172,7 +184,7 @@ fn judged<const C: usize>(verdict: &Verdict<C>, demand: Demand) -> Trial {
 }
 
 /// A force at a point, with its moment about the origin.
-fn force_at<const C: usize>(force: [f64; C], point: [f64; C]) -> Wrench<C> {
+pub(super) fn force_at<const C: usize>(force: [f64; C], point: [f64; C]) -> Wrench<C> {
     let wrench = crate::grasp::wrench_of::<crate::numerics::Fixed<6>, C>(&point.into(), &force.into());
     Wrench::among(&wrench)
 }

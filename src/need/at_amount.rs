@@ -1,0 +1,72 @@
+//! A grasp with an amount of what it needs, under the load that leaves least friction in reserve.
+
+use super::question::Need;
+use super::trial::{Loading, force_at};
+use crate::ask::Grasp;
+use crate::equilibrium::{ContactState, Equilibrium};
+use crate::error::Error;
+use crate::load_path::{Leg, Ramp};
+use crate::squeeze::{Loads, WeakestDirection};
+
+/// Angles of a turn that are compared.
+const ANGLES: u32 = 180;
+
+impl<const C: usize> Grasp<C> {
+    /// This grasp with an amount of what it [needs](Self::need), such as [`Amount::bound`](super::Amount::bound), and its equilibrium under the load
+    /// of the need that uses most of its friction; `None` where nothing is held.
+    ///
+    /// ```
+    /// use grasp_lcp::need::Need;
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // Twice as much squeeze holds twice as much.
+    /// let jaw = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).pressed_with(10.0);
+    /// let need = Need::squeeze(Wrench::force([0.0, -20.0]));
+    /// let (squeezed, state) = Grasp::new([jaw(-0.03), jaw(0.03)])?.with_amount(&need, 2.0)?.expect("it holds");
+    /// assert!((state.contacts[0].normal_force() - 20.0).abs() < 1e-12 && squeezed.hold(state.load)?.sticks() == Some(true));
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As for [`Self::need`].
+    pub fn with_amount(&self, need: &Need<C>, amount: f64) -> Result<Option<(Self, Equilibrium<C>)>, Error> {
+        let Loading { ref loads, times, ref grasp } = Loading::of(self, need, amount, [0.0; 2])?;
+        let put_on = |ramp: Ramp<C>| Ok::<_, Error>(grasp.hold(ramp)?.state.map(|state| *state));
+        let states: Vec<Option<Equilibrium<C>>> = match loads {
+            Loads::Each(list) => {
+                list.iter().map(|load| put_on(Ramp::from(*load * times))).collect::<Result<_, _>>()?
+            }
+            Loads::AnyForce { base, size, point } => {
+                let base = *base * times;
+                // The size of the force in the weakest direction.
+                let part = |most: f64| size * times / most;
+                let load = match grasp.weakest_direction(&base, *point)? {
+                    WeakestDirection::Force { load, size: most, .. } if most > 0.0 => {
+                        (load - base) * part(most)
+                    }
+                    _ => force_at([0.0; C], *point),
+                };
+                vec![put_on(Ramp::load(base, load))?]
+            }
+            Loads::Turn(turn) => {
+                let turn = Loading { grasp: grasp.clone(), loads: loads.clone(), times }.so_many(turn);
+                let mut path = grasp.follow(&turn.load_at(0.0), &[Leg::turn(&turn)])?;
+                path.run();
+                let on_the_way = (0..ANGLES).map(|k| path.state_at(0, f64::from(k) / f64::from(ANGLES)));
+                on_the_way.chain([path.state()]).collect()
+            }
+        };
+        let fullest = states.into_iter().flatten().max_by(|a, b| used(a).total_cmp(&used(b)));
+        Ok(fullest.map(|state| (grasp.with(self.settings()), state)))
+    }
+}
+
+/// The largest part of its friction that a contact uses.
+fn used<const C: usize>(state: &Equilibrium<C>) -> f64 {
+    let rubs = state.contacts.iter().filter(|answer| answer.state != ContactState::Separated);
+    let part = rubs.map(|answer| {
+        let (friction, left) = (answer.friction_force(), answer.margin.max(0.0));
+        if friction > 0.0 { friction / (friction + left) } else { 0.0 }
+    });
+    part.fold(0.0, f64::max)
+}
