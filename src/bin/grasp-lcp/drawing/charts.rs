@@ -1,0 +1,51 @@
+//! How much friction is used on the way of a question.
+
+use grasp_lcp::ask::Grasp;
+use grasp_lcp::load_path::{Onset, Ramp};
+use grasp_lcp::picture::{Chart, chart_of_load, chart_of_program, chart_of_turn};
+use grasp_lcp::scene::{Question, Setup};
+
+use crate::failure::Failure;
+
+/// So much farther than what is looked for a chart goes.
+const BEYOND: f64 = 1.25;
+/// What comes after so many times the load is not drawn: the way there would fill the chart.
+const FAR: f64 = 5.0;
+
+/// The chart of a question, if it has one.
+pub(super) fn chart<const C: usize>(
+    setup: &Setup<C>,
+    grasp: &Grasp<C>,
+    question: &Question<C>,
+    title: &str,
+) -> Result<Option<Chart>, Failure> {
+    Ok(match question {
+        Question::Hold { base, load } => {
+            let ramp = Ramp::load(*base, *load);
+            let verdict = grasp.hold(ramp.clone())?;
+            let marks = [verdict.first_slip.map(|first| first.factor), verdict.lost.map(|lost| lost.factor)];
+            let farthest = marks.into_iter().flatten().filter(|factor| *factor <= FAR).fold(1.0, f64::max);
+            let chart = chart_of_load(grasp, &ramp, BEYOND * farthest, title)?;
+            let reaches = verdict.held_to >= 1.0;
+            Some(if reaches { chart.mark(1.0, "this load") } else { chart })
+        }
+        Question::Onset(ramp) => {
+            let ramp = setup.ramp(ramp)?;
+            match grasp.onset(&ramp)? {
+                Onset::At(event) if event.factor > 0.0 => {
+                    Some(chart_of_load(grasp, &ramp, BEYOND * event.factor, title)?)
+                }
+                Onset::GivesWay { factor, .. } if factor > 0.0 => {
+                    Some(chart_of_load(grasp, &ramp, BEYOND * factor, title)?)
+                }
+                Onset::NoBase(_) | Onset::Undecided(_) => None,
+                _ => Some(chart_of_load(grasp, &ramp, BEYOND, title)?),
+            }
+        }
+        Question::OnsetOfTurn(turn) => Some(chart_of_turn(grasp, turn, title)?),
+        Question::Follow { start, legs } if !legs.is_empty() => {
+            Some(chart_of_program(grasp, *start, &setup.legs(legs)?, title)?)
+        }
+        _ => None,
+    })
+}

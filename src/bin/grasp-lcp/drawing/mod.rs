@@ -1,0 +1,106 @@
+//! Draws what a scene asks: every question as a picture, of a spatial grasp all of them also as a page; and how much friction is used on the way.
+
+mod charts;
+mod shown;
+
+use grasp_lcp::picture::{Chart, PlanarPicture, SpatialPage, View};
+use grasp_lcp::scene::{Scene, Setup, Space};
+
+use self::charts::chart;
+use self::shown::{Shown, What, shown};
+use crate::failure::Failure;
+use crate::files::Pictures;
+
+/// Draws a scene.
+pub(crate) fn draw(scene: &Scene, pictures: &Pictures<'_>) -> Result<(), Failure> {
+    match &scene.space {
+        Space::Planar(setup) => {
+            planar(setup, pictures)?;
+            charts(setup, pictures)
+        }
+        Space::Spatial(setup) => {
+            spatial(setup, pictures)?;
+            charts(setup, pictures)
+        }
+    }
+}
+
+/// What the name of a picture ends with: the first question has the name of the scene, others their number besides.
+fn ending(number: usize) -> String {
+    if number == 1 { ".svg".to_owned() } else { format!("_{number}.svg") }
+}
+
+/// A picture for each question: of the equilibrium that answers it, or of the grasp alone.
+fn planar(setup: &Setup<2>, pictures: &Pictures<'_>) -> Result<(), Failure> {
+    let (grasp, title) = (setup.grasp()?, pictures.title());
+    let outline: Vec<[f64; 2]> = setup.outline.iter().map(|corner| (*corner).into()).collect();
+    if setup.questions.is_empty() {
+        return pictures.save(".svg", &PlanarPicture::new(&grasp, &title).outline(&outline).to_svg()?);
+    }
+    for (index, question) in setup.questions.iter().enumerate() {
+        let Some(Shown { label, says, grasp: other, what }) = shown(setup, &grasp, question)?.key() else {
+            continue;
+        };
+        let title = format!("{title}, question {}: {label}", index + 1);
+        let mut picture = PlanarPicture::new(other.as_ref().unwrap_or(&grasp), &title).outline(&outline);
+        for sentence in &says {
+            picture = picture.says(sentence);
+        }
+        let picture = match &what {
+            What::State { state, leaving } => picture.state(state).maybe_leaving(leaving.as_ref()),
+            What::Nothing { why, load } => {
+                let picture = picture.says(why);
+                if let Some(load) = load { picture.load(*load) } else { picture }
+            }
+        };
+        pictures.save(&ending(index + 1), &picture.to_svg()?)?;
+    }
+    Ok(())
+}
+
+/// The page with all answers, and a picture for each question.
+fn spatial(setup: &Setup<3>, pictures: &Pictures<'_>) -> Result<(), Failure> {
+    let grasp = setup.grasp()?;
+    let mut page = SpatialPage::new(&grasp, pictures.title());
+    if !setup.outline.is_empty() {
+        page = page.outline(setup.outline.iter().copied());
+    }
+    let mut stills = Vec::new();
+    for (index, question) in setup.questions.iter().enumerate() {
+        let answers = shown(setup, &grasp, question)?;
+        stills.extend(answers.key_index().map(|key| (index + 1, page.answers() + key)));
+        for Shown { label, says, grasp: other, what } in answers.0 {
+            let label = format!("{}. {label}", index + 1);
+            page = match what {
+                What::State { state, leaving } => {
+                    let page = page.frame_of(label, other.as_ref().unwrap_or(&grasp), &state);
+                    page.maybe_leaving(leaving.as_ref())
+                }
+                What::Nothing { why, load } => {
+                    let page = page.nothing(label, why);
+                    if let Some(load) = load { page.under(load) } else { page }
+                }
+            };
+            page = says.into_iter().fold(page, SpatialPage::says);
+        }
+    }
+    pictures.save(".html", &page.to_html()?)?;
+    if stills.is_empty() {
+        return pictures.save(".svg", &page.to_svg(None, View::default())?);
+    }
+    for (number, answer) in stills {
+        pictures.save(&ending(number), &page.to_svg(Some(answer), View::default())?)?;
+    }
+    Ok(())
+}
+
+/// What each contact uses of its friction, one chart below the other for each question that has a way to go.
+fn charts<const C: usize>(setup: &Setup<C>, pictures: &Pictures<'_>) -> Result<(), Failure> {
+    let (grasp, title) = (setup.grasp()?, pictures.title());
+    let mut charts = Vec::new();
+    for (index, question) in setup.questions.iter().enumerate() {
+        charts.extend(chart(setup, &grasp, question, &format!("{title}, question {}", index + 1))?);
+    }
+    charts.retain(|chart| !chart.is_empty());
+    if charts.is_empty() { Ok(()) } else { pictures.save("_friction.svg", &Chart::sheet(&charts, 1)?) }
+}

@@ -1,0 +1,244 @@
+//! What a picture shows of the answer to a question.
+
+use grasp_lcp::ask::Grasp;
+use grasp_lcp::equilibrium::{Equilibrium, Outcome};
+use grasp_lcp::grasp::{Motion, Wrench};
+use grasp_lcp::hold::Verdict;
+use grasp_lcp::load_path::{Event, Leg, LoadPath, Onset, PathEnd, Ramp};
+use grasp_lcp::need::Amount;
+use grasp_lcp::scene::{NeedAsked, Question, Setup};
+
+use crate::failure::Failure;
+use crate::words::{NO_WORDS, proof};
+
+/// One answer as it is drawn.
+pub(super) struct Shown<const C: usize> {
+    pub(super) label: String,
+    pub(super) says: Vec<String>,
+    /// The grasp of the answer where it is not that of the scene.
+    pub(super) grasp: Option<Grasp<C>>,
+    pub(super) what: What<C>,
+}
+
+/// What there is to draw.
+pub(super) enum What<const C: usize> {
+    /// An equilibrium, and the way the object leaves it if it does.
+    State { state: Box<Equilibrium<C>>, leaving: Option<Motion<C>> },
+    /// Why there is none, and the load.
+    Nothing { why: String, load: Option<Wrench<C>> },
+}
+
+/// The answers to one question: of a program one for each event, and the end.
+pub(super) struct Answers<const C: usize>(pub(super) Vec<Shown<C>>);
+
+impl<const C: usize> Answers<C> {
+    /// Which one stands for the question: that of a hold comes first, that of a program last.
+    pub(super) fn key_index(&self) -> Option<usize> {
+        let is_event = |shown: &Shown<C>| shown.label.starts_with(LEG);
+        let first = self.0.first()?;
+        Some(if is_event(first) { self.0.len() - 1 } else { 0 })
+    }
+
+    /// The one that stands for the question.
+    pub(super) fn key(mut self) -> Option<Shown<C>> {
+        self.key_index().map(|key| self.0.swap_remove(key))
+    }
+}
+
+/// What labels of events begin with.
+const LEG: &str = "leg ";
+
+/// What is to be shown of a question.
+pub(super) fn shown<const C: usize>(
+    setup: &Setup<C>,
+    grasp: &Grasp<C>,
+    question: &Question<C>,
+) -> Result<Answers<C>, Failure> {
+    Ok(Answers(match question {
+        Question::Hold { base, load } => {
+            let ramp = Ramp::load(*base, *load);
+            held(grasp.hold(ramp.clone())?, ramp.load_at(1.0))
+        }
+        Question::Need(asked) => vec![needed(setup, grasp, asked)?],
+        Question::Solve { load } => vec![solved(grasp, load)?],
+        Question::Onset(ramp) => {
+            let ramp = setup.ramp(ramp)?;
+            let at = |factor: f64| format!("factor {}", digits(factor));
+            vec![onset(grasp, grasp.onset(&ramp)?, &ramp.load_at(0.0), Leg::along(&ramp), &at)?]
+        }
+        Question::OnsetOfTurn(turn) => {
+            let at = |angle: f64| format!("turned by {}°", digits(angle.to_degrees()));
+            let onset_of_turn = grasp.onset_of_turn(turn)?.onset;
+            vec![onset(grasp, onset_of_turn, &turn.load_at(0.0), Leg::turn(turn), &at)?]
+        }
+        Question::Follow { start, legs } => followed(grasp, start, &setup.legs(legs)?)?,
+        _ => vec![nothing("no picture", NO_WORDS.to_owned(), None)],
+    }))
+}
+
+fn nothing<const C: usize>(label: &str, why: String, load: Option<Wrench<C>>) -> Shown<C> {
+    Shown { label: label.to_owned(), says: Vec::new(), grasp: None, what: What::Nothing { why, load } }
+}
+
+fn state<const C: usize>(label: impl Into<String>, state: Equilibrium<C>) -> Shown<C> {
+    let what = What::State { state: Box::new(state), leaving: None };
+    Shown { label: label.into(), says: Vec::new(), grasp: None, what }
+}
+
+/// The grasp under the load, or where it is lost with the way out; the loss beyond the load comes second.
+fn held<const C: usize>(verdict: Verdict<C>, load: Wrench<C>) -> Vec<Shown<C>> {
+    let says = verdict.to_string();
+    let lost = verdict.lost.and_then(|lost| {
+        let mut shown = state("where it is lost", *lost.state?);
+        if let What::State { leaving, .. } = &mut shown.what {
+            *leaving = lost.motion;
+        }
+        Some(shown)
+    });
+    let under = verdict.state.map(|found| state("under the load", *found));
+    let mut answers: Vec<_> = under.into_iter().chain(lost).collect();
+    match answers.first_mut() {
+        Some(first) => first.says.push(says),
+        None => answers.push(nothing("does it hold?", says, Some(load))),
+    }
+    answers
+}
+
+/// The grasp with what it needs, under the load that uses most of it.
+fn needed<const C: usize>(
+    setup: &Setup<C>,
+    grasp: &Grasp<C>,
+    asked: &NeedAsked<C>,
+) -> Result<Shown<C>, Failure> {
+    let need = setup.need(asked)?;
+    let needed = grasp.need(&need)?;
+    let says = needed.to_string();
+    let (amount, label) = match &needed.amount {
+        Amount::Bound { does, .. } => (Some(*does), "with what it needs"),
+        Amount::Any { to } => (Some(*to), "with an amount that does"),
+        _ => (None, "what does it need?"),
+    };
+    let found = amount.map(|amount| grasp.with_amount(&need, amount)).transpose()?.flatten();
+    Ok(match found {
+        Some((other, found)) => Shown { grasp: Some(other), says: vec![says], ..state(label, found) },
+        None => nothing(label, says, asked.load),
+    })
+}
+
+/// The equilibrium, or why there is none and what happens from rest.
+fn solved<const C: usize>(grasp: &Grasp<C>, load: &Wrench<C>) -> Result<Shown<C>, Failure> {
+    let why = match grasp.solve(load)? {
+        Outcome::Equilibrium(found) => return Ok(state("under the load", *found)),
+        none => no_equilibrium(&none),
+    };
+    let from_rest = held(grasp.hold(*load)?, *load).into_iter().next();
+    Ok(match from_rest {
+        Some(mut shown) if matches!(shown.what, What::State { .. }) => {
+            shown.label = format!("put on from rest, {}", shown.label);
+            shown.says.insert(0, why);
+            shown
+        }
+        _ => nothing("under the load", why, Some(*load)),
+    })
+}
+
+/// Why there is no equilibrium.
+fn no_equilibrium<const C: usize>(outcome: &Outcome<C>) -> String {
+    match outcome {
+        Outcome::NoEquilibrium(none) => format!("No equilibrium exists: {}.", proof(&none.proof)),
+        Outcome::Undecided(undecided) => {
+            format!("Undecided: no equilibrium was found and none was ruled out ({}).", undecided.doubt)
+        }
+        _ => NO_WORDS.to_owned(),
+    }
+}
+
+/// The grasp at an onset; where nothing slides at the end of the way.
+fn onset<const C: usize>(
+    grasp: &Grasp<C>,
+    onset: Onset<C>,
+    start: &Wrench<C>,
+    leg: Leg<C>,
+    at: &dyn Fn(f64) -> String,
+) -> Result<Shown<C>, Failure> {
+    let label = match onset {
+        Onset::At(event) => {
+            let inaccurate = "the equilibrium at the onset is not accurate enough to be drawn";
+            let label = format!("onset of sliding, {}", at(event.factor));
+            return Ok(match grasp.state_at_onset(&event) {
+                Some(found) => state(label, found),
+                None => nothing(&label, inaccurate.to_owned(), Some(event.load)),
+            });
+        }
+        Onset::AlreadySliding(found) => return Ok(state("something slides from the start on", *found)),
+        Onset::NoBase(none) => {
+            let why = format!("No equilibrium exists at the start: {}.", proof(&none.proof));
+            return Ok(nothing("onset of sliding", why, Some(*start)));
+        }
+        Onset::Undecided(undecided) => {
+            let why = format!("Undecided at the start ({}).", undecided.doubt);
+            return Ok(nothing("onset of sliding", why, Some(*start)));
+        }
+        Onset::GivesWay { factor, .. } => format!("nothing slides, but it gives way, {}", at(factor)),
+        _ => "nothing slides on the way".to_owned(),
+    };
+    let mut path = grasp.follow(start, &[leg])?;
+    path.run();
+    Ok(end(&path, &label).unwrap_or_else(|| nothing("onset of sliding", label, Some(*start))))
+}
+
+/// A program: every event, and where it ends.
+fn followed<const C: usize>(
+    grasp: &Grasp<C>,
+    start: &Wrench<C>,
+    legs: &[Leg<C>],
+) -> Result<Vec<Shown<C>>, Failure> {
+    let mut path = grasp.follow(start, legs)?;
+    let events = path.run();
+    let mut answers: Vec<_> = events.into_iter().map(|event| changed(grasp, event)).collect();
+    let (leg, fraction) = path.place();
+    let (how, why) = match path.end() {
+        Some(PathEnd::Completed) => ("all legs are held to their end", String::new()),
+        Some(PathEnd::Lost(loss)) => ("lost", format!("Lost: {}.", loss.kind)),
+        Some(PathEnd::NoStart(start)) => ("nothing to start from", no_equilibrium(start)),
+        Some(PathEnd::Undecided { doubt, .. }) => ("what comes next is undecided", doubt.to_string()),
+        _ => ("the path's end", String::new()),
+    };
+    let label = format!("{LEG}{leg} at {}: {how}", digits(fraction));
+    let last = end(&path, &label).map(|mut shown| {
+        shown.says.extend(Some(why.clone()).filter(|why| !why.is_empty()));
+        shown
+    });
+    answers.push(last.unwrap_or_else(|| nothing(&label, why, Some(*start))));
+    Ok(answers)
+}
+
+/// The equilibrium at an event, with those that do something else from there on.
+fn changed<const C: usize>(grasp: &Grasp<C>, event: Event<C>) -> Shown<C> {
+    let parts = grasp.whole_contacts(|i| event.changes.iter().any(|change| change.contact.index == i));
+    let drives = event.drives.iter().map(|drive| drive.part.text());
+    let names: Vec<_> = parts.iter().map(ToString::to_string).chain(drives).collect();
+    let what = if names.is_empty() {
+        "a motion is free".to_owned()
+    } else {
+        format!("{} changes", names.join(", "))
+    };
+    state(format!("{LEG}{} at {}: {what}", event.leg, digits(event.fraction)), event.state)
+}
+
+/// A number in up to six digits behind the point, without zeros behind them.
+fn digits(x: f64) -> String {
+    if x != 0.0 && !(1e-3..1e6).contains(&x.abs()) {
+        return format!("{x:.5e}");
+    }
+    format!("{x:.6}").trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+/// Where a path ends, and the way the object leaves if it is lost.
+fn end<const C: usize>(path: &LoadPath<C>, label: &str) -> Option<Shown<C>> {
+    let mut shown = state(label, path.state()?);
+    if let What::State { leaving, .. } = &mut shown.what {
+        *leaving = path.end().and_then(PathEnd::loss).and_then(|loss| loss.motion.clone());
+    }
+    Some(shown)
+}
