@@ -2,7 +2,7 @@
 
 use grasp_lcp::picture::{Polar, SphereGrid, SphereMap, Stroke};
 
-use crate::svg::{Failure, paths};
+use support::svg::{Failure, paths};
 
 /// Areas of all regions of an SVG in square pixels.
 fn areas(svg: &str) -> Result<Vec<f64>, Failure> {

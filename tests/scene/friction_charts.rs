@@ -5,8 +5,8 @@ use std::f64::consts::TAU;
 use grasp_lcp::picture::{chart_of_load, chart_of_program, chart_of_turn};
 use grasp_lcp::planar::{Contact, Grasp, Leg, Pressure, Ramp, SoftFingertip, Turn, Wrench};
 
-use crate::svg::{Failure, Shape, shapes};
 use crate::turn_charts::curves;
+use support::svg::{Failure, Shape, shapes};
 
 fn jaw(name: &str, x: f64) -> Contact {
     let jaw = Contact::new([x, 0.0], [-x, 0.0]).name(name).series_stiffness(1000.0, 800.0);

@@ -5,7 +5,7 @@ use grasp_lcp::picture::{
 };
 use grasp_lcp::{planar, spatial};
 
-use crate::svg::{Failure, shapes, view_box};
+use support::svg::{Failure, shapes, view_box};
 
 /// Width of a letter of a sans serif face in parts of its height, on the average.
 const LETTER: f64 = 0.55;

@@ -3,7 +3,7 @@
 use grasp_lcp::picture::draw_grasp;
 use grasp_lcp::planar::{Contact, Equilibrium, Grasp, Wrench};
 
-use crate::svg::{Failure, Shape, shapes};
+use support::svg::{Failure, Shape, shapes};
 
 const LOAD: &str = "#000000";
 const FINGER: &str = "#B0B0B0";

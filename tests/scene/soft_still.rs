@@ -4,7 +4,7 @@ use grasp_lcp::picture::{SpatialPage, View, draw_grasp};
 use grasp_lcp::spatial::{Contact, ContactAnswer, Equilibrium, Grasp, Pressure, SoftFingertip, Wrench};
 use grasp_lcp::{planar, spatial};
 
-use crate::svg::{Failure, Shape, circles, shapes};
+use support::svg::{Failure, Shape, circles, shapes};
 
 const STICKING: &str = "#0072B2";
 /// Width of the arrow of a force, pixels.

@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use grasp_lcp::picture::{SpatialPage, View};
 use grasp_lcp::spatial::{Contact, Equilibrium, Grasp, Outcome, Wrench};
 
-use crate::svg::{Failure, circles, shapes, view_box};
+use support::svg::{Failure, circles, shapes, view_box};
 
 /// Room that points have on paper, with its middle, pixels.
 const ROOM: (f64, f64) = (564.0, 484.0);

@@ -168,7 +168,8 @@ impl<'p> Drawing<'p> {
             let pushes: Vec<_> = self.tips.iter().map(push).collect();
             metres_per_newton(&pushes, self.size, largest)
         };
-        states.map(scale).reduce(f64::min).unwrap_or(0.0)
+        // Without an equilibrium there is a load at most.
+        states.map(scale).reduce(f64::min).unwrap_or_else(|| metres_per_newton::<3>(&[], self.size, largest))
     }
 
     /// What is to be known of the scales, in words.

@@ -31,6 +31,7 @@ pub mod scene;
 pub mod soft_tips;
 pub mod splitmix;
 pub mod sticking;
+pub mod svg;
 pub mod tractrix;
 pub mod transform;
 pub mod truth;

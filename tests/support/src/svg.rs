@@ -1,23 +1,31 @@
 //! What is drawn in an SVG, read back.
 
-pub(crate) type Failure = Box<dyn std::error::Error>;
+/// Why a picture could not be read.
+pub type Failure = Box<dyn std::error::Error>;
 
 /// What is drawn: its tag, its colour, its corners or its middle, the width of its line.
 #[derive(Debug)]
-pub(crate) struct Shape {
-    pub(crate) tag: String,
-    pub(crate) ink: String,
-    pub(crate) points: Vec<[f64; 2]>,
-    pub(crate) width: Option<f64>,
-    pub(crate) dashed: bool,
-    /// Letters, their height, and the part of their width that is left of the place.
-    pub(crate) words: String,
-    pub(crate) size: f64,
-    pub(crate) left: f64,
+pub struct Shape {
+    /// `polyline`, `polygon`, `circle`, `text` …
+    pub tag: String,
+    /// Its fill, or else its stroke.
+    pub ink: String,
+    /// Its corners or its middle, pixels.
+    pub points: Vec<[f64; 2]>,
+    /// The width of its line, pixels.
+    pub width: Option<f64>,
+    /// Whether its line is dashed.
+    pub dashed: bool,
+    /// Its letters.
+    pub words: String,
+    /// Their height, pixels.
+    pub size: f64,
+    /// The part of their width that is left of the place.
+    pub left: f64,
 }
 
 /// Everything but paths, in the order in which it is painted.
-pub(crate) fn shapes(svg: &str) -> Result<Vec<Shape>, Failure> {
+pub fn shapes(svg: &str) -> Result<Vec<Shape>, Failure> {
     let mut shapes = Vec::new();
     for text in svg.split('<').skip(1) {
         let value =
@@ -50,7 +58,7 @@ pub(crate) fn shapes(svg: &str) -> Result<Vec<Shape>, Failure> {
 }
 
 /// Closed lines of each path.
-pub(crate) fn paths(svg: &str) -> Result<Vec<Vec<Vec<[f64; 2]>>>, Failure> {
+pub fn paths(svg: &str) -> Result<Vec<Vec<Vec<[f64; 2]>>>, Failure> {
     let ways = svg.split("<path").skip(1).filter_map(|text| text.split(" d=\"M").nth(1)?.split('"').next());
     ways.map(|way| way.trim_end_matches('Z').split("ZM").map(pairs).collect()).collect()
 }
@@ -64,14 +72,49 @@ fn pairs(text: &str) -> Result<Vec<[f64; 2]>, Failure> {
 }
 
 /// Middles of circles of a colour, in the order in which they are painted.
-pub(crate) fn circles(svg: &str, ink: &str) -> Result<Vec<[f64; 2]>, Failure> {
+pub fn circles(svg: &str, ink: &str) -> Result<Vec<[f64; 2]>, Failure> {
     let circles = shapes(svg)?.into_iter().filter(|shape| shape.tag == "circle" && shape.ink == ink);
     Ok(circles.map(|circle| circle.points[0]).collect())
 }
 
 /// Width and height in which an SVG is drawn.
-pub(crate) fn view_box(svg: &str) -> Result<[f64; 2], Failure> {
+pub fn view_box(svg: &str) -> Result<[f64; 2], Failure> {
     let text = svg.split("viewBox=\"0 0 ").nth(1).and_then(|rest| rest.split('"').next());
     let (wide, high) = text.ok_or("a view box")?.split_once(' ').ok_or("two numbers")?;
     Ok([wide.parse()?, high.parse()?])
+}
+
+/// Left, top, right and bottom, pixels.
+pub type Edges = [f64; 4];
+
+/// The light grounds on which names stand, line by line.
+pub fn plaques(svg: &str) -> Result<Vec<Edges>, Failure> {
+    let grounds =
+        svg.split('<').filter(|text| text.starts_with("polygon fill=\"#FFFFFF\" fill-opacity=\"0.75\""));
+    let edges = |text: &str| -> Result<Edges, Failure> {
+        let points =
+            text.split("points=\"").nth(1).and_then(|rest| rest.split('"').next()).ok_or("points")?;
+        let points = pairs(points)?;
+        let most = |k: usize, pick: fn(f64, f64) -> f64| {
+            points.iter().map(|p| p[k]).reduce(pick).unwrap_or(f64::NAN)
+        };
+        Ok([most(0, f64::min), most(1, f64::min), most(0, f64::max), most(1, f64::max)])
+    };
+    grounds.map(edges).collect()
+}
+
+/// The first two that overlap by more than rounding, if any do.
+pub fn overlap(boxes: &[Edges]) -> Option<[Edges; 2]> {
+    let meet = |a: &Edges, b: &Edges| (0..2).all(|k| a[k] + 0.02 < b[k + 2] && b[k] + 0.02 < a[k + 2]);
+    let pairs = boxes.iter().enumerate().flat_map(|(k, a)| boxes[..k].iter().map(move |b| [*a, *b]));
+    pairs.into_iter().find(|[a, b]| meet(a, b))
+}
+
+/// The first thing with a place that is not on the paper, if there is one.
+pub fn outside(svg: &str) -> Result<Option<Shape>, Failure> {
+    let [wide, high] = view_box(svg)?;
+    let inside = |shape: &Shape| {
+        shape.points.iter().all(|[x, y]| (0.0..=wide).contains(x) && (0.0..=high).contains(y))
+    };
+    Ok(shapes(svg)?.into_iter().find(|shape| !inside(shape)))
 }
