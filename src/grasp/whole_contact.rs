@@ -73,7 +73,7 @@ impl<'c, const C: usize> WholeContacts<'c, C> {
                 of: range.len(),
             })
         };
-        self.ranges.iter().enumerate().filter_map(part).collect()
+        self.ranges().iter().enumerate().filter_map(part).collect()
     }
 
     /// The mean of a quantity of points over each part.

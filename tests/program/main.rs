@@ -2,6 +2,7 @@
 
 mod answers;
 mod everyday;
+mod drawings;
 mod mistakes;
 mod new;
 mod readme;

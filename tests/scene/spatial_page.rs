@@ -1,7 +1,7 @@
 //! A page with a spatial grasp needs nothing else, cannot be broken out of by names, and has the numbers of the answer to the last bit.
 
 use grasp_lcp::picture::SpatialPage;
-use grasp_lcp::spatial::{Contact, Equilibrium, Grasp, Wrench};
+use grasp_lcp::spatial::{Contact, Equilibrium, Grasp, SoftFingertip, Wrench};
 use serde_json::Value;
 
 const NASTY: &str = "</script><script>alert(\"1 & 'x'\")</script>\u{2028}\\";
@@ -99,5 +99,107 @@ fn what_cannot_be_drawn_is_an_error() -> Result<(), Failure> {
     let mut broken = state;
     broken.contacts[0].force_world[1] = f64::INFINITY;
     assert!(SpatialPage::new(&grasp, "x").frame("a", &broken).to_html().is_err());
+    Ok(())
+}
+
+/// A page is as wide as the screen: nothing in it has a width of its own beyond 400 pixels, and what is wider moves in a frame.
+#[test]
+fn a_narrow_screen_is_wide_enough() -> Result<(), Failure> {
+    let (page, ..) = page_of("thumb")?;
+    assert!(page.contains("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"));
+    let style =
+        page.split("<style>").nth(1).and_then(|rest| rest.split("</style>").next()).ok_or("a style")?;
+    for rule in style.split(['{', ';']).filter(|rule| !rule.contains("max-width")) {
+        let Some((property, value)) = rule.split_once(':') else { continue };
+        if !["width", "min-width", "height"].contains(&property.trim()) {
+            continue;
+        }
+        for length in value.split_whitespace() {
+            let pixels = |unit: &str, each: f64| {
+                length.strip_suffix(unit).and_then(|n| n.parse::<f64>().ok()).map(|n| n * each)
+            };
+            let wide = pixels("rem", 16.0).or(pixels("px", 1.0)).unwrap_or(0.0);
+            assert!(wide <= 400.0 || property.trim() == "height", "{rule}");
+        }
+    }
+    assert_eq!(page.matches("<table>").count(), page.matches("<div class=\"scrolls\">\n<table>").count());
+    assert!(style.contains(".scrolls { overflow-x: auto; }"));
+    // Touch turns and enlarges the picture, and does not move the page while it does.
+    assert!(
+        style.contains("touch-action: none")
+            && page.contains("pointerdown")
+            && page.contains("pointercancel")
+    );
+    Ok(())
+}
+
+/// Three pads of twelve points are three rows and three entries; the points are there on request.
+#[test]
+fn a_pad_is_one_row_of_the_table() -> Result<(), Failure> {
+    let tip = SoftFingertip::ring(0.005, 12)?;
+    let pads = jar("thumb")?
+        .contacts()
+        .iter()
+        .map(|contact| tip.contacts(contact))
+        .collect::<Result<Vec<_>, _>>()?;
+    let grasp = Grasp::new(pads.concat())?;
+    let state = grasp.solve(&Wrench::force([0.05, 0.1, -0.3]))?.equilibrium().cloned().ok_or("it holds")?;
+    let page = SpatialPage::new(&grasp, "A jar").frame("held", &state).to_html()?;
+    assert_eq!(page.matches("<tr data-contact=\"").count(), 3 + 36);
+    assert_eq!(page.matches(" class=\"point\"").count(), 36);
+    assert!(
+        page.contains("<th>thumb</th>")
+            && page.contains("<th>thumb 11</th>")
+            && page.contains("id=\"points\"")
+    );
+    let data = data(&page)?;
+    assert_eq!(data["contacts"].as_array().map(Vec::len), Some(3));
+    // The row of a pad has the sum of its normal forces.
+    let pressed: f64 = state.contacts[..12].iter().map(|contact| contact.normal_force()).sum();
+    let row =
+        page.split("<th>thumb</th>").nth(1).and_then(|rest| rest.split("</tr>").next()).ok_or("a row")?;
+    let first: f64 =
+        row.split("<td>").nth(1).and_then(|rest| rest.split('<').next()).ok_or("a number")?.parse()?;
+    assert!((first - pressed).abs() < 1e-4 * pressed, "{first} {pressed}");
+    Ok(())
+}
+
+/// A way out goes with the motion, the sentence of an answer is said, and cones have the friction of the answer.
+#[test]
+fn what_an_answer_has_besides_is_on_the_page() -> Result<(), Failure> {
+    let grasp = jar("thumb")?;
+    let verdict = grasp.hold(Wrench::force([0.0, 0.0, -30.0]))?;
+    let lost = verdict.lost.clone().ok_or("it is lost")?;
+    let state = lost.state.as_deref().ok_or("somewhere")?;
+    let slippery = grasp.with_friction(|_, mu| 0.25 * mu)?;
+    let page = SpatialPage::new(&grasp, "A jar")
+        .outline([[0.03, 0.0, 0.05], [0.0, 0.03, 0.05], [-0.03, 0.0, 0.05]])
+        .frame("lost", state)
+        .says(verdict.to_string())
+        .maybe_leaving(lost.motion.as_ref())
+        .frame_of("slippery", &slippery, state);
+    let html = page.to_html()?;
+    assert!(
+        html.contains("<p class=\"says\">SLIPS OUT") || html.contains("<p class=\"says\">TURNS OUT"),
+        "{verdict}"
+    );
+    let data = data(&html)?;
+    let row = |value: &Value| -> Vec<f64> {
+        value.as_array().into_iter().flatten().filter_map(Value::as_f64).collect()
+    };
+    let arrow = &data["frames"][0]["leaves"]["arrows"][0];
+    let motion = lost.motion.ok_or("a motion")?;
+    let v = motion.object.components();
+    let (at, along) = (row(&arrow[0]), row(&arrow[1]));
+    let speed = [
+        v[0] + v[4] * at[2] - v[5] * at[1],
+        v[1] + v[5] * at[0] - v[3] * at[2],
+        v[2] + v[3] * at[1] - v[4] * at[0],
+    ];
+    let dot: f64 = along.iter().zip(&speed).map(|(a, b)| a * b).sum();
+    let size = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
+    assert!(dot > 0.9 * size(&along) * size(&speed), "{along:?} {speed:?}");
+    let mu = |frame: usize| data["frames"][frame]["contacts"][0]["mu"].as_f64();
+    assert_eq!((mu(0), mu(1)), (Some(0.5), Some(0.125)));
     Ok(())
 }
