@@ -175,6 +175,12 @@ impl<const C: usize> Leg<C> {
         Self { joints: StepGoal::To(commands.into_iter().collect()), ..self }
     }
 
+    /// Whether the load turns along it.
+    #[cfg(feature = "plot")]
+    pub(crate) fn turns(&self) -> bool {
+        matches!(self.load, LoadGoal::Turn(_))
+    }
+
     /// What a ramp changes for one unit of its factor.
     #[must_use]
     pub fn along(ramp: &Ramp<C>) -> Self {

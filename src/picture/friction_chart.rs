@@ -11,8 +11,11 @@ use crate::error::Error;
 use crate::grasp::{Contact, Hold, Wrench};
 use crate::load_path::{Change, Event, Leg, LoadPath, PathEnd};
 
-/// Places at least at which states on a leg are drawn, events besides.
-const SAMPLES_ON_A_LEG: usize = 24;
+/// Places at which states are drawn on a leg along which the load turns, events besides.
+const OF_A_TURN: usize = 180;
+/// The same on straight legs, where little happens between events: on all of them together, and on each at least.
+const STRAIGHT: usize = 48;
+const LEAST: usize = 16;
 /// Events closer than this part of what is drawn have one label.
 const APART: f64 = 0.15;
 /// Curves are told apart by so many colours, in lines and then in dashes; more are not drawn but named.
@@ -32,8 +35,6 @@ pub(super) struct Drawn<'a, const C: usize> {
     pub(super) start: Wrench<C>,
     pub(super) legs: &'a [Leg<C>],
     pub(super) axis: &'a str,
-    /// Places at which states are drawn, events besides, on all legs together.
-    pub(super) samples: usize,
     /// Where on the axis a part of a leg lies.
     pub(super) place: &'a dyn Fn(usize, f64) -> f64,
 }
@@ -83,9 +84,10 @@ impl<const C: usize> Drawn<'_, C> {
     /// Equilibria along the path, and where on the axis they are.
     fn states(&self, path: &LoadPath<C>, events: &[Event<C>]) -> Vec<(f64, Equilibrium<C>)> {
         let (last, end) = self.reach(path);
-        let count = (self.samples / (last + 1)).max(SAMPLES_ON_A_LEG);
         let on_leg = |leg: usize| {
             let to = if leg == last { end } else { 1.0 };
+            let turns = self.legs.get(leg).is_some_and(Leg::turns);
+            let count = if turns { OF_A_TURN } else { (STRAIGHT / (last + 1)).max(LEAST) };
             let mut fractions: Vec<f64> = (0..=count).map(|k| to * k as f64 / count as f64).collect();
             fractions.extend(events.iter().filter(|event| event.leg == leg).map(|event| event.fraction));
             fractions.sort_by(f64::total_cmp);

@@ -7,10 +7,6 @@ use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::load_path::{Leg, Ramp, Turn};
 
-/// Places at which a curve is drawn while the load turns, and where it goes straight.
-const OF_A_TURN: usize = 180;
-const STRAIGHT: usize = 60;
-
 /// A chart of `|F_t| / (μ F_n)` of each contact against the angle, from angle 0 on along the path under the load that turns: to its last
 /// angle, or to where the path ends. The first contact that stops sticking is marked, and so is the end. A [soft
 /// fingertip](crate::grasp::SoftFingertip) is one contact, sums over its points stand for it: 1 where all of it slides. What is not drawn is
@@ -39,15 +35,8 @@ const STRAIGHT: usize = 60;
 pub fn chart_of_turn<const C: usize>(grasp: &Grasp<C>, turn: &Turn<C>, title: &str) -> Result<Chart, Error> {
     let place = |_, fraction: f64| (fraction * turn.angle()).to_degrees();
     let legs = [Leg::turn(turn)];
-    Drawn {
-        grasp,
-        start: turn.load_at(0.0),
-        legs: &legs,
-        axis: "angle (degrees)",
-        samples: OF_A_TURN,
-        place: &place,
-    }
-    .chart(title)
+    Drawn { grasp, start: turn.load_at(0.0), legs: &legs, axis: "angle (degrees)", place: &place }
+        .chart(title)
 }
 
 /// The same chart against the factor of a ramp, from 0 up to so many times: what is put on, as a multiple of it, where the ramp is a load.
@@ -74,15 +63,7 @@ pub fn chart_of_load<const C: usize>(
 ) -> Result<Chart, Error> {
     let legs = [Leg::along(&ramp.times(most))];
     let place = |_, fraction: f64| fraction * most;
-    Drawn {
-        grasp,
-        start: ramp.base,
-        legs: &legs,
-        axis: "factor of the load",
-        samples: STRAIGHT,
-        place: &place,
-    }
-    .chart(title)
+    Drawn { grasp, start: ramp.base, legs: &legs, axis: "factor of the load", place: &place }.chart(title)
 }
 
 /// The same chart along a program of legs, leg by leg from a load at the start.
@@ -108,5 +89,5 @@ pub fn chart_of_program<const C: usize>(
     title: &str,
 ) -> Result<Chart, Error> {
     let place = |leg: usize, fraction: f64| leg as f64 + fraction;
-    Drawn { grasp, start, legs, axis: "legs of the program", samples: OF_A_TURN, place: &place }.chart(title)
+    Drawn { grasp, start, legs, axis: "legs of the program", place: &place }.chart(title)
 }

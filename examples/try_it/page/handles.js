@@ -82,17 +82,23 @@ const handles = (() => {
     group.replaceChildren(...kept.map(({ made }) => made));
   };
 
-  const label = (made, at, { state: what }) => {
+  // What a finger does, beside its grip: on the side away from the edge, or on the other one where a word stands already, or nowhere.
+  const label = (made, at, { state: what }, taken) => {
     const says = made.querySelector(".says");
-    says.textContent = words.STATES[what];
-    const upper = at[1] < place.height / 2;
     const x = Math.min(place.width - 34, Math.max(34, at[0]));
+    const sides = at[1] < place.height / 2 ? [-20, 31] : [31, -20];
+    const free = (y) => taken.every(([left, top]) => Math.abs(left - x) >= 68 || Math.abs(top - at[1] - y) >= 16);
+    const y = sides.find(free);
+    says.textContent = y === undefined ? "" : words.STATES[what];
+    if (y === undefined) return;
+    taken.push([x, at[1] + y]);
     says.setAttribute("x", x - at[0]);
-    says.setAttribute("y", upper ? -20 : 31);
+    says.setAttribute("y", y);
   };
 
   const update = (into, found, scale) => {
     place = into;
+    const taken = [];
     kept.forEach(({ grip, made }, k) => {
       const at = grip.at(scale), contact = found.held && found.held.contacts[k];
       made.setAttribute("transform", `translate(${at[0]} ${at[1]})`);
@@ -102,7 +108,7 @@ const handles = (() => {
       made.querySelector("line").setAttribute("x2", x);
       made.querySelector("line").setAttribute("y2", y);
       made.setAttribute("class", `grip finger ${contact ? contact.state : "unknown"}`);
-      if (contact) label(made, at, contact);
+      if (contact) label(made, at, contact, taken);
       else made.querySelector(".says").textContent = "";
     });
   };

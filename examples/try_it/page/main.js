@@ -10,10 +10,10 @@
     root.setAttribute("viewBox", `0 0 ${width} ${height}`);
     root.setAttribute("height", height);
     const place = view.of(width, height, state.now);
-    const { scale, factor } = picture.draw(drawn, place, found);
+    const { scale, factor, toScale } = picture.draw(drawn, place, found);
     handles.update(place, found, scale);
     loadline.draw(document.getElementById("loadline"), width, found);
-    told.tell(found, factor);
+    told.tell(found, factor, toScale);
     controls.update();
     document.getElementById("scene").textContent = JSON.stringify(scene);
     document.getElementById("time").textContent = `${asking.time().toFixed(2)} ms an answer`;

@@ -2,6 +2,8 @@
 const picture = (() => {
   // Parts of the object's size: the length of a friction cone, and the farthest that a displacement is drawn.
   const CONE = 0.3, DISPLACED = 0.1;
+  // A load has an arrow of so many pixels at least, which its grip does not hide.
+  const SHORTEST = 26;
   // A friction coefficient that is drawn as a cone, at most.
   const WIDEST = 50;
 
@@ -27,9 +29,10 @@ const picture = (() => {
     const group = svg.element("g"), from = place.pixel(at), size = outline.length(force);
     const way = place.along(force.map((f) => f / size)), far = place.width + place.height;
     group.append(svg.line(outline.add(from, way, -far), outline.add(from, way, far), { class: "action" }));
-    group.append(svg.arrow(from, place.along(force, scale), "load"));
+    const toScale = size * scale >= SHORTEST;
+    group.append(svg.arrow(from, place.along(force, toScale ? scale : SHORTEST / size), "load"));
     if (moment !== 0) group.append(svg.turn(from, 26, moment > 0, "load"));
-    return group;
+    return { group, toScale };
   };
 
   // A round force as an arrow in the corner.
@@ -54,13 +57,14 @@ const picture = (() => {
       parts.push(cone);
     });
     if (moved) parts.push(drawObject(place, moved.corners, "displaced"));
-    parts.push(drawLoad(place, load, scale));
+    const { group: arrow, toScale } = drawLoad(place, load, scale);
+    parts.push(arrow);
     held.forEach(({ force_world: force, state: what }, k) => {
       parts.push(svg.arrow(place.pixel(fingers[k].point), place.along(force, scale), `force ${what}`));
     });
     if (scale > 0) parts.push(drawScale(place, scale));
     group.replaceChildren(...parts);
-    return { scale, factor: moved ? moved.factor : null };
+    return { scale, factor: moved ? moved.factor : null, toScale };
   };
 
   return { draw };

@@ -57,7 +57,7 @@ const told = (() => {
     " and turns by ", numbers.element("turn", rotation, "rad"), ".",
   ];
 
-  const tell = (found, factor) => {
+  const tell = (found, factor, toScale) => {
     const [className, headline, explanation] = words.verdict(found);
     at("verdict").className = className;
     fill("verdict", headline);
@@ -68,7 +68,8 @@ const told = (() => {
     at("contacts").hidden = !found.held;
     fill("rows", ...(found.held ? found.held.contacts.map(row) : []));
     fill("motion", ...(found.held ? motion(found.held) : []));
-    fill("drawn", factor === null ? "" : `Dashed outline: this motion, ${numbers.text(factor, "times")} times as large.`);
+    const moved = factor === null ? "" : `Dashed outline: this motion, ${numbers.text(factor, "times")} times as large. `;
+    fill("drawn", moved, toScale ? "" : "The load is so small that its arrow is not to scale.");
   };
 
   return { tell };

@@ -31,13 +31,22 @@ fn chromium() -> Option<PathBuf> {
     names.iter().flat_map(|name| places.iter().map(move |place| place.join(name))).find(|path| path.is_file())
 }
 
-/// What the browser wrote down.
-fn records(chromium: &Path, page: &str) -> Value {
+/// What the browser wrote down of the page on a screen of so many pixels.
+fn records(chromium: &Path, page: &str, wide: u32) -> Value {
     let directory = Path::new(env!("CARGO_TARGET_TMPDIR"));
     let path = directory.join("dragged.html");
-    fs::write(&path, page.replace("</body>", &format!("<script>{DRAGS}</script>\n</body>"))).unwrap();
+    // A window of a browser has a least width, a frame in it has none; where it is done it hands over what it wrote.
+    let hands_over = "parent.document.body.append(document.getElementById('records').cloneNode(true))";
+    let inner = page.replace("</body>", &format!("<script>{DRAGS}</script>\n</body>"));
+    let inner =
+        inner.replace("document.body.append(told);", &format!("document.body.append(told); {hands_over};"));
+    let inner = inner.replace('&', "&amp;").replace('"', "&quot;");
+    let frame = format!(
+        "<body style=\"margin: 0\"><iframe srcdoc=\"{inner}\" style=\"border: 0; width: {wide}px; height: 1600px\"></iframe>"
+    );
+    fs::write(&path, format!("<!DOCTYPE html>{frame}")).unwrap();
     let run = Command::new(chromium)
-        .args(["--headless", "--no-sandbox", "--disable-gpu", "--window-size=1200,900", "--dump-dom"])
+        .args(["--headless", "--no-sandbox", "--disable-gpu", "--window-size=1200,1700", "--dump-dom"])
         .arg(format!("--virtual-time-budget={VIRTUAL_TIME}"))
         .arg(format!("--user-data-dir={}", directory.join("chromium").display()))
         .arg(format!("file://{}", path.display()))
@@ -119,13 +128,22 @@ fn the_page_shows_what_the_crate_answers() {
         return;
     };
     let Some(page) = page() else { return };
-    let dragged = records(&chromium, &page);
+    // On a phone the same grips can be dragged, and the page does not move sideways.
+    for wide in [400, 1200] {
+        shows_what_the_crate_answers(&records(&chromium, &page, wide), wide);
+    }
+    println!("page of {:.2} MB", page.len() as f64 / 1e6);
+}
+
+fn shows_what_the_crate_answers(dragged: &Value, wide: u32) {
+    assert!(dragged["wide"].as_u64().unwrap() <= u64::from(wide), "{} of {wide} pixels", dragged["wide"]);
+    assert!(dragged["smallest"].as_f64().unwrap() >= 20.0, "an arrow of {} pixels", dragged["smallest"]);
+    assert_eq!(dragged["overlap"], false);
     let records = dragged["records"].as_array().unwrap();
     let of = |what: &str| records.iter().find(|record| record["what"] == what).unwrap();
 
     let numbers: usize = records.iter().map(compare).sum();
     println!("{} states of the page, {numbers} numbers equal to the bit", records.len());
-    println!("page of {:.2} MB", page.len() as f64 / 1e6);
 
     // Closed forms: the paper's onset, and friction 0.5 under 8 N a side.
     let paper = shown(of("paper_two_fingers"), "onset").unwrap() * 0.12;

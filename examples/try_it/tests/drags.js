@@ -75,6 +75,16 @@
   slide("moment", 2);
   record("a disk that slides");
 
+  // The arrow of the smallest load that can be set: its line and its head, pixels.
+  choose("box");
+  slide("size", -300);
+  const load = document.querySelector("#drawing .load").getBoundingClientRect(), smallest = Math.hypot(load.width, load.height);
+  // Two fingers on one spot have one word.
+  for (const finger of state.now.fingers) state.place(finger, 0.1);
+  slide("size", 0);
+  const boxes = [...document.querySelectorAll("#handles .says")].filter((says) => says.textContent).map((says) => says.getBoundingClientRect());
+  const overlap = boxes.some((a, k) => boxes.slice(0, k).some((b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom));
+
   choose("pentagon");
   const scene = JSON.parse(at("scene").textContent), rounds = 500;
   const before = performance.now();
@@ -86,6 +96,6 @@
 
   const told = document.createElement("script");
   [told.type, told.id] = ["application/json", "records"];
-  told.textContent = JSON.stringify({ records, time, drawn }).replaceAll("<", "\\u003c");
+  told.textContent = JSON.stringify({ records, time, drawn, smallest, overlap, wide: document.documentElement.scrollWidth }).replaceAll("<", "\\u003c");
   document.body.append(told);
 })();

@@ -129,7 +129,10 @@ pub(crate) enum Command {
         #[command(flatten)]
         output: Output,
     },
-    /// Draws the grasp with its answers: SVG, and of a spatial grasp also a page to turn with the mouse.
+    /// Draws every question: SVG, and of a spatial grasp also a page to turn with the mouse.
+    ///
+    /// The first question is drawn in a file with the name of the scene, those after it in files with their number besides; what each contact uses
+    /// of its friction as the load is put on, turns or follows a program is drawn in one that ends in `_friction`.
     Draw {
         /// The scene; `-` for standard input.
         scene: PathBuf,

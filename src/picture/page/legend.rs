@@ -147,12 +147,11 @@ fn of_object(drawing: &Drawing, frame: &Frame) -> Vec<Entry> {
     let acts = |what: fn(&LoadArrow) -> f64| load.as_ref().is_some_and(|load| what(load) > 0.0);
     let (force, moment) = (acts(|load| load.force.norm()), acts(|load| load.moment.norm()));
     let is_moved = load.as_ref().is_some_and(|load| load.is_moved);
-    let of_force =
-        if is_moved { "load, whose line passes the grasp by" } else { "load, on its line of action" };
+    let of_force = if is_moved { "load, from a line that passes by" } else { "load, on its line of action" };
     let of_moment = match (force, is_moved) {
         (false, _) => "moment of the load",
         (true, false) => "moment of the load about that line",
-        (true, true) => "moment of the load about where it is drawn",
+        (true, true) => "moment of the load, about that place",
     };
     let contacts = drawing.page.grasp.contacts();
     let slides = |state: &Equilibrium| {
