@@ -72,14 +72,14 @@ fn what_has_no_name_is_counted() -> Result<(), Failure> {
 
 #[test]
 fn spatial_names_keep_apart() -> Result<(), Failure> {
-    for count in [12, 24] {
-        let support = |k: usize| {
-            let (sin, cos) = (TAU * k as f64 / f64::from(count)).sin_cos();
+    for count in [12_u32, 24] {
+        let support = |k: u32| {
+            let (sin, cos) = (TAU * f64::from(k) / f64::from(count)).sin_cos();
             let at =
-                spatial::Contact::new([0.05 * cos, 0.05 * sin, 0.02 * (k % 3) as f64], [-cos, -sin, 0.0]);
+                spatial::Contact::new([0.05 * cos, 0.05 * sin, 0.02 * f64::from(k % 3)], [-cos, -sin, 0.0]);
             at.name(format!("{LONG} {k}")).series_stiffness(2000.0, 1500.0).friction(0.5).pressed_with(5.0)
         };
-        let grasp = spatial::Grasp::new((0..count as usize).map(support).collect::<Vec<_>>())?;
+        let grasp = spatial::Grasp::new((0..count).map(support).collect::<Vec<_>>())?;
         let outcome = grasp.solve(&spatial::Wrench::force([1.0, 0.0, -3.0]))?;
         let page = SpatialPage::new(&grasp, LONG.repeat(3)).outcome("held", &outcome).says(LONG.repeat(5));
         for view in [View::default(), View::FRONT, View::ABOVE] {

@@ -1,7 +1,7 @@
 //! A page with a spatial grasp needs nothing else, cannot be broken out of by names, and has the numbers of the answer to the last bit.
 
 use grasp_lcp::picture::SpatialPage;
-use grasp_lcp::spatial::{Contact, Equilibrium, Grasp, SoftFingertip, Wrench};
+use grasp_lcp::spatial::{Contact, ContactAnswer, Equilibrium, Grasp, SoftFingertip, Wrench};
 use serde_json::Value;
 
 const NASTY: &str = "</script><script>alert(\"1 & 'x'\")</script>\u{2028}\\";
@@ -155,7 +155,7 @@ fn a_pad_is_one_row_of_the_table() -> Result<(), Failure> {
     let data = data(&page)?;
     assert_eq!(data["contacts"].as_array().map(Vec::len), Some(3));
     // The row of a pad has the sum of its normal forces.
-    let pressed: f64 = state.contacts[..12].iter().map(|contact| contact.normal_force()).sum();
+    let pressed: f64 = state.contacts[..12].iter().map(ContactAnswer::normal_force).sum();
     let row =
         page.split("<th>thumb</th>").nth(1).and_then(|rest| rest.split("</tr>").next()).ok_or("a row")?;
     let first: f64 =
