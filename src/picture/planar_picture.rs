@@ -13,13 +13,13 @@ pub type Outline<'a> = &'a [[f64; 2]];
 
 /// A planar grasp on paper; build it up, then [`Self::to_svg`]. Without an equilibrium the grasp alone is drawn, and the load if it is given.
 ///
-/// Arrows are forces on the object, at one scale, so short that they do not go through it; friction cones are a little longer than
-/// the normal forces in them. The load is drawn on its line of action, which is dashed. Where that
-/// line passes the grasp by, or the load is a moment alone, its force is drawn in the middle of the
-/// grasp and its moment about that point as an arc. A force of the load that would be too short to be seen is drawn longer, and that is said beside it. All points of a
-/// [soft fingertip](crate::planar::SoftFingertip) have one force and one cone, at their centre of
-/// pressure; dots are the points, in the colours of what they do. Links of a [hand](crate::grasp::Hand) are drawn where they were before anything moved; joints and tendons that yield at
-/// their limit are marked. No name covers another.
+/// Arrows are forces on the object, at one scale, so short that they do not go through it; friction cones are a little longer than the
+/// normal forces in them. The load is drawn on its line of action, which is dashed. Where that line passes the grasp by, or the load is a
+/// moment alone, its force is drawn in the middle of the grasp and its moment about that point as an arc. A force of the load that would be
+/// too short to be seen is drawn longer, and that is said beside it. All points of a [soft fingertip](crate::planar::SoftFingertip) have one
+/// force and one cone, at their centre of pressure; dots are the points, in the colours of what they do. Links of a
+/// [hand](crate::grasp::Hand) are drawn where they were before anything moved; joints and tendons that yield at their limit are marked. No
+/// name covers another.
 ///
 /// ```
 /// use grasp_lcp::picture::PlanarPicture;
@@ -89,8 +89,8 @@ impl<'a> PlanarPicture<'a> {
         self
     }
 
-    /// Draws the way the object takes with a motion, if there is one, such as that of a [loss](crate::hold::Lost::motion): where the outline, or
-    /// the contact points, would be next. Of the motion only its direction counts.
+    /// Draws the way the object takes with a motion, if there is one, such as that of a [loss](crate::hold::Lost::motion): where the outline,
+    /// or the contact points, would be next. Of the motion only its direction counts.
     #[must_use]
     pub fn maybe_leaving(mut self, motion: Option<&'a Motion<2>>) -> Self {
         self.leaving = motion;
