@@ -30,14 +30,16 @@ impl<const C: usize> Grasp<C> {
     /// # Errors
     /// As for [`Self::need`].
     pub fn with_amount(&self, need: &Need<C>, amount: f64) -> Result<Option<(Self, Equilibrium<C>)>, Error> {
-        let Loading { ref loads, times, ref grasp } = Loading::of(self, need, amount, [0.0; 2])?;
+        let loading = Loading::of(self, need, amount, [0.0; 2])?;
+        let Loading { loads, times, grasp, base: besides } = &loading;
         let put_on = |ramp: Ramp<C>| Ok::<_, Error>(grasp.hold(ramp)?.state.map(|state| *state));
         let states: Vec<Option<Equilibrium<C>>> = match loads {
-            Loads::Each(list) => {
-                list.iter().map(|load| put_on(Ramp::from(*load * times))).collect::<Result<_, _>>()?
-            }
+            Loads::Each(list) => list
+                .iter()
+                .map(|load| put_on(Ramp::load(*besides, *load * *times)))
+                .collect::<Result<_, _>>()?,
             Loads::AnyForce { base, size, point } => {
-                let base = *base * times;
+                let base = *besides + *base * *times;
                 // The size of the force in the weakest direction.
                 let part = |most: f64| size * times / most;
                 let load = match grasp.weakest_direction(&base, *point)? {
@@ -49,7 +51,7 @@ impl<const C: usize> Grasp<C> {
                 vec![put_on(Ramp::load(base, load))?]
             }
             Loads::Turn(turn) => {
-                let turn = Loading { grasp: grasp.clone(), loads: loads.clone(), times }.so_many(turn);
+                let turn = loading.so_many(turn);
                 let mut path = grasp.follow(&turn.load_at(0.0), &[Leg::turn(&turn)])?;
                 path.run();
                 let on_the_way = (0..ANGLES).map(|k| path.state_at(0, f64::from(k) / f64::from(ANGLES)));

@@ -50,6 +50,7 @@ impl<const C: usize> Grasp<C> {
 impl<const C: usize> Need<C> {
     /// Refuses numbers that no grasp would take.
     pub(crate) fn check(&self) -> Result<(), Error> {
+        self.base.check("base load")?;
         check_part("part by which friction is less", self.lower[0])?;
         check_part("part by which the squeeze is less", self.lower[1])?;
         match &self.sought {

@@ -21,6 +21,8 @@ pub enum Demand {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Need<const C: usize> {
     pub(super) sought: Sought<C>,
+    /// What acts besides, whatever the amount.
+    pub(super) base: Wrench<C>,
     pub(super) demand: Demand,
     /// Relative uncertainty of friction and of the squeeze, for the safe amount.
     pub(super) lower: [f64; 2],
@@ -39,7 +41,7 @@ pub(super) enum Sought<const C: usize> {
 
 impl<const C: usize> Need<C> {
     fn of(sought: Sought<C>) -> Self {
-        Self { sought, demand: Demand::Sticks, lower: [0.1, 0.05], scan: 16 }
+        Self { sought, base: Wrench::ZERO, demand: Demand::Sticks, lower: [0.1, 0.05], scan: 16 }
     }
 
     /// The least squeeze for these loads: all commands in proportion, those of joints and torques that hold joints by force included.
@@ -92,6 +94,26 @@ impl<const C: usize> Need<C> {
     #[must_use]
     pub fn angle(turn: Turn<C>) -> Self {
         Self::of(Sought::Angle { turn })
+    }
+
+    /// This need on top of a load that is there at rest, whatever the amount: the weight of the object, when a push is sought.
+    ///
+    /// ```
+    /// use grasp_lcp::need::Need;
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // Two jaws that hold 10 N carry 6 N. How much more along the same line?
+    /// let jaw = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).pressed_with(10.0);
+    /// let gripper = Grasp::new([jaw(-0.03), jaw(0.03)])?;
+    /// let [weight, push] = [6.0, 1.0].map(|newtons| Wrench::force([0.0, -newtons]));
+    /// let most = gripper.need(&Need::load(push).on_top_of(weight))?.amount.bound().expect("4 N");
+    /// assert!((most - 4.0).abs() < 1e-11);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[must_use]
+    pub fn on_top_of(mut self, base: Wrench<C>) -> Self {
+        self.base = base;
+        self
     }
 
     /// This need where contacts may slide, as long as the object is not lost.

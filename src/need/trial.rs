@@ -38,6 +38,8 @@ pub(super) fn try_amount<const C: usize>(
 pub(super) struct Loading<const C: usize> {
     pub(super) grasp: Grasp<C>,
     pub(super) loads: Loads<C>,
+    /// What acts besides, not so many times as large.
+    pub(super) base: Wrench<C>,
     pub(super) times: f64,
 }
 
@@ -52,43 +54,49 @@ impl<const C: usize> Loading<C> {
         };
         let given = |_: usize, mu: f64| mu;
         Ok(match &need.sought {
-            Sought::Squeeze { loads } => {
-                Self { grasp: changed(squeeze * amount, &given)?, loads: loads.clone(), times: 1.0 }
-            }
+            Sought::Squeeze { loads } => Self {
+                grasp: changed(squeeze * amount, &given)?,
+                loads: loads.clone(),
+                base: need.base,
+                times: 1.0,
+            },
             Sought::Friction { loads, contacts } => {
                 let is_meant =
                     |i: usize, mu: f64| contacts.as_ref().map_or(mu > 0.0, |those| those.contains(&i));
                 let with = |i: usize, mu: f64| if is_meant(i, mu) { amount } else { mu };
-                Self { grasp: changed(squeeze, &with)?, loads: loads.clone(), times: 1.0 }
+                Self { grasp: changed(squeeze, &with)?, loads: loads.clone(), base: need.base, times: 1.0 }
             }
-            Sought::Load { loads } => {
-                Self { grasp: changed(squeeze, &given)?, loads: loads.clone(), times: amount }
-            }
+            Sought::Load { loads } => Self {
+                grasp: changed(squeeze, &given)?,
+                loads: loads.clone(),
+                base: need.base,
+                times: amount,
+            },
             Sought::Arm { at, per_metre } => {
                 let loads = Loads::from(*at + *per_metre * amount);
-                Self { grasp: changed(squeeze, &given)?, loads, times: 1.0 }
+                Self { grasp: changed(squeeze, &given)?, loads, base: need.base, times: 1.0 }
             }
             Sought::Angle { turn } => {
                 let loads = Loads::Turn(turn.up_to(amount));
-                Self { grasp: changed(squeeze, &given)?, loads, times: 1.0 }
+                Self { grasp: changed(squeeze, &given)?, loads, base: need.base, times: 1.0 }
             }
         })
     }
 
     fn put_on(&self, demand: Demand) -> Result<Trial, Error> {
-        let times = self.times;
+        let (besides, times) = (self.base, self.times);
         match &self.loads {
             Loads::Each(loads) => {
-                let ramps = loads.iter().map(|load| Ramp::from(*load * times));
+                let ramps = loads.iter().map(|load| Ramp::load(besides, *load * times));
                 self.all(ramps, demand)
             }
             Loads::AnyForce { base, size, point } => {
-                let trial = self.any_force(&(*base * times), *size * times, *point)?;
+                let trial = self.any_force(&(besides + *base * times), *size * times, *point)?;
                 match (demand, trial) {
                     (Demand::Held, Trial::DoesNot(_) | Trial::Unknown(_)) => {
                         let forces = directions::<C>().into_iter().map(|d| {
                             let force = force_at(d.map(|x| x * *size * times), *point);
-                            Ramp::load(*base * times, force)
+                            Ramp::load(besides + *base * times, force)
                         });
                         self.all(forces, demand)
                     }
@@ -99,10 +107,10 @@ impl<const C: usize> Loading<C> {
         }
     }
 
-    /// A turn of loads so many times as large.
+    /// A turn of loads so many times as large, beside what acts anyway.
     pub(super) fn so_many(&self, turn: &Turn<C>) -> Turn<C> {
         let [constant, cosine, sine] = turn.parts().map(|part| part * self.times);
-        Turn::new(constant, cosine, sine).up_to(turn.angle())
+        Turn::new(self.base + constant, cosine, sine).up_to(turn.angle())
     }
 
     fn all(&self, ramps: impl Iterator<Item = Ramp<C>>, demand: Demand) -> Result<Trial, Error> {

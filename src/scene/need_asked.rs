@@ -38,6 +38,9 @@ pub struct NeedAsked<const C: usize> {
     /// What is to be kept: nothing slides unless said otherwise.
     #[serde(default)]
     pub demand: Demand,
+    /// What acts besides, whatever the amount.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub base: Option<Wrench<C>>,
     /// A load; of an arm the force where it hangs now.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub load: Option<Wrench<C>>,
@@ -87,6 +90,7 @@ impl<const C: usize> NeedAsked<C> {
         Self {
             quantity,
             demand: Demand::Sticks,
+            base: None,
             load: None,
             loads: Vec::new(),
             any_force: None,
@@ -119,7 +123,7 @@ impl<const C: usize> NeedAsked<C> {
 impl<const C: usize> NeedAsked<C> {
     /// Whether nothing but the grasp's own squeeze acts before the loads are put on: a weight that turns is there from the first.
     pub(super) fn begins_without_load(&self) -> bool {
-        self.turn.is_none_or(|turn| turn.load_at(0.0) == Wrench::ZERO)
+        self.base.is_none() && self.turn.is_none_or(|turn| turn.load_at(0.0) == Wrench::ZERO)
     }
 
     /// The loads that are given as such.
@@ -180,7 +184,9 @@ impl<const C: usize> Setup<C> {
                 Need::angle(asked.turn.ok_or_else(|| wrong("turn", missing))?)
             }
         };
-        let need = need.if_lower_by(asked.friction_less, asked.squeeze_less);
+        let need = need
+            .on_top_of(asked.base.unwrap_or(Wrench::ZERO))
+            .if_lower_by(asked.friction_less, asked.squeeze_less);
         need.check()?;
         Ok(if asked.demand == Demand::Held { need.to_hold() } else { need })
     }

@@ -26,7 +26,7 @@ pub enum Question<const C: usize> {
         load: Wrench<C>,
     },
     /// How much does it need? See [`Grasp::need`](crate::ask::Grasp::need).
-    Need(NeedAsked<C>),
+    Need(Box<NeedAsked<C>>),
     /// The equilibrium under a load; see [`Grasp::solve`](crate::ask::Grasp::solve).
     Solve {
         /// The load; none unless said otherwise.

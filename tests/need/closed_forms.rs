@@ -8,7 +8,7 @@ type Tested = Result<(), grasp_lcp::Error>;
 fn is(need: &Need<2>, grasp: &Grasp, amount: f64) -> Tested {
     let needed = grasp.need(need)?;
     let found = needed.amount.bound();
-    assert!(found.is_some_and(|found| (found / amount - 1.0).abs() < 1e-11), "{amount}: {needed}");
+    assert!(found.is_some_and(|found| (found / amount - 1.0).abs() < 1e-11), "{amount}: {found:?}, {needed}");
     Ok(())
 }
 
@@ -132,11 +132,36 @@ fn what_cannot_be_meant_is_refused() {
     let refused =
         |need: Need<2>| pinch().and_then(|pinch| pinch.need(&need)).map(drop).unwrap_err().to_string();
     let lower = |part: f64| refused(Need::squeeze(weight).if_lower_by(part, 0.0));
-    assert_eq!(lower(1.0), "part by which friction is less is 1, must be from 0 to less than 1");
-    assert_eq!(lower(f64::NAN), "part by which friction is less is NaN, must be from 0 to less than 1");
+    assert_eq!(
+        lower(1.0),
+        "part by which friction is less is 1, must be from 0 to less than 1: 0.1 is ten percent"
+    );
+    assert_eq!(
+        lower(f64::NAN),
+        "part by which friction is less is NaN, must be from 0 to less than 1: 0.1 is ten percent"
+    );
     assert_eq!(
         refused(Need::friction_of([2], weight)),
         "number of the contact is 2, must be less than the number of contacts"
     );
     assert!(refused(Need::load(Loads::Each(Vec::new()))).starts_with("number of loads"));
+}
+
+/// A steady pull of 1.5 N beside 8 N that tilt by θ: a jaw presses with 10 − 4 sin θ and carries half of 8 cos θ + 1.5, so that `8 cos θ + 4 sin θ = 8.5` where it slides.
+#[test]
+fn an_angle_on_top_of_a_steady_pull() -> Tested {
+    let tilted = Need::angle(Turn::tilting([0.0, -8.0], [0.0, 0.0])).on_top_of(Wrench::force([0.0, -1.5]));
+    let (angle, known) =
+        (pinch()?.need(&tilted)?.amount.bound(), 0.5_f64.atan() - (8.5 / 80.0_f64.sqrt()).acos());
+    assert!(angle.is_some_and(|angle| (angle - known).abs() < 1e-11), "{angle:?} {known}");
+    Ok(())
+}
+
+/// What is there at rest leaves less for the push: `sqrt((w + p)²) <= 2 μ N`, down the same line, of any direction, and out along an arm.
+#[test]
+fn a_push_on_top_of_a_weight() -> Tested {
+    let (pinch, weight) = (pinch()?, Wrench::force([0.0, -6.0]));
+    is(&Need::load(Wrench::force([0.0, -1.0])).on_top_of(weight), &pinch, 4.0)?;
+    is(&Need::squeeze(Wrench::force([0.0, -9.0])).on_top_of(weight), &pinch, 1.5)?;
+    is(&Need::friction(Wrench::force([0.0, -9.0])).on_top_of(weight), &pinch, 0.75)
 }

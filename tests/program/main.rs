@@ -1,8 +1,8 @@
 //! The program `grasp-lcp` as a user calls it: answers, messages and exit codes.
 
 mod answers;
-mod everyday;
 mod drawings;
+mod everyday;
 mod mistakes;
 mod new;
 mod readme;

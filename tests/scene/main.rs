@@ -14,7 +14,6 @@ mod soft_still;
 mod spatial_page;
 mod spatial_still;
 mod suction;
-mod svg;
 mod turn_charts;
 mod turn_messages;
 mod turns;

@@ -266,6 +266,7 @@ class Grasp:
         quantity: str,
         load: ArrayLike | Mapping[str, Any] | None = None,
         *,
+        base: ArrayLike | Mapping[str, Any] | None = None,
         loads: Sequence[ArrayLike | Mapping[str, Any]] | None = None,
         any_force: float | None = None,
         at: ArrayLike | None = None,
@@ -279,6 +280,7 @@ class Grasp:
 
         :param quantity: what is sought.
         :param load: the load; beside ``any_force`` what acts besides.
+        :param base: what is there at rest, whatever the amount; none unless said otherwise.
         :param loads: loads, one at a time, in place of it.
         :param any_force: a force of this size and any direction, N, that acts at ``at``.
         :param per_metre: of an arm, what a metre more adds to the load.
@@ -287,7 +289,7 @@ class Grasp:
         :param friction_less, squeeze_less: parts by which friction and squeeze may be less, for the safe amount.
         """
         asked: dict[str, Any] = {"quantity": quantity, "friction_less": friction_less, "squeeze_less": squeeze_less}
-        for name, wrench_given in (("load", load), ("per_metre", per_metre)):
+        for name, wrench_given in (("base", base), ("load", load), ("per_metre", per_metre)):
             if wrench_given is not None:
                 asked[name] = wrench_json(name, wrench_given, self.axes)
         if loads is not None:

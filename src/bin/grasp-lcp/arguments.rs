@@ -94,6 +94,9 @@ pub(crate) enum Command {
         /// The centre of mass, m; the origin if left out.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         at: Option<Numbers>,
+        /// A force that does not turn, N, where the weight acts.
+        #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
+        base: Option<Numbers>,
         /// In space the axis about which the grasp is tilted.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y,Z")]
         axis: Option<Numbers>,
@@ -105,6 +108,9 @@ pub(crate) enum Command {
         /// A force that the load goes to, N, one for each leg.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         to: Vec<Numbers>,
+        /// The force at the start, N; none if left out.
+        #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
+        from: Option<Numbers>,
         /// Where the forces act, m; the origin if left out.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         at: Option<Numbers>,
@@ -210,6 +216,9 @@ pub(crate) struct Wanted {
     pub(crate) quantity: Option<QuantityAsked>,
     #[command(flatten)]
     pub(crate) load: LoadArguments,
+    /// A force that is there whatever the amount, N, where the load acts.
+    #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
+    pub(crate) base: Option<Numbers>,
     /// A force of this size and any direction beside the load, N.
     #[arg(long, allow_hyphen_values = true, value_parser = newtons, value_name = "N")]
     pub(crate) any_force: Option<f64>,

@@ -25,8 +25,8 @@ pub(crate) enum Asked {
     Need(Wanted),
     Solve(LoadArguments),
     Onset(LoadArguments),
-    Turn { weight: Option<Numbers>, at: Option<Numbers>, axis: Option<Numbers> },
-    Follow { to: Vec<Numbers>, at: Option<Numbers> },
+    Turn { weight: Option<Numbers>, at: Option<Numbers>, base: Option<Numbers>, axis: Option<Numbers> },
+    Follow { to: Vec<Numbers>, from: Option<Numbers>, at: Option<Numbers> },
 }
 
 /// Asks and prints. The code says whether everything is decided.
@@ -81,16 +81,17 @@ struct Words<const C: usize> {
 fn put<const C: usize>(setup: &mut Setup<C>, asked: &Asked, words: &Words<C>) -> Result<(), Failure> {
     let question = match asked {
         Asked::Hold { load, base } => words.hold(load, base.as_ref())?,
-        Asked::Need(wanted) => words.need(wanted, setup)?.map(Question::Need),
-        Asked::Everything | Asked::Turn { weight: None, at: None, axis: None } => None,
+        Asked::Need(wanted) => words.need(wanted, setup)?.map(|asked| Question::Need(Box::new(asked))),
+        Asked::Everything | Asked::Turn { weight: None, at: None, base: None, axis: None } => None,
         Asked::Solve(load) => words.wrench(load)?.map(|load| Question::Solve { load }),
         Asked::Onset(load) => words.wrench(load)?.map(|load| Question::Onset(RampAsked::along(load))),
-        Asked::Turn { weight: Some(weight), at, axis } => {
+        Asked::Turn { weight: Some(weight), at, base, axis } => {
             let weight = weight.array("weight").map_err(Failure::Usage)?;
-            Some(Question::OnsetOfTurn((words.turn)(weight, at.as_ref(), axis.as_ref())?))
+            let turn = (words.turn)(weight, at.as_ref(), axis.as_ref())?;
+            Some(Question::OnsetOfTurn(turn.beside(words.base(base.as_ref(), at.as_ref())?)))
         }
         Asked::Turn { weight: None, .. } => return Err(Failure::Usage("--weight is missing".to_owned())),
-        Asked::Follow { to, at } => words.follow(to, at.as_ref())?,
+        Asked::Follow { to, from, at } => words.follow(to, from.as_ref(), at.as_ref())?,
     };
     match question {
         Some(question) => setup.questions = vec![question],
@@ -154,7 +155,7 @@ impl<const C: usize> Words<C> {
 
     /// Does it hold?
     fn hold(&self, load: &LoadArguments, base: Option<&Numbers>) -> Result<Option<Question<C>>, Failure> {
-        let base = base.map_or(Ok(Wrench::ZERO), |base| self.push(base, "base", load.at.as_ref()))?;
+        let base = self.base(base, load.at.as_ref())?;
         Ok(self.wrench(load)?.map(|load| Question::Hold { base, load }))
     }
 
@@ -183,6 +184,9 @@ impl<const C: usize> Words<C> {
         if wanted.any_force.is_some() && matches!(sought, QuantityAsked::Arm | QuantityAsked::Angle) {
             let message = "--any-force: given, must be left out where an arm or an angle is sought";
             return Err(Failure::Usage(message.to_owned()));
+        }
+        if wanted.base.is_some() {
+            asked.base = Some(self.base(wanted.base.as_ref(), wanted.load.at.as_ref())?);
         }
         if wanted.may_slide {
             asked.demand = Demand::Held;
@@ -240,13 +244,25 @@ impl<const C: usize> Words<C> {
         Ok((self.force_at)(force, point(at)?))
     }
 
-    fn follow(&self, to: &[Numbers], at: Option<&Numbers>) -> Result<Option<Question<C>>, Failure> {
+    /// What acts besides, nothing if left out.
+    fn base(&self, base: Option<&Numbers>, at: Option<&Numbers>) -> Result<Wrench<C>, Failure> {
+        base.map_or(Ok(Wrench::ZERO), |base| self.push(base, "base", at))
+    }
+
+    fn follow(
+        &self,
+        to: &[Numbers],
+        from: Option<&Numbers>,
+        at: Option<&Numbers>,
+    ) -> Result<Option<Question<C>>, Failure> {
         if to.is_empty() {
-            return Ok(None);
+            let missing = from.map_or(Ok(None), |_| Err(Failure::Usage("--from without --to".to_owned())));
+            return missing;
         }
+        let start = from.map_or(Ok(Wrench::ZERO), |from| self.push(from, "from", at))?;
         let leg = |force| self.push(force, "to", at).map(|load| LegAsked::new(Some(Goal::To(load)), None));
         let legs = to.iter().map(leg).collect::<Result<_, _>>()?;
-        Ok(Some(Question::Follow { start: Wrench::ZERO, legs }))
+        Ok(Some(Question::Follow { start, legs }))
     }
 }
 

@@ -48,10 +48,12 @@ fn run(command: Command) -> Result<ExitCode, Failure> {
         Command::Need { ask, wanted } => return asking::ask(&ask, &Asked::Need(wanted)),
         Command::Solve { load, ask } => return asking::ask(&ask, &Asked::Solve(load)),
         Command::Onset { load, ask } => return asking::ask(&ask, &Asked::Onset(load)),
-        Command::Turn { weight, at, axis, ask } => {
-            return asking::ask(&ask, &Asked::Turn { weight, at, axis });
+        Command::Turn { weight, at, base, axis, ask } => {
+            return asking::ask(&ask, &Asked::Turn { weight, at, base, axis });
         }
-        Command::Follow { to, at, ask } => return asking::ask(&ask, &Asked::Follow { to, at }),
+        Command::Follow { to, from, at, ask } => {
+            return asking::ask(&ask, &Asked::Follow { to, from, at });
+        }
         Command::Map { scene, at, unsure, json, output } => {
             let pictures = Pictures::new(&output, &scene);
             map::map(&files::read(&scene)?, at.as_ref(), &unsure, (!json).then_some(&pictures))?;
