@@ -35,7 +35,7 @@ fn verdicts(grasp: &Grasp, load: Wrench) -> Result<[Option<bool>; 2], grasp_lcp:
 #[test]
 fn a_billionth_decides() -> Result<(), grasp_lcp::Error> {
     let mut random = Random(17);
-    let mut bounds = 0;
+    let (mut bounds, mut blurred) = (0, 0);
     for _ in 0..1000 {
         let (grasp, load) = scene(&mut random)?;
         for demand in 0..2 {
@@ -54,12 +54,14 @@ fn a_billionth_decides() -> Result<(), grasp_lcp::Error> {
             for (need, tried, more) in sought {
                 let Amount::Bound { does, does_not, .. } = grasp.need(&aimed(need))?.amount else { continue };
                 bounds += 1;
-                assert!((does - does_not).abs() <= 1e-12 * does, "{does} {does_not}");
+                // Where the bound itself is not decided, what does not is looked for a little beyond.
+                blurred += usize::from((does - does_not).abs() > 1e-12 * does);
+                assert!((does - does_not).abs() <= 1e-9 * does, "{does} {does_not}");
                 assert_eq!(tried(does * (1.0 + more * 1e-9))?[demand], Some(true), "{does}");
                 assert_eq!(tried(does * (1.0 - more * 1e-9))?[demand], Some(false), "{does}");
             }
         }
     }
-    assert!(bounds > 2500, "{bounds}");
+    assert!(bounds > 2500 && blurred < bounds / 50, "{blurred} of {bounds}");
     Ok(())
 }
