@@ -65,6 +65,11 @@ impl<const C: usize> Setup<C> {
         self.questions.iter().map(|question| self.brief(&grasp, &labels, question)).collect()
     }
 
+    /// The answer of a grasp to one question in short.
+    pub(super) fn brief_answer(&self, grasp: &Grasp<C>, question: &Question<C>) -> Result<Brief, Error> {
+        self.brief(grasp, &self.labels()?, question)
+    }
+
     fn brief(&self, grasp: &Grasp<C>, labels: &SceneNames, question: &Question<C>) -> Result<Brief, Error> {
         Ok(match question {
             Question::Hold { base, load } => held_briefly(&grasp.hold(Ramp::load(*base, *load))?),

@@ -29,6 +29,8 @@ pub struct Fingertip<const C: usize> {
     pub soft: Option<Tip>,
     /// The suction cup that it is, in place of a soft fingertip.
     pub cup: Option<Cup>,
+    /// No stiffness was given: a default takes its place, see [`Setup::stiffness_left_out`](super::Setup::stiffness_left_out).
+    pub no_stiffness: bool,
     /// For the reader of the file.
     pub comment: Option<String>,
     /// Which joints of its finger move it, and how.
@@ -51,7 +53,14 @@ pub enum MovedBy {
 
 impl<const C: usize> From<Contact<C>> for Fingertip<C> {
     fn from(contact: Contact<C>) -> Self {
-        Self { contact, soft: None, cup: None, comment: None, moved_by: MovedBy::LastLink }
+        Self {
+            contact,
+            soft: None,
+            cup: None,
+            no_stiffness: false,
+            comment: None,
+            moved_by: MovedBy::LastLink,
+        }
     }
 }
 

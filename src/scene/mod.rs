@@ -40,7 +40,7 @@
 //! | `tangent` | direction of the first tangent | | chosen from the normal |
 //! | `body_stiffness` | the object's springs: `[normal, tangential]`, in space also `[normal, first tangent, second tangent]`; `"rigid"` for one of them or for all | N/m | rigid, if the finger is not |
 //! | `finger_stiffness` | the finger's springs, in the same ways | N/m | rigid, if the body is not |
-//! | `series_stiffness` | both in series, in place of the two | N/m | not used |
+//! | `series_stiffness` or `stiffness` | both in series, in place of the two; one number for all directions | N/m | 1e4 in all directions if there is none at all; [`Setup::stiffness_left_out`] says whether an answer depends on that |
 //! | `friction` | coefficient μ, or `"infinite"` | | 0 |
 //! | `command` | displacement of the finger's core in the contact frame, normal part first | m | 0 |
 //! | `command_world` | the same displacement along the coordinate axes, in place of `command` | m | not used |
@@ -271,6 +271,7 @@ mod given_answers;
 mod held;
 mod joint;
 mod labels;
+mod left_out;
 mod matrix;
 mod motion;
 mod need_asked;

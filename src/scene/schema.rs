@@ -211,8 +211,8 @@ impl<const C: usize> JsonSchema for Springs<C> {
     }
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        // A word alone is all of them; two numbers are normal and tangential.
-        json_schema!({ "anyOf": [{ "const": "rigid" }, { "const": ["rigid"] }, list::<SpringStiffness>(2, C)] })
+        // One alone is all of them; two numbers are normal and tangential.
+        json_schema!({ "anyOf": [number::<SpringStiffness>(), list::<SpringStiffness>(1, C)] })
     }
 }
 

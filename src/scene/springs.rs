@@ -6,7 +6,7 @@ use serde::ser::{Serialize, Serializer};
 
 use crate::serial::{Few, SpringStiffness};
 
-/// Stiffness: normal and tangential, one for each axis, or "rigid" for all.
+/// Stiffness: one for all directions, normal and tangential, or one for each axis.
 pub(super) struct Springs<const C: usize>(pub(super) SVector<f64, C>);
 
 impl<const C: usize> Serialize for Springs<C> {
@@ -18,13 +18,13 @@ impl<const C: usize> Serialize for Springs<C> {
 impl<'de, const C: usize> Deserialize<'de> for Springs<C> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         match *Few::<SpringStiffness, 3>::deserialize(deserializer)?.as_slice() {
-            [all] if all == f64::INFINITY => Ok(Self(SVector::repeat(all))),
+            [all] => Ok(Self(SVector::repeat(all))),
             [n, t] => Ok(Self(SVector::from_fn(|a, _| if a == 0 { n } else { t }))),
             ref axes if axes.len() == C => Ok(Self(SVector::from_column_slice(axes))),
             ref other => {
                 let or_axes = if C == 3 { " or 3 (normal, two tangential)" } else { "" };
                 let message = format!(
-                    "{} given, must be 2 (normal, tangential){or_axes}, each a number or \"rigid\"; or \"rigid\" alone",
+                    "{} given, must be one for all directions, or 2 (normal, tangential){or_axes}, each a number or \"rigid\"",
                     other.len()
                 );
                 Err(D::Error::custom(message))

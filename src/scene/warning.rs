@@ -51,6 +51,17 @@ pub enum Warning {
         /// The name.
         name: String,
     },
+    /// Contacts have no stiffness, and answers depend on what was taken in its place.
+    StiffnessLeftOut {
+        /// The contacts of the scene, from 0.
+        contacts: Vec<usize>,
+        /// How messages call them.
+        names: Vec<String>,
+        /// What was taken for all directions, N/m.
+        stiffness: f64,
+        /// The questions whose answers depend on it, from 0.
+        questions: Vec<usize>,
+    },
     /// The outline says that a normal points out of the object.
     PointsOut {
         /// The contact of the scene, from 0.
@@ -75,6 +86,17 @@ impl fmt::Display for Warning {
             Self::SameName { contacts, name } => {
                 let numbers: Vec<_> = contacts.iter().map(|contact| format!("contact {contact}")).collect();
                 write!(f, "{} are called {name}: answers do not tell which is meant", listed(&numbers))
+            }
+            Self::StiffnessLeftOut { names, stiffness, questions, .. } => {
+                let have = if names.len() == 1 { "has" } else { "have" };
+                let numbers: Vec<_> = questions.iter().map(|question| format!("question {question}")).collect();
+                write!(
+                    f,
+                    "{} {have} no stiffness, and it is taken that each gives way by {} N/m in all directions: the answer to {} depends on it; say `stiffness`",
+                    listed(names),
+                    number(*stiffness),
+                    listed(&numbers)
+                )
             }
             Self::PointsOut { name, .. } => write!(
                 f,
@@ -110,6 +132,7 @@ impl<const C: usize> Setup<C> {
         }
         warnings.extend(self.presses_otherwise(&grasp)?);
         warnings.extend(self.same_names());
+        warnings.extend(self.stiffness_left_out()?);
         for (contact, entry) in self.entries().enumerate() {
             let (point, normal) = (entry.contact.point(), entry.contact.normal);
             if points_out(&self.outline, &point, &normal) {

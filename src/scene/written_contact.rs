@@ -43,7 +43,7 @@ struct Written<const C: usize> {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     finger_stiffness: Option<Springs<C>>,
     /// Both in series, N/m, in place of the two.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, alias = "stiffness", skip_serializing_if = "Option::is_none")]
     series_stiffness: Option<Springs<C>>,
     /// Coefficient of friction; 0 if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -98,6 +98,7 @@ impl<const C: usize> Serialize for Fingertip<C> {
         let rigid = |k: &SVector<f64, C>| k.iter().all(|k| *k == f64::INFINITY);
         let unless_rigid = |k: &SVector<f64, C>| (!rigid(k)).then_some(Springs(*k));
         let (body, finger, series) = match &contact.stiffness {
+            _ if self.no_stiffness => (None, None, None),
             Stiffness::BodyAndFinger { body, finger } => (unless_rigid(body), unless_rigid(finger), None),
             Stiffness::Series(k) => (None, None, unless_rigid(k)),
         };
@@ -143,9 +144,9 @@ impl<'de, const C: usize> Deserialize<'de> for Fingertip<C> {
             if written.moved_by.is_some() {
                 return Err("moved_by: of the contacts of a finger alone".to_owned());
             }
-            let missing = || format!("{}{NO_STIFFNESS}", named(written.name.as_deref()));
-            let stiffness = written.stiffness()?.ok_or_else(missing)?;
-            let entry = Self::of_written(written, stiffness)?;
+            let stiffness = written.stiffness()?;
+            let entry = Self::of_written(written, stiffness.unwrap_or_default())?;
+            let entry = if stiffness.is_some() { entry } else { entry.without_stiffness() };
             entry.checked(true)
         })
     }
@@ -217,7 +218,7 @@ impl<const C: usize> Fingertip<C> {
             Some(WrittenMover::Link(joints)) => MovedBy::Link(joints),
             Some(WrittenMover::Jacobian(rows)) => MovedBy::Jacobian(rows.matrix("jacobian")?),
         };
-        Ok(Self { contact, soft: written.soft, cup, comment: written.comment, moved_by })
+        Ok(Self { contact, soft: written.soft, cup, no_stiffness: false, comment: written.comment, moved_by })
     }
 
     /// Refuses what no grasp would take. Springs that a finger's compliance stands for are judged with the finger.
@@ -243,8 +244,6 @@ impl<const C: usize> Fingertip<C> {
 fn named(name: Option<&str>) -> String {
     name.map_or(String::new(), |name| format!("{name}: "))
 }
-
-const NO_STIFFNESS: &str = "no stiffness: give body_stiffness, finger_stiffness or both, or series_stiffness";
 
 impl<const C: usize> Written<C> {
     /// The springs, if any are given.

@@ -13,6 +13,7 @@ mod planar_still;
 mod soft_still;
 mod spatial_page;
 mod spatial_still;
+mod stiffness_left_out;
 mod suction;
 mod turn_charts;
 mod turn_messages;

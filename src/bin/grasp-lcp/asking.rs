@@ -42,6 +42,13 @@ pub(crate) fn ask(ask: &Ask, asked: &Asked) -> Result<ExitCode, Failure> {
             put(setup, asked, &Words { force_at: spatial::Wrench::force_at, moment, turn: spatial_turn })?;
         }
     }
+    let left_out = match &scene.space {
+        Space::Planar(setup) => setup.stiffness_left_out(),
+        Space::Spatial(setup) => setup.stiffness_left_out(),
+    };
+    if let Some(warning) = left_out.map_err(|error| files::refused(&ask.scene, &error))? {
+        files::warn(&ask.scene, &warning);
+    }
     let answers = scene.answers().map_err(|error| files::refused(&ask.scene, &error))?;
     let mut out = io::stdout().lock();
     if ask.json {

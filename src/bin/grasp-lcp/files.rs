@@ -4,7 +4,7 @@ use std::fs;
 use std::io::{self, Read, Write};
 use std::path::Path;
 
-use grasp_lcp::scene::Scene;
+use grasp_lcp::scene::{Scene, Warning};
 
 use crate::arguments::Output;
 use crate::failure::Failure;
@@ -21,8 +21,9 @@ pub(crate) fn read(path: &Path) -> Result<Scene, Failure> {
     let text = text.map_err(|error| Failure::Files(format!("{name}: {error}")))?;
     let scene = Scene::from_json(&text).map_err(|fault| Failure::Scene(format!("{name}: {fault}")))?;
     let warnings = scene.warnings().map_err(|error| refused(path, &error))?;
-    for warning in warnings {
-        eprintln!("warning: {name}: {warning}");
+    // Of a stiffness that is left out it is told once it is known what is asked.
+    for warning in warnings.iter().filter(|warning| !matches!(warning, Warning::StiffnessLeftOut { .. })) {
+        warn(path, warning);
     }
     Ok(scene)
 }
@@ -30,6 +31,11 @@ pub(crate) fn read(path: &Path) -> Result<Scene, Failure> {
 /// What messages call a scene.
 fn name(path: &Path) -> String {
     if path == Path::new("-") { "standard input".to_owned() } else { path.display().to_string() }
+}
+
+/// A word of warning about a scene.
+pub(crate) fn warn(path: &Path, warning: &Warning) {
+    eprintln!("warning: {}: {warning}", name(path));
 }
 
 /// A scene that is refused as it is asked.

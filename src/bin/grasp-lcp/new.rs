@@ -43,7 +43,8 @@ What stands in the scenes:
   name               what answers and messages call it
   point              where it touches, m
   normal             the direction into the object, the way the finger pushes; its length does not count
-  series_stiffness   [normal, tangential], N/m: how finger and object give way there
+  series_stiffness   [normal, tangential], N/m: how finger and object give way there; or one number for all directions,
+                     or nothing: a warning says where the answer depends on what is then taken
   friction           the coefficient of friction μ; 0 if left out
   pressed_with       the squeeze, N: the contact's spring is wound up so far, and the object gives way until forces
                      agree; a warning says where a contact then presses with something else

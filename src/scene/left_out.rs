@@ -1,0 +1,114 @@
+//! Stiffness that a scene leaves out: a default takes its place, and whether answers depend on that is tried.
+
+use super::fingertip::Fingertip;
+use super::question::Question;
+use super::setup::Setup;
+use super::warning::Warning;
+use crate::ask::Grasp;
+use crate::equilibrium::{ContactAnswer, Outcome};
+use crate::error::Error;
+use crate::load_path::Ramp;
+
+/// What a contact without a stiffness has, N/m, in all directions.
+pub(super) const DEFAULT_STIFFNESS: f64 = 1e4;
+
+/// Answers that differ by less than this part are the same.
+const SAME: f64 = 1e-6;
+
+/// Each stiffness that was left out is tried this many times as large or as small, one and all of its directions differently.
+const RANGE: f64 = 10.0;
+
+impl<const C: usize> Setup<C> {
+    /// Tells of contacts without a stiffness if an answer depends on it: springs between a tenth and ten times the default, different for each contact and
+    /// direction, are tried in their place. Motions always depend on it, and are told of where they are asked for.
+    ///
+    /// # Errors
+    /// As for [`Self::answers`].
+    pub fn stiffness_left_out(&self) -> Result<Option<Warning>, Error> {
+        let who = self.entries().enumerate().filter(|(_, entry)| entry.no_stiffness);
+        let (contacts, names): (Vec<_>, Vec<_>) =
+            who.map(|(i, entry)| (i, entry.contact.label_text(i))).unzip();
+        if contacts.is_empty() || self.questions.is_empty() {
+            return Ok(None);
+        }
+        let told = self.grasp()?;
+        let others = [1, 2].map(|trial| self.with_springs(trial).grasp());
+        let mut questions = Vec::new();
+        for (number, question) in self.questions.iter().enumerate() {
+            let figures = self.figures(&told, question)?;
+            let mut depends = matches!(question, Question::Solve { .. });
+            for other in &others {
+                depends |= !same(&figures, &self.figures(other.as_ref().map_err(Clone::clone)?, question)?);
+            }
+            if depends {
+                questions.push(number);
+            }
+        }
+        let warning = Warning::StiffnessLeftOut { contacts, names, stiffness: DEFAULT_STIFFNESS, questions };
+        let depends =
+            matches!(&warning, Warning::StiffnessLeftOut { questions, .. } if !questions.is_empty());
+        Ok(depends.then_some(warning))
+    }
+
+    /// With other springs where they were left out.
+    fn with_springs(&self, trial: usize) -> Self {
+        let mut setup = self.clone();
+        let fingers = setup.fingers.iter_mut().flat_map(|finger| &mut finger.contacts);
+        for (index, entry) in setup.contacts.iter_mut().chain(fingers).enumerate() {
+            if entry.no_stiffness {
+                // Parts of the golden ratio fall everywhere, and nowhere twice.
+                let part =
+                    |axis: usize| (0.618_033_988_749_895 * (trial + 2 * (C * index + axis)) as f64).fract();
+                let springs = std::array::from_fn::<_, C, _>(|axis| {
+                    DEFAULT_STIFFNESS * RANGE.powf(2.0 * part(axis) - 1.0)
+                });
+                entry.contact = entry.contact.clone().series_stiffness_axes(springs);
+            }
+        }
+        setup
+    }
+
+    /// What is told of an answer, in numbers.
+    fn figures(&self, grasp: &Grasp<C>, question: &Question<C>) -> Result<Vec<f64>, Error> {
+        let known = |answer: Option<bool>| answer.map_or(2.0, f64::from);
+        match question {
+            Question::Hold { base, load } => {
+                let verdict = grasp.hold(Ramp::load(*base, *load))?;
+                let (first, lost) = (verdict.first_slip.as_ref(), verdict.lost.as_ref());
+                // Of a load that is lost the first slip is not told.
+                let first = first.filter(|_| verdict.holds() == Some(true));
+                let factors = [first.map(|first| first.factor), lost.map(|lost| lost.factor)];
+                let factors = factors.map(|factor| factor.unwrap_or(f64::INFINITY));
+                Ok([known(verdict.holds()), known(verdict.sticks())].into_iter().chain(factors).collect())
+            }
+            Question::Need(asked) => {
+                Ok(vec![grasp.need(&self.need(asked)?)?.amount.bound().unwrap_or(f64::INFINITY)])
+            }
+            Question::Solve { load } => Ok(match grasp.solve(load)? {
+                Outcome::Equilibrium(state) => {
+                    state.contacts.iter().map(ContactAnswer::normal_force).collect()
+                }
+                _ => Vec::new(),
+            }),
+            Question::Onset(_) | Question::OnsetOfTurn(_) | Question::Follow { .. } => {
+                let brief = self.brief_answer(grasp, question)?;
+                let place = [brief.factor, brief.angle, brief.fraction, brief.leg.map(|leg| leg as f64)];
+                Ok(place.map(|number| number.unwrap_or(f64::INFINITY)).to_vec())
+            }
+        }
+    }
+}
+
+impl<const C: usize> Fingertip<C> {
+    /// This contact with the default in place of a stiffness.
+    pub(super) fn without_stiffness(mut self) -> Self {
+        self.contact = self.contact.series_stiffness_axes([DEFAULT_STIFFNESS; C]);
+        self.no_stiffness = true;
+        self
+    }
+}
+
+fn same(one: &[f64], other: &[f64]) -> bool {
+    let close = |(a, b): (&f64, &f64)| a == b || (a - b).abs() <= SAME * a.abs().max(b.abs());
+    one.len() == other.len() && one.iter().zip(other).all(close)
+}

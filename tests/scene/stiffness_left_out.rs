@@ -1,0 +1,67 @@
+//! Scenes that leave a stiffness out, or give one number for all directions: what is taken, and when it is told.
+
+use grasp_lcp::scene::{Fingertip, Scene, Space, Warning};
+use serde_json::{Value, json};
+
+/// Two feet on a table, pushed at a height: contacts, and what is asked.
+fn scene(stiffness: &[Value; 2], question: &Value) -> Scene {
+    let foot = |x: f64, stiffness: &Value| {
+        let mut foot = json!({ "point": [x, 0], "normal": [0, 1], "friction": 0.4 });
+        foot.as_object_mut().unwrap().extend(stiffness.as_object().unwrap().clone());
+        foot
+    };
+    let contacts = [foot(-0.05, &stiffness[0]), foot(0.05, &stiffness[1])];
+    serde_json::from_value(
+        json!({ "format": "grasp-lcp/1", "planar": { "contacts": contacts, "questions": [question] } }),
+    )
+    .unwrap()
+}
+
+fn told(scene: &Scene) -> Option<Warning> {
+    let Space::Planar(setup) = &scene.space else { panic!("in the plane") };
+    setup.stiffness_left_out().unwrap()
+}
+
+fn push(height: f64) -> Value {
+    json!({ "hold": { "base": { "force": [0, -20] }, "load": { "force": [8, 0], "at": [0, height] } } })
+}
+
+/// It tips at 20 N · 50 mm / h whatever the springs; how far it goes under its weight, they say.
+#[test]
+fn it_is_told_where_an_answer_depends_on_it_and_nowhere_else() {
+    let none = [json!({}), json!({})];
+    assert_eq!(told(&scene(&none, &push(0.15))), None);
+    let turn = json!({ "need": { "quantity": "angle", "demand": "held", "turn": { "weight": [0, -3], "at": [0, 0.2], "angle": 1.5 } } });
+    assert_eq!(told(&scene(&none, &turn)), None);
+    // Both feet slide at last at μ W; which one slides first is a matter of how they share the push.
+    let first = told(&scene(&none, &push(0.05))).expect("the first slip depends on it");
+    let names = ["contact 0", "contact 1"].map(str::to_owned).to_vec();
+    let expected =
+        Warning::StiffnessLeftOut { contacts: vec![0, 1], names, stiffness: 1e4, questions: vec![0] };
+    assert_eq!(first, expected);
+    let said = "contact 0 and contact 1 have no stiffness, and it is taken that each gives way by 10000 N/m in all directions: the answer to question 0 depends on it; say `stiffness`";
+    assert_eq!(first.to_string(), said);
+    let solve = json!({ "solve": { "load": { "force": [0, -20] } } });
+    assert!(told(&scene(&none, &solve)).is_some(), "a motion depends on it");
+    let given = [json!({ "stiffness": 3e3 }), json!({ "series_stiffness": 3e3 })];
+    assert_eq!(told(&scene(&given, &solve)), None);
+    let one = told(&scene(&[json!({ "stiffness": 3e3 }), json!({})], &solve));
+    assert!(matches!(one, Some(Warning::StiffnessLeftOut { contacts, .. }) if contacts == [1]));
+}
+
+#[test]
+fn one_number_is_that_of_all_directions() {
+    let springs = |stiffness: Value| {
+        let contact = json!({ "point": [0, 0, 0], "normal": [0, 0, 1], "stiffness": stiffness });
+        serde_json::from_value::<Fingertip<3>>(contact).unwrap()
+    };
+    for given in [json!(2000), json!([2000]), json!([2000, 2000]), json!([2000, 2000, 2000])] {
+        assert_eq!(springs(given).contact.series_stiffness_of_axes().as_slice(), [2000.0; 3]);
+    }
+    let default: Fingertip<3> =
+        serde_json::from_value(json!({ "point": [0, 0, 0], "normal": [0, 0, 1] })).unwrap();
+    assert_eq!(default.contact.series_stiffness_of_axes().as_slice(), [1e4; 3]);
+    let written = serde_json::to_value(&default).unwrap();
+    assert!(written.get("series_stiffness").is_none() && written.get("stiffness").is_none(), "{written}");
+    assert_eq!(serde_json::from_value::<Fingertip<3>>(written).unwrap(), default);
+}
