@@ -117,8 +117,7 @@ fn a_cup_that_is_open_all_around_has_let_go() -> Tested {
     is(lost.factor * 100.0, expected);
     let WayOut::LetsGo { cups } = &lost.way_out else { panic!("{verdict}") };
     assert_eq!((cups.len(), &*cups[0].label, verdict.holds()), (1, "near", Some(false)));
-    let said =
-        format!("LETS GO at {:.4} N of 100 N: near opens all around, and its vacuum is gone", expected);
+    let said = format!("LETS GO at {expected:.4} N of 100 N: near opens all around, and its vacuum is gone");
     assert_eq!(verdict.to_string(), said);
     let half = beam.hold(planar::Wrench::force_at([0.0, -0.5 * expected], [b, 0.0]))?;
     assert_eq!(half.holds(), Some(true));

@@ -9,8 +9,8 @@ const SCENES: &str = "examples/scenes/everyday/";
 #[test]
 fn the_first_line_is_the_one_quoted() {
     let page = std::fs::read_to_string(format!("{ROOT}/src/guide/everyday.rs")).expect("is there");
-    let page: String =
-        page.lines().map(|line| format!("{}\n", line.trim_start_matches("//!").trim_start())).collect();
+    let lines: Vec<_> = page.lines().map(|line| line.trim_start_matches("//!").trim_start()).collect();
+    let page = lines.join("\n");
     let (mut scenes, mut wrong) = (HashSet::new(), Vec::new());
     let dialogues = dialogues(&page, SCENES);
     for (arguments, told) in &dialogues {

@@ -65,12 +65,16 @@ fn run(arguments: &[&str]) -> Output {
     run_on(b"", arguments)
 }
 
+/// Whether a word of a command is the name of a scene.
+fn is_a_scene(word: &str) -> bool {
+    Path::new(word).extension().is_some_and(|end| end == "json")
+}
+
 /// Commands of a dialogue with what is said to them: scenes stand in a folder below those of the repository.
 fn dialogues<'t>(block: &'t str, folder: &str) -> Vec<(Vec<String>, &'t str)> {
     let in_folder = |word: &str| {
-        let is_a_scene = Path::new(word).extension().is_some_and(|end| end == "json");
         let name = word.strip_prefix(folder).unwrap_or(word);
-        if is_a_scene {
+        if is_a_scene(word) {
             Path::new(ROOT).join(folder).join(name).display().to_string()
         } else {
             word.to_owned()

@@ -1,6 +1,6 @@
 //! Typical mistakes, each with its message: those of a table (`mistakes/table.txt`), and what is answered with a warning.
 
-use crate::{run, run_on, scene, text};
+use crate::{is_a_scene, run, run_on, scene, text};
 
 /// A scene with one thing wrong.
 fn told(from: &str, to: &str) -> (i32, String) {
@@ -33,7 +33,7 @@ fn table() -> Vec<Mistake<'static>> {
         let lines: Vec<_> = block.lines().collect();
         if let Some(command) = lines[0].strip_prefix("$ ") {
             let in_folder = |word: &str| {
-                if word.ends_with(".json") { scene(&format!("everyday/{word}")) } else { word.to_owned() }
+                if is_a_scene(word) { scene(&format!("everyday/{word}")) } else { word.to_owned() }
             };
             let arguments = command.split(' ').map(in_folder).collect();
             return Mistake { arguments, scene: String::new(), is: lines[0], told: lines[1].trim_start() };

@@ -1,6 +1,6 @@
 //! What the README says that the program prints.
 
-use super::{ROOT, dialogues, folder, run, scene};
+use super::{ROOT, dialogues, folder, is_a_scene, run, scene};
 
 fn readme() -> String {
     std::fs::read_to_string(format!("{ROOT}/README.md")).expect("is there")
@@ -33,11 +33,9 @@ fn every_command_of_the_table_answers() {
         let command = line.rsplit_once("`grasp-lcp ").and_then(|(_, rest)| rest.strip_suffix("` |"));
         // The stream reads what it is given.
         let Some(command) = command.filter(|command| !command.contains('<')) else { continue };
-        let is_a_scene =
-            |word: &&str| std::path::Path::new(word).extension().is_some_and(|end| end == "json");
         let mut arguments: Vec<_> = command
             .split_whitespace()
-            .map(|word| if is_a_scene(&word) { scene(word) } else { word.to_owned() })
+            .map(|word| if is_a_scene(word) { scene(word) } else { word.to_owned() })
             .collect();
         if command.starts_with("map") {
             arguments.extend(["--output".to_owned(), output.display().to_string()]);

@@ -313,7 +313,7 @@ fn rectangular_pads_are_spread() {
         );
         assert_eq!(grasp.contacts(), expected.unwrap().contacts());
     }
-    assert!(contact(r#"{"sides": [0.02]}"#).unwrap_err().to_string().contains("2"));
+    assert!(contact(r#"{"sides": [0.02]}"#).unwrap_err().to_string().contains('2'));
 }
 
 /// A grasp's own answer is written like that of its scene, which measures it besides. What was read knows no more than what was written.
