@@ -62,6 +62,6 @@ fn a_billionth_decides() -> Result<(), grasp_lcp::Error> {
             }
         }
     }
-    assert!(bounds > 2500 && blurred < bounds / 50, "{blurred} of {bounds}");
+    assert!(bounds > 2500 && blurred < bounds / 25, "{blurred} of {bounds}");
     Ok(())
 }
