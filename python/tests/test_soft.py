@@ -1,4 +1,4 @@
-"""Soft pads and suction cups from arrays, against closed forms and against scenes."""
+"""Soft pads, suction cups and forces from arrays, against closed forms and against scenes."""
 
 import math
 
@@ -61,3 +61,17 @@ def test_what_is_refused_names_the_argument() -> None:
         jaws(suction=-1)
     with pytest.raises(ValueError, match=r"soft\[0\]\['pair'\]\['width'\] is nan, must be finite"):
         jaws(soft={"pair": {"width": float("nan")}})
+
+
+def test_a_force_stays_whatever_pushes_along_it() -> None:
+    grasp = Grasp.planar([[-0.03, 0], [0.03, 0]], [[1, 0], [-1, 0]], friction=0.5, series_stiffness=1e3, force=[10.0, None])
+    state = grasp.solve([3.0, 0.0]).equilibrium
+    assert state is not None
+    assert [contact.force[0] for contact in state.contacts] == pytest.approx([10.0, 13.0], rel=1e-12)
+    with pytest.raises(ValueError, match="pressed_with and force"):
+        Grasp.planar([[0, 0]], [[0, 1]], friction=0.5, series_stiffness=1e3, pressed_with=1.0, force=2.0)
+
+
+def test_needs_on_top_of_a_load() -> None:
+    grasp = Grasp.planar([[-0.03, 0], [0.03, 0]], [[1, 0], [-1, 0]], friction=0.5, series_stiffness=1e3, pressed_with=10.0)
+    assert grasp.need("load", [0.0, -1.0], base=[0.0, -6.0]).amount == pytest.approx(4.0, rel=1e-10)

@@ -82,6 +82,7 @@ class Grasp:
         pressed_with: ArrayLike | None = None,
         clearance: ArrayLike | None = None,
         tangents: ArrayLike | None = None,
+        force: float | Sequence[float | None] | None = None,
         soft: Mapping[str, Any] | Sequence[Mapping[str, Any] | None] | None = None,
         suction: ArrayLike | Mapping[str, Any] | Sequence[Mapping[str, Any] | float | None] | None = None,
         hold: str | Sequence[str] = "unilateral",
@@ -105,6 +106,7 @@ class Grasp:
             give these forces on an object that stays; if the forces do not balance it moves until they do.
         :param clearance: gaps before anything moves, m, negative for an overlap, shape (n,) or one for all.
         :param tangents: directions of the first tangent, shape (n, 2).
+        :param force: normal forces that stay wherever the object goes, in place of ``pressed_with``, N, one for all or a list of one or None a contact.
         :param soft: patches of soft pads in place of the points, as in scenes: ``{"pad": {"width": 0.01, "strips": 1}}`` or ``{"pair":
             {"width": 0.01}}``, one for all or a list of one or None a contact.
         :param suction: what a vacuum pulls the object onto the contact with, N, one for all or a list of one or None a contact.
@@ -120,7 +122,7 @@ class Grasp:
             body_stiffness=body_stiffness, finger_stiffness=finger_stiffness, command=command,
             command_world=command_world, pressed_with=pressed_with, clearance=clearance, tangents=tangents,
         )  # fmt: skip
-        return made._spread(soft=soft, suction=suction)
+        return made._spread(force=force, soft=soft, suction=suction)
 
     @classmethod
     def spatial(
@@ -137,6 +139,7 @@ class Grasp:
         pressed_with: ArrayLike | None = None,
         clearance: ArrayLike | None = None,
         tangents: ArrayLike | None = None,
+        force: float | Sequence[float | None] | None = None,
         soft: Mapping[str, Any] | Sequence[Mapping[str, Any] | None] | None = None,
         suction: ArrayLike | Mapping[str, Any] | Sequence[Mapping[str, Any] | float | None] | None = None,
         hold: str | Sequence[str] = "unilateral",
@@ -158,7 +161,7 @@ class Grasp:
             body_stiffness=body_stiffness, finger_stiffness=finger_stiffness, command=command,
             command_world=command_world, pressed_with=pressed_with, clearance=clearance, tangents=tangents,
         )  # fmt: skip
-        return made._spread(soft=soft, suction=suction)
+        return made._spread(force=force, soft=soft, suction=suction)
 
     @classmethod
     def _made(
@@ -190,7 +193,7 @@ class Grasp:
         return cls._of(_grasp_lcp.Grasp.of_columns(made, told_names, corners, told))
 
     def _spread(self, **given: Any) -> Grasp:
-        """This grasp with soft pads and suction as scenes have them."""
+        """This grasp with forces, soft pads and suction as scenes have them."""
         told = {name: one_each(name, value, len(self)) for name, value in given.items() if value is not None}
         if not told:
             return self
