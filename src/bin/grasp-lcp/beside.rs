@@ -18,8 +18,11 @@ pub(crate) fn schema(of: SchemaOf) -> Result<(), Failure> {
     Ok(writeln!(io::stdout(), "{:#}", schema.to_json())?)
 }
 
-pub(crate) fn completions(shell: Shell) {
-    clap_complete::generate(shell, &mut Arguments::command(), "grasp-lcp", &mut io::stdout());
+pub(crate) fn completions(shell: Shell, out: &mut impl Write) -> Result<(), Failure> {
+    // What generates them panics where it cannot write.
+    let mut text = Vec::new();
+    clap_complete::generate(shell, &mut Arguments::command(), "grasp-lcp", &mut text);
+    Ok(out.write_all(&text)?)
 }
 
 /// The page of the program, then those of its commands.

@@ -2,7 +2,6 @@
 
 use std::fmt;
 use std::io;
-use std::process::ExitCode;
 
 /// What went wrong.
 #[derive(Debug)]
@@ -18,13 +17,20 @@ pub(crate) enum Failure {
 }
 
 impl Failure {
-    pub(crate) fn code(&self) -> ExitCode {
-        ExitCode::from(match self {
+    pub(crate) fn code(&self) -> u8 {
+        match self {
             Self::Closed => 0,
             Self::Files(_) => 1,
             Self::Usage(_) => 2,
             Self::Scene(_) => 3,
-        })
+        }
+    }
+
+    /// In one line, unless nobody reads at all.
+    pub(crate) fn tell(&self) {
+        if !matches!(self, Self::Closed) {
+            eprintln!("{self}");
+        }
     }
 }
 
@@ -40,9 +46,14 @@ impl fmt::Display for Failure {
     }
 }
 
+/// Of standard output: whoever opens another file says which.
 impl From<io::Error> for Failure {
     fn from(error: io::Error) -> Self {
-        if error.kind() == io::ErrorKind::BrokenPipe { Self::Closed } else { Self::Files(error.to_string()) }
+        if error.kind() == io::ErrorKind::BrokenPipe {
+            Self::Closed
+        } else {
+            Self::Files(format!("standard output: {error}"))
+        }
     }
 }
 

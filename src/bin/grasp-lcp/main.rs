@@ -1,5 +1,8 @@
 //! Scenes in files: asked, drawn, mapped and streamed.
 
+#[macro_use]
+mod printing;
+
 mod arguments;
 mod asking;
 #[cfg(feature = "cli-full")]
@@ -28,13 +31,22 @@ use failure::Failure;
 use files::Pictures;
 
 fn main() -> ExitCode {
-    match run(Arguments::parse().command) {
+    match asked().and_then(|code| io::stdout().flush().map(|()| code).map_err(Failure::from)) {
         Ok(code) => code,
         Err(failure) => {
-            if !matches!(failure, Failure::Closed) {
-                eprintln!("{failure}");
-            }
-            failure.code()
+            failure.tell();
+            ExitCode::from(failure.code())
+        }
+    }
+}
+
+/// Does what the command line asks, or says how it is used.
+fn asked() -> Result<ExitCode, Failure> {
+    match Arguments::try_parse() {
+        Ok(arguments) => run(arguments.command),
+        Err(help) => {
+            help.print()?;
+            Ok(ExitCode::from(u8::try_from(help.exit_code()).unwrap_or(2)))
         }
     }
 }
@@ -71,7 +83,7 @@ fn run(command: Command) -> Result<ExitCode, Failure> {
         #[cfg(feature = "cli-full")]
         Command::Schema { of } => beside::schema(of)?,
         #[cfg(feature = "cli-full")]
-        Command::Completions { shell } => beside::completions(shell),
+        Command::Completions { shell } => beside::completions(shell, &mut io::stdout().lock())?,
         #[cfg(feature = "cli-full")]
         Command::Man => beside::manual(&mut io::stdout().lock())?,
     }
