@@ -3,6 +3,8 @@
 use std::fmt;
 use std::sync::Arc;
 
+use crate::words::printable;
+
 /// Larger numbers are refused: squares of products of three of them would overflow, and a size that overflows makes every
 /// violation look small. No unit of length or force brings a real grasp near this.
 pub(crate) const LARGEST: f64 = 1e50;
@@ -205,18 +207,27 @@ pub struct ContactLabel {
 }
 
 impl ContactLabel {
-    /// How tables and pictures call the contact: its name, or "contact" and its number, and the point of a soft fingertip.
+    /// How tables and pictures call the contact: its name as it may be printed, or "contact" and its number, and the point of a soft fingertip.
     #[must_use]
     pub fn text(&self) -> String {
-        let name = self.name.as_deref().map_or_else(|| format!("contact {}", self.index), str::to_owned);
+        let name = self.name.as_deref().map(|name| printable(name).into_owned());
+        let name = name.unwrap_or_else(|| format!("contact {}", self.index));
         self.point.map_or(name.clone(), |point| format!("{name}, point {point}"))
+    }
+}
+
+impl ContactLabel {
+    /// The soft fingertip that a point belongs to; a contact that is a point itself stays.
+    #[must_use]
+    pub fn whole(&self) -> Self {
+        Self { point: None, ..self.clone() }
     }
 }
 
 impl fmt::Display for ContactLabel {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.name {
-            Some(name) => write!(f, "{} ({name})", self.index),
+            Some(name) => write!(f, "{} ({})", self.index, printable(name)),
             None => write!(f, "{}", self.index),
         }
     }

@@ -74,6 +74,7 @@
 //! | [`screening`] | the onset of sliding as a load grows or turns, and the least squeeze, for millions of grasps of two to five contacts |
 //! | [`energy`] | the paper's quadratic program, its comparison with complementarity, three laws of friction, stability |
 //! | [`sweep`] | many questions at once, in parallel (feature `parallel`, on by default); grasps that are not known exactly |
+//! | [`words`] | numbers with their units, motions and names as people read them |
 //! | `picture` | grasps, load curves and maps over all directions as SVG, spatial grasps also as HTML pages (feature `plot`) |
 //! | `scene` | scenes and answers in any format of serde that describes itself (feature `serde`), JSON with messages that name the field (feature `json`) |
 //! | `stream` | scenes in JSON, one a line, answered in order on all cores (feature `json`) |
@@ -131,7 +132,7 @@ pub mod statics;
 pub mod stream;
 mod structured;
 pub mod sweep;
-mod words;
+pub mod words;
 
 pub use contact::{Fit, PolygonCone};
 pub use equilibrium::Settings;

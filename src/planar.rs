@@ -99,7 +99,7 @@ pub type Step = crate::load_path::Step<2>;
 /// Names for hands with joints in the plane: [`Hand::grasp`](crate::grasp::Hand::grasp) makes a [`Grasp`] like any other.
 pub mod hand {
     pub use crate::equilibrium::{DriveState, JointAnswer, TendonAnswer};
-    pub use crate::grasp::{HandPart, Limit, PartLabel, Tendon};
+    pub use crate::grasp::{HandPart, JointKind, Limit, PartLabel, Tendon};
     pub use crate::load_path::{DriveChange, PartChange};
 
     /// A joint; see [`crate::grasp::Joint`].

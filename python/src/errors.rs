@@ -2,6 +2,7 @@
 
 use std::fmt::Display;
 
+use grasp_lcp::words::printable;
 use grasp_lcp::{Error, Field};
 use pyo3::PyErr;
 use pyo3::exceptions::PyValueError;
@@ -10,7 +11,7 @@ use pyo3::exceptions::PyValueError;
 pub(crate) fn refused(error: Error) -> PyErr {
     PyValueError::new_err(match error {
         Error::Contact { contact, field, value, allowed } => {
-            let name = contact.name.map(|name| format!(" ({name})")).unwrap_or_default();
+            let name = contact.name.map(|name| format!(" ({})", printable(&name))).unwrap_or_default();
             format!("{}[{}]{name} is {}, must be {allowed}", argument(field), contact.index, shown(value))
         }
         Error::Wrench { what, component, value } => {
@@ -93,5 +94,5 @@ fn named(what: &'static str) -> &'static str {
 pub(crate) fn of_json(argument: &str, error: &serde_json::Error) -> PyErr {
     let message = error.to_string();
     let message = message.split(" at line ").next().unwrap_or(&message);
-    wrong(format_args!("{argument}: {message}"))
+    wrong(format_args!("{argument}: {}", printable(message)))
 }

@@ -57,8 +57,7 @@ impl<const C: usize> ActiveSet<C> {
 impl<const C: usize> LocalLaw<'_, C> {
     /// The law of the rates of a contact that stands here.
     pub(crate) fn law_of_rates(&self, stand: &ActiveSet<C>, state: &State<C>) -> Law<C> {
-        let has_edges = self.may_open() || !self.facets().is_empty();
-        if self.is_bonded() || !has_edges {
+        if !self.has_edges() {
             Law::Bonded
         } else if stand.apex {
             self.law.clone()
@@ -73,7 +72,7 @@ impl<const C: usize> LocalLaw<'_, C> {
 
     /// What a closed contact with this force stands on.
     pub(crate) fn stand(&self, line: &Line<C>) -> ActiveSet<C> {
-        if self.is_bonded() {
+        if !self.has_edges() {
             return ActiveSet::NOWHERE;
         }
         let apex = line.force.norm() <= ZERO_SLACK * line.force_size;

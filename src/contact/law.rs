@@ -69,6 +69,11 @@ impl<'c, const C: usize> LocalLaw<'c, C> {
         self.has_a_whole_cone() && self.friction.has_edges()
     }
 
+    /// Whether any force is too much for the contact: a guide without friction that is kept closed takes all, like one that is bonded.
+    pub(crate) fn has_edges(&self) -> bool {
+        !self.is_bonded() && (self.may_open() || !self.facets().is_empty())
+    }
+
     /// Whether the law is that of rest, or of the apex in rates.
     #[inline(always)]
     pub(super) fn has_a_whole_cone(&self) -> bool {

@@ -4,6 +4,7 @@ use nalgebra::SVector;
 
 use super::accuracy::Accuracy;
 use super::hand_answer::{JointAnswer, TendonAnswer};
+use super::pad_answer::PadAnswer;
 use super::residuals::Residuals;
 use crate::contact::{PolygonCone, State};
 use crate::error::ContactLabel;
@@ -60,6 +61,9 @@ pub struct Equilibrium<const C: usize> {
     pub twist: Twist<C>,
     /// Contact by contact, in the order of the grasp; a soft fingertip of a scene point by point.
     pub contacts: Vec<ContactAnswer<C>>,
+    /// Soft fingertips, the points of each together.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    pub pads: Vec<PadAnswer<C>>,
     /// Joint by joint, if a [hand](crate::grasp::Hand) holds the object, finger by finger.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub joints: Vec<JointAnswer>,

@@ -3,57 +3,71 @@
 use std::fmt;
 
 use super::answer::{ContactState, Equilibrium, NoEquilibrium, Outcome, Proof, Undecided};
-use crate::grasp::Motion;
+use super::pad_answer::Told;
 use crate::search::Doubt;
-
-/// Numbers in brackets, as answers tell them in words; what is rounding beside the largest is zero.
-#[must_use]
-pub fn row(numbers: &[f64]) -> String {
-    let size = numbers.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
-    let number = |x: &f64| match x.abs() {
-        a if a <= 1e-14 * size => "0".to_owned(),
-        a if a < 1e-3 => format!("{x:.5e}"),
-        _ => format!("{x:.6}"),
-    };
-    format!("({})", numbers.iter().map(number).collect::<Vec<_>>().join(", "))
-}
+use crate::words::Words;
 
 impl<const C: usize> fmt::Display for Outcome<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let digits = Words::of(f).digits();
         match self {
-            Self::Equilibrium(state) => write!(f, "equilibrium: {state}"),
-            Self::NoEquilibrium(none) => write!(f, "no equilibrium exists: {none}"),
+            Self::Equilibrium(state) => write!(f, "equilibrium: {state:.digits$}"),
+            Self::NoEquilibrium(none) => write!(f, "no equilibrium exists: {none:.digits$}"),
             Self::Undecided(undecided) => write!(f, "undecided: {undecided}"),
         }
     }
 }
 
-/// One line for the object, then one for each contact: its state, its force in the contact frame and the margin to the edge of its cone.
+/// One line for the object, then one for each contact: its state, its force in the contact frame and the margin to the edge of its cone. Points of a
+/// soft fingertip are one.
 impl<const C: usize> fmt::Display for Equilibrium<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let moved = row(self.twist.components());
-        write!(f, "the object moves by {moved} m and rad, residual {:.0e}", self.residuals.worst())?;
-        if self.is_beyond_small_motions() {
-            f.write_str("; far beyond the small motions that this is good for")?;
+        let words = Words::of(f);
+        let residual = self.residuals.worst();
+        write!(f, "the object {}, residual {residual:.0e}", self.motion(words))?;
+        if let Some(caution) = self.caution() {
+            write!(f, "; {caution}")?;
         }
-        for (number, contact) in self.contacts.iter().enumerate() {
-            let (force, margin) = (row(contact.force.as_slice()), contact.margin);
-            write!(
-                f,
-                "\n  contact {number} {:12} force {force} N, margin {margin:.6} N",
-                word(&contact.state)
-            )?;
+        for told in self.whole_contacts() {
+            let (who, does) = (told.text(), told.doing());
+            let force = words.numbers(told.force().as_slice());
+            write!(f, "\n  {who}: {does}, force {force} N")?;
+            if let Told::Pad(pad) = told {
+                write!(f, ", moment {} N m", pad.moment_text(words))?;
+            }
+            if told.margin() > 0.0 {
+                write!(f, ", margin {} N", words.number(told.margin()))?;
+            }
         }
         Ok(())
     }
 }
 
-fn word<const C: usize>(state: &ContactState<C>) -> &'static str {
-    match state {
-        ContactState::Separated => "open",
-        ContactState::Sticking => "sticking",
-        ContactState::Sliding { .. } => "sliding",
-        ContactState::Frictionless => "frictionless",
+impl<const C: usize> Equilibrium<C> {
+    /// What the object does: "turns 1.9° about …, moves 2.8 mm".
+    #[must_use]
+    pub fn motion(&self, words: Words) -> String {
+        let moved: Vec<_> = self.contacts.iter().map(|contact| contact.body_core).collect();
+        words.motion(&self.twist, &moved)
+    }
+
+    /// What is to be said beside the answer: that it [is no small motion](Self::is_beyond_small_motions).
+    #[must_use]
+    pub fn caution(&self) -> Option<&'static str> {
+        self.is_beyond_small_motions().then_some("far beyond the small motions that this is good for")
+    }
+}
+
+impl<const C: usize> ContactState<C> {
+    /// What the contact does: "sticks".
+    #[must_use]
+    pub fn verb(&self) -> &'static str {
+        match self {
+            Self::Separated => "open",
+            Self::Sticking => "sticks",
+            Self::Sliding { .. } => "slides",
+            Self::Frictionless => "without friction",
+        }
     }
 }
 
@@ -65,11 +79,11 @@ impl<const C: usize> fmt::Display for NoEquilibrium<C> {
 
 impl<const C: usize> fmt::Display for Proof<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let of = |motion: &Motion<C>| row(motion.object.components());
+        let words = Words::of(f);
         match self {
-            Self::FreeMotion { motion, .. } => write!(f, "nothing resists the motion {}", of(motion)),
+            Self::FreeMotion { motion, .. } => write!(f, "nothing resists {}", words.direction_of(motion)),
             Self::SeparatingMotion { motion, .. } => {
-                write!(f, "no friction works against the motion {}", of(motion))
+                write!(f, "no friction works against {}", words.direction_of(motion))
             }
             Self::EveryStateTried { combinations } => {
                 write!(f, "all {combinations} combinations of contact states fail")

@@ -3,7 +3,9 @@
 use nalgebra::SVector;
 
 use crate::contact::State;
-use crate::grasp::{Drive, Engine, HandPart, Linkage, Named, Owner, PartLabel, Role, of_the_object};
+use crate::grasp::{
+    Drive, Engine, HandPart, JointKind, Linkage, Named, Owner, PartLabel, Role, of_the_object,
+};
 use crate::numerics::Size;
 use crate::object::Problem;
 use crate::search::Found;
@@ -19,9 +21,9 @@ pub struct JointAnswer {
     /// Which joint.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub joint: PartLabel,
-    /// Whether it slides along a line: lengths in m and forces in N, where other joints have angles in rad and torques in N m. Written if it does.
-    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "std::ops::Not::not"))]
-    pub slides: bool,
+    /// Whether it turns or slides.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub kind: JointKind,
     /// What its own drive does.
     pub state: DriveState,
     /// Displacement φ from the posture in which the contacts were given, rad or m.
@@ -108,8 +110,16 @@ impl<D: Size, const C: usize> Engine<D, C> {
             let margin = margin(&linkage.joints[j], carried, state);
             let torque = exerted[object + j] * length;
             let joint = linkage.label(HandPart::Joint(j));
-            let slides = linkage.joints[j].slides;
-            JointAnswer { joint, slides, state, displacement, torque, drive: carried, margin, yielded }
+            JointAnswer {
+                joint,
+                kind: linkage.joints[j].kind,
+                state,
+                displacement,
+                torque,
+                drive: carried,
+                margin,
+                yielded,
+            }
         };
         let tendon = |(number, named): (usize, &Named)| {
             let Own { carried, state, yielded } = own(Owner::Tendon(number));

@@ -30,6 +30,7 @@ mod distinct;
 #[cfg(test)]
 mod exact_refutation;
 mod hand_answer;
+mod pad_answer;
 mod questions;
 mod recomputed;
 mod refutation;
@@ -43,8 +44,8 @@ pub use answer::{
 };
 pub use bracket::{Bracket, Spread};
 pub use decomposition::Decomposition;
-pub use display::row;
 pub use hand_answer::{DriveState, JointAnswer, TendonAnswer};
+pub use pad_answer::{PadAnswer, Told};
 pub use refutation::Refutation;
 pub use residuals::Residuals;
 pub(crate) use write_out::site_states;

@@ -39,6 +39,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             load: *load,
             residuals: self.residuals(problem, load, &twist, (&contacts, &found), cone),
             twist: Twist::among(&twist),
+            pads: self.pads(&contacts),
             contacts,
             joints,
             tendons,

@@ -24,6 +24,7 @@
 //! feature `nalgebra`: `DPose3::from(twist.exp())`, `Isometry3::from(pose)`. The package
 //! `collision-contacts` in the repository takes contacts from parry and shows all of it.
 
+mod axis;
 mod contact;
 mod coordinates;
 mod engine;
@@ -46,6 +47,7 @@ mod well_posed;
 mod whole_contact;
 mod wrench;
 
+pub(crate) use axis::Rotation;
 #[cfg(feature = "serde")]
 pub(crate) use contact::Axes;
 pub use contact::{Contact, Hold};
@@ -55,7 +57,7 @@ pub use fingertip::SoftFingertip;
 #[cfg(feature = "serde")]
 pub(crate) use hand::JointMotion;
 pub(crate) use hand::{Drive, Linkage, Named, Owner, Role};
-pub use hand::{Finger, Hand, HandPart, Joint, Limit, PartLabel, Tendon};
+pub use hand::{Finger, Hand, HandPart, Joint, JointKind, Limit, PartLabel, Tendon};
 pub use motion::Motion;
 pub use pressure::Pressure;
 pub(crate) use remembered::Remembered;

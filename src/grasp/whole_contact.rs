@@ -1,11 +1,15 @@
 //! Contacts as people count them: a soft fingertip is one, however many points stand for it.
 
+use std::borrow::Cow;
 use std::fmt;
 use std::ops::Range;
+use std::sync::Arc;
 
 use nalgebra::SVector;
 
 use super::contact::Contact;
+use crate::error::ContactLabel;
+use crate::words::printable;
 
 /// A contact that an answer speaks of, or a soft fingertip with those of its points that are meant.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -29,12 +33,17 @@ impl WholeContact {
     pub fn is_whole(&self) -> bool {
         self.points == self.of
     }
+
+    /// Its name as it may be printed.
+    pub(crate) fn text(&self) -> Cow<'_, str> {
+        printable(&self.label)
+    }
 }
 
 /// "left", or "left (3 of 12 points)".
 impl fmt::Display for WholeContact {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.label)?;
+        f.write_str(&self.text())?;
         if self.is_whole() { Ok(()) } else { write!(f, " ({} of {} points)", self.points, self.of) }
     }
 }
@@ -76,6 +85,11 @@ impl<'c, const C: usize> WholeContacts<'c, C> {
         self.ranges().iter().enumerate().filter_map(part).collect()
     }
 
+    /// A part as answers name it.
+    pub(crate) fn whole(&self, number: usize) -> ContactLabel {
+        ContactLabel { index: number, point: None, name: self.name(number).map(Arc::from) }
+    }
+
     /// The mean of a quantity of points over each part.
     pub(crate) fn mean(&self, of: impl Fn(usize) -> SVector<f64, C>) -> Vec<SVector<f64, C>> {
         let mean = |range: &Range<usize>| {
@@ -84,15 +98,24 @@ impl<'c, const C: usize> WholeContacts<'c, C> {
         self.ranges.iter().map(mean).collect()
     }
 
+    /// What the first point of each part has.
+    pub(crate) fn first<T>(&self, of: impl Fn(usize) -> T) -> Vec<T> {
+        self.ranges.iter().map(|range| of(range.start)).collect()
+    }
+
     /// The sum of a quantity of points over each part.
     pub(crate) fn sum(&self, of: impl Fn(usize) -> f64) -> Vec<f64> {
         self.ranges.iter().map(|range| range.clone().map(&of).sum()).collect()
     }
 
+    /// The name of a part, if it has one.
+    fn name(&self, number: usize) -> Option<&str> {
+        self.contacts[self.ranges[number].start].whole_name()
+    }
+
     /// The name of a part, or its number.
     pub(crate) fn label(&self, number: usize) -> String {
-        let first = &self.contacts[self.ranges[number].start];
-        first.whole_name().map_or_else(|| format!("contact {number}"), str::to_owned)
+        self.name(number).map_or_else(|| format!("contact {number}"), str::to_owned)
     }
 }
 

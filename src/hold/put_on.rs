@@ -109,18 +109,17 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let parts = WholeContacts::of(self.contacts());
         match onset {
             Onset::At(event) => {
-                let leaves = |slides: bool| {
-                    parts.with(|i| {
-                        event.leaving.iter().any(|leaving| {
-                            leaving.contact.index == i
-                                && slides == matches!(leaving.how, Departure::Slides { .. })
-                        })
-                    })
+                let leaves = |so: fn(&Departure<C>) -> bool| {
+                    let is_meant = |i: usize| {
+                        event.leaving.iter().any(|leaving| leaving.contact.index == i && so(&leaving.how))
+                    };
+                    parts.with(is_meant)
                 };
                 Some(FirstSlip {
                     factor: event.factor,
-                    slide: leaves(true),
-                    open: leaves(false),
+                    slide: leaves(|how| matches!(how, Departure::Slides { .. })),
+                    open: leaves(|how| matches!(how, Departure::Opens)),
+                    would_pull: leaves(|how| matches!(how, Departure::WouldPull)),
                     give_way: event.drives.iter().map(|drive| drive.part.text()).collect(),
                 })
             }
@@ -128,6 +127,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
                 factor: 0.0,
                 slide: parts.with(|i| matches!(state.contacts[i].state, ContactState::Sliding { .. })),
                 open: Vec::new(),
+                would_pull: Vec::new(),
                 give_way: Vec::new(),
             }),
             _ => None,

@@ -99,6 +99,9 @@ pub struct FirstSlip {
     /// Contacts that open.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub open: Vec<WholeContact>,
+    /// Contacts that are kept closed and would have to pull.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    pub would_pull: Vec<WholeContact>,
     /// Joints and tendons that give way, by the names they have.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub give_way: Vec<String>,

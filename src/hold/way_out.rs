@@ -2,8 +2,8 @@
 
 use nalgebra::SVector;
 
-use crate::grasp::{Contact, Motion, WholeContact, WholeContacts, displacement_of};
-use crate::numerics::{Fixed, Vector};
+use crate::grasp::{Contact, Hold, Motion, Twist, WholeContact, WholeContacts, displacement_of};
+use crate::numerics::Fixed;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
@@ -76,6 +76,7 @@ pub(super) fn way_out<const C: usize>(
     let touching = parts.with(touches);
     let places = parts.mean(|i| contacts[i].point);
     let moves: Vec<_> = places.iter().map(velocity).collect();
+    let part_holds = parts.first(|i| contacts[i].hold);
     let normals = parts.mean(|i| contacts[i].normal.normalize());
     let count = touching.len().max(1) as f64;
     let centre = touching.iter().fold(SVector::zeros(), |sum, part| sum + places[part.contact] / count);
@@ -87,7 +88,8 @@ pub(super) fn way_out<const C: usize>(
     let opens = |part: &WholeContact| {
         // Away from the finger at more than half a right angle to its surface.
         let (v, n) = (&moves[part.contact], &normals[part.contact]);
-        !stays(part) && v.dot(n) > 0.5f64.sqrt() * v.norm() * n.norm()
+        let may_open = part_holds[part.contact] == Hold::Unilateral;
+        may_open && !stays(part) && v.dot(n) > 0.5f64.sqrt() * v.norm() * n.norm()
     };
     if !touching.is_empty() && touching.iter().all(opens) {
         return WayOut::LiftsOff { direction: along.try_normalize(0.0).unwrap_or_else(SVector::zeros) };
@@ -99,26 +101,17 @@ pub(super) fn way_out<const C: usize>(
     }
     let about: Vec<_> = touching.into_iter().filter(stays).collect();
     if about.is_empty() {
-        return turns(&twist, &centre);
+        return turns(&motion.object, &centre, &along);
     }
     // What was open before moves on.
     let opens: Vec<_> = parts.with(|_| true).into_iter().filter(opens).collect();
     if opens.is_empty() { WayOut::TurnsAbout { about } } else { WayOut::TipsOver { about, opens } }
 }
 
-/// A turn about the point of its axis that is nearest to another one.
-fn turns<const C: usize>(twist: &Vector<Fixed<6>>, near: &SVector<f64, C>) -> WayOut<C> {
-    let v = displacement_of::<Fixed<6>, C>(near, twist);
-    // The offset from there is ω × v / |ω|²; in the plane ω is a number.
-    let (offset, axis) = if C == 2 {
-        let omega = twist[2];
-        (SVector::from_fn(|a, _| if a == 0 { -v[1] / omega } else { v[0] / omega }), SVector::zeros())
-    } else {
-        let omega = SVector::<f64, C>::from_fn(|a, _| twist[C + a]);
-        let cross = |a: usize| omega[(a + 1) % C] * v[(a + 2) % C] - omega[(a + 2) % C] * v[(a + 1) % C];
-        (SVector::from_fn(|a, _| cross(a)) / omega.norm_squared(), omega.normalize())
-    };
-    let centre = near + offset;
+/// A turn about the point of its axis that is nearest to another one, which moves like this.
+fn turns<const C: usize>(twist: &Twist<C>, near: &SVector<f64, C>, moves: &SVector<f64, C>) -> WayOut<C> {
+    let (_, rotation) = twist.parts();
+    let (centre, axis) = (near + rotation.way_to_axis(moves), rotation.axis());
     let is_there = centre.iter().chain(axis.iter()).all(|x: &f64| x.is_finite());
     if is_there { WayOut::Turns { centre, axis } } else { WayOut::NotKnown }
 }

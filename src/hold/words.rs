@@ -5,7 +5,7 @@ use std::fmt;
 use super::verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
 use super::way_out::WayOut;
 use crate::grasp::{WholeContact, Wrench};
-use crate::words::{along, length, listed, number, numbers};
+use crate::words::{Words, listed, printable};
 
 /// What happens within this part of a load happens at once, for whoever reads it.
 const AT_ONCE: f64 = 1e-9;
@@ -14,6 +14,7 @@ const ONE_LINE: f64 = 1e-12;
 
 impl<const C: usize> fmt::Display for Verdict<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (words, digits) = (Words::of(f), Words::of(f).digits());
         match &self.holding {
             Holding::Sticks => {
                 f.write_str("HOLDS, everything sticks")?;
@@ -24,15 +25,15 @@ impl<const C: usize> fmt::Display for Verdict<C> {
                 match &self.first_slip {
                     Some(first) if first.factor == 0.0 => write!(f, "{first} from the start")?,
                     Some(first) if first.factor <= 1.0 => {
-                        write!(f, "{first} from {} of it on", number(first.factor))?;
+                        write!(f, "{first} from {} of it on", words.number(first.factor))?;
                     }
                     // Of contacts that close on the way the first slip does not speak.
                     _ => write!(f, "{}", does(contacts, "slides", "slide"))?,
                 }
                 match &self.lost {
-                    Some(lost) => write!(f, "; lost at {} times this load", number(lost.factor)),
+                    Some(lost) => write!(f, "; lost at {} times this load", words.number(lost.factor)),
                     None if self.held_to > 1.0 => {
-                        write!(f, "; held up to {} times this load", number(self.held_to))
+                        write!(f, "; held up to {} times this load", words.number(self.held_to))
                     }
                     None => Ok(()),
                 }
@@ -41,12 +42,14 @@ impl<const C: usize> fmt::Display for Verdict<C> {
                 f.write_str("DOES NOT HOLD: no contact presses, the object lies loose between the fingers")
             }
             Holding::Lost => match &self.lost {
-                Some(lost) => write!(f, "{} at {}: {lost}", lost.verb(), self.part(lost.factor)),
+                Some(lost) => {
+                    write!(f, "{} at {}: {lost:.digits$}", lost.verb(), self.part(lost.factor, words))
+                }
                 None => f.write_str("LOST"),
             },
-            Holding::NoRest(none) => write!(f, "DOES NOT HOLD even at rest: {none}"),
+            Holding::NoRest(none) => write!(f, "DOES NOT HOLD even at rest: {none:.digits$}"),
             Holding::Undecided { doubt } => {
-                write!(f, "UNDECIDED beyond {}: {doubt}", self.part(self.held_to))
+                write!(f, "UNDECIDED beyond {}: {doubt}", self.part(self.held_to, words))
             }
         }?;
         let at_the_end = self.state.as_ref().or_else(|| self.lost.as_ref()?.state.as_ref());
@@ -62,40 +65,40 @@ impl<const C: usize> fmt::Display for Verdict<C> {
 impl<const C: usize> Verdict<C> {
     /// How much more of the load it would take.
     fn margins(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let lost = self.lost.as_ref().map(|lost| lost.factor);
+        let (words, lost) = (Words::of(f), self.lost.as_ref().map(|lost| lost.factor));
         match (&self.first_slip, lost) {
             (Some(first), Some(lost)) if lost <= first.factor * (1.0 + AT_ONCE) => {
-                write!(f, ": {} times this load until it is lost, as {first}", number(lost))
+                write!(f, ": {} times this load until it is lost, as {first}", words.number(lost))
             }
             (Some(first), lost) => {
                 write!(
                     f,
                     ": {} times this load until the first slip ({})",
-                    number(first.factor),
+                    words.number(first.factor),
                     first.who()
                 )?;
                 match lost {
-                    Some(lost) => write!(f, ", {} times until it is lost", number(lost)),
+                    Some(lost) => write!(f, ", {} times until it is lost", words.number(lost)),
                     None if self.held_to > first.factor => {
-                        write!(f, ", held up to {} times", number(self.held_to))
+                        write!(f, ", held up to {} times", words.number(self.held_to))
                     }
                     None => Ok(()),
                 }
             }
-            (None, Some(lost)) => write!(f, ": {} times this load until it is lost", number(lost)),
-            (None, None) => write!(f, " up to {} times this load", number(self.held_to)),
+            (None, Some(lost)) => write!(f, ": {} times this load until it is lost", words.number(lost)),
+            (None, None) => write!(f, " up to {} times this load", words.number(self.held_to)),
         }
     }
 
     /// A part of the load: in newtons where it is a force, in newton metres where it is a moment, else as a fraction.
-    fn part(&self, factor: f64) -> String {
+    fn part(&self, factor: f64, words: Words) -> String {
         let [size, unit] = match measure(&self.load) {
-            Some((size, unit)) => [number(size), unit.to_owned()],
-            None => return format!("{} of it", number(factor)),
+            Some((size, unit)) => [words.number(size), unit.to_owned()],
+            None => return format!("{} of it", words.number(factor)),
         };
         let part = measure(&self.load).map_or(0.0, |(size, _)| size * factor);
         let at_rest = if self.base == Wrench::ZERO { "" } else { " beside the load at rest" };
-        format!("{} {unit} of {size} {unit}{at_rest}", number(part))
+        format!("{} {unit} of {size} {unit}{at_rest}", words.number(part))
     }
 }
 
@@ -114,21 +117,25 @@ fn measure<const C: usize>(load: &Wrench<C>) -> Option<(f64, &'static str)> {
 impl FirstSlip {
     /// Who leaves, without what they do.
     fn who(&self) -> String {
-        let opens = self.open.iter().map(|part| format!("{} opens", part.label));
-        let names = self.slide.iter().map(|part| part.label.clone()).chain(opens);
-        listed(&names.chain(self.give_way.iter().map(|name| format!("{name} gives way"))).collect::<Vec<_>>())
+        let opens = self.open.iter().map(|part| format!("{} opens", part.text()));
+        let pulls = self.would_pull.iter().map(|part| format!("{} would have to pull", part.text()));
+        let names = self.slide.iter().map(|part| part.text().into_owned()).chain(opens).chain(pulls);
+        let give_way = self.give_way.iter().map(|name| format!("{} gives way", printable(name)));
+        listed(&names.chain(give_way).collect::<Vec<_>>())
     }
 }
 
 /// "left and right slide, thumb opens".
 impl fmt::Display for FirstSlip {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let give_way = &self.give_way;
+        let give_way: Vec<_> = self.give_way.iter().map(|name| printable(name)).collect();
         let gives = if give_way.len() == 1 { "gives way" } else { "give way" };
         let all = [
             (!self.slide.is_empty()).then(|| does(&self.slide, "slides", "slide")),
             (!self.open.is_empty()).then(|| does(&self.open, "opens", "open")),
-            (!give_way.is_empty()).then(|| format!("{} {gives}", listed(give_way))),
+            (!self.would_pull.is_empty())
+                .then(|| does(&self.would_pull, "would have to pull", "would have to pull")),
+            (!give_way.is_empty()).then(|| format!("{} {gives}", listed(&give_way))),
         ];
         f.write_str(&all.into_iter().flatten().collect::<Vec<_>>().join(", "))
     }
@@ -150,7 +157,8 @@ impl<const C: usize> Lost<C> {
 /// How the object leaves, and then how far around there nothing holds.
 impl<const C: usize> fmt::Display for Lost<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}", self.way_out)?;
+        let digits = Words::of(f).digits();
+        write!(f, "{:.digits$}", self.way_out)?;
         if !self.slide.is_empty() {
             write!(f, ", {}", does(&self.slide, "slides", "slide"))?;
         }
@@ -158,7 +166,7 @@ impl<const C: usize> fmt::Display for Lost<C> {
             f.write_str(" (gross slip)")?;
         }
         match &self.nothing_near {
-            Some(near) => write!(f, ". {near}"),
+            Some(near) => write!(f, ". {near:.digits$}"),
             None => Ok(()),
         }
     }
@@ -169,33 +177,35 @@ impl fmt::Display for NothingNear {
         if self.translation.is_infinite() {
             return f.write_str("Nothing holds all of it, wherever the object goes");
         }
-        let (length, angle) = (length(self.translation), number(self.rotation.to_degrees()));
-        write!(f, "Nothing holds all of it within {length} and {angle}° of there")
+        let words = Words::of(f);
+        let (length, angle) = (words.length(self.translation), words.angle(self.rotation));
+        write!(f, "Nothing holds all of it within {length} and {angle} of there")
     }
 }
 
 impl<const C: usize> fmt::Display for WayOut<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let words = Words::of(f);
         match self {
             Self::LiftsOff { direction } => {
-                write!(f, "the object lifts off along {}", along(direction))
+                write!(f, "the object lifts off along {}", words.along(direction))
             }
             Self::SlidesOut { direction } => {
-                write!(f, "the object moves along {}", along(direction))
+                write!(f, "the object moves along {}", words.along(direction))
             }
             Self::TipsOver { about, opens } => {
                 write!(f, "the object tips over about {}, {}", listed(about), does(opens, "opens", "open"))
             }
             Self::TurnsAbout { about } if C == 3 && about.len() == 2 => {
-                write!(f, "the object spins about the line {}–{}", about[0].label, about[1].label)
+                write!(f, "the object spins about the line {}–{}", about[0].text(), about[1].text())
             }
             Self::TurnsAbout { about } => write!(f, "the object turns about {}", listed(about)),
             Self::Turns { centre, axis } => {
                 f.write_str("the object turns about ")?;
                 if C == 3 {
-                    write!(f, "{} through ", along(axis))?;
+                    write!(f, "{} through ", words.along(axis))?;
                 }
-                write!(f, "{} m", numbers(centre.as_slice()))
+                write!(f, "{} m", words.numbers(centre.as_slice()))
             }
             Self::LetsGo { cups } => {
                 let them = if cups.len() == 1 { "its vacuum" } else { "their vacuum" };

@@ -5,17 +5,21 @@ use std::fmt;
 use super::drive_change::{DriveChange, PartChange};
 use super::event::{Change, Loss, LossKind, PathEnd};
 use super::onset::{Departure, Onset, OnsetEvent};
-use crate::equilibrium::row;
+use crate::words::Words;
 
 impl<const C: usize> fmt::Display for Onset<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (words, digits) = (Words::of(f), Words::of(f).digits());
         match self {
             Self::At(event) => event.fmt(f),
             Self::Never => f.write_str("never: everything keeps sticking however far the load goes"),
-            Self::AlreadySliding(state) => write!(f, "something slides already at factor 0: {state}"),
-            Self::NoBase(none) => write!(f, "no equilibrium exists at factor 0: {none}"),
+            Self::AlreadySliding(state) => {
+                write!(f, "something slides already at factor 0: {state:.digits$}")
+            }
+            Self::NoBase(none) => write!(f, "no equilibrium exists at factor 0: {none:.digits$}"),
             Self::GivesWay { factor, reason } => {
-                write!(f, "nothing slides, but from factor {factor:.12} on nothing resists: {reason}")
+                let factor = words.number(*factor);
+                write!(f, "nothing slides, but from factor {factor} on: {reason:.digits$}")
             }
             Self::Undecided(undecided) => write!(f, "undecided at factor 0: {undecided}"),
         }
@@ -25,16 +29,31 @@ impl<const C: usize> fmt::Display for Onset<C> {
 /// What the contact does from the event on.
 impl<const C: usize> fmt::Display for Change<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let words = Words::of(f);
         match self {
-            Self::Slides { direction } => write!(f, "slides along {}", row(direction.as_slice())),
+            Self::Slides { direction } => {
+                write!(f, "slides over the object along {}", words.along(direction))
+            }
             Self::Sticks => f.write_str("sticks"),
-            Self::Reverses { direction } => write!(f, "slides back along {}", row(direction.as_slice())),
-            Self::Turns { direction } => write!(f, "turns to {}", row(direction.as_slice())),
+            Self::Reverses { direction } => write!(f, "slides back along {}", words.along(direction)),
+            Self::Turns { direction } => write!(f, "turns to {}", words.along(direction)),
             Self::Opens => f.write_str("opens"),
             Self::Closes => f.write_str("closes"),
             Self::ClosesSliding { direction } => {
-                write!(f, "closes, sliding along {}", row(direction.as_slice()))
+                write!(f, "closes, sliding along {}", words.along(direction))
             }
+        }
+    }
+}
+
+impl<const C: usize> Departure<C> {
+    /// What the contact does: "slides".
+    #[must_use]
+    pub fn verb(&self) -> &'static str {
+        match self {
+            Self::Slides { .. } => "slides",
+            Self::Opens => "opens",
+            Self::WouldPull => "would have to pull",
         }
     }
 }
@@ -42,15 +61,14 @@ impl<const C: usize> fmt::Display for Change<C> {
 /// The factor, and who stops sticking.
 impl<const C: usize> fmt::Display for OnsetEvent<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "at factor {:.12}:", self.factor)?;
+        write!(f, "at factor {}:", Words::of(f).number(self.factor))?;
         let mut between = " ";
         for leaving in &self.leaving {
-            let does = if matches!(leaving.how, Departure::Opens) { "opens" } else { "slides" };
-            write!(f, "{between}contact {} {does}", leaving.contact.index)?;
+            write!(f, "{between}{} {}", leaving.contact.text(), leaving.how.verb())?;
             between = ", ";
         }
         for PartChange { part, what } in &self.drives {
-            write!(f, "{between}{} {what}", part.part)?;
+            write!(f, "{between}{} {what}", part.text())?;
             between = ", ";
         }
         Ok(())
@@ -70,12 +88,13 @@ impl fmt::Display for DriveChange {
 
 impl<const C: usize> fmt::Display for PathEnd<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (words, digits) = (Words::of(f), Words::of(f).digits());
         match self {
             Self::Completed => f.write_str("all legs are held to their end"),
             Self::Lost(loss) => loss.fmt(f),
-            Self::NoStart(start) => write!(f, "there is nothing to start from: {start}"),
+            Self::NoStart(start) => write!(f, "there is nothing to start from: {start:.digits$}"),
             Self::Undecided { leg, fraction, doubt } => {
-                write!(f, "held to {fraction:.9} of leg {leg}, beyond undecided: {doubt}")
+                write!(f, "held to {} of leg {leg}, beyond undecided: {doubt}", words.number(*fraction))
             }
         }
     }
@@ -83,8 +102,9 @@ impl<const C: usize> fmt::Display for PathEnd<C> {
 
 impl<const C: usize> fmt::Display for Loss<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "this equilibrium ends at {:.9} of leg {}, under the load ", self.fraction, self.leg)?;
-        write!(f, "{}: {}", row(self.load.components()), self.kind)
+        let words = Words::of(f);
+        let (fraction, load) = (words.number(self.fraction), words.load(&self.load));
+        write!(f, "this equilibrium ends at {fraction} of leg {}, {load}: {}", self.leg, self.kind)
     }
 }
 

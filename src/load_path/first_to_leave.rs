@@ -148,7 +148,7 @@ impl<D: Size, const C: usize> FirstToLeave<D, C> {
         stands[contact].reach(&states[contact], &[exit]);
         let frame = &segment.problem.sites[contact].frame;
         cleared_for(leaving, 1);
-        leaving.push(Leaving::driven_out(contact, &stands[contact], frame));
+        leaving.push(Leaving::driven_out(contact, &stands[contact], &segment.problem.local(contact), frame));
         cleared_for(sites, 1);
         sites.push(contact);
         let found = Found::new(std::mem::take(states), there.forces, there.twist);

@@ -89,6 +89,7 @@ mod turning;
 mod turning_load;
 mod turning_state;
 mod watch;
+mod whole_change;
 
 pub use beyond::{Beyond, Continuation};
 pub use drive_change::{DriveChange, PartChange};
@@ -109,3 +110,6 @@ pub use sensitivity::{Derivative, Parameter};
 pub use stepped::Step;
 pub use turn::{EdgeOf, Touch, Turn};
 pub use turn_questions::TurnOnset;
+#[cfg(feature = "serde")]
+pub(crate) use whole_change::whole_changes;
+pub use whole_change::{Doing, WholeChange};

@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::drive_change::PartChange;
 use super::segment::Segment;
-use crate::contact::ActiveSet;
+use crate::contact::{ActiveSet, LocalLaw};
 use crate::equilibrium::{Cone, Equilibrium, NoEquilibrium, Undecided};
 use crate::error::ContactLabel;
 use crate::grasp::{Coordinates, Wrench};
@@ -136,12 +136,19 @@ impl<const C: usize> Leaving<C> {
     }
 
     /// How the load drives a contact out of its cone where no equilibrium shows which way it goes.
-    pub(super) fn driven_out(site: usize, stand: &ActiveSet<C>, frame: &SMatrix<f64, C, C>) -> Self {
+    pub(super) fn driven_out(
+        site: usize,
+        stand: &ActiveSet<C>,
+        local: &LocalLaw<'_, C>,
+        frame: &SMatrix<f64, C, C>,
+    ) -> Self {
         let outward = stand.facets.iter().fold(SVector::<f64, C>::zeros(), |sum, h| sum + h);
-        let how = if outward.norm() == 0.0 {
+        let how = if outward.norm() > 0.0 {
+            Departure::Slides { direction: frame * outward.normalize() }
+        } else if local.may_open() {
             Departure::Opens
         } else {
-            Departure::Slides { direction: frame * outward.normalize() }
+            Departure::WouldPull
         };
         Self::new(site, how)
     }
@@ -178,4 +185,6 @@ pub enum Departure<const C: usize> {
     },
     /// It opens, F_n = 0.
     Opens,
+    /// It is kept closed and would have to pull, F_n = 0, which its friction does not allow.
+    WouldPull,
 }

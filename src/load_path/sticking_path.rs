@@ -87,7 +87,7 @@ impl<D: Size, const C: usize> StickingPath<'_, D, C> {
             exits.retain(|exit| exit.step <= exit.uncertainty);
             let line = &here.lines[i];
             let weightless = state.is_sticking()
-                && !self.segment.problem.local(i).is_bonded()
+                && self.segment.problem.local(i).has_edges()
                 && line.force.norm() <= ZERO_SLACK * line.force_size;
             if weightless || !exits.is_empty() {
                 standing.push((i, exits));
@@ -111,7 +111,10 @@ impl<D: Size, const C: usize> StickingPath<'_, D, C> {
         };
         let standing = (0..states.len()).filter(|&i| !stands[i].is_nowhere());
         let leaves = |site: usize| match next.as_ref().map(|states| states[site]) {
-            None => Some(Leaving::driven_out(site, &stands[site], &sites[site].frame)),
+            None => {
+                let (local, frame) = (segment.problem.local(site), &sites[site].frame);
+                Some(Leaving::driven_out(site, &stands[site], &local, frame))
+            }
             Some(ContactState::Sliding { direction }) => {
                 Some(Leaving::new(site, Departure::Slides { direction }))
             }

@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::answer::{Amount, Needed, Press, Quantity};
 use super::question::Demand;
-use crate::words::{listed, number};
+use crate::words::{Words, listed};
 
 /// Forces this close are called one.
 const ALIKE: f64 = 1e-6;
@@ -13,13 +13,14 @@ const MANY: usize = 9;
 
 impl fmt::Display for Needed {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let words = Words::of(f);
         let aim = match self.demand {
             Demand::Sticks => "nothing slides",
             Demand::Held => "it is not lost",
         };
         match &self.amount {
             Amount::Bound { does, otherwise, changes, presses, .. } => {
-                let much = self.quantity.much(*does, presses);
+                let much = self.quantity.much(words, *does, presses);
                 if self.quantity.is_least() {
                     write!(f, "NEEDS {much} so that {aim}")?;
                 } else {
@@ -33,15 +34,20 @@ impl fmt::Display for Needed {
                 Ok(())
             }
             Amount::Any { to } if self.quantity.is_least() => {
-                write!(f, "NEEDS none: down to {} {aim}", self.quantity.much(*to, &[]))
+                write!(f, "NEEDS none: down to {} {aim}", self.quantity.much(words, *to, &[]))
             }
-            Amount::Any { to } => write!(f, "TAKES any: up to {} {aim}", self.quantity.much(*to, &[])),
+            Amount::Any { to } => write!(f, "TAKES any: up to {} {aim}", self.quantity.much(words, *to, &[])),
             Amount::None { to, otherwise } => {
                 let way = if self.quantity.is_least() { "up" } else { "down" };
-                write!(f, "NO {} does, {way} to {}: {otherwise}", self.quantity, self.quantity.much(*to, &[]))
+                write!(
+                    f,
+                    "NO {} does, {way} to {}: {otherwise}",
+                    self.quantity,
+                    self.quantity.much(words, *to, &[])
+                )
             }
             Amount::Undecided { at, doubt } => {
-                write!(f, "UNDECIDED at {}: {doubt}", self.quantity.much(*at, &[]))
+                write!(f, "UNDECIDED at {}: {doubt}", self.quantity.much(words, *at, &[]))
             }
         }
     }
@@ -50,16 +56,17 @@ impl fmt::Display for Needed {
 impl Needed {
     /// What is safe where friction and squeeze are less than said.
     fn safe_amount(&self, f: &mut fmt::Formatter<'_>, does: f64, presses: &[Press]) -> fmt::Result {
+        let words = Words::of(f);
         let less = [("friction", self.lower[0]), ("the squeeze", self.lower[1])];
         let less = less.into_iter().filter(|(_, part)| *part > 0.0);
         let less: Vec<_> =
-            less.map(|(what, part)| format!("{what} is {} % less", number(100.0 * part))).collect();
+            less.map(|(what, part)| format!("{what} is {} % less", words.number(100.0 * part))).collect();
         match &self.safe {
             Some(Amount::Bound { does: safe, presses: safe_presses, .. }) => {
                 let much = match (alike(presses), alike(safe_presses)) {
-                    (Some(_), Some(force)) => format!("{} N", number(force)),
-                    _ if presses.is_empty() => self.quantity.much(*safe, &[]),
-                    _ => format!("{} times as much", number(safe / does)),
+                    (Some(_), Some(force)) => format!("{} N", words.number(force)),
+                    _ if presses.is_empty() => self.quantity.much(words, *safe, &[]),
+                    _ => format!("{} times as much", words.number(safe / does)),
                 };
                 write!(f, ", {much} if {}", listed(&less))
             }
@@ -77,30 +84,31 @@ fn alike(presses: &[Press]) -> Option<f64> {
 }
 
 impl Quantity {
-    fn much(self, amount: f64, presses: &[Press]) -> String {
+    fn much(self, words: Words, amount: f64, presses: &[Press]) -> String {
         match self {
             Self::Squeeze => {
-                let times = format!("{} times the squeeze given", number(amount));
+                let times = format!("{} times the squeeze given", words.number(amount));
                 if presses.is_empty() {
                     return times;
                 }
                 if let Some(force) = alike(presses) {
-                    let names: Vec<_> = presses.iter().map(|press| press.part.label.as_str()).collect();
+                    let names: Vec<_> = presses.iter().map(|press| press.part.text()).collect();
                     let at = if names.len() > MANY { "every contact".to_owned() } else { listed(&names) };
-                    return format!("{} N at {at}", number(force));
+                    return format!("{} N at {at}", words.number(force));
                 }
-                let each =
-                    presses.iter().map(|press| format!("{} N at {}", number(press.force), press.part.label));
+                let each = presses
+                    .iter()
+                    .map(|press| format!("{} N at {}", words.number(press.force), press.part.text()));
                 if presses.len() > MANY {
                     times
                 } else {
                     format!("{} ({times})", listed(&each.collect::<Vec<_>>()))
                 }
             }
-            Self::Friction => format!("a coefficient of friction of {}", number(amount)),
-            Self::Load => format!("{} times the load", number(amount)),
-            Self::Arm => format!("an arm of {} m", number(amount)),
-            Self::Angle => format!("{}°", number(amount.to_degrees())),
+            Self::Friction => format!("a coefficient of friction of {}", words.number(amount)),
+            Self::Load => format!("{} times the load", words.number(amount)),
+            Self::Arm => format!("an arm of {} m", words.number(amount)),
+            Self::Angle => format!("{}°", words.number(amount.to_degrees())),
         }
     }
 }

@@ -9,7 +9,7 @@ use crate::ask::Grasp;
 use crate::equilibrium::{ContactState, Equilibrium, Outcome};
 use crate::error::Error;
 use crate::hold::{Holding, Verdict};
-use crate::load_path::{Departure, DriveChange, Onset, PathEnd, Ramp};
+use crate::load_path::{DriveChange, Onset, PathEnd, Ramp};
 use crate::need::{Amount, Needed, Quantity};
 
 /// An answer in short. Nothing is computed beside it: not what lies beyond an onset or the end of a path, which a full answer has.
@@ -119,10 +119,10 @@ impl SceneNames {
     fn onset_briefly<const C: usize>(&self, question: &'static str, onset: &Onset<C>) -> Brief {
         match onset {
             Onset::At(event) => {
-                let contact = event.leaving.first().map(|leaving| {
-                    let does = if matches!(leaving.how, Departure::Opens) { "opens" } else { "slides" };
-                    (self.0[leaving.contact.index].text(), does)
-                });
+                let contact = event
+                    .leaving
+                    .first()
+                    .map(|leaving| (self.0[leaving.contact.index].text(), leaving.how.verb()));
                 let part = || event.drives.first().map(|change| (change.part.text(), drive(change.what)));
                 let (first, does) = contact.or_else(part).unzip();
                 Brief { factor: Some(event.factor), first, does, ..Brief::new(question, "at") }

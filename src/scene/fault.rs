@@ -8,6 +8,7 @@ use serde_path_to_error::Track;
 use super::plain_words::in_plain_words;
 use super::written::{FORMAT, Id, Scene};
 use crate::error::Error;
+use crate::words::printable;
 
 /// What is wrong with the text of a scene, or with what it asks.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
@@ -59,9 +60,10 @@ impl fmt::Display for Fault {
             write!(f, "line {line}, column {column}: ")?;
         }
         if let Some(field) = &self.field {
-            write!(f, "{field}: ")?;
+            write!(f, "{}: ", printable(field))?;
         }
-        f.write_str(&self.message)
+        // What is repeated of the text may be anything.
+        f.write_str(&printable(&self.message))
     }
 }
 

@@ -6,7 +6,10 @@ use super::labels::SceneNames;
 use crate::ask::Grasp;
 use crate::equilibrium::{Doubt, Equilibrium, NoEquilibrium, Undecided, WorkDone};
 use crate::grasp::Wrench;
-use crate::load_path::{self as path, Beyond, EdgeOf, Leaving, PartChange, Touch};
+use crate::load_path::{
+    self as path, Beyond, Change, ContactChange, Departure, Doing, EdgeOf, Leaving, PartChange, Touch,
+    WholeChange, whole_changes,
+};
 use crate::serial::AsComputed;
 
 /// When the first contact stops sticking, at a [`Factor`] or an [`Angle`]; see [`path::Onset`].
@@ -75,6 +78,29 @@ pub struct OnsetAt<const C: usize, At = Factor> {
     pub beyond: Beyond<C>,
     /// The equilibrium there.
     pub state: Equilibrium<C>,
+}
+
+impl<const C: usize, At> OnsetAt<C, At> {
+    /// Who stops sticking, points of one soft fingertip together.
+    #[must_use]
+    pub fn whole_changes(&self) -> Vec<WholeChange<C>> {
+        let change = |leaving: &Leaving<C>| {
+            let what = match leaving.how {
+                Departure::Slides { direction } => Change::Slides { direction },
+                Departure::Opens => Change::Opens,
+                Departure::WouldPull => return None,
+            };
+            Some(ContactChange { contact: leaving.contact.clone(), what })
+        };
+        let mut all = whole_changes(&self.state, &self.leaving.iter().filter_map(change).collect::<Vec<_>>());
+        for leaving in self.leaving.iter().filter(|leaving| leaving.how == Departure::WouldPull) {
+            let contact = leaving.contact.whole();
+            if all.iter().all(|told| told.contact != contact || told.what != Doing::WouldPull) {
+                all.push(WholeChange { contact, what: Doing::WouldPull });
+            }
+        }
+        all
+    }
 }
 
 /// The onset of sliding while a load turns, and what comes near to one; see [`path::TurnOnset`].

@@ -46,6 +46,9 @@ pub enum PathOutcome<const C: usize> {
         loss: Loss<C>,
         /// Whether another exists just beyond.
         beyond: Beyond<C>,
+        /// The equilibrium there; left out where rounding does not allow it to be written down.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        state: Option<Box<Equilibrium<C>>>,
     },
     /// There is no equilibrium to start from.
     NoStart {
@@ -106,7 +109,8 @@ impl SceneNames {
                 let mut loss = Loss { against: None, ..loss.as_ref().clone() };
                 loss.contacts.iter_mut().for_each(|contact| self.name(contact));
                 let unknown = Beyond::Undecided { doubt: Doubt::OnTheBoundary };
-                PathOutcome::Lost { loss, beyond: path.beyond().unwrap_or(unknown) }
+                let state = path.state().map(|state| Box::new(self.equilibrium(state)));
+                PathOutcome::Lost { loss, beyond: path.beyond().unwrap_or(unknown), state }
             }
             Some(PathEnd::NoStart(outcome)) => {
                 PathOutcome::NoStart { start: Box::new(self.outcome(outcome.as_ref().clone())) }

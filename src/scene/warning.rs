@@ -13,7 +13,7 @@ use crate::ask::Grasp;
 use crate::equilibrium::{ContactAnswer, Outcome};
 use crate::error::Error;
 use crate::grasp::Wrench;
-use crate::words::{listed, number};
+use crate::words::{Words, listed, printable};
 
 /// Something that a scene says and hardly means.
 ///
@@ -73,15 +73,17 @@ pub enum Warning {
 
 impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let words = Words::of(f);
         match self {
             Self::NothingPresses => f.write_str(
                 "no finger presses: every command is zero or missing, so that friction has nothing to act on; say `command` or `pressed_with`",
             ),
             Self::PressesOtherwise { name, told, force, .. } => write!(
                 f,
-                "{name} presses with {} N at rest, not with {}: `pressed_with` moves a spring, and the object gives way until forces agree",
-                number(*force),
-                number(*told)
+                "{} presses with {} N at rest, not with {}: `pressed_with` moves a spring, and the object gives way until forces agree",
+                printable(name),
+                words.number(*force),
+                words.number(*told)
             ),
             Self::SameName { contacts, name } => {
                 let numbers: Vec<_> = contacts.iter().map(|contact| format!("contact {contact}")).collect();
@@ -94,13 +96,14 @@ impl fmt::Display for Warning {
                     f,
                     "{} {have} no stiffness, and it is taken that each gives way by {} N/m in all directions: the answer to {} depends on it; say `stiffness`",
                     listed(names),
-                    number(*stiffness),
+                    words.number(*stiffness),
                     listed(&numbers)
                 )
             }
             Self::PointsOut { name, .. } => write!(
                 f,
-                "{name}: its normal points out of the outline; normals point into the object, the way the finger pushes"
+                "{}: its normal points out of the outline; normals point into the object, the way the finger pushes",
+                printable(name)
             ),
         }
     }

@@ -206,6 +206,12 @@ pub(crate) struct Ask {
     /// The answers in JSON in place of words.
     #[arg(long)]
     pub(crate) json: bool,
+    /// Points of soft fingertips one by one, each with its own margin.
+    #[arg(long)]
+    pub(crate) points: bool,
+    /// How many digits numbers have.
+    #[arg(long, default_value_t = 6, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=17))]
+    pub(crate) digits: u8,
 }
 
 /// An amount that is sought.

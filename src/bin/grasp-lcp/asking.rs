@@ -11,11 +11,13 @@ use grasp_lcp::need::{Amount, Demand, Quantity};
 use grasp_lcp::scene::{
     Answer, Answers, Goal, LegAsked, NeedAsked, OnsetAnswer, PathOutcome, Question, RampAsked, Setup, Space,
 };
+use grasp_lcp::words::{Words, printable};
 use grasp_lcp::{planar, spatial};
 
 use crate::arguments::{Ask, LoadArguments, Numbers, QuantityAsked, Wanted};
 use crate::failure::{Failure, UNDECIDED};
 use crate::loads::{direction, point, pull_of_mass, total_force};
+use crate::words::Style;
 use crate::{files, report};
 
 /// What is asked.
@@ -35,11 +37,11 @@ pub(crate) fn ask(ask: &Ask, asked: &Asked) -> Result<ExitCode, Failure> {
     match &mut scene.space {
         Space::Planar(setup) => {
             let moment = |m: &[f64]| planar::Wrench::new([0.0; 2], m[0]);
-            put(setup, asked, &Words { force_at: planar::Wrench::force_at, moment, turn: planar_turn })?;
+            put(setup, asked, &Meaning { force_at: planar::Wrench::force_at, moment, turn: planar_turn })?;
         }
         Space::Spatial(setup) => {
             let moment = |m: &[f64]| spatial::Wrench::new([0.0; 3], [m[0], m[1], m[2]]);
-            put(setup, asked, &Words { force_at: spatial::Wrench::force_at, moment, turn: spatial_turn })?;
+            put(setup, asked, &Meaning { force_at: spatial::Wrench::force_at, moment, turn: spatial_turn })?;
         }
     }
     let left_out = match &scene.space {
@@ -56,12 +58,13 @@ pub(crate) fn ask(ask: &Ask, asked: &Asked) -> Result<ExitCode, Failure> {
         writeln!(out)?;
     } else {
         let comment = scene.comment.as_deref();
+        let style = Style { words: Words::with_digits(ask.digits.into()), points: ask.points };
         match (&scene.space, &answers) {
             (Space::Planar(setup), Answers::Planar(answers)) => {
-                report::print(&mut out, comment, setup, answers)?;
+                report::print(&mut out, style, comment, setup, answers)?;
             }
             (Space::Spatial(setup), Answers::Spatial(answers)) => {
-                report::print(&mut out, comment, setup, answers)?;
+                report::print(&mut out, style, comment, setup, answers)?;
             }
             _ => {}
         }
@@ -77,7 +80,7 @@ pub(crate) fn ask(ask: &Ask, asked: &Asked) -> Result<ExitCode, Failure> {
 type TurnOf<const C: usize> = fn([f64; C], Option<&Numbers>, Option<&Numbers>) -> Result<Turn<C>, Failure>;
 
 /// What the numbers of the command line mean in the plane, or in space.
-struct Words<const C: usize> {
+struct Meaning<const C: usize> {
     force_at: fn([f64; C], [f64; C]) -> Wrench<C>,
     /// Of as many components as there are planes to turn in.
     moment: fn(&[f64]) -> Wrench<C>,
@@ -85,7 +88,7 @@ struct Words<const C: usize> {
 }
 
 /// Puts the question of the command line in place of the scene's; without one, those of its kind stay.
-fn put<const C: usize>(setup: &mut Setup<C>, asked: &Asked, words: &Words<C>) -> Result<(), Failure> {
+fn put<const C: usize>(setup: &mut Setup<C>, asked: &Asked, words: &Meaning<C>) -> Result<(), Failure> {
     let question = match asked {
         Asked::Hold { load, base } => words.hold(load, base.as_ref())?,
         Asked::Need(wanted) => words.need(wanted, setup)?.map(|asked| Question::Need(Box::new(asked))),
@@ -135,7 +138,7 @@ fn is_of_kind<const C: usize>(question: &Question<C>, asked: &Asked) -> bool {
     }
 }
 
-impl<const C: usize> Words<C> {
+impl<const C: usize> Meaning<C> {
     /// The load of the command line, if there is one.
     fn wrench(&self, load: &LoadArguments) -> Result<Option<Wrench<C>>, Failure> {
         let LoadArguments { force, moment, at, mass, .. } = load;
@@ -228,7 +231,8 @@ impl<const C: usize> Words<C> {
         if let Some(contact) = &wanted.contact {
             let labels = setup.entries().enumerate().map(|(i, entry)| entry.contact.label_text(i));
             let labels: Vec<_> = labels.collect();
-            let mut by_name = (0..labels.len()).filter(|i| labels[*i] == *contact);
+            let contact = printable(contact);
+            let mut by_name = (0..labels.len()).filter(|i| labels[*i] == contact);
             asked.contact = by_name.next();
             if asked.contact.is_none() {
                 let all = labels.join(", ");

@@ -5,6 +5,7 @@ use std::io::{self, Read, Write};
 use std::path::Path;
 
 use grasp_lcp::scene::{Scene, Warning};
+use grasp_lcp::words::printable;
 
 use crate::arguments::Output;
 use crate::failure::Failure;
@@ -30,7 +31,11 @@ pub(crate) fn read(path: &Path) -> Result<Scene, Failure> {
 
 /// What messages call a scene.
 fn name(path: &Path) -> String {
-    if path == Path::new("-") { "standard input".to_owned() } else { path.display().to_string() }
+    if path == Path::new("-") {
+        "standard input".to_owned()
+    } else {
+        printable(&path.display().to_string()).into_owned()
+    }
 }
 
 /// A word of warning about a scene.
@@ -63,15 +68,17 @@ impl<'a> Pictures<'a> {
 
     /// What pictures call the scene.
     pub(crate) fn title(&self) -> String {
-        self.stem().replace('_', " ")
+        printable(&self.stem().replace('_', " ")).into_owned()
     }
 
     /// Writes one, whose name ends like this.
     pub(crate) fn save(&self, end: &str, text: &str) -> Result<(), Failure> {
         let path = self.output.output.join(format!("{}{end}", self.stem()));
         let written = fs::create_dir_all(&self.output.output).and_then(|()| fs::write(&path, text));
-        written.map_err(|error| Failure::Files(format!("{}: {error}", path.display())))?;
-        writeln!(io::stdout(), "wrote {}", path.display())?;
+        written.map_err(|error| {
+            Failure::Files(format!("{}: {error}", printable(&path.display().to_string())))
+        })?;
+        writeln!(io::stdout(), "wrote {}", printable(&path.display().to_string()))?;
         Ok(())
     }
 }

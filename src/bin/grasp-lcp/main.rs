@@ -15,6 +15,7 @@ mod map;
 mod new;
 mod numbers;
 mod report;
+mod table;
 mod values;
 mod words;
 

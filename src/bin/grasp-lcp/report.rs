@@ -2,15 +2,20 @@
 
 use std::io::{self, Write};
 
-use grasp_lcp::equilibrium::{ContactAnswer, ContactState, Equilibrium, Outcome, row};
-use grasp_lcp::load_path::{Beyond, Change, Departure, EdgeOf, Leaving, PartChange};
-use grasp_lcp::scene::{Answer, OnsetAnswer, PathAnswer, PathOutcome, Question, Setup, TurnAnswer};
+use grasp_lcp::equilibrium::{ContactState, Equilibrium, Outcome, Told};
+use grasp_lcp::grasp::Wrench;
+use grasp_lcp::hold::Verdict;
+use grasp_lcp::load_path::{Beyond, Departure, EdgeOf, Leaving, PartChange};
+use grasp_lcp::scene::{Answer, OnsetAnswer, OnsetAt, PathAnswer, PathOutcome, Question, Setup, TurnAnswer};
+use grasp_lcp::words::printable;
 
-use crate::words::{NO_WORDS, doing, gives_way, left, proof, wrench};
+use crate::table::table;
+use crate::words::{NO_WORDS, Style};
 
 /// Prints the answers to the questions of a scene.
 pub(crate) fn print<const C: usize>(
     out: &mut dyn Write,
+    style: Style,
     comment: Option<&str>,
     setup: &Setup<C>,
     answers: &[Answer<C>],
@@ -18,259 +23,278 @@ pub(crate) fn print<const C: usize>(
     let is_a_sentence = |answer: &Answer<C>| matches!(answer, Answer::Hold(_) | Answer::Need(_));
     // A sentence is what was asked for, and comes first.
     if !answers.iter().all(is_a_sentence) {
-        if let Some(comment) = comment {
-            writeln!(out, "{comment}")?;
+        for line in comment.into_iter().flat_map(str::lines) {
+            writeln!(out, "{}", printable(line))?;
         }
-        let points = setup.points().unwrap_or_default();
-        writeln!(out, "{} contacts, {points} points of contact", setup.entries().count())?;
+        let (contacts, points) = (setup.entries().count(), setup.points().unwrap_or_default());
+        let of = if points > contacts { format!(", {points} points of contact") } else { String::new() };
+        writeln!(out, "{contacts} {}{of}", if contacts == 1 { "contact" } else { "contacts" })?;
     }
+    let mut report = Report { out, style };
     for (question, answer) in setup.questions.iter().zip(answers) {
+        report.answer(setup, question, answer)?;
+    }
+    Ok(())
+}
+
+/// Where to, and how.
+struct Report<'o> {
+    out: &'o mut dyn Write,
+    style: Style,
+}
+
+impl Report<'_> {
+    fn line(&mut self, words: &str) -> io::Result<()> {
+        writeln!(self.out, "  {words}")
+    }
+
+    fn load<const C: usize>(&self, load: &Wrench<C>) -> String {
+        self.style.words.load(load)
+    }
+
+    fn number(&self, x: f64) -> String {
+        self.style.words.number(x)
+    }
+
+    fn table<const C: usize>(&mut self, state: &Equilibrium<C>) -> io::Result<()> {
+        table(self.out, self.style, state)
+    }
+
+    fn answer<const C: usize>(
+        &mut self,
+        setup: &Setup<C>,
+        question: &Question<C>,
+        answer: &Answer<C>,
+    ) -> io::Result<()> {
+        let digits = self.style.digits();
         match (question, answer) {
             (_, Answer::Hold(answer)) => {
-                writeln!(out, "{}", answer.says)?;
-                if let Some(state) = &answer.verdict.state {
-                    table(out, setup, state)?;
-                }
+                writeln!(self.out, "{:.digits$}", answer.verdict)?;
+                answer.verdict.state.as_ref().map_or(Ok(()), |state| self.table(state))
             }
-            (_, Answer::Need(answer)) => writeln!(out, "{}", answer.says)?,
+            (_, Answer::Need(answer)) => writeln!(self.out, "{:.digits$}", answer.needed),
             (Question::Solve { load }, Answer::Solve(outcome)) => {
-                writeln!(out, "\nUnder the load {}", wrench(load))?;
-                solved(out, setup, outcome)?;
+                writeln!(self.out, "\nUnder {}", self.load(load))?;
+                self.solved(outcome)?;
                 // Nothing was found by a search; what happens from rest is known all the same.
-                if let (Outcome::Undecided(_), Ok(Ok(verdict))) =
-                    (outcome, setup.grasp().map(|grasp| grasp.hold(*load)))
-                {
-                    writeln!(out, "  put on from rest: {verdict}")?;
+                match (outcome, setup.grasp().map(|grasp| grasp.hold(*load))) {
+                    (Outcome::Undecided(_), Ok(Ok(verdict))) => self.from_rest(&verdict),
+                    _ => Ok(()),
                 }
             }
             (Question::Onset(ramp), Answer::Onset(onset)) => {
-                write!(
-                    out,
-                    "\nOnset of sliding from {} along {}",
-                    wrench(&ramp.base),
-                    wrench(&ramp.direction)
-                )?;
-                writeln!(
-                    out,
-                    "{}",
-                    if ramp.command_change.is_some() { ", finger commands changing along" } else { "" }
-                )?;
-                slides(out, setup, onset)?;
+                let commands = if ramp.command_change.is_some() || ramp.joint_change.is_some() {
+                    ", commands changing along"
+                } else {
+                    ""
+                };
+                let (base, direction) = (self.load(&ramp.base), self.load(&ramp.direction));
+                writeln!(self.out, "\nOnset of sliding from {base} along {direction}{commands}")?;
+                self.onset(onset, "factor", |report, at| report.number(at.factor))
             }
             (Question::OnsetOfTurn(turn), Answer::OnsetOfTurn(onset)) => {
-                let (from, most) = (wrench(&turn.load_at(0.0)), turn.angle().to_degrees());
-                writeln!(out, "\nOnset of sliding from {from} while the load turns by {most:.6} degrees")?;
-                slides_turned(out, setup, onset)?;
+                let (from, most) = (self.load(&turn.load_at(0.0)), self.style.words.angle(turn.angle()));
+                writeln!(self.out, "\nOnset of sliding from {from} while the load turns by {most}")?;
+                self.onset(&onset.onset, "an angle of", |report, at| report.style.words.angle(at.angle))?;
+                self.touches(onset)
             }
             (Question::Follow { start, legs }, Answer::Follow(path)) => {
-                writeln!(out, "\nLoad program of {} legs from {}", legs.len(), wrench(start))?;
-                followed(out, setup, path)?;
+                let legs = if legs.len() == 1 { "1 leg".to_owned() } else { format!("{} legs", legs.len()) };
+                writeln!(self.out, "\nLoad program of {legs} from {}", self.load(start))?;
+                self.followed(path)
             }
-            _ => writeln!(out, "{NO_WORDS}")?,
+            _ => writeln!(self.out, "{NO_WORDS}"),
         }
     }
-    Ok(())
-}
 
-fn solved<const C: usize>(out: &mut dyn Write, setup: &Setup<C>, outcome: &Outcome<C>) -> io::Result<()> {
-    match outcome {
-        Outcome::Equilibrium(state) => table(out, setup, state)?,
-        Outcome::NoEquilibrium(none) => writeln!(out, "  no equilibrium exists: {}", proof(&none.proof))?,
-        Outcome::Undecided(why) => writeln!(out, "  undecided: {}", why.doubt)?,
-        _ => writeln!(out, "  {NO_WORDS}")?,
+    fn solved<const C: usize>(&mut self, outcome: &Outcome<C>) -> io::Result<()> {
+        let digits = self.style.digits();
+        match outcome {
+            Outcome::Equilibrium(state) => self.table(state),
+            Outcome::NoEquilibrium(none) => self.line(&format!("no equilibrium exists: {none:.digits$}")),
+            Outcome::Undecided(why) => self.line(&format!("undecided: {}", why.doubt)),
+            _ => self.line(NO_WORDS),
+        }
     }
-    Ok(())
-}
 
-fn slides<const C: usize>(out: &mut dyn Write, setup: &Setup<C>, onset: &OnsetAnswer<C>) -> io::Result<()> {
-    match onset {
-        OnsetAnswer::At(event) => {
-            writeln!(out, "  at factor {:.12}, that is {}", event.at.factor, wrench(&event.load))?;
-            leave(out, &event.leaving, &event.drives)?;
-            table(out, setup, &event.state)?;
-            goes_on(out, &event.beyond)?;
+    /// What the path says where the search is undecided.
+    fn from_rest<const C: usize>(&mut self, verdict: &Verdict<C>) -> io::Result<()> {
+        let digits = self.style.digits();
+        if verdict.holds() == Some(false) {
+            let elsewhere = "whether a wedged equilibrium exists elsewhere was not decided";
+            self.line(&format!("put on from rest: {verdict:.digits$}; {elsewhere}"))
+        } else {
+            self.line(&format!("put on from rest: {verdict:.digits$}"))
         }
-        OnsetAnswer::Never => writeln!(out, "  never: everything keeps sticking however far the load goes")?,
-        OnsetAnswer::AlreadySliding { state } => {
-            writeln!(out, "  something slides already at factor 0:")?;
-            table(out, setup, state)?;
-        }
-        OnsetAnswer::NoBase(none) => {
-            writeln!(out, "  no equilibrium exists at factor 0: {}", proof(&none.proof))?;
-        }
-        OnsetAnswer::Undecided(why) => writeln!(out, "  undecided at factor 0: {}", why.doubt)?,
-        OnsetAnswer::GivesWay { at, reason } => {
-            let (factor, why) = (at.factor, proof(&reason.proof));
-            writeln!(out, "  nothing slides, but from factor {factor:.12} on nothing resists: {why}")?;
-        }
-        _ => writeln!(out, "  {NO_WORDS}")?,
     }
-    Ok(())
-}
 
-fn slides_turned<const C: usize>(
-    out: &mut dyn Write,
-    setup: &Setup<C>,
-    answer: &TurnAnswer<C>,
-) -> io::Result<()> {
-    match &answer.onset {
-        OnsetAnswer::At(event) => {
-            let (angle, load) = (event.at.angle, wrench(&event.load));
-            writeln!(out, "  at {:.9} degrees, {angle:.12} rad, that is {load}", angle.to_degrees())?;
-            leave(out, &event.leaving, &event.drives)?;
-            table(out, setup, &event.state)?;
-            goes_on(out, &event.beyond)?;
-        }
-        OnsetAnswer::Never => writeln!(out, "  never: everything keeps sticking up to the last angle")?,
-        OnsetAnswer::AlreadySliding { state } => {
-            writeln!(out, "  something slides already at angle 0:")?;
-            table(out, setup, state)?;
-        }
-        OnsetAnswer::NoBase(none) => {
-            writeln!(out, "  no equilibrium exists at angle 0: {}", proof(&none.proof))?;
-        }
-        OnsetAnswer::Undecided(why) => writeln!(out, "  undecided at angle 0: {}", why.doubt)?,
-        OnsetAnswer::GivesWay { at, reason } => {
-            let (angle, why) = (at.angle, proof(&reason.proof));
-            writeln!(out, "  nothing slides, but from {angle:.12} rad on nothing resists: {why}")?;
-        }
-        _ => writeln!(out, "  {NO_WORDS}")?,
-    }
-    for touch in &answer.touches {
-        let who = match &touch.of {
-            EdgeOf::Contact(contact) => contact.text(),
-            EdgeOf::Drive(part) => part.text(),
-            _ => NO_WORDS.to_owned(),
-        };
-        writeln!(out, "  {who} touches its edge at {:.9} degrees", touch.angle.to_degrees())?;
-    }
-    Ok(())
-}
-
-/// Who stops sticking, and how.
-fn leave<const C: usize>(
-    out: &mut dyn Write,
-    leaving: &[Leaving<C>],
-    drives: &[PartChange],
-) -> io::Result<()> {
-    for Leaving { contact, how, .. } in leaving {
-        match how {
-            Departure::Slides { direction } => {
-                writeln!(
-                    out,
-                    "  {} slides over the object along {}",
-                    contact.text(),
-                    row(direction.as_slice())
-                )?;
+    /// An onset at a place that is called so.
+    fn onset<const C: usize, At>(
+        &mut self,
+        onset: &OnsetAnswer<C, At>,
+        called: &str,
+        place: impl Fn(&Self, &At) -> String,
+    ) -> io::Result<()> {
+        let digits = self.style.digits();
+        match onset {
+            OnsetAnswer::At(event) => {
+                let (at, load) = (place(self, &event.at), self.load(&event.load));
+                self.line(&format!("at {called} {at}, that is {load}"))?;
+                self.leaving(event)?;
+                self.table(&event.state)?;
+                self.beyond_onset(&event.beyond, &event.state)
             }
-            Departure::Opens => writeln!(out, "  {} opens", contact.text())?,
+            OnsetAnswer::Never => self.line("never: everything keeps sticking however far the load goes"),
+            OnsetAnswer::AlreadySliding { state } => {
+                self.line("something slides already where the load begins:")?;
+                self.table(state)
+            }
+            OnsetAnswer::NoBase(none) => {
+                self.line(&format!("no equilibrium exists where the load begins: {none:.digits$}"))
+            }
+            OnsetAnswer::Undecided(why) => {
+                self.line(&format!("undecided where the load begins: {}", why.doubt))
+            }
+            OnsetAnswer::GivesWay { at, reason } => {
+                let at = place(self, at);
+                self.line(&format!("nothing slides, but from {called} {at} on: {reason:.digits$}"))
+            }
+            _ => self.line(NO_WORDS),
         }
     }
-    for PartChange { part, what, .. } in drives {
-        writeln!(out, "  {} {}", part.text(), what)?;
-    }
-    Ok(())
-}
 
-/// What comes after an onset.
-fn goes_on<const C: usize>(out: &mut dyn Write, next: &Beyond<C>) -> io::Result<()> {
-    match next {
-        Beyond::Continues(next) => {
-            let sliding = next.states.iter().filter(|s| matches!(s, ContactState::Sliding { .. })).count();
-            writeln!(out, "  beyond: the grasp holds on, points that slide: {sliding}")?;
-        }
-        other => beyond(out, other)?,
-    }
-    Ok(())
-}
-
-fn followed<const C: usize>(out: &mut dyn Write, setup: &Setup<C>, path: &PathAnswer<C>) -> io::Result<()> {
-    for event in &path.events {
-        for change in &event.changes {
-            let what = match &change.what {
-                Change::Slides { direction } => format!("slides along {}", row(direction.as_slice())),
-                Change::Sticks => "sticks".to_owned(),
-                Change::Reverses { direction } => format!("slides back along {}", row(direction.as_slice())),
-                Change::Turns { direction } => format!("turns to {}", row(direction.as_slice())),
-                Change::Opens => "opens".to_owned(),
-                Change::Closes => "closes".to_owned(),
-                Change::ClosesSliding { direction } => {
-                    format!("closes, sliding along {}", row(direction.as_slice()))
-                }
+    /// Contacts that come to their edge while a load turns and do not leave, each once.
+    fn touches<const C: usize>(&mut self, answer: &TurnAnswer<C>) -> io::Result<()> {
+        let mut told = Vec::new();
+        for touch in &answer.touches {
+            let who = match &touch.of {
+                EdgeOf::Contact(contact) if self.style.points => contact.text(),
+                EdgeOf::Contact(contact) => contact.whole().text(),
+                EdgeOf::Drive(part) => part.text(),
+                _ => NO_WORDS.to_owned(),
             };
-            let at = format!("leg {} at {:.9}", event.leg, event.fraction);
-            writeln!(out, "  {at}, {}: {} {what}", wrench(&event.load), change.contact.text())?;
+            if !told.contains(&who) {
+                let angle = self.style.words.angle(touch.angle);
+                self.line(&format!("{who} touches its edge at {angle}"))?;
+                told.push(who);
+            }
+        }
+        Ok(())
+    }
+
+    /// Who stops sticking, and how.
+    fn leaving<const C: usize, At>(&mut self, event: &OnsetAt<C, At>) -> io::Result<()> {
+        let digits = self.style.digits();
+        if self.style.points {
+            for Leaving { contact, how, .. } in &event.leaving {
+                let along = match how {
+                    Departure::Slides { direction } => {
+                        format!(" over the object along {}", self.style.words.along(direction))
+                    }
+                    _ => String::new(),
+                };
+                self.line(&format!("{} {}{along}", contact.text(), how.verb()))?;
+            }
+        } else {
+            for change in event.whole_changes() {
+                self.line(&format!("{change:.digits$}"))?;
+            }
         }
         for PartChange { part, what, .. } in &event.drives {
-            let at = format!("leg {} at {:.9}", event.leg, event.fraction);
-            writeln!(out, "  {at}, {}: {} {}", wrench(&event.load), part.text(), what)?;
+            self.line(&format!("{} {what}", part.text()))?;
         }
+        Ok(())
     }
-    match &path.end {
-        PathOutcome::Completed { state: Some(state) } => {
-            writeln!(out, "  all legs are held to their end:")?;
-            table(out, setup, state)?;
-        }
-        PathOutcome::Completed { state: None } => writeln!(out, "  all legs are held to their end")?,
-        PathOutcome::Lost { loss, beyond: next } => {
-            let how = loss.kind;
-            let at = format!("{:.9} of leg {}", loss.fraction, loss.leg);
-            writeln!(out, "  this equilibrium ends at {at}, {}: {how}", wrench(&loss.load))?;
-            beyond(out, next)?;
-        }
-        PathOutcome::Undecided { leg, fraction, doubt } => {
-            writeln!(out, "  held to {fraction:.9} of leg {leg}, beyond not known: {doubt}")?;
-        }
-        PathOutcome::NoStart { start } => {
-            writeln!(out, "  there is nothing to start from:")?;
-            solved(out, setup, start)?;
-        }
-        _ => writeln!(out, "  {NO_WORDS}")?,
-    }
-    Ok(())
-}
 
-/// One line for each contact of the scene; forces of a soft fingertip are sums over its points.
-fn table<const C: usize>(out: &mut dyn Write, setup: &Setup<C>, state: &Equilibrium<C>) -> io::Result<()> {
-    writeln!(out, "  {:24} {:>12} {:>12} {:>12}  state", "contact", "F_n (N)", "|F_t| (N)", "margin (N)")?;
-    for (index, entry) in setup.entries().enumerate() {
-        let points: Vec<&ContactAnswer<C>> =
-            state.contacts.iter().filter(|c| c.contact.index == index).collect();
-        let sum = |axis: usize| points.iter().map(|c| c.force[axis]).sum::<f64>();
-        let tangential = (1..C).map(sum).fold(0.0, f64::hypot);
-        let margin = points.iter().map(|c| c.margin).fold(f64::INFINITY, f64::min);
-        let label = entry.contact.label_text(index);
-        writeln!(out, "  {label:24} {:12.6} {tangential:12.6} {margin:12.6}  {}", sum(0), doing(&points))?;
-    }
-    for joint in &state.joints {
-        let (label, torque, margin) = (joint.joint.text(), joint.torque, joint.margin);
-        let (what, unit) = if joint.slides { ("force", "N") } else { ("torque", "N m") };
-        writeln!(
-            out,
-            "  {label:24} {what:7} {torque:12.6} {unit}{}{}",
-            left(margin),
-            gives_way(joint.state)
-        )?;
-    }
-    for tendon in &state.tendons {
-        let (label, tension, margin) = (tendon.tendon.text(), tendon.tension, tendon.margin);
-        writeln!(out, "  {label:24} tension {tension:12.6} N{}{}", left(margin), gives_way(tendon.state))?;
-    }
-    let worst = state.residuals.worst();
-    writeln!(out, "  the object moves by {}, residual {worst:.0e}", row(state.twist.components()))?;
-    Ok(())
-}
-
-/// What lies beyond an onset where the equilibrium ends, or beyond the end of a path.
-fn beyond<const C: usize>(out: &mut dyn Write, beyond: &Beyond<C>) -> io::Result<()> {
-    match beyond {
-        Beyond::LimitLoad => writeln!(out, "  beyond: no equilibrium; it is the limit load")?,
-        Beyond::Snap => writeln!(out, "  beyond: another equilibrium; the grasp snaps over or is lost")?,
-        Beyond::Ends { reason } => {
-            writeln!(out, "  beyond: this equilibrium ends: {}", proof(&reason.proof))?;
+    /// What comes after an onset.
+    fn beyond_onset<const C: usize>(&mut self, next: &Beyond<C>, state: &Equilibrium<C>) -> io::Result<()> {
+        let Beyond::Continues(next) = next else { return self.beyond(next) };
+        let slides = |i: &usize| matches!(next.states.get(*i), Some(ContactState::Sliding { .. }));
+        let mut site = 0;
+        let mut sliding = Vec::new();
+        for told in state.whole_contacts() {
+            let points = if let Told::Pad(pad) = told { pad.points } else { 1 };
+            let those = (site..site + points).filter(slides).count();
+            site += points;
+            match (those, points) {
+                (0, _) => {}
+                (_, 1) => sliding.push(told.text()),
+                (those, points) => sliding.push(format!("{} ({those} of {points} points)", told.text())),
+            }
         }
-        Beyond::Undecided { doubt } => writeln!(out, "  beyond: not known: {doubt}")?,
-        _ => writeln!(out, "  beyond: {NO_WORDS}")?,
+        let who = if sliding.is_empty() {
+            "nothing slides".to_owned()
+        } else {
+            format!("sliding: {}", sliding.join(", "))
+        };
+        self.line(&format!("beyond: the grasp holds on; {who}"))
     }
-    Ok(())
+
+    fn followed<const C: usize>(&mut self, path: &PathAnswer<C>) -> io::Result<()> {
+        let digits = self.style.digits();
+        let (mut in_between, mut warned) = (0, false);
+        for event in &path.events {
+            let contacts: Vec<_> = if self.style.points {
+                let point = |change: &grasp_lcp::load_path::ContactChange<C>| {
+                    format!("{} {:.digits$}", change.contact.text(), change.what)
+                };
+                event.changes.iter().map(point).collect()
+            } else {
+                event.whole_changes().iter().map(|change| format!("{change:.digits$}")).collect()
+            };
+            in_between += usize::from(contacts.is_empty() && !event.changes.is_empty());
+            let drives = event.drives.iter().map(|drive| format!("{} {}", drive.part.text(), drive.what));
+            for what in contacts.into_iter().chain(drives) {
+                let (fraction, load) = (self.number(event.fraction), self.load(&event.load));
+                self.line(&format!("leg {} at {fraction}, {load}: {what}", event.leg))?;
+            }
+            if let Some(caution) = event.state.caution().filter(|_| !warned) {
+                self.line(&format!("CAUTION, from here on: {caution}"))?;
+                warned = true;
+            }
+        }
+        if in_between > 0 {
+            self.line(&format!("in between at {in_between} loads more points change: --points tells them"))?;
+        }
+        self.end_of_path(&path.end)
+    }
+
+    fn end_of_path<const C: usize>(&mut self, end: &PathOutcome<C>) -> io::Result<()> {
+        match end {
+            PathOutcome::Completed { state } => {
+                self.line("all legs are held to their end")?;
+                state.as_ref().map_or(Ok(()), |state| self.table(state))
+            }
+            PathOutcome::Lost { loss, beyond: next, state, .. } => {
+                let (fraction, load) = (self.number(loss.fraction), self.load(&loss.load));
+                let (leg, how) = (loss.leg, loss.kind);
+                self.line(&format!("this equilibrium ends at {fraction} of leg {leg}, {load}: {how}"))?;
+                state.as_ref().map_or(Ok(()), |state| self.table(state))?;
+                self.beyond(next)
+            }
+            PathOutcome::Undecided { leg, fraction, doubt } => {
+                let fraction = self.number(*fraction);
+                self.line(&format!("held to {fraction} of leg {leg}, beyond not known: {doubt}"))
+            }
+            PathOutcome::NoStart { start } => {
+                self.line("there is nothing to start from:")?;
+                self.solved(start)
+            }
+            _ => self.line(NO_WORDS),
+        }
+    }
+
+    /// What lies beyond an onset where the equilibrium ends, or beyond the end of a path.
+    fn beyond<const C: usize>(&mut self, beyond: &Beyond<C>) -> io::Result<()> {
+        let digits = self.style.digits();
+        match beyond {
+            Beyond::LimitLoad => self.line("beyond: no equilibrium; it is the limit load"),
+            Beyond::Snap => self.line("beyond: another equilibrium; the grasp snaps over or is lost"),
+            Beyond::Ends { reason } => {
+                self.line(&format!("beyond: this equilibrium ends: {reason:.digits$}"))
+            }
+            Beyond::Undecided { doubt } => self.line(&format!("beyond: not known: {doubt}")),
+            _ => self.line(&format!("beyond: {NO_WORDS}")),
+        }
+    }
 }

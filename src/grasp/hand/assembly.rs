@@ -5,12 +5,13 @@ use nalgebra::DMatrix;
 use super::draft::{Assembly, refuse};
 use super::drive::{Drive, Owner, Role};
 use super::hand_builder::Hand;
-use super::joint::{Joint, Limit};
+use super::joint::{Joint, JointKind, Limit};
 use super::linkage::{Linkage, Named};
 use super::positive::squares;
 use crate::error::{Error, LARGEST, is_moderate};
 use crate::grasp::engine::Engine;
 use crate::numerics::{Any, Size, Vector};
+use crate::words::printable;
 
 impl<const C: usize> Hand<C> {
     /// The grasp of an object by this hand, in the coordinates of the object, 3 in the plane and 6 in space, and [those of the
@@ -135,7 +136,7 @@ impl<const C: usize> Assembly<C> {
     }
 
     fn add_tendon(&mut self, tendon: &super::tendon::Tendon, number: usize) -> Result<Named, Error> {
-        let named = tendon.name.as_ref().map_or_else(String::new, |name| format!(" ({name})"));
+        let named = tendon.name.as_ref().map_or_else(String::new, |name| format!(" ({})", printable(name)));
         let label = format!("tendon {number}{named}");
         check_spring(&label, tendon.stiffness, tendon.limit)?;
         for (field, value) in [("pull", tendon.pull), ("tension", tendon.tension)] {
@@ -169,7 +170,12 @@ impl<const C: usize> Assembly<C> {
             let actuator = self.joints.len() + number;
             self.drive(Owner::Tendon(number), &spring, (actuator, 1.0 / unit), tendon.limit, tendon.pushes);
         }
-        Ok(Named { name: tendon.name.clone(), limit: tendon.limit, held: tendon.tension, slides: true })
+        Ok(Named {
+            name: tendon.name.clone(),
+            limit: tendon.limit,
+            kind: JointKind::Slides,
+            held: tendon.tension,
+        })
     }
 
     /// A spring over joints with these arms, in inside coordinates, and the power of two by which its arms were divided.
@@ -231,8 +237,8 @@ impl<const C: usize> Assembly<C> {
         let name = |joint: &Joint<C>| Named {
             name: joint.name.clone(),
             limit: joint.limit,
+            kind: joint.kind(),
             held: joint.torque,
-            slides: joint.motion.is_slide(),
         };
         let linkage = Linkage {
             joints: self.joints.iter().map(name).collect(),

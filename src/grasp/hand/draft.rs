@@ -9,6 +9,7 @@ use crate::error::Error;
 use crate::grasp::contact::Contact;
 use crate::grasp::rotation::of_the_object;
 use crate::numerics::{Any, Vector};
+use crate::words::printable;
 
 /// Motion of one contact with the coordinates beside those of the object, along the coordinate axes.
 pub(super) type Columns<const C: usize> = Vec<(usize, SVector<f64, C>)>;
@@ -46,7 +47,7 @@ impl<const C: usize> Assembly<C> {
         self.joints[joint]
             .name
             .as_ref()
-            .map_or_else(|| format!("joint {joint}"), |name| format!("joint {joint} ({name})"))
+            .map_or_else(|| format!("joint {joint}"), |name| format!("joint {joint} ({})", printable(name)))
     }
 }
 

@@ -17,6 +17,21 @@ pub(crate) enum JointMotion<const C: usize> {
     Given,
 }
 
+/// What a joint does, and so the units of its answers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub enum JointKind {
+    /// It turns: rad and N m.
+    Turns,
+    /// It slides: m and N.
+    Slides,
+    /// Known by the Jacobians of its contacts alone: in units of whoever gave them.
+    #[default]
+    Given,
+}
+
 /// The most that the motor or the clutch of a joint carries, N m or N, and what happens there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
@@ -76,6 +91,15 @@ impl Joint<3> {
 }
 
 impl<const C: usize> Joint<C> {
+    /// What it does.
+    pub(super) fn kind(&self) -> JointKind {
+        match self.motion {
+            JointMotion::Revolute { .. } => JointKind::Turns,
+            JointMotion::Prismatic { .. } => JointKind::Slides,
+            JointMotion::Given => JointKind::Given,
+        }
+    }
+
     fn moving(motion: JointMotion<C>) -> Self {
         Self { name: None, motion, stiffness: 0.0, command: 0.0, torque: 0.0, limit: None }
     }
@@ -129,11 +153,6 @@ impl<const C: usize> Joint<C> {
 }
 
 impl<const C: usize> JointMotion<C> {
-    /// Whether it is a displacement along a line, m, on which a force acts, not a torque.
-    pub(super) fn is_slide(&self) -> bool {
-        matches!(self, Self::Prismatic { .. })
-    }
-
     /// The point that a revolute joint turns about.
     pub(super) fn centre(&self) -> Option<SVector<f64, C>> {
         if let Self::Revolute { point, .. } = self { Some(*point) } else { None }

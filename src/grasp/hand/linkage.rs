@@ -6,10 +6,11 @@ use std::sync::Arc;
 use nalgebra::SVector;
 
 use super::drive::{Drive, Owner};
-use super::joint::Limit;
+use super::joint::{JointKind, Limit};
 use crate::grasp::contact::Contact;
 use crate::grasp::rotation::of_the_object;
 use crate::numerics::{Size, Vector};
+use crate::words::printable;
 
 /// The joints behind a grasp, in inside coordinates.
 #[derive(Debug, Clone)]
@@ -39,10 +40,10 @@ pub(crate) struct Linkage<D: Size, const C: usize> {
 pub(crate) struct Named {
     pub(crate) name: Option<Arc<str>>,
     pub(crate) limit: Option<Limit>,
+    /// Of a joint what it does.
+    pub(crate) kind: JointKind,
     /// The torque or tension that acts whatever it does.
     pub(crate) held: f64,
-    /// Whether its displacement is a length.
-    pub(crate) slides: bool,
 }
 
 /// A part of a hand that can give way.
@@ -84,7 +85,8 @@ impl PartLabel {
     /// How messages and pictures call it: its name, or what it is and its number.
     #[must_use]
     pub fn text(&self) -> String {
-        self.name.as_deref().map_or_else(|| self.part.to_string(), str::to_owned)
+        let name = self.name.as_deref().map(|name| printable(name).into_owned());
+        name.unwrap_or_else(|| self.part.to_string())
     }
 }
 

@@ -36,7 +36,7 @@ pub use finger::Finger;
 pub use hand_builder::Hand;
 #[cfg(feature = "serde")]
 pub(crate) use joint::JointMotion;
-pub use joint::{Joint, Limit};
+pub use joint::{Joint, JointKind, Limit};
 pub use linkage::{HandPart, PartLabel};
 pub(crate) use linkage::{Linkage, Named};
 pub use tendon::Tendon;

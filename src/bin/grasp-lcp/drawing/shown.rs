@@ -9,7 +9,7 @@ use grasp_lcp::need::Amount;
 use grasp_lcp::scene::{NeedAsked, Question, Setup};
 
 use crate::failure::Failure;
-use crate::words::{NO_WORDS, proof};
+use crate::words::NO_WORDS;
 
 /// One answer as it is drawn.
 pub(super) struct Shown<const C: usize> {
@@ -145,7 +145,7 @@ fn solved<const C: usize>(grasp: &Grasp<C>, load: &Wrench<C>) -> Result<Shown<C>
 /// Why there is no equilibrium.
 fn no_equilibrium<const C: usize>(outcome: &Outcome<C>) -> String {
     match outcome {
-        Outcome::NoEquilibrium(none) => format!("No equilibrium exists: {}.", proof(&none.proof)),
+        Outcome::NoEquilibrium(none) => format!("No equilibrium exists: {none}."),
         Outcome::Undecided(undecided) => {
             format!("Undecided: no equilibrium was found and none was ruled out ({}).", undecided.doubt)
         }
@@ -172,7 +172,7 @@ fn onset<const C: usize>(
         }
         Onset::AlreadySliding(found) => return Ok(state("something slides from the start on", *found)),
         Onset::NoBase(none) => {
-            let why = format!("No equilibrium exists at the start: {}.", proof(&none.proof));
+            let why = format!("No equilibrium exists at the start: {none}.");
             return Ok(nothing("onset of sliding", why, Some(*start)));
         }
         Onset::Undecided(undecided) => {

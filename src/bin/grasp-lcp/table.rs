@@ -1,0 +1,119 @@
+//! An equilibrium as a table: one row a contact, points of a soft fingertip together unless they are asked for.
+
+use std::io::{self, Write};
+
+use grasp_lcp::equilibrium::{Equilibrium, PadAnswer, Told};
+use grasp_lcp::grasp::JointKind;
+use grasp_lcp::words::Words;
+
+use crate::words::{Style, gives_way};
+
+pub(crate) fn table<const C: usize>(
+    out: &mut dyn Write,
+    style: Style,
+    state: &Equilibrium<C>,
+) -> io::Result<()> {
+    let rows: Vec<_> = if style.points {
+        state.contacts.iter().map(Told::Point).collect()
+    } else {
+        state.whole_contacts().collect()
+    };
+    let forces = state.contacts.iter().flat_map(|contact| contact.force.iter());
+    let numbers = Cleaned { words: style.words, largest: forces.fold(0.0, |most: f64, x| most.max(x.abs())) };
+    let heads = heads::<C>(!state.pads.is_empty() && !style.points);
+    let columns = heads.len();
+    let lines: Vec<_> =
+        std::iter::once(heads).chain(rows.iter().map(|row| cells(row, numbers, columns))).collect();
+    print(out, &lines)?;
+    hand(out, style, state)?;
+    let residual = Words::with_digits(1).number(state.residuals.worst());
+    writeln!(out, "  the object {}, residual {residual}", state.motion(style.words))?;
+    if let Some(caution) = state.caution() {
+        writeln!(out, "  CAUTION: {caution}")?;
+    }
+    Ok(())
+}
+
+fn heads<const C: usize>(pads: bool) -> Vec<String> {
+    let moments: &[_] = match (pads, C) {
+        (false, _) => &[],
+        (true, 2) => &["M (N m)"],
+        (true, _) => &["M_n (N m)", "|M_t| (N m)"],
+    };
+    let [first, last] = [&["contact", "F_n (N)", "|F_t| (N)"][..], &["margin (N)", "state"]];
+    first.iter().chain(moments).chain(last).map(|head| (*head).to_owned()).collect()
+}
+
+/// Numbers of one table.
+#[derive(Clone, Copy)]
+struct Cleaned {
+    words: Words,
+    /// The largest force, beside which others are rounding.
+    largest: f64,
+}
+
+impl Cleaned {
+    fn force(self, x: f64) -> String {
+        self.words.number(self.words.beside(x, self.largest))
+    }
+}
+
+fn cells<const C: usize>(row: &Told<'_, C>, numbers: Cleaned, columns: usize) -> Vec<String> {
+    let force = row.force();
+    let tangential = force.iter().skip(1).fold(0.0, |h: f64, f| h.hypot(*f));
+    let mut cells = vec![row.text(), numbers.force(force[0]), numbers.force(tangential)];
+    if columns > 5 {
+        cells.extend(match row {
+            Told::Pad(pad) => moments(pad, numbers.words),
+            Told::Point(_) => vec!["0".to_owned(); columns - 5],
+        });
+    }
+    let margin = if row.margin().is_finite() { numbers.force(row.margin()) } else { "no limit".to_owned() };
+    cells.extend([margin, row.doing()]);
+    cells
+}
+
+/// The moment of a pad about its middle; in space about the normal, and across it.
+fn moments<const C: usize>(pad: &PadAnswer<C>, words: Words) -> Vec<String> {
+    match *pad.moment() {
+        [about_n, first, second] => vec![words.number(about_n), words.number(f64::hypot(first, second))],
+        ref moment => moment.iter().map(|m| words.number(*m)).collect(),
+    }
+}
+
+/// Columns of even width: names to the left, numbers to the right.
+fn print(out: &mut dyn Write, lines: &[Vec<String>]) -> io::Result<()> {
+    let width = |column: usize| lines.iter().map(|line| line[column].chars().count()).max().unwrap_or(0);
+    let widths: Vec<_> = (0..lines[0].len()).map(width).collect();
+    for line in lines {
+        let Some(([name, numbers @ ..], state)) = line.split_last().map(|(state, rest)| (rest, state)) else {
+            continue;
+        };
+        write!(out, "  {name:0$}", widths[0])?;
+        for (number, width) in numbers.iter().zip(&widths[1..]) {
+            write!(out, "  {number:>width$}")?;
+        }
+        writeln!(out, "  {state}")?;
+    }
+    Ok(())
+}
+
+/// Joints and tendons of a hand.
+fn hand<const C: usize>(out: &mut dyn Write, style: Style, state: &Equilibrium<C>) -> io::Result<()> {
+    for joint in &state.joints {
+        let (what, unit) = match joint.kind {
+            JointKind::Turns => ("torque", "N m"),
+            JointKind::Slides => ("force", "N"),
+            _ => ("torque or force", "N m or N"),
+        };
+        let (label, torque) = (joint.joint.text(), style.words.number(joint.torque));
+        let left = style.left(joint.margin, unit);
+        writeln!(out, "  {label}: {what} {torque} {unit}{left}{}", gives_way(joint.state))?;
+    }
+    for tendon in &state.tendons {
+        let (label, tension) = (tendon.tendon.text(), style.words.number(tendon.tension));
+        let left = style.left(tendon.margin, "N");
+        writeln!(out, "  {label}: tension {tension} N{left}{}", gives_way(tendon.state))?;
+    }
+    Ok(())
+}

@@ -1,0 +1,199 @@
+//! Soft fingertips of an equilibrium: each is one contact, whatever number of points stand for it.
+
+use std::ops::Range;
+
+use nalgebra::SVector;
+
+use super::answer::{ContactAnswer, ContactState, Equilibrium};
+use crate::error::ContactLabel;
+use crate::grasp::{Engine, WholeContacts, Wrench, displacement_of, of_the_object};
+use crate::numerics::{Fixed, Size, Vector};
+#[cfg(feature = "serde")]
+use crate::serial::AsComputed;
+use crate::words::Words;
+
+/// Sums below this part of the sizes of what they sum are rounding.
+const ROUNDING: f64 = 1e-14;
+
+/// A soft fingertip of an equilibrium: what its points are and carry together.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub struct PadAnswer<const C: usize> {
+    /// Which contact, where a soft fingertip counts as one: as in a scene.
+    #[cfg_attr(feature = "serde", serde(flatten))]
+    pub contact: ContactLabel,
+    /// Where its points begin in the list of contacts of the answer.
+    pub first: usize,
+    /// How many points it has.
+    pub points: usize,
+    /// How many of them slide.
+    pub sliding: usize,
+    /// How many of them are open.
+    pub open: usize,
+    /// Force of the finger on the object in the contact frame, N, normal part first, and moment about the middle of the pad, N m: in space along the
+    /// axes of the contact frame, the torsion first, in the plane from x to y.
+    pub wrench: Wrench<C>,
+    /// Friction in reserve, N: the sum of the [margins](ContactAnswer::margin) of its points, `Σ (μ F_n - |F_t|)`. A force of that size in
+    /// any direction along the surface is carried by the same normal forces, if each point takes as much of it as its own margin. Zero where the pad slides
+    /// everywhere or is open; infinite if friction does not count.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
+    pub margin: f64,
+}
+
+impl<const C: usize> PadAnswer<C> {
+    /// Its points among the contacts of the answer.
+    #[must_use]
+    pub fn range(&self) -> Range<usize> {
+        self.first..self.first + self.points
+    }
+
+    /// What it does: "sticks", "3 of 12 points slide", "slides everywhere", "open".
+    #[must_use]
+    pub fn doing(&self) -> String {
+        let Self { points, sliding, open, .. } = *self;
+        let some_open = if open > 0 { format!(", {open} of {points} points open") } else { String::new() };
+        match (points - open, sliding) {
+            (0, _) => "open".to_owned(),
+            (_, 0) => format!("sticks{some_open}"),
+            (closed, sliding) if sliding == closed => format!("slides everywhere{some_open}"),
+            (_, sliding) if open > 0 => format!("{sliding} of {points} points slide, {open} open"),
+            (_, sliding) => format!("{sliding} of {points} points slide"),
+        }
+    }
+
+    /// Its force in the contact frame, N.
+    #[must_use]
+    pub fn force(&self) -> SVector<f64, C> {
+        SVector::from_column_slice(&self.wrench.components()[..C])
+    }
+
+    /// Its moment about its middle, N m: one component in the plane, three in space.
+    #[must_use]
+    pub fn moment(&self) -> &[f64] {
+        &self.wrench.components()[C..]
+    }
+
+    pub(crate) fn moment_text(&self, words: Words) -> String {
+        match self.moment() {
+            [moment] => words.number(*moment),
+            moment => words.numbers(moment),
+        }
+    }
+}
+
+/// A contact as people count them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Told<'a, const C: usize> {
+    /// A contact that is a point itself.
+    Point(&'a ContactAnswer<C>),
+    /// All points of a soft fingertip.
+    Pad(&'a PadAnswer<C>),
+}
+
+impl<const C: usize> Told<'_, C> {
+    /// Its name.
+    #[must_use]
+    pub fn text(&self) -> String {
+        match self {
+            Self::Point(contact) => contact.contact.text(),
+            Self::Pad(pad) => pad.contact.text(),
+        }
+    }
+
+    /// What it does: "sticks".
+    #[must_use]
+    pub fn doing(&self) -> String {
+        match self {
+            Self::Point(contact) => contact.state.verb().to_owned(),
+            Self::Pad(pad) => pad.doing(),
+        }
+    }
+
+    /// Force of the finger on the object in the contact frame, N.
+    #[must_use]
+    pub fn force(&self) -> SVector<f64, C> {
+        match self {
+            Self::Point(contact) => contact.force,
+            Self::Pad(pad) => pad.force(),
+        }
+    }
+
+    /// Friction in reserve, N: see [`ContactAnswer::margin`] and [`PadAnswer::margin`].
+    #[must_use]
+    pub fn margin(&self) -> f64 {
+        match self {
+            Self::Point(contact) => contact.margin,
+            Self::Pad(pad) => pad.margin,
+        }
+    }
+}
+
+impl<const C: usize> Equilibrium<C> {
+    /// Contacts in order, points of one soft fingertip together.
+    pub fn whole_contacts(&self) -> impl Iterator<Item = Told<'_, C>> {
+        let mut pads = self.pads.iter().peekable();
+        self.contacts.iter().enumerate().filter_map(move |(i, contact)| {
+            while pads.next_if(|pad| pad.range().end <= i).is_some() {}
+            match pads.peek() {
+                Some(pad) if pad.first == i => Some(Told::Pad(pad)),
+                Some(pad) if pad.range().contains(&i) => None,
+                _ => Some(Told::Point(contact)),
+            }
+        })
+    }
+}
+
+impl<D: Size, const C: usize> Engine<D, C> {
+    /// The soft fingertips among contacts that are solved.
+    pub(super) fn pads(&self, solved: &[ContactAnswer<C>]) -> Vec<PadAnswer<C>> {
+        let contacts = self.contacts();
+        if contacts.iter().all(|contact| contact.point_of_pad.is_none()) {
+            return Vec::new();
+        }
+        let parts = WholeContacts::of(contacts);
+        let middles = parts.mean(|i| contacts[i].point);
+        let pad = |(number, range): (usize, Range<usize>)| {
+            contacts[range.start].point_of_pad?;
+            let of = &solved[range.clone()];
+            let count = |is_so: fn(&ContactState<C>) -> bool| of.iter().filter(|c| is_so(&c.state)).count();
+            Some(PadAnswer {
+                contact: parts.whole(number),
+                first: range.start,
+                points: range.len(),
+                sliding: count(|state| matches!(state, ContactState::Sliding { .. })),
+                open: count(|state| matches!(state, ContactState::Separated)),
+                wrench: self.wrench_of_pad(of, range.start, &middles[number]),
+                margin: of.iter().map(|contact| contact.margin).sum(),
+            })
+        };
+        parts.ranges().iter().cloned().enumerate().filter_map(pad).collect()
+    }
+
+    /// Forces and their moment about a point, along the axes of the contact frame.
+    fn wrench_of_pad(&self, of: &[ContactAnswer<C>], first: usize, about: &SVector<f64, C>) -> Wrench<C> {
+        let frame = &self.sites()[first].frame;
+        let mut sums = vec![[0.0; 2]; of_the_object::<C>()];
+        let mut add = |k: usize, x: f64| {
+            sums[k][0] += x;
+            sums[k][1] += x.abs();
+        };
+        for (i, contact) in (first..).zip(of) {
+            (0..C).for_each(|a| add(a, contact.force[a]));
+            let arm = self.contacts()[i].point - about;
+            // What a force does on a turn about an axis is its moment about that.
+            for turn in 0..of_the_object::<C>() - C {
+                let mut unit = Vector::<Fixed<6>>::zeros();
+                if C == 2 {
+                    unit[C] = 1.0;
+                } else {
+                    (0..C).for_each(|a| unit[C + a] = frame[(a, turn)]);
+                }
+                add(C + turn, displacement_of::<Fixed<6>, C>(&arm, &unit).dot(&contact.force_world));
+            }
+        }
+        let clean = |[sum, size]: &[f64; 2]| if sum.abs() <= ROUNDING * size { 0.0 } else { *sum };
+        Wrench::from_components(&sums.iter().map(clean).collect::<Vec<_>>())
+    }
+}

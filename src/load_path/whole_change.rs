@@ -1,0 +1,207 @@
+//! Events as people tell them: a soft fingertip begins to slide with its first point, and slides everywhere with its last one.
+
+use std::fmt;
+
+use super::event::{Change, ContactChange, Event};
+use crate::equilibrium::{ContactState, Equilibrium, PadAnswer};
+use crate::error::ContactLabel;
+use crate::words::Words;
+
+/// What changes at an event, points of one soft fingertip together.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct WholeChange<const C: usize> {
+    /// Which contact.
+    pub contact: ContactLabel,
+    /// What it does from here on.
+    pub what: Doing<C>,
+}
+
+/// What a contact does from an event on. Points are told by what changes, soft fingertips by their first and their last points.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum Doing<const C: usize> {
+    /// A contact that is a point itself changes.
+    Point(Change<C>),
+    /// The first points slide.
+    BeginsToSlide,
+    /// The last points that touch slide.
+    SlidesEverywhere,
+    /// Some points stick again, others slide on.
+    SticksInPart,
+    /// No point slides any more.
+    SticksAgain,
+    /// All points that slide slide back.
+    SlidesBack,
+    /// The first points open.
+    BeginsToOpen,
+    /// The last points open.
+    Opens,
+    /// The first points touch.
+    Touches,
+    /// The last points touch.
+    TouchesEverywhere,
+    /// It is kept closed and would have to pull.
+    WouldPull,
+}
+
+impl<const C: usize> fmt::Display for Doing<C> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Point(change) => return write!(f, "{change:.*}", Words::of(f).digits()),
+            Self::BeginsToSlide => "begins to slide",
+            Self::SlidesEverywhere => "slides everywhere",
+            Self::SticksInPart => "sticks in part",
+            Self::SticksAgain => "sticks again",
+            Self::SlidesBack => "slides back",
+            Self::BeginsToOpen => "begins to open",
+            Self::Opens => "opens",
+            Self::Touches => "touches",
+            Self::TouchesEverywhere => "touches everywhere",
+            Self::WouldPull => "would have to pull",
+        })
+    }
+}
+
+/// "left begins to slide".
+impl<const C: usize> fmt::Display for WholeChange<C> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} {:.*}", self.contact.text(), Words::of(f).digits(), self.what)
+    }
+}
+
+impl<const C: usize> Event<C> {
+    /// What changes, points of one soft fingertip together: of these the first and the last ones are told. Empty where
+    /// only points in between change.
+    #[must_use]
+    pub fn whole_changes(&self) -> Vec<WholeChange<C>> {
+        whole_changes(&self.state, &self.changes)
+    }
+}
+
+/// What changes beside a state, points of one soft fingertip together, in the order of the first change of each.
+pub(crate) fn whole_changes<const C: usize>(
+    state: &Equilibrium<C>,
+    changes: &[ContactChange<C>],
+) -> Vec<WholeChange<C>> {
+    let site = |change: &ContactChange<C>| {
+        state.contacts.iter().position(|contact| contact.contact == change.contact)
+    };
+    let sites: Vec<_> = changes.iter().filter_map(|change| Some((site(change)?, change))).collect();
+    let pad_of = |site: usize| state.pads.iter().find(|pad| pad.range().contains(&site));
+    let mut all = Vec::new();
+    let mut told = Vec::new();
+    for (at, change) in &sites {
+        let Some(pad) = pad_of(*at) else {
+            all.push(WholeChange { contact: change.contact.clone(), what: Doing::Point(change.what) });
+            continue;
+        };
+        if told.contains(&pad.first) {
+            continue;
+        }
+        told.push(pad.first);
+        let its_own =
+            |(i, change): &(usize, &ContactChange<C>)| pad.range().contains(i).then_some((*i, change.what));
+        let its_own: Vec<_> = sites.iter().filter_map(its_own).collect();
+        let whole = |what| WholeChange { contact: pad.contact.clone(), what };
+        all.extend(PadAtEvent::of(state, pad, &its_own).doings().into_iter().map(whole));
+    }
+    all
+}
+
+/// How many points of a pad do what before and after an event.
+struct PadAtEvent {
+    before: Count,
+    after: Count,
+    slide_back: usize,
+}
+
+impl PadAtEvent {
+    fn of<const C: usize>(
+        state: &Equilibrium<C>,
+        pad: &PadAnswer<C>,
+        changes: &[(usize, Change<C>)],
+    ) -> Self {
+        let (mut before, mut after) = (Count::default(), Count::default());
+        for i in pad.range() {
+            let state = Point::of(&state.contacts[i].state);
+            let change = changes.iter().find(|(at, _)| *at == i).map(|(_, what)| what);
+            let [was, is] = change.map_or([state; 2], |change| Point::change(change, state));
+            before.add(was);
+            after.add(is);
+        }
+        let slide_back = changes.iter().filter(|(_, what)| matches!(what, Change::Reverses { .. })).count();
+        Self { before, after, slide_back }
+    }
+
+    fn doings<const C: usize>(&self) -> Vec<Doing<C>> {
+        let Self { before, after, slide_back } = self;
+        let all_slide = |count: &Count| count.closed > 0 && count.slide == count.closed;
+        let mut told = Vec::new();
+        let mut tell = |is_so: bool, what| {
+            if is_so {
+                told.push(what);
+            }
+        };
+        if after.closed == 0 {
+            tell(before.closed > 0, Doing::Opens);
+            return told;
+        }
+        tell(before.closed == 0, Doing::Touches);
+        tell(before.closed > 0 && before.open == 0 && after.open > 0, Doing::BeginsToOpen);
+        tell(before.closed > 0 && before.open > 0 && after.open == 0, Doing::TouchesEverywhere);
+        tell(!all_slide(before) && all_slide(after), Doing::SlidesEverywhere);
+        tell(before.slide == 0 && after.slide > 0 && !all_slide(after), Doing::BeginsToSlide);
+        tell(before.slide > 0 && after.slide == 0, Doing::SticksAgain);
+        tell(all_slide(before) && after.slide > 0 && !all_slide(after), Doing::SticksInPart);
+        tell(*slide_back > 0 && *slide_back == after.slide, Doing::SlidesBack);
+        told
+    }
+}
+
+/// What a point does.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Point {
+    Open,
+    Sticks,
+    Slides,
+}
+
+impl Point {
+    fn of<const C: usize>(state: &ContactState<C>) -> Self {
+        match state {
+            ContactState::Separated => Self::Open,
+            ContactState::Sticking | ContactState::Frictionless => Self::Sticks,
+            ContactState::Sliding { .. } => Self::Slides,
+        }
+    }
+
+    /// What it did before a change and does after it. At the very start of a path the states are those after it.
+    fn change<const C: usize>(change: &Change<C>, state: Self) -> [Self; 2] {
+        match change {
+            Change::Slides { .. } => [Self::Sticks, Self::Slides],
+            Change::Sticks => [Self::Slides, Self::Sticks],
+            Change::Reverses { .. } | Change::Turns { .. } => [Self::Slides, Self::Slides],
+            Change::Opens if state == Self::Slides => [Self::Slides, Self::Open],
+            Change::Opens => [Self::Sticks, Self::Open],
+            Change::Closes => [Self::Open, Self::Sticks],
+            Change::ClosesSliding { .. } => [Self::Open, Self::Slides],
+        }
+    }
+}
+
+/// How many points do what.
+#[derive(Debug, Clone, Copy, Default)]
+struct Count {
+    closed: usize,
+    slide: usize,
+    open: usize,
+}
+
+impl Count {
+    fn add(&mut self, point: Point) {
+        self.closed += usize::from(point != Point::Open);
+        self.slide += usize::from(point == Point::Slides);
+        self.open += usize::from(point == Point::Open);
+    }
+}

@@ -1,0 +1,34 @@
+//! Names that users give, and lists of them.
+
+use std::borrow::Cow;
+use std::fmt;
+
+/// A text of somebody else as it may be printed: control characters, and those that turn the direction of writing or break lines, are written
+/// as Rust writes them. A name cannot clear a screen, or pass for an answer.
+#[must_use]
+pub fn printable(text: &str) -> Cow<'_, str> {
+    if !text.contains(is_control) {
+        return Cow::Borrowed(text);
+    }
+    let written = |c: char| if is_control(c) { c.escape_default().to_string() } else { c.to_string() };
+    Cow::Owned(text.chars().map(written).collect())
+}
+
+/// Control characters, marks of direction, separators of lines, and what XML has no place for.
+fn is_control(c: char) -> bool {
+    let directs =
+        matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    c.is_control() || directs || matches!(c, '\u{2028}' | '\u{2029}' | '\u{feff}' | '\u{fffe}' | '\u{ffff}')
+}
+
+/// Names in a row: "left, right and thumb".
+pub(crate) fn listed<T: fmt::Display>(names: &[T]) -> String {
+    match names {
+        [] => "nothing".to_owned(),
+        [one] => one.to_string(),
+        [first @ .., last] => {
+            let first: Vec<_> = first.iter().map(ToString::to_string).collect();
+            format!("{} and {last}", first.join(", "))
+        }
+    }
+}

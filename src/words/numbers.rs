@@ -1,0 +1,141 @@
+//! Numbers with their units, directions and loads.
+
+use std::fmt;
+
+use nalgebra::SVector;
+
+use crate::grasp::Wrench;
+
+/// Digits that a person reads.
+const DIGITS: usize = 6;
+/// More digits a number does not have.
+const MOST_DIGITS: usize = 17;
+/// A direction this close to an axis is called by its name.
+const ALONG_AN_AXIS: f64 = 1e-6;
+/// What is this small beside the largest of some numbers is rounding, for whoever reads six digits of them.
+const ROUNDING: f64 = 1e-9;
+/// The same where more digits are wanted, and among numbers with different units.
+const LITTLE_ROUNDING: f64 = 1e-13;
+
+/// How numbers are written: with so many digits, without zeros behind them, and never with a minus before zero.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Words {
+    digits: usize,
+}
+
+impl Default for Words {
+    fn default() -> Self {
+        Self { digits: DIGITS }
+    }
+}
+
+impl Words {
+    /// With so many digits, from 1 to 17.
+    #[must_use]
+    pub fn with_digits(digits: usize) -> Self {
+        Self { digits: digits.clamp(1, MOST_DIGITS) }
+    }
+
+    /// With the digits that whoever formats asks for.
+    pub(crate) fn of(f: &fmt::Formatter<'_>) -> Self {
+        f.precision().map_or_else(Self::default, Self::with_digits)
+    }
+
+    /// How many digits: the precision for a part that is formatted, too.
+    #[must_use]
+    pub fn digits(self) -> usize {
+        self.digits
+    }
+
+    /// A number without unit.
+    #[must_use]
+    pub fn number(self, x: f64) -> String {
+        if x.is_nan() {
+            return "not known".to_owned();
+        }
+        if x.is_infinite() {
+            return if x > 0.0 { "∞" } else { "−∞" }.to_owned();
+        }
+        if x == 0.0 {
+            return "0".to_owned();
+        }
+        let magnitude = x.abs().log10().floor();
+        if !(-4.0..9.0).contains(&magnitude) {
+            let text = format!("{x:.*e}", self.digits - 1);
+            let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+            return format!("{}e{exponent}", trimmed(mantissa));
+        }
+        let decimals = (self.digits as f64 - 1.0 - magnitude).max(0.0);
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to 20")]
+        let text = format!("{x:.*}", decimals as usize);
+        trimmed(&text).to_owned()
+    }
+
+    /// Numbers in brackets; what is rounding beside the largest is zero.
+    #[must_use]
+    pub fn numbers(self, components: &[f64]) -> String {
+        let largest = components.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
+        let clean = |x: &f64| self.number(self.beside(*x, largest));
+        format!("({})", components.iter().map(clean).collect::<Vec<_>>().join(", "))
+    }
+
+    /// This number, or zero where it is rounding beside a larger one.
+    #[must_use]
+    pub fn beside(self, x: f64, largest: f64) -> f64 {
+        let rounding = if self.digits > DIGITS { LITTLE_ROUNDING } else { ROUNDING };
+        if x.abs() <= rounding * largest { 0.0 } else { x }
+    }
+
+    /// A length in mm, or in m from 0.1 m on.
+    #[must_use]
+    pub fn length(self, metres: f64) -> String {
+        if metres.abs() < 0.1 {
+            format!("{} mm", self.number(1e3 * metres))
+        } else {
+            format!("{} m", self.number(metres))
+        }
+    }
+
+    /// An angle in degrees.
+    #[must_use]
+    pub fn angle(self, radians: f64) -> String {
+        format!("{}°", self.number(radians.to_degrees()))
+    }
+
+    /// A direction: "−z", or the components.
+    #[must_use]
+    pub fn along<const C: usize>(self, direction: &SVector<f64, C>) -> String {
+        let (axis, sign) = (direction.iamax(), if direction[direction.iamax()] < 0.0 { "−" } else { "+" });
+        let mut across = *direction;
+        across[axis] = 0.0;
+        if across.norm() <= ALONG_AN_AXIS * direction.norm() {
+            format!("{sign}{}", ["x", "y", "z"][axis])
+        } else {
+            self.numbers(direction.as_slice())
+        }
+    }
+
+    /// A force and a moment about the origin: "(0, -4.905) N and 0.2 N m".
+    #[must_use]
+    pub fn load<const C: usize>(self, load: &Wrench<C>) -> String {
+        let largest = load.components().iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
+        let clean = |x: &f64| if x.abs() <= LITTLE_ROUNDING * largest { 0.0 } else { *x };
+        let components: Vec<_> = load.components().iter().map(clean).collect();
+        let (force, moment) = components.split_at(C);
+        let is_there = |part: &[f64]| part.iter().any(|x| *x != 0.0);
+        let moment_words = || match moment {
+            [moment] => format!("{} N m", self.number(*moment)),
+            moment => format!("{} N m", self.numbers(moment)),
+        };
+        match (is_there(force), is_there(moment)) {
+            (false, false) => "no load".to_owned(),
+            (true, false) => format!("{} N", self.numbers(force)),
+            (false, true) => moment_words(),
+            (true, true) => format!("{} N and {}", self.numbers(force), moment_words()),
+        }
+    }
+}
+
+fn trimmed(text: &str) -> &str {
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
+}
