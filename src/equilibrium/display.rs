@@ -2,8 +2,10 @@
 
 use std::fmt;
 
-use super::answer::{ContactState, Equilibrium, NoEquilibrium, Outcome, Proof, Undecided};
+use super::answer::{ContactAnswer, ContactState, Equilibrium, NoEquilibrium, Outcome, Proof, Undecided};
+use super::hand_answer::{DriveState, JointAnswer, TendonAnswer};
 use super::pad_answer::Told;
+use crate::grasp::JointKind;
 use crate::search::Doubt;
 use crate::words::Words;
 
@@ -23,23 +25,71 @@ impl<const C: usize> fmt::Display for Outcome<C> {
 impl<const C: usize> fmt::Display for Equilibrium<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
-        let residual = self.residuals.worst();
-        write!(f, "the object {}, residual {residual:.0e}", self.motion(words))?;
+        let residual = Words::with_digits(1).number(self.residuals.worst());
+        write!(f, "the object {}, residual {residual}", self.motion(words))?;
         if let Some(caution) = self.caution() {
             write!(f, "; {caution}")?;
         }
-        for told in self.whole_contacts() {
-            let (who, does) = (told.text(), told.doing());
-            let force = words.numbers(told.force().as_slice());
-            write!(f, "\n  {who}: {does}, force {force} N")?;
-            if let Told::Pad(pad) = told {
-                write!(f, ", moment {} N m", pad.moment_text(words))?;
-            }
-            if told.margin() > 0.0 {
-                write!(f, ", margin {} N", words.number(told.margin()))?;
-            }
+        let digits = words.digits();
+        self.whole_contacts().try_for_each(|told| write!(f, "\n  {told:.digits$}"))?;
+        self.joints.iter().try_for_each(|joint| write!(f, "\n  {joint:.digits$}"))?;
+        self.tendons.iter().try_for_each(|tendon| write!(f, "\n  {tendon:.digits$}"))
+    }
+}
+
+/// "left: sticks, force (8, -2.4525) N, margin 1.5475 N".
+impl<const C: usize> fmt::Display for Told<'_, C> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let words = Words::of(f);
+        let force = words.numbers(self.force().as_slice());
+        write!(f, "{}: {}, force {force} N", self.text(), self.doing())?;
+        if let Self::Pad(pad) = self {
+            write!(f, ", moment {} N m", pad.moment_text(words))?;
         }
-        Ok(())
+        if self.margin() > 0.0 { write!(f, ", margin {} N", words.number(self.margin())) } else { Ok(()) }
+    }
+}
+
+impl<const C: usize> fmt::Display for ContactAnswer<C> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(&Told::Point(self), f)
+    }
+}
+
+/// "left base: torque -0.28 N m, 0.1 N m left of its limit".
+impl fmt::Display for JointAnswer {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (what, unit) = match self.kind {
+            JointKind::Turns => ("torque", "N m"),
+            JointKind::Slides => ("force", "N"),
+            JointKind::Given => ("torque or force", "N m or N"),
+        };
+        let words = Words::of(f);
+        write!(f, "{}: {what} {} {unit}", self.joint.text(), words.number(self.torque))?;
+        left_of_limit(f, words, (self.margin, unit), self.state)
+    }
+}
+
+/// "flexor: tension 4 N, slack".
+impl fmt::Display for TendonAnswer {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let words = Words::of(f);
+        write!(f, "{}: tension {} N", self.tendon.text(), words.number(self.tension))?;
+        left_of_limit(f, words, (self.margin, "N"), self.state)
+    }
+}
+
+fn left_of_limit(
+    f: &mut fmt::Formatter<'_>,
+    words: Words,
+    (margin, unit): (f64, &str),
+    state: DriveState,
+) -> fmt::Result {
+    match state {
+        DriveState::Yields => f.write_str(", yields at its limit"),
+        DriveState::Slack => f.write_str(", slack"),
+        _ if margin.is_finite() => write!(f, ", {} {unit} left of its limit", words.number(margin)),
+        _ => Ok(()),
     }
 }
 
@@ -84,6 +134,12 @@ impl<const C: usize> fmt::Display for Proof<C> {
             Self::FreeMotion { motion, .. } => write!(f, "nothing resists {}", words.direction_of(motion)),
             Self::SeparatingMotion { motion, .. } => {
                 write!(f, "no friction works against {}", words.direction_of(motion))
+            }
+            Self::EveryStateTried { combinations: 1 } => {
+                f.write_str("the only combination of contact states fails")
+            }
+            Self::EveryCaseContradicted { cases: 1, .. } => {
+                f.write_str("the only case of contact states and directions of friction contradicts itself")
             }
             Self::EveryStateTried { combinations } => {
                 write!(f, "all {combinations} combinations of contact states fail")

@@ -31,6 +31,7 @@ mod engine;
 mod fingertip;
 mod frames;
 mod hand;
+mod in_words;
 mod inside;
 mod motion;
 mod pressure;
@@ -47,7 +48,6 @@ mod well_posed;
 mod whole_contact;
 mod wrench;
 
-pub(crate) use axis::Rotation;
 #[cfg(feature = "serde")]
 pub(crate) use contact::Axes;
 pub use contact::{Contact, Hold};

@@ -5,7 +5,7 @@ use std::fmt;
 use super::verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
 use super::way_out::WayOut;
 use crate::grasp::{WholeContact, Wrench};
-use crate::words::{Words, listed, printable};
+use crate::words::{TOO_FAR, Words, listed, printable};
 
 /// What happens within this part of a load happens at once, for whoever reads it.
 const AT_ONCE: f64 = 1e-9;
@@ -55,7 +55,7 @@ impl<const C: usize> fmt::Display for Verdict<C> {
         let at_the_end = self.state.as_ref().or_else(|| self.lost.as_ref()?.state.as_ref());
         match at_the_end {
             Some(state) if state.is_beyond_small_motions() => {
-                f.write_str(". The object turns too far for that: all this is good for small motions")
+                write!(f, ". {TOO_FAR}")
             }
             _ => Ok(()),
         }

@@ -79,6 +79,19 @@ impl<const C: usize> Event<C> {
     }
 }
 
+/// "leg 0 at 0.5, (0, -4) N: left begins to slide".
+impl<const C: usize> fmt::Display for Event<C> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (words, digits) = (Words::of(f), Words::of(f).digits());
+        let (fraction, load) = (words.number(self.fraction), words.load(&self.load));
+        write!(f, "leg {} at {fraction}, {load}:", self.leg)?;
+        let contacts = self.whole_changes().into_iter().map(|change| format!(" {change:.digits$}"));
+        let drives = self.drives.iter().map(|drive| format!(" {} {}", drive.part.text(), drive.what));
+        let told: Vec<_> = contacts.chain(drives).collect();
+        f.write_str(&if told.is_empty() { " more points change".to_owned() } else { told.join(",") })
+    }
+}
+
 /// What changes beside a state, points of one soft fingertip together, in the order of the first change of each.
 pub(crate) fn whole_changes<const C: usize>(
     state: &Equilibrium<C>,

@@ -2,7 +2,7 @@
 
 use super::answer::{Amount, Needed, Press, Quantity, check_part};
 use super::question::{Need, Sought};
-use super::trial::{Trial, try_amount};
+use super::trial::{Trial, is_far, try_amount};
 use crate::ask::Grasp;
 use crate::equilibrium::Outcome;
 use crate::error::Error;
@@ -43,7 +43,11 @@ impl<const C: usize> Grasp<C> {
         let amount = amount(self, need, [0.0; 2])?;
         let is_uncertain = need.lower.iter().any(|part| *part != 0.0);
         let safe = is_uncertain.then(|| self::amount(self, need, need.lower)).transpose()?;
-        Ok(Needed { quantity, demand: need.demand, amount, safe, lower: need.lower })
+        let beyond_small_motions = match &amount {
+            Amount::Bound { does, .. } | Amount::Any { to: does } => is_far(self, need, *does)?,
+            Amount::None { .. } | Amount::Undecided { .. } => false,
+        };
+        Ok(Needed { quantity, demand: need.demand, amount, safe, lower: need.lower, beyond_small_motions })
     }
 }
 

@@ -1,14 +1,17 @@
 //! What becomes of one amount of what is sought.
 
+use std::cell::Cell;
 use std::f64::consts::{PI, TAU};
 
 use super::question::{Demand, Need, Sought};
 use crate::ask::Grasp;
+use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::hold::Verdict;
 use crate::load_path::{Leg, Onset, PathEnd, Ramp, Turn};
 use crate::squeeze::{Loads, WeakestDirection};
+use crate::words::Words;
 
 /// Forces of any direction are put on in so many of them where the object may slide: to tell a loss there is no closed form.
 const DIRECTIONS_IN_THE_PLANE: usize = 72;
@@ -34,6 +37,13 @@ pub(super) fn try_amount<const C: usize>(
     Loading::of(grasp, need, amount, less)?.put_on(need.demand)
 }
 
+/// Whether an amount that does turns the object [too far](crate::equilibrium::Equilibrium::is_beyond_small_motions) for that to say much.
+pub(super) fn is_far<const C: usize>(grasp: &Grasp<C>, need: &Need<C>, amount: f64) -> Result<bool, Error> {
+    let loading = Loading::of(grasp, need, amount, [0.0; 2])?;
+    loading.put_on(need.demand)?;
+    Ok(loading.far.get())
+}
+
 /// Loads that are put on a grasp, so many times as large.
 pub(super) struct Loading<const C: usize> {
     pub(super) grasp: Grasp<C>,
@@ -41,6 +51,8 @@ pub(super) struct Loading<const C: usize> {
     /// What acts besides, not so many times as large.
     pub(super) base: Wrench<C>,
     pub(super) times: f64,
+    /// Set where the object turns too far on the way.
+    far: Cell<bool>,
 }
 
 impl<const C: usize> Loading<C> {
@@ -53,34 +65,21 @@ impl<const C: usize> Loading<C> {
             Ok::<_, Error>(grasp.with(&grasp.settings().with_most_load(1.0)))
         };
         let given = |_: usize, mu: f64| mu;
-        Ok(match &need.sought {
-            Sought::Squeeze { loads } => Self {
-                grasp: changed(squeeze * amount, &given)?,
-                loads: loads.clone(),
-                base: need.base,
-                times: 1.0,
-            },
+        let (grasp, loads, times) = match &need.sought {
+            Sought::Squeeze { loads } => (changed(squeeze * amount, &given)?, loads.clone(), 1.0),
             Sought::Friction { loads, contacts } => {
                 let is_meant =
                     |i: usize, mu: f64| contacts.as_ref().map_or(mu > 0.0, |those| those.contains(&i));
                 let with = |i: usize, mu: f64| if is_meant(i, mu) { amount } else { mu };
-                Self { grasp: changed(squeeze, &with)?, loads: loads.clone(), base: need.base, times: 1.0 }
+                (changed(squeeze, &with)?, loads.clone(), 1.0)
             }
-            Sought::Load { loads } => Self {
-                grasp: changed(squeeze, &given)?,
-                loads: loads.clone(),
-                base: need.base,
-                times: amount,
-            },
+            Sought::Load { loads } => (changed(squeeze, &given)?, loads.clone(), amount),
             Sought::Arm { at, per_metre } => {
-                let loads = Loads::from(*at + *per_metre * amount);
-                Self { grasp: changed(squeeze, &given)?, loads, base: need.base, times: 1.0 }
+                (changed(squeeze, &given)?, Loads::from(*at + *per_metre * amount), 1.0)
             }
-            Sought::Angle { turn } => {
-                let loads = Loads::Turn(turn.up_to(amount));
-                Self { grasp: changed(squeeze, &given)?, loads, base: need.base, times: 1.0 }
-            }
-        })
+            Sought::Angle { turn } => (changed(squeeze, &given)?, Loads::Turn(turn.up_to(amount)), 1.0),
+        };
+        Ok(Self { grasp, loads, base: need.base, times, far: Cell::new(false) })
     }
 
     fn put_on(&self, demand: Demand) -> Result<Trial, Error> {
@@ -116,13 +115,19 @@ impl<const C: usize> Loading<C> {
     fn all(&self, ramps: impl Iterator<Item = Ramp<C>>, demand: Demand) -> Result<Trial, Error> {
         let mut unknown = None;
         for ramp in ramps {
-            match judged(&self.grasp.hold(ramp)?, demand) {
+            let verdict = self.grasp.hold(ramp)?;
+            self.watch(verdict.state.as_deref());
+            match judged(&verdict, demand) {
                 Trial::Does => {}
                 trial @ Trial::DoesNot(_) => return Ok(trial),
                 Trial::Unknown(why) => unknown = Some(why),
             }
         }
         Ok(unknown.map_or(Trial::Does, Trial::Unknown))
+    }
+
+    fn watch(&self, state: Option<&Equilibrium<C>>) {
+        self.far.set(self.far.get() || state.is_some_and(Equilibrium::is_beyond_small_motions));
     }
 
     /// Whether everything sticks under a force of any direction.
@@ -132,6 +137,7 @@ impl<const C: usize> Loading<C> {
             WeakestDirection::Force { size: most, .. } if most >= size => Trial::Does,
             WeakestDirection::Force { load, .. } => {
                 let first = self.grasp.hold(Ramp::load(*base, load - *base))?;
+                self.watch(first.state.as_deref());
                 let who = first.first_slip.map_or_else(|| "it slides".to_owned(), |first| first.to_string());
                 Trial::DoesNot(format!("{who} under a force of one direction"))
             }
@@ -149,7 +155,7 @@ impl<const C: usize> Loading<C> {
     }
 
     fn turn(&self, turn: &Turn<C>, demand: Demand) -> Result<Trial, Error> {
-        let degrees = |angle: f64| format!("{:.6}°", angle.to_degrees());
+        let degrees = |angle: f64| Words::default().angle(angle);
         if demand == Demand::Sticks {
             return Ok(match self.grasp.onset_of_turn(turn)?.onset {
                 Onset::Never => Trial::Does,
@@ -164,6 +170,7 @@ impl<const C: usize> Loading<C> {
         }
         let mut path = self.grasp.follow(&turn.load_at(0.0), &[Leg::turn(turn)])?;
         path.run();
+        self.watch(path.state().as_ref());
         Ok(match path.end() {
             Some(PathEnd::Completed) => Trial::Does,
             Some(PathEnd::Lost(loss)) => {

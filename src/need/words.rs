@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::answer::{Amount, Needed, Press, Quantity};
 use super::question::Demand;
-use crate::words::{Words, listed};
+use crate::words::{TOO_FAR, Words, listed};
 
 /// Forces this close are called one.
 const ALIKE: f64 = 1e-6;
@@ -13,6 +13,13 @@ const MANY: usize = 9;
 
 impl fmt::Display for Needed {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.amount(f)?;
+        if self.beyond_small_motions { write!(f, ". {TOO_FAR}") } else { Ok(()) }
+    }
+}
+
+impl Needed {
+    fn amount(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
         let aim = match self.demand {
             Demand::Sticks => "nothing slides",
@@ -51,9 +58,7 @@ impl fmt::Display for Needed {
             }
         }
     }
-}
 
-impl Needed {
     /// What is safe where friction and squeeze are less than said.
     fn safe_amount(&self, f: &mut fmt::Formatter<'_>, does: f64, presses: &[Press]) -> fmt::Result {
         let words = Words::of(f);

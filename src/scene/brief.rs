@@ -12,7 +12,7 @@ use crate::hold::{Holding, Verdict};
 use crate::load_path::{DriveChange, Onset, PathEnd, Ramp};
 use crate::need::{Amount, Needed, Quantity};
 
-/// An answer in short. Nothing is computed beside it: not what lies beyond an onset or the end of a path, which a full answer has.
+/// An answer in short. Little is computed beside it: not what lies beyond an onset or the end of a path, which a full answer has.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Wrench};
@@ -53,6 +53,14 @@ pub struct Brief {
     /// What that does.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub does: Option<&'static str>,
+    /// Whether the object turns [too far](Equilibrium::is_beyond_small_motions) for the answer to say much about it. Not written where it does not.
+    #[serde(skip_serializing_if = "is_false")]
+    pub beyond_small_motions: bool,
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes fields by reference")]
+fn is_false(value: &bool) -> bool {
+    !value
 }
 
 impl<const C: usize> Setup<C> {
@@ -75,17 +83,18 @@ impl<const C: usize> Setup<C> {
             Question::Hold { base, load } => held_briefly(&grasp.hold(Ramp::load(*base, *load))?),
             Question::Need(asked) => needed_briefly(&grasp.need(&self.need(asked)?)?),
             Question::Solve { load } => labels.solved_briefly("solve", &grasp.solve(load)?),
-            Question::Onset(asked) => labels.onset_briefly("onset", &grasp.onset(&self.ramp(asked)?)?),
+            Question::Onset(asked) => labels.onset_briefly("onset", grasp, &grasp.onset(&self.ramp(asked)?)?),
             Question::OnsetOfTurn(turn) => {
                 let found = grasp.onset_of_turn(turn)?;
-                let mut brief = labels.onset_briefly("onset_of_turn", &found.onset);
+                let mut brief = labels.onset_briefly("onset_of_turn", grasp, &found.onset);
                 brief.angle = brief.factor.take();
                 brief
             }
             Question::Follow { start, legs } => {
                 let mut path = grasp.follow(start, &self.legs(legs)?)?;
                 path.by_ref().for_each(drop);
-                labels.path_briefly(path.end())
+                let state = path.state();
+                Brief { beyond_small_motions: is_far(state.as_ref()), ..labels.path_briefly(path.end()) }
             }
         })
     }
@@ -94,7 +103,8 @@ impl<const C: usize> Setup<C> {
 impl Brief {
     fn new(question: &'static str, outcome: &'static str) -> Self {
         let (factor, angle, leg, fraction, margin, first, does) = (None, None, None, None, None, None, None);
-        Self { question, outcome, factor, angle, leg, fraction, margin, first, does }
+        let beyond_small_motions = false;
+        Self { question, outcome, factor, angle, leg, fraction, margin, first, does, beyond_small_motions }
     }
 }
 
@@ -109,6 +119,7 @@ impl SceneNames {
 
     /// With the contact of the least margin.
     fn tightest<const C: usize>(&self, brief: Brief, state: &Equilibrium<C>) -> Brief {
+        let brief = Brief { beyond_small_motions: is_far(Some(state)), ..brief };
         let margins = state.contacts.iter().enumerate().filter(|(_, contact)| contact.margin.is_finite());
         let least = margins.min_by(|a, b| a.1.margin.total_cmp(&b.1.margin));
         let Some((site, contact)) = least else { return brief };
@@ -116,7 +127,12 @@ impl SceneNames {
         Brief { margin, first, does: Some(doing(&contact.state)), ..brief }
     }
 
-    fn onset_briefly<const C: usize>(&self, question: &'static str, onset: &Onset<C>) -> Brief {
+    fn onset_briefly<const C: usize>(
+        &self,
+        question: &'static str,
+        grasp: &Grasp<C>,
+        onset: &Onset<C>,
+    ) -> Brief {
         match onset {
             Onset::At(event) => {
                 let contact = event
@@ -125,7 +141,9 @@ impl SceneNames {
                     .map(|leaving| (self.0[leaving.contact.index].text(), leaving.how.verb()));
                 let part = || event.drives.first().map(|change| (change.part.text(), drive(change.what)));
                 let (first, does) = contact.or_else(part).unzip();
-                Brief { factor: Some(event.factor), first, does, ..Brief::new(question, "at") }
+                let beyond_small_motions = is_far(grasp.state_at_onset(event).as_ref());
+                let factor = Some(event.factor);
+                Brief { factor, first, does, beyond_small_motions, ..Brief::new(question, "at") }
             }
             Onset::Never => Brief::new(question, "never"),
             Onset::AlreadySliding(state) => self.tightest(Brief::new(question, "already_sliding"), state),
@@ -155,6 +173,10 @@ impl SceneNames {
     }
 }
 
+fn is_far<const C: usize>(state: Option<&Equilibrium<C>>) -> bool {
+    state.is_some_and(Equilibrium::is_beyond_small_motions)
+}
+
 /// What holds, and when it is lost.
 fn held_briefly<const C: usize>(verdict: &Verdict<C>) -> Brief {
     let outcome = match verdict.holding {
@@ -166,10 +188,12 @@ fn held_briefly<const C: usize>(verdict: &Verdict<C>) -> Brief {
         Holding::Undecided { .. } => "undecided",
     };
     let first = verdict.first_slip.as_ref();
-    let who =
-        first.and_then(|first| first.slide.iter().chain(&first.open).next().map(|part| part.label.clone()));
+    let who = first.and_then(|first| first.slide.iter().chain(&first.open).chain(&first.would_pull).next());
+    let who = who.map(|part| part.label.clone());
     let factor = verdict.lost.as_ref().map(|lost| lost.factor);
-    Brief { factor, first: who, ..Brief::new("hold", outcome) }
+    let at_the_end = verdict.state.as_ref().or_else(|| verdict.lost.as_ref()?.state.as_ref());
+    let beyond_small_motions = is_far(at_the_end.map(AsRef::as_ref));
+    Brief { factor, first: who, beyond_small_motions, ..Brief::new("hold", outcome) }
 }
 
 /// The amount that does.

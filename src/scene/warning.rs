@@ -80,7 +80,7 @@ impl fmt::Display for Warning {
             ),
             Self::PressesOtherwise { name, told, force, .. } => write!(
                 f,
-                "{} presses with {} N at rest, not with {}: `pressed_with` moves a spring, and the object gives way until forces agree",
+                "{} presses with {} N at rest, not with {} N: `pressed_with` moves a spring, and the object gives way until forces agree",
                 printable(name),
                 words.number(*force),
                 words.number(*told)

@@ -15,7 +15,9 @@
 //! assert_eq!(printable("left\u{1b}[2J\n"), "left\\u{1b}[2J\\n");
 //! ```
 
-mod motion;
+/// What a sentence adds where its answer lies beyond small motions.
+pub(crate) const TOO_FAR: &str = "The object turns too far for that: all this is good for small motions";
+
 mod names;
 mod numbers;
 

@@ -1,10 +1,8 @@
-//! Numbers with their units, directions and loads.
+//! Numbers with their units, and directions.
 
 use std::fmt;
 
 use nalgebra::SVector;
-
-use crate::grasp::Wrench;
 
 /// Digits that a person reads.
 const DIGITS: usize = 6;
@@ -14,7 +12,7 @@ const MOST_DIGITS: usize = 17;
 const ALONG_AN_AXIS: f64 = 1e-6;
 /// What is this small beside the largest of some numbers is rounding, for whoever reads six digits of them.
 const ROUNDING: f64 = 1e-9;
-/// The same where more digits are wanted, and among numbers with different units.
+/// The same where more digits are wanted.
 const LITTLE_ROUNDING: f64 = 1e-13;
 
 /// How numbers are written: with so many digits, without zeros behind them, and never with a minus before zero.
@@ -112,26 +110,6 @@ impl Words {
             format!("{sign}{}", ["x", "y", "z"][axis])
         } else {
             self.numbers(direction.as_slice())
-        }
-    }
-
-    /// A force and a moment about the origin: "(0, -4.905) N and 0.2 N m".
-    #[must_use]
-    pub fn load<const C: usize>(self, load: &Wrench<C>) -> String {
-        let largest = load.components().iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
-        let clean = |x: &f64| if x.abs() <= LITTLE_ROUNDING * largest { 0.0 } else { *x };
-        let components: Vec<_> = load.components().iter().map(clean).collect();
-        let (force, moment) = components.split_at(C);
-        let is_there = |part: &[f64]| part.iter().any(|x| *x != 0.0);
-        let moment_words = || match moment {
-            [moment] => format!("{} N m", self.number(*moment)),
-            moment => format!("{} N m", self.numbers(moment)),
-        };
-        match (is_there(force), is_there(moment)) {
-            (false, false) => "no load".to_owned(),
-            (true, false) => format!("{} N", self.numbers(force)),
-            (false, true) => moment_words(),
-            (true, true) => format!("{} N and {}", self.numbers(force), moment_words()),
         }
     }
 }

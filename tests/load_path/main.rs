@@ -19,6 +19,7 @@ mod memory;
 mod oblique_loading;
 mod on_facets;
 mod pace;
+mod pads_told;
 mod partial_slip;
 mod recontact;
 mod rings;

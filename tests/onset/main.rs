@@ -6,6 +6,7 @@ mod every_direction;
 mod geometry;
 mod geometry_closed_forms;
 mod invariance;
+mod kept_closed;
 mod least_squeeze;
 mod search;
 mod sensitivity;

@@ -3,12 +3,17 @@
 mod answers;
 mod drawings;
 mod everyday;
+mod far;
+mod full_disk;
 mod mistakes;
+mod names;
 mod new;
+mod pads;
 mod readme;
 mod schema;
 mod stream;
 mod values;
+mod words;
 
 use std::io::Write;
 use std::path::{Path, PathBuf};

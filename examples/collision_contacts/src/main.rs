@@ -148,10 +148,9 @@ fn directions(grasp: &Grasp, centre: DVec3) -> Result<(), Error> {
         let first = onset.event().map_or_else(String::new, |event| {
             let first = &event.leaving[0];
             let how = match first.how {
-                Departure::Opens => "opens",
                 // A tip that was out of reach is dragged from the first touch on.
                 Departure::Slides { .. } if separated(event, first.contact.index) => "touches",
-                Departure::Slides { .. } => "slides",
+                how => how.verb(),
             };
             format!("{:7.3}  {} {how}", event.factor, first.contact.text())
         });

@@ -10,6 +10,7 @@ mod beside;
 mod drawing;
 mod failure;
 mod files;
+mod followed;
 mod loads;
 mod map;
 mod new;

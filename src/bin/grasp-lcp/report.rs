@@ -6,7 +6,7 @@ use grasp_lcp::equilibrium::{ContactState, Equilibrium, Outcome, Told};
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::hold::Verdict;
 use grasp_lcp::load_path::{Beyond, Departure, EdgeOf, Leaving, PartChange};
-use grasp_lcp::scene::{Answer, OnsetAnswer, OnsetAt, PathAnswer, PathOutcome, Question, Setup, TurnAnswer};
+use grasp_lcp::scene::{Answer, OnsetAnswer, OnsetAt, Question, Setup, TurnAnswer};
 use grasp_lcp::words::printable;
 
 use crate::table::table;
@@ -23,8 +23,9 @@ pub(crate) fn print<const C: usize>(
     let is_a_sentence = |answer: &Answer<C>| matches!(answer, Answer::Hold(_) | Answer::Need(_));
     // A sentence is what was asked for, and comes first.
     if !answers.iter().all(is_a_sentence) {
-        for line in comment.into_iter().flat_map(str::lines) {
-            writeln!(out, "{}", printable(line))?;
+        // In one line: none of its lines passes for an answer.
+        if let Some(comment) = comment {
+            writeln!(out, "{}", printable(&comment.lines().collect::<Vec<_>>().join(" ")))?;
         }
         let (contacts, points) = (setup.entries().count(), setup.points().unwrap_or_default());
         let of = if points > contacts { format!(", {points} points of contact") } else { String::new() };
@@ -38,25 +39,25 @@ pub(crate) fn print<const C: usize>(
 }
 
 /// Where to, and how.
-struct Report<'o> {
+pub(crate) struct Report<'o> {
     out: &'o mut dyn Write,
-    style: Style,
+    pub(crate) style: Style,
 }
 
 impl Report<'_> {
-    fn line(&mut self, words: &str) -> io::Result<()> {
+    pub(crate) fn line(&mut self, words: &str) -> io::Result<()> {
         writeln!(self.out, "  {words}")
     }
 
-    fn load<const C: usize>(&self, load: &Wrench<C>) -> String {
+    pub(crate) fn load<const C: usize>(&self, load: &Wrench<C>) -> String {
         self.style.words.load(load)
     }
 
-    fn number(&self, x: f64) -> String {
+    pub(crate) fn number(&self, x: f64) -> String {
         self.style.words.number(x)
     }
 
-    fn table<const C: usize>(&mut self, state: &Equilibrium<C>) -> io::Result<()> {
+    pub(crate) fn table<const C: usize>(&mut self, state: &Equilibrium<C>) -> io::Result<()> {
         table(self.out, self.style, state)
     }
 
@@ -78,7 +79,7 @@ impl Report<'_> {
                 self.solved(outcome)?;
                 // Nothing was found by a search; what happens from rest is known all the same.
                 match (outcome, setup.grasp().map(|grasp| grasp.hold(*load))) {
-                    (Outcome::Undecided(_), Ok(Ok(verdict))) => self.from_rest(&verdict),
+                    (Outcome::Undecided(_), Ok(Ok(verdict))) => self.put_on_from_rest(&verdict),
                     _ => Ok(()),
                 }
             }
@@ -107,7 +108,7 @@ impl Report<'_> {
         }
     }
 
-    fn solved<const C: usize>(&mut self, outcome: &Outcome<C>) -> io::Result<()> {
+    pub(crate) fn solved<const C: usize>(&mut self, outcome: &Outcome<C>) -> io::Result<()> {
         let digits = self.style.digits();
         match outcome {
             Outcome::Equilibrium(state) => self.table(state),
@@ -118,7 +119,7 @@ impl Report<'_> {
     }
 
     /// What the path says where the search is undecided.
-    fn from_rest<const C: usize>(&mut self, verdict: &Verdict<C>) -> io::Result<()> {
+    fn put_on_from_rest<const C: usize>(&mut self, verdict: &Verdict<C>) -> io::Result<()> {
         let digits = self.style.digits();
         if verdict.holds() == Some(false) {
             let elsewhere = "whether a wedged equilibrium exists elsewhere was not decided";
@@ -230,62 +231,8 @@ impl Report<'_> {
         self.line(&format!("beyond: the grasp holds on; {who}"))
     }
 
-    fn followed<const C: usize>(&mut self, path: &PathAnswer<C>) -> io::Result<()> {
-        let digits = self.style.digits();
-        let (mut in_between, mut warned) = (0, false);
-        for event in &path.events {
-            let contacts: Vec<_> = if self.style.points {
-                let point = |change: &grasp_lcp::load_path::ContactChange<C>| {
-                    format!("{} {:.digits$}", change.contact.text(), change.what)
-                };
-                event.changes.iter().map(point).collect()
-            } else {
-                event.whole_changes().iter().map(|change| format!("{change:.digits$}")).collect()
-            };
-            in_between += usize::from(contacts.is_empty() && !event.changes.is_empty());
-            let drives = event.drives.iter().map(|drive| format!("{} {}", drive.part.text(), drive.what));
-            for what in contacts.into_iter().chain(drives) {
-                let (fraction, load) = (self.number(event.fraction), self.load(&event.load));
-                self.line(&format!("leg {} at {fraction}, {load}: {what}", event.leg))?;
-            }
-            if let Some(caution) = event.state.caution().filter(|_| !warned) {
-                self.line(&format!("CAUTION, from here on: {caution}"))?;
-                warned = true;
-            }
-        }
-        if in_between > 0 {
-            self.line(&format!("in between at {in_between} loads more points change: --points tells them"))?;
-        }
-        self.end_of_path(&path.end)
-    }
-
-    fn end_of_path<const C: usize>(&mut self, end: &PathOutcome<C>) -> io::Result<()> {
-        match end {
-            PathOutcome::Completed { state } => {
-                self.line("all legs are held to their end")?;
-                state.as_ref().map_or(Ok(()), |state| self.table(state))
-            }
-            PathOutcome::Lost { loss, beyond: next, state, .. } => {
-                let (fraction, load) = (self.number(loss.fraction), self.load(&loss.load));
-                let (leg, how) = (loss.leg, loss.kind);
-                self.line(&format!("this equilibrium ends at {fraction} of leg {leg}, {load}: {how}"))?;
-                state.as_ref().map_or(Ok(()), |state| self.table(state))?;
-                self.beyond(next)
-            }
-            PathOutcome::Undecided { leg, fraction, doubt } => {
-                let fraction = self.number(*fraction);
-                self.line(&format!("held to {fraction} of leg {leg}, beyond not known: {doubt}"))
-            }
-            PathOutcome::NoStart { start } => {
-                self.line("there is nothing to start from:")?;
-                self.solved(start)
-            }
-            _ => self.line(NO_WORDS),
-        }
-    }
-
     /// What lies beyond an onset where the equilibrium ends, or beyond the end of a path.
-    fn beyond<const C: usize>(&mut self, beyond: &Beyond<C>) -> io::Result<()> {
+    pub(crate) fn beyond<const C: usize>(&mut self, beyond: &Beyond<C>) -> io::Result<()> {
         let digits = self.style.digits();
         match beyond {
             Beyond::LimitLoad => self.line("beyond: no equilibrium; it is the limit load"),

@@ -3,10 +3,9 @@
 use std::io::{self, Write};
 
 use grasp_lcp::equilibrium::{Equilibrium, PadAnswer, Told};
-use grasp_lcp::grasp::JointKind;
 use grasp_lcp::words::Words;
 
-use crate::words::{Style, gives_way};
+use crate::words::Style;
 
 pub(crate) fn table<const C: usize>(
     out: &mut dyn Write,
@@ -25,7 +24,9 @@ pub(crate) fn table<const C: usize>(
     let lines: Vec<_> =
         std::iter::once(heads).chain(rows.iter().map(|row| cells(row, numbers, columns))).collect();
     print(out, &lines)?;
-    hand(out, style, state)?;
+    let digits = style.digits();
+    state.joints.iter().try_for_each(|joint| writeln!(out, "  {joint:.digits$}"))?;
+    state.tendons.iter().try_for_each(|tendon| writeln!(out, "  {tendon:.digits$}"))?;
     let residual = Words::with_digits(1).number(state.residuals.worst());
     writeln!(out, "  the object {}, residual {residual}", state.motion(style.words))?;
     if let Some(caution) = state.caution() {
@@ -69,7 +70,8 @@ fn cells<const C: usize>(row: &Told<'_, C>, numbers: Cleaned, columns: usize) ->
         });
     }
     let margin = if row.margin().is_finite() { numbers.force(row.margin()) } else { "no limit".to_owned() };
-    cells.extend([margin, row.doing()]);
+    let pulls = if numbers.words.beside(force[0], numbers.largest) < 0.0 { ", pulls" } else { "" };
+    cells.extend([margin, format!("{}{pulls}", row.doing())]);
     cells
 }
 
@@ -94,26 +96,6 @@ fn print(out: &mut dyn Write, lines: &[Vec<String>]) -> io::Result<()> {
             write!(out, "  {number:>width$}")?;
         }
         writeln!(out, "  {state}")?;
-    }
-    Ok(())
-}
-
-/// Joints and tendons of a hand.
-fn hand<const C: usize>(out: &mut dyn Write, style: Style, state: &Equilibrium<C>) -> io::Result<()> {
-    for joint in &state.joints {
-        let (what, unit) = match joint.kind {
-            JointKind::Turns => ("torque", "N m"),
-            JointKind::Slides => ("force", "N"),
-            _ => ("torque or force", "N m or N"),
-        };
-        let (label, torque) = (joint.joint.text(), style.words.number(joint.torque));
-        let left = style.left(joint.margin, unit);
-        writeln!(out, "  {label}: {what} {torque} {unit}{left}{}", gives_way(joint.state))?;
-    }
-    for tendon in &state.tendons {
-        let (label, tension) = (tendon.tendon.text(), style.words.number(tendon.tension));
-        let left = style.left(tendon.margin, "N");
-        writeln!(out, "  {label}: tension {tension} N{left}{}", gives_way(tendon.state))?;
     }
     Ok(())
 }

@@ -1,6 +1,5 @@
 //! How answers are told: with how many digits, and whether point by point.
 
-use grasp_lcp::equilibrium::DriveState;
 use grasp_lcp::words::Words;
 
 /// Of what the library may come to say some day.
@@ -18,22 +17,5 @@ impl Style {
     /// Digits of a whole answer.
     pub(crate) fn digits(self) -> usize {
         self.words.digits()
-    }
-
-    /// What is left of a limit, if there is one.
-    pub(crate) fn left(self, margin: f64, unit: &str) -> String {
-        if margin.is_finite() {
-            format!(", {} {unit} left of its limit", self.words.number(margin))
-        } else {
-            String::new()
-        }
-    }
-}
-
-pub(crate) fn gives_way(state: DriveState) -> &'static str {
-    match state {
-        DriveState::Yields => ", yields at its limit",
-        DriveState::Slack => ", slack",
-        _ => "",
     }
 }

@@ -69,7 +69,7 @@ fn main() -> Result<(), Failure> {
                     direction[0], direction[1]
                 );
             }
-            Departure::Opens => println!("  {name} opens"),
+            how => println!("  {name} {}", how.verb()),
         }
     }
     match grasp.beyond(event).ok_or("its own event")? {

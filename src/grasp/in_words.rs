@@ -1,18 +1,40 @@
-//! Rigid motions: "turns 1.9° about +z through (0, 0.03, 0) m, moves 2.8 mm along +z".
+//! Loads and rigid motions in words: "(0, -4.905) N and 0.2 N m", "turns 1.9° about +z through (0, 0.03, 0) m, moves 2.8 mm along +z".
 
 use nalgebra::SVector;
 
-use super::Words;
-use crate::grasp::{Motion, Rotation, Twist};
+use super::axis::Rotation;
+use super::motion::Motion;
+use super::wrench::{Twist, Wrench};
+use crate::words::Words;
 
 /// Turning that shifts points by less than this part of what all of them move by is told beside that; else the object turns about an axis.
 const SEEN: f64 = 0.05;
 /// Turning or moving by less than this part of the other one is rounding.
 const ROUNDING: f64 = 1e-9;
-/// The same where nothing but the motion is known, per metre.
-const ROUNDING_PER_METRE: f64 = 1e-12;
+/// The same where nothing but the motion is known, m, and among forces and moments.
+const LITTLE_ROUNDING: f64 = 1e-13;
 
 impl Words {
+    /// A force and a moment about the origin: "(0, -4.905) N and 0.2 N m".
+    #[must_use]
+    pub fn load<const C: usize>(self, load: &Wrench<C>) -> String {
+        let largest = load.components().iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
+        let clean = |x: &f64| if x.abs() <= LITTLE_ROUNDING * largest { 0.0 } else { *x };
+        let components: Vec<_> = load.components().iter().map(clean).collect();
+        let (force, moment) = components.split_at(C);
+        let is_there = |part: &[f64]| part.iter().any(|x| *x != 0.0);
+        let moment_words = || match moment {
+            [moment] => format!("{} N m", self.number(*moment)),
+            moment => format!("{} N m", self.numbers(moment)),
+        };
+        match (is_there(force), is_there(moment)) {
+            (false, false) => "no load".to_owned(),
+            (true, false) => format!("{} N", self.numbers(force)),
+            (false, true) => moment_words(),
+            (true, true) => format!("{} N and {}", self.numbers(force), moment_words()),
+        }
+    }
+
     /// What the object does as it moves by a small motion that takes some of its points along by `moved`, m: "turns 1.9° about …, moves 2.8 mm", or
     /// the other way round where it hardly turns.
     #[must_use]
@@ -57,8 +79,7 @@ impl Words {
                 "moving nothing but the hand".to_owned()
             }
         } else {
-            let through =
-                omega.way_to_axis(&along).map(|x| if x.abs() <= ROUNDING_PER_METRE { 0.0 } else { x });
+            let through = omega.way_to_axis(&along).map(|x| if x.abs() <= LITTLE_ROUNDING { 0.0 } else { x });
             let pitch = omega.along_axis(&along);
             let axis = if C == 2 {
                 "turning".to_owned()

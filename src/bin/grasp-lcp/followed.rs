@@ -1,0 +1,83 @@
+//! A load path in words: its events, how it ends, and who slides everywhere there.
+
+use std::io;
+
+use grasp_lcp::equilibrium::{ContactAnswer, ContactState, Equilibrium};
+use grasp_lcp::load_path::{ContactChange, Loss};
+use grasp_lcp::scene::{PathAnswer, PathOutcome};
+
+use crate::report::Report;
+use crate::words::NO_WORDS;
+
+impl Report<'_> {
+    pub(crate) fn followed<const C: usize>(&mut self, path: &PathAnswer<C>) -> io::Result<()> {
+        let digits = self.style.digits();
+        let (mut in_between, mut warned) = (0, false);
+        for event in &path.events {
+            let contacts: Vec<_> = if self.style.points {
+                let point =
+                    |change: &ContactChange<C>| format!("{} {:.digits$}", change.contact.text(), change.what);
+                event.changes.iter().map(point).collect()
+            } else {
+                event.whole_changes().iter().map(|change| format!("{change:.digits$}")).collect()
+            };
+            in_between += usize::from(contacts.is_empty() && !event.changes.is_empty());
+            let drives = event.drives.iter().map(|drive| format!("{} {}", drive.part.text(), drive.what));
+            for what in contacts.into_iter().chain(drives) {
+                let (fraction, load) = (self.number(event.fraction), self.load(&event.load));
+                self.line(&format!("leg {} at {fraction}, {load}: {what}", event.leg))?;
+            }
+            if let Some(caution) = event.state.caution().filter(|_| !warned) {
+                self.line(&format!("CAUTION, from here on: {caution}"))?;
+                warned = true;
+            }
+        }
+        if in_between > 0 {
+            self.line(&format!("in between at {in_between} loads more points change: --points tells them"))?;
+        }
+        self.end_of_path(&path.end)
+    }
+
+    fn end_of_path<const C: usize>(&mut self, end: &PathOutcome<C>) -> io::Result<()> {
+        match end {
+            PathOutcome::Completed { state } => {
+                self.line("all legs are held to their end")?;
+                state.as_ref().map_or(Ok(()), |state| self.table(state))
+            }
+            PathOutcome::Lost { loss, beyond: next, state, .. } => {
+                let (fraction, load) = (self.number(loss.fraction), self.load(&loss.load));
+                let (leg, how) = (loss.leg, loss.kind);
+                self.line(&format!("this equilibrium ends at {fraction} of leg {leg}, {load}: {how}"))?;
+                if let Some(state) = state {
+                    self.on_their_edge(loss, state)?;
+                    self.table(state)?;
+                }
+                self.beyond(next)
+            }
+            PathOutcome::Undecided { leg, fraction, doubt } => {
+                let fraction = self.number(*fraction);
+                self.line(&format!("held to {fraction} of leg {leg}, beyond not known: {doubt}"))
+            }
+            PathOutcome::NoStart { start } => {
+                self.line("there is nothing to start from:")?;
+                self.solved(start)
+            }
+            _ => self.line(NO_WORDS),
+        }
+    }
+
+    /// Who slides with all that touches where an equilibrium is lost: the last points come to their edge just there.
+    fn on_their_edge<const C: usize>(&mut self, loss: &Loss<C>, state: &Equilibrium<C>) -> io::Result<()> {
+        let is_closed = |contact: &&ContactAnswer<C>| contact.state != ContactState::Separated;
+        let slides = |contact: &ContactAnswer<C>| {
+            matches!(contact.state, ContactState::Sliding { .. }) || loss.contacts.contains(&contact.contact)
+        };
+        let pads = state.pads.iter().filter(|_| !self.style.points);
+        let those = pads.filter(|pad| {
+            let mut closed = state.contacts[pad.range()].iter().filter(is_closed).peekable();
+            closed.peek().is_some() && closed.all(slides)
+        });
+        let names: Vec<_> = those.map(|pad| pad.contact.text()).collect();
+        names.iter().try_for_each(|name| self.line(&format!("{name} slides everywhere")))
+    }
+}

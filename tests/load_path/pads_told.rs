@@ -1,0 +1,76 @@
+//! Events of soft fingertips, against what their points do a little before and a little after.
+
+use grasp_lcp::equilibrium::{ContactState, Equilibrium};
+use grasp_lcp::load_path::{Doing, Leg};
+use grasp_lcp::planar::{Contact, Grasp, Pressure, SoftFingertip, Wrench};
+use support::splitmix::Random;
+
+/// Before and after an event so much of the leg is gone; others lie further apart.
+const BESIDE: f64 = 1e-7;
+
+/// How many points of the contacts in a range touch, and how many slide.
+fn count(state: &Equilibrium<2>, range: std::ops::Range<usize>) -> (usize, usize) {
+    let points = &state.contacts[range];
+    let closed = points.iter().filter(|c| c.state != ContactState::Separated).count();
+    (closed, points.iter().filter(|c| matches!(c.state, ContactState::Sliding { .. })).count())
+}
+
+#[test]
+fn the_first_and_the_last_points_are_told() -> Result<(), grasp_lcp::Error> {
+    let mut random = Random(11);
+    let mut seen = std::collections::BTreeMap::new();
+    for _ in 0..200 {
+        let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
+        let pad = SoftFingertip::pad(0.02, 2, Pressure::Uniform)?;
+        let jaw = |x: f64, press: f64, name: &str| {
+            Contact::new([x, 0.0], [-x, 0.0])
+                .name(name)
+                .series_stiffness(2e3, 1e3)
+                .friction(0.4)
+                .pressed_with(press)
+        };
+        let press = between(5.0, 15.0);
+        let jaws = [pad.contacts(&jaw(-0.03, press, "left"))?, pad.contacts(&jaw(0.03, press, "right"))?];
+        let grasp = Grasp::new(jaws.concat())?;
+        let mut load = || Wrench::new([between(-1.0, 1.0), between(-4.0, 4.0)], between(-0.12, 0.12));
+        let legs = [Leg::load_to(load()), Leg::load_to(load())];
+        let mut path = grasp.follow(&Wrench::ZERO, &legs)?;
+        let events = path.run();
+        for (i, event) in events.iter().enumerate() {
+            let at =
+                |k: usize| events.get(k).filter(|other| other.leg == event.leg).map(|other| other.fraction);
+            let apart = |other: Option<f64>| other.is_none_or(|f| (f - event.fraction).abs() > 3.0 * BESIDE);
+            let inside = event.fraction > BESIDE && event.fraction < 1.0 - BESIDE;
+            if !(inside && apart(at(i + 1)) && apart(i.checked_sub(1).and_then(at))) {
+                continue;
+            }
+            let [before, after] = [-BESIDE, BESIDE].map(|d| path.state_at(event.leg, event.fraction + d));
+            let (Some(before), Some(after)) = (before, after) else { continue };
+            for pad in &event.state.pads {
+                let ((c0, s0), (c1, s1)) = (count(&before, pad.range()), count(&after, pad.range()));
+                let told: Vec<_> =
+                    event.whole_changes().into_iter().filter(|told| told.contact == pad.contact).collect();
+                let tells = |what: Doing<2>| told.iter().any(|told| told.what == what);
+                let context = format!("{c0} {s0} {c1} {s1} {told:?}");
+                assert_eq!(
+                    tells(Doing::SlidesEverywhere),
+                    c1 > 0 && s1 == c1 && !(s0 == c0 && c0 > 0),
+                    "{context}"
+                );
+                assert_eq!(tells(Doing::BeginsToSlide), s0 == 0 && s1 > 0 && s1 < c1, "{context}");
+                assert_eq!(tells(Doing::SticksAgain), s0 > 0 && s1 == 0 && c1 > 0, "{context}");
+                assert_eq!(tells(Doing::Opens), c0 > 0 && c1 == 0, "{context}");
+                assert_eq!(tells(Doing::BeginsToOpen), c0 == pad.points && c1 < c0 && c1 > 0, "{context}");
+                for told in told {
+                    *seen.entry(told.to_string()).or_insert(0) += 1;
+                }
+            }
+        }
+    }
+    for told in
+        ["left begins to slide", "left slides everywhere", "right sticks again", "right begins to open"]
+    {
+        assert!(seen.get(told).is_some_and(|times| *times > 3), "{told}: {seen:?}");
+    }
+    Ok(())
+}

@@ -1,0 +1,110 @@
+//! A contact that is kept closed never opens: where it would have to pull and may not, that is said, and a guide that may pull goes on.
+
+use grasp_lcp::load_path::{Departure, Onset};
+use grasp_lcp::planar::{Contact, Grasp, Wrench};
+use grasp_lcp::spatial;
+use support::splitmix::Random;
+
+type Tested = Result<(), grasp_lcp::Error>;
+
+/// Two jaws that press with 5 N each on springs alike: a force of 10 N along x takes all from the left one.
+fn jaw(x: f64, name: &str) -> Contact {
+    Contact::new([x, 0.0], [-x, 0.0]).name(name).series_stiffness(1e3, 8e2).friction(0.5).pressed_with(5.0)
+}
+
+#[test]
+fn with_friction_it_would_have_to_pull() -> Tested {
+    let grasp = Grasp::new([jaw(-0.05, "left").kept_closed(), jaw(0.05, "right").kept_closed()])?;
+    let push = Wrench::force([1.0, 0.0]);
+    let Onset::At(event) = grasp.onset(&push.into())? else { panic!("ends at 10 N") };
+    assert!((event.factor - 10.0).abs() < 1e-13, "{}", event.factor);
+    let [left] = &event.leaving[..] else { panic!("the left one alone") };
+    assert_eq!((left.contact.text().as_str(), left.how), ("left", Departure::WouldPull));
+    assert_eq!(event.to_string(), "at factor 10: left would have to pull");
+    let verdict = grasp.hold(push * 5.0)?;
+    assert_eq!(
+        verdict.to_string(),
+        "HOLDS, everything sticks: 2 times this load until it is lost, as left would have to pull"
+    );
+    // One that may open does.
+    let loose = Grasp::new([jaw(-0.05, "left"), jaw(0.05, "right")])?;
+    let Onset::At(event) = loose.onset(&push.into())? else { panic!("opens at 10 N") };
+    assert_eq!(event.leaving[0].how, Departure::Opens);
+    Ok(())
+}
+
+#[test]
+fn on_the_round_cone_too() -> Tested {
+    let jaw = |x: f64, name: &str| {
+        let contact =
+            spatial::Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0]).name(name).series_stiffness(1e3, 8e2);
+        contact.friction(0.5).pressed_with(5.0).kept_closed()
+    };
+    let grasp = spatial::Grasp::new([jaw(-0.05, "left"), jaw(0.05, "right")])?;
+    let Onset::At(event) = grasp.onset(&spatial::Wrench::force([1.0, 0.0, 0.0]).into())? else {
+        panic!("ends at 10 N")
+    };
+    assert!((event.factor - 10.0).abs() < 1e-13);
+    assert_eq!(event.leaving[0].how, Departure::WouldPull);
+    Ok(())
+}
+
+/// Without friction its spring acts both ways, whatever the load.
+#[test]
+fn a_guide_without_friction_pulls() -> Tested {
+    let guide = jaw(-0.05, "guide").friction(0.0).kept_closed();
+    let grasp = Grasp::new([guide, jaw(0.05, "right").friction(0.0).kept_closed()])?;
+    let push = Wrench::force([1.0, 0.0]);
+    assert!(matches!(grasp.onset(&push.into())?, Onset::Never));
+    let outcome = grasp.solve(&(push * 20.0))?;
+    let forces: Vec<_> =
+        outcome.equilibrium().expect("held").contacts.iter().map(|contact| contact.force[0]).collect();
+    assert!((forces[0] + 5.0).abs() < 1e-12 && (forces[1] - 15.0).abs() < 1e-12, "{forces:?}");
+    Ok(())
+}
+
+/// Nothing presses, and the guide does nothing about a force along itself: the stone slides, the guide is not told to do anything.
+#[test]
+fn a_guide_without_load_is_not_told_to_open() -> Tested {
+    let guide = Contact::new([0.0, 0.0], [1.0, 0.0]).name("guide").series_stiffness(1e6, 5e5).kept_closed();
+    let rock =
+        Contact::new([0.03, -0.007], [-1.0, 0.0]).name("rock").series_stiffness(1e6, 5e5).friction(0.2);
+    let Onset::At(event) = Grasp::new([guide, rock])?.onset(&Wrench::force([0.0, -1.0]).into())? else {
+        panic!("at once")
+    };
+    let names: Vec<_> = event.leaving.iter().map(|leaving| leaving.contact.text()).collect();
+    assert_eq!((event.factor, names), (0.0, vec!["rock".to_owned()]));
+    Ok(())
+}
+
+#[test]
+fn none_of_many_opens() -> Tested {
+    let mut random = Random(42);
+    let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
+    let (mut told, mut pulls) = (0, 0);
+    for _ in 0..3000 {
+        let contacts: Vec<_> = (0..4)
+            .map(|i| {
+                let angle = between(0.0, std::f64::consts::TAU);
+                let point = [angle.cos() * 0.05, angle.sin() * 0.05];
+                let lean = angle + between(-0.5, 0.5);
+                let mu = if between(0.0, 1.0) < 0.4 { 0.0 } else { between(0.1, 0.9) };
+                let press = if between(0.0, 1.0) < 0.3 { 0.0 } else { between(1.0, 9.0) };
+                let contact = Contact::new(point, [-lean.cos(), -lean.sin()]).series_stiffness(1e3, 8e2);
+                let contact = contact.friction(mu).pressed_with(press);
+                if i < 2 { contact.kept_closed() } else { contact }
+            })
+            .collect();
+        let load = Wrench::force_at([between(-1.0, 1.0), between(-1.0, 1.0)], [between(-0.05, 0.05), 0.0]);
+        let Onset::At(event) = Grasp::new(contacts)?.onset(&load.into())? else { continue };
+        for leaving in &event.leaving {
+            let is_kept = leaving.contact.index < 2;
+            assert!(!(is_kept && leaving.how == Departure::Opens), "{event}");
+            assert!(is_kept || leaving.how != Departure::WouldPull, "{event}");
+            pulls += usize::from(leaving.how == Departure::WouldPull);
+        }
+        told += 1;
+    }
+    assert!(told > 500 && pulls > 20, "{told} {pulls}");
+    Ok(())
+}

@@ -1,0 +1,90 @@
+//! Soft fingertips are told as contacts: one row, and an event for the first point and for the last.
+//!
+//! A disc of R = 10 mm presses with N = 10 N on an object that a bonded foot holds; tip and foot resist turning about their line alike, with 0.5 N m/rad.
+//! Under a moment M the tip carries M/2 until, under an even pressure, its rim slides at μ N R/2 = 0.025 N m. Its inner points, at R/2, slide at twice the
+//! angle: the tip carries 2/3 μ N R then and the foot 0.05 N m. At the first, |F_t| grows with the distance from the middle: Σ |F_t| = 2/3 μ N.
+
+use serde_json::Value;
+
+use crate::{ROOT, run, text};
+
+const TIP: &str = "tests/program/scenes/soft_tip_turned.json";
+
+fn told(command: &str, options: &[&str]) -> String {
+    let scene = format!("{ROOT}/{TIP}");
+    let output = run(&[&[command, &scene], options].concat());
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    text(&output.stdout)
+}
+
+/// Lines that begin with a name, with single spaces.
+fn lines_of(words: &str, name: &str) -> Vec<String> {
+    let lines = words.lines().filter(|line| line.trim_start().starts_with(name));
+    lines.map(|line| line.split_whitespace().collect::<Vec<_>>().join(" ")).collect()
+}
+
+#[test]
+fn a_row_a_pad() {
+    let words = told("onset", &[]);
+    assert!(words.contains("at factor 0.05, that is (0, 0, 0.05) N m"), "{words}");
+    // Normal force, friction, torsion, tilting moment, 5 - 10/3 N of friction in reserve.
+    assert_eq!(lines_of(&words, "tip"), ["tip begins to slide", "tip 10 0 0.025 0 1.66667 sticks"]);
+    assert_eq!(lines_of(&words, "foot"), ["foot 10 0 -0.025 0 no limit sticks"]);
+    assert!(words.contains("M_n (N m)") && words.contains("|M_t| (N m)"), "{words}");
+    assert!(words.contains("beyond: the grasp holds on; sliding: tip (4 of 8 points)"), "{words}");
+}
+
+#[test]
+fn points_are_told_on_request() {
+    let words = told("onset", &["--points"]);
+    assert_eq!(
+        lines_of(&words, "tip, point ").iter().filter(|line| line.ends_with("sticks")).count(),
+        8,
+        "{words}"
+    );
+    assert_eq!(lines_of(&words, "tip, point ").iter().filter(|line| line.contains("slides over")).count(), 4);
+    assert!(!words.contains("M_n"), "{words}");
+}
+
+#[test]
+fn a_pad_begins_to_slide_and_slides_everywhere() {
+    let words = told("follow", &[]);
+    let events: Vec<_> = words.lines().filter(|line| line.contains("leg ") && line.contains(": ")).collect();
+    let expected = [
+        "  leg 0 at 0.555556, (0, 0, 0.05) N m: tip begins to slide",
+        "  leg 0 at 0.925926, (0, 0, 0.0833333) N m: tip slides everywhere",
+        "  leg 1 at 0, (0, 0, 0.09) N m: tip sticks again",
+    ];
+    assert_eq!(events, expected, "{words}");
+    // Let go it keeps 1/30 N m less half of what was taken away.
+    assert_eq!(lines_of(&words, "tip"), ["tip 10 0 -0.0116667 0 3.33333 sticks"]);
+    let points = told("follow", &["--points"]);
+    assert_eq!(points.lines().filter(|line| line.contains(": tip, point ")).count(), 16, "{points}");
+}
+
+#[test]
+fn json_has_points_and_pads() {
+    let answers: Value = serde_json::from_str(&told("solve", &["--json"])).expect("JSON");
+    let state = &answers[0]["solve"];
+    assert_eq!(state["contacts"].as_array().map(Vec::len), Some(12));
+    let pad = &state["pads"][1];
+    assert_eq!((&pad["contact"], &pad["name"], &pad["first"]), (&1.into(), &"foot".into(), &8.into()));
+    let moment = pad["wrench"]["moment"][0].as_f64().expect("a number");
+    assert!((moment + 0.025).abs() < 1e-15, "{moment}");
+}
+
+/// 20 N on two pads that hold 15 N: the search does not decide, the path and a proof do.
+#[test]
+fn an_undecided_search_says_what_is_known() {
+    for (scene, sentence) in [
+        ("soft_jaws_overloaded_planar", "SLIPS OUT at 15 N of 20 N"),
+        ("soft_jaws_overloaded_rings", "SLIPS OUT at 10 N of 20 N"),
+    ] {
+        let output = run(&["ask", &format!("{ROOT}/tests/program/scenes/{scene}.json")]);
+        let words = text(&output.stdout);
+        assert_eq!(output.status.code(), Some(4));
+        let known = words.lines().find(|line| line.contains("put on from rest")).expect("told");
+        assert!(known.contains(sentence) && known.contains("Nothing holds all of it within"), "{known}");
+        assert!(known.ends_with("whether a wedged equilibrium exists elsewhere was not decided"), "{known}");
+    }
+}
