@@ -102,7 +102,7 @@ impl<const C: usize> Turn<C> {
         self.load.sine.check("sine of the load")?;
         // Beyond, an angle says nothing any more of where in its turn the load is.
         if !(self.angle > 0.0 && self.angle <= 1e6) {
-            let allowed = "more than 0 and at most 1e6";
+            let allowed = "more than 0 and at most 1e6 rad";
             return Err(Error::Argument { what: "angle of the turn", value: self.angle, allowed });
         }
         Ok(())
@@ -206,7 +206,7 @@ pub struct Touch {
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub of: EdgeOf,
     /// Where, rad.
-    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
+    #[cfg_attr(feature = "serde", serde(rename = "angle_rad", with = "AsComputed::<f64>"))]
     pub angle: f64,
 }
 

@@ -36,7 +36,7 @@ pub struct Brief {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub factor: Option<f64>,
     /// The angle of an onset while the load turns, rad.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(rename = "angle_rad", skip_serializing_if = "Option::is_none")]
     pub angle: Option<f64>,
     /// The leg on which a path ends, from 0.
     #[serde(skip_serializing_if = "Option::is_none")]

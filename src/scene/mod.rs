@@ -115,7 +115,7 @@
 //! | `axis` | in space about which it turns, of any length but zero | | an error; in the plane there is none |
 //! | `beside` | a wrench that stays | N, N m | none |
 //! | `constant`, `cosine`, `sine` | wrenches, in place of all these: `constant + cosine cos θ + sine sin θ` | N, N m | zero; one of the last two is needed |
-//! | `angle` | how far it turns, more than 0 and at most 1e6 | rad | a full turn |
+//! | `angle_deg` or `angle_rad` | how far it turns, more than 0 and at most 1e6 rad | degrees or rad | a full turn |
 //! | `reversed` | `true` for the other way round | | `false` |
 //!
 //! The settings (see [`Settings`](crate::Settings)):
@@ -238,7 +238,7 @@
 //! | `need` | the sentence `says`, and as `amount` one of `bound`, `any`, `none`, `undecided` | [`NeedAnswer`] |
 //! | `solve` | `equilibrium`, `no_equilibrium`, `undecided` | [`Outcome`](crate::equilibrium::Outcome) |
 //! | `onset` | `at`, `never`, `already_sliding`, `no_base`, `gives_way`, `undecided` | [`OnsetAnswer`] |
-//! | `onset_of_turn` | the same, with the `angle` in rad for the factor, and the edges that are touched | [`TurnAnswer`] |
+//! | `onset_of_turn` | the same, with `angle_rad` for the factor, and the edges that are touched | [`TurnAnswer`] |
 //! | `follow` | `completed`, `lost`, `no_start`, `undecided` | [`PathAnswer`] |
 //!
 //! The names in the text are those of the fields and variants of these types, in lower case with

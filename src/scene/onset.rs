@@ -55,7 +55,7 @@ pub struct Factor {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Angle {
     /// How far the load has turned, rad.
-    #[serde(with = "AsComputed::<f64>")]
+    #[serde(rename = "angle_rad", with = "AsComputed::<f64>")]
     pub angle: f64,
 }
 
@@ -122,7 +122,7 @@ impl<const C: usize, At> OnsetAt<C, At> {
 /// }"#)?;
 /// let answers = serde_json::to_value(scene.answers()?)?;
 /// // Half of the weight a palm: the upper one carries F_n = 10 - 2 cos θ and F_t = 2 sin θ.
-/// let angle = answers[0]["onset_of_turn"]["angle"].as_f64().unwrap();
+/// let angle = answers[0]["onset_of_turn"]["angle_rad"].as_f64().unwrap();
 /// assert!((2.0 * angle.sin() - 0.125 * (10.0 - 2.0 * angle.cos())).abs() < 1e-14);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -156,8 +156,8 @@ pub enum LoadGoal<const C: usize> {
 /// let written = r#"{"load_to": {"force": [0, -1]}, "commands_by": [[0.002, 0], [0.002, 0]]}"#;
 /// assert_eq!(serde_json::from_str::<LegAsked<2>>(written)?, leg);
 ///
-/// let tilted: LegAsked<2> = serde_json::from_str(r#"{"turn": {"weight": [0, -2], "angle": 1.5}}"#)?;
-/// assert_eq!(tilted, LegAsked::turn(Turn::tilting([0.0, -2.0], [0.0, 0.0]).up_to(1.5)));
+/// let tilted: LegAsked<2> = serde_json::from_str(r#"{"turn": {"weight": [0, -2], "angle_deg": 90}}"#)?;
+/// assert_eq!(tilted, LegAsked::turn(Turn::tilting([0.0, -2.0], [0.0, 0.0]).up_to(std::f64::consts::FRAC_PI_2)));
 /// # Ok::<(), serde_json::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]

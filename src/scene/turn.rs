@@ -16,6 +16,9 @@ use crate::load_path::Turn;
 use crate::serial::AxisRow;
 use crate::serial::{Computed, Few, Given, Number};
 
+/// Just below the most radians that a turn has.
+const MOST_DEGREES: f64 = 5.7e7;
+
 #[derive(serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, bound = "")]
@@ -40,9 +43,12 @@ struct WrittenTurn<const C: usize> {
     cosine: Option<Wrench<C>>,
     /// What goes with sin θ.
     sine: Option<Wrench<C>>,
-    /// How far it turns, rad; a full turn if left out.
+    /// How far it turns, degrees; a full turn if left out.
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
-    angle: Option<Number<Given>>,
+    angle_deg: Option<Number<Given>>,
+    /// The same in rad, in place of it.
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
+    angle_rad: Option<Number<Given>>,
     /// The other way round.
     #[serde(default)]
     reversed: bool,
@@ -58,7 +64,16 @@ impl<const C: usize> WrittenTurn<C> {
             (Some(_), Some(_)) => return Err("weight and force: a turn has one of them".to_owned()),
         };
         let turn = if self.reversed { turn.reversed() } else { turn };
-        let turn = turn.up_to(self.angle.as_ref().map_or(TAU, |angle| angle.0));
+        let angle = match (&self.angle_deg, &self.angle_rad) {
+            (None, None) => TAU,
+            (Some(degrees), None) if !(degrees.0 > 0.0 && degrees.0 <= MOST_DEGREES) => {
+                return Err(format!("angle_deg is {}, must be more than 0 and at most 5.7e7", degrees.0));
+            }
+            (Some(degrees), None) => degrees.0.to_radians(),
+            (None, Some(angle)) => angle.0,
+            (Some(_), Some(_)) => return Err("angle_deg and angle_rad: a turn has one of them".to_owned()),
+        };
+        let turn = turn.up_to(angle);
         turn.check().map_err(|error| error.to_string())?;
         Ok(turn)
     }
@@ -104,7 +119,7 @@ fn of_space<const C: usize>(wrench: &Wrench<3>) -> Wrench<C> {
     Wrench::from_components(&[&force[..C], &moment[3 - planes..]].concat())
 }
 
-/// `{"constant": …, "cosine": …, "sine": …, "angle": …}` (feature `serde`), see [`crate::scene`].
+/// `{"constant": …, "cosine": …, "sine": …, "angle_rad": …}` (feature `serde`), see [`crate::scene`].
 impl<const C: usize> Serialize for Turn<C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let [constant, cosine, sine] = self.parts();
@@ -112,7 +127,7 @@ impl<const C: usize> Serialize for Turn<C> {
         out.serialize_field("constant", &constant)?;
         out.serialize_field("cosine", &cosine)?;
         out.serialize_field("sine", &sine)?;
-        out.serialize_field("angle", &Number::<Computed>::new(self.angle()))?;
+        out.serialize_field("angle_rad", &Number::<Computed>::new(self.angle()))?;
         out.end()
     }
 }

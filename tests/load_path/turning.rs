@@ -178,5 +178,5 @@ fn what_cannot_be_followed_exactly_is_refused() {
     let refused = grasp.follow_patch(&Wrench::ZERO, &[Leg::turn(&turn)]).map(|_| ()).expect_err("refused");
     assert_eq!(refused.to_string(), "follow_patch: the load of a leg turns, must go straight");
     let refused = grasp.follow(&Wrench::ZERO, &[Leg::turn(&turn.up_to(f64::NAN))]).expect_err("refused");
-    assert_eq!(refused.to_string(), "angle of the turn is NaN, must be more than 0 and at most 1e6");
+    assert_eq!(refused.to_string(), "angle of the turn is NaN, must be more than 0 and at most 1e6 rad");
 }

@@ -192,7 +192,7 @@ fn what_is_no_set_of_loads_is_refused() {
         "point of the force is NaN, must be finite and at most 1e50 in size"
     );
     let turn = planar::Turn::tilting([0.0, -1.0], [0.0, 0.0]).up_to(0.0);
-    assert_eq!(told(Loads::Turn(turn)), "angle of the turn is 0, must be more than 0 and at most 1e6");
+    assert_eq!(told(Loads::Turn(turn)), "angle of the turn is 0, must be more than 0 and at most 1e6 rad");
     let refused = palms.weakest_direction(&planar::Wrench::ZERO, [0.0, f64::INFINITY]).unwrap_err();
     assert_eq!(refused.to_string(), "point of the force is inf, must be finite and at most 1e50 in size");
 }

@@ -203,7 +203,7 @@ fn what_is_no_turn_is_refused() {
         assert!(matches!(refused, Error::Argument { what: "angle of the turn", .. }), "{refused}");
         assert_eq!(
             refused.to_string(),
-            format!("angle of the turn is {angle}, must be more than 0 and at most 1e6")
+            format!("angle of the turn is {angle}, must be more than 0 and at most 1e6 rad")
         );
     }
     let bad = Wrench::force([f64::NAN, 0.0]);

@@ -89,7 +89,7 @@ fn brief_answers_agree_with_full_ones() {
             .zip(brief["brief"].as_array().into_iter().flatten())
         {
             let full = &full[brief["question"].as_str().expect("a name")];
-            for field in ["outcome", "factor", "angle", "leg", "fraction"] {
+            for field in ["outcome", "factor", "angle_rad", "leg", "fraction"] {
                 if let Some(value) = brief.get(field) {
                     assert_eq!(&full[field], value, "{field}");
                     compared += 1;

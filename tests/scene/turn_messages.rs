@@ -9,7 +9,7 @@ use grasp_lcp::{Error, planar, spatial};
 const PLANE: &str = r#"{"format": "grasp-lcp/1", "planar": {"contacts": [
 {"point": [1, 0], "normal": [-1, 0], "series_stiffness": [10, 20], "friction": 0.5, "pressed_with": 2},
 {"point": [-1, 0], "normal": [1, 0], "series_stiffness": [10, 20], "friction": 0.5, "pressed_with": 2}], "questions": [
-{"onset_of_turn": {"weight": [0, -1], "at": [0, 0.1], "angle": 3}},
+{"onset_of_turn": {"weight": [0, -1], "at": [0, 0.1], "angle_rad": 3}},
 {"follow": {"start": {"force": [0, -1]}, "legs": [{"turn": {"weight": [0, -1]}}]}}
 ]}}"#;
 
@@ -49,7 +49,7 @@ fn an_axis_is_refused_in_the_plane() {
     expect(
         PLANE,
         &[(
-            "\"angle\": 3",
+            "\"angle_rad\": 3",
             "\"axis\": [0, 1]",
             "line 4, column 69: planar.questions[0].onset_of_turn: axis: a turn of the plane has none, it goes from x to y",
         )],
@@ -62,19 +62,29 @@ fn an_angle_is_a_number_above_zero() {
         PLANE,
         &[
             (
-                "\"angle\": 3",
-                "\"angle\": 0",
-                "line 4, column 65: planar.questions[0].onset_of_turn: angle of the turn is 0, must be more than 0 and at most 1e6",
+                "\"angle_rad\": 3",
+                "\"angle_rad\": 0",
+                "line 4, column 69: planar.questions[0].onset_of_turn: angle of the turn is 0, must be more than 0 and at most 1e6 rad",
             ),
             (
-                "\"angle\": 3",
-                "\"angle\": -3e7",
-                "line 4, column 68: planar.questions[0].onset_of_turn: angle of the turn is -30000000, must be more than 0 and at most 1e6",
+                "\"angle_rad\": 3",
+                "\"angle_deg\": -9",
+                "line 4, column 70: planar.questions[0].onset_of_turn: angle_deg is -9, must be more than 0 and at most 5.7e7",
             ),
             (
-                "\"angle\": 3",
-                "\"angle\": \"not a number\"",
-                "line 4, column 77: planar.questions[0].onset_of_turn.angle: \"not a number\" given, must be a number",
+                "\"angle_rad\": 3",
+                "\"angle_rad\": 3, \"angle_deg\": 9",
+                "line 4, column 85: planar.questions[0].onset_of_turn: angle_deg and angle_rad: a turn has one of them",
+            ),
+            (
+                "\"angle_rad\": 3",
+                "\"angle_rad\": -3e7",
+                "line 4, column 72: planar.questions[0].onset_of_turn: angle of the turn is -30000000, must be more than 0 and at most 1e6 rad",
+            ),
+            (
+                "\"angle_rad\": 3",
+                "\"angle_rad\": \"not a number\"",
+                "line 4, column 81: planar.questions[0].onset_of_turn.angle_rad: \"not a number\" given, must be a number",
             ),
         ],
     );
@@ -89,11 +99,11 @@ fn a_turn_is_said_in_one_way() {
         ("\"constant\": {}", 69, "weight and constant: a turn has one of them"),
     ] {
         let expected = format!("line 4, column {column}: {place}: {told}");
-        expect(PLANE, &[("\"angle\": 3", to, &expected)]);
+        expect(PLANE, &[("\"angle_rad\": 3", to, &expected)]);
     }
     for (to, column, told) in [
-        ("\"sine\": {}", 58, "at: of a weight or a force that turns alone"),
-        ("\"beside\": {}, \"cosine\": {}", 74, "at: of a weight or a force that turns alone"),
+        ("\"sine\": {}", 62, "at: of a weight or a force that turns alone"),
+        ("\"beside\": {}, \"cosine\": {}", 78, "at: of a weight or a force that turns alone"),
     ] {
         let expected = format!("line 4, column {column}: {place}: {told}");
         expect(PLANE, &[("\"weight\": [0, -1]", to, &expected)]);
@@ -107,7 +117,7 @@ fn something_must_turn() {
         &[(
             "\"weight\": [0, -1], \"at\": [0, 0.1]",
             "\"constant\": {\"force\": [1, 0]}",
-            "line 4, column 61: planar.questions[0].onset_of_turn: nothing turns: give weight, or force, or cosine and sine",
+            "line 4, column 65: planar.questions[0].onset_of_turn: nothing turns: give weight, or force, or cosine and sine",
         )],
     );
 }

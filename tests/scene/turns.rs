@@ -28,7 +28,7 @@ fn each_way_to_say_a_turn_in_the_plane_is_one_of_the_crate() -> Tested {
         (json!({ "weight": force, "at": at }), weight),
         (json!({ "force": force, "at": at }), turned),
         (json!({ "weight": force, "at": at, "reversed": true }), turned),
-        (json!({ "weight": force, "at": at, "reversed": false, "angle": 9.5 }), weight.up_to(9.5)),
+        (json!({ "weight": force, "at": at, "reversed": false, "angle_rad": 9.5 }), weight.up_to(9.5)),
         (json!({ "force": force, "at": at, "beside": cable }), turned.beside(cable)),
         (json!({ "force": force }), planar::Turn::force_at(force, [0.0; 2])),
         (json!({ "constant": cable, "cosine": one, "sine": other }), planar::Turn::new(cable, one, other)),
@@ -47,7 +47,7 @@ fn each_way_to_say_a_turn_in_space_is_one_of_the_crate() -> Tested {
     let cable = spatial::Wrench::force([0.5, 0.25, 0.125]);
     for (said, expected) in [
         (json!({ "weight": force, "at": at, "axis": axis }), weight),
-        (json!({ "force": force, "at": at, "axis": axis, "angle": 2 }), turned.up_to(2.0)),
+        (json!({ "force": force, "at": at, "axis": axis, "angle_rad": 2 }), turned.up_to(2.0)),
         (json!({ "weight": force, "at": at, "axis": axis, "beside": cable }), weight.beside(cable)),
         (json!({ "cosine": cable }), spatial::Turn::new(Wrench::ZERO, cable, Wrench::ZERO)),
     ] {
@@ -90,7 +90,7 @@ fn read_back_and_answered<const D: usize, const C: usize>(drawn: &Drawn<D, C>) -
     let grasp: Grasp<C> = setup.grasp().unwrap();
     let direct = grasp.onset_of_turn(&turn).unwrap();
     let told = &written[0]["onset_of_turn"];
-    same(&told["angle"].as_f64(), &direct.onset.factor().filter(|angle| angle.is_finite()))?;
+    same(&told["angle_rad"].as_f64(), &direct.onset.factor().filter(|angle| angle.is_finite()))?;
     assert!(told.get("factor").is_none(), "{told}");
     same(&told["touches"].as_array().map(Vec::len), &Some(direct.touches.len()))?;
     let legs = [Leg::turn(&turn), Leg::turn(&turn.reversed())];
@@ -135,8 +135,8 @@ fn a_box_slides_at_the_angle_of_its_closed_form() -> Tested {
         "contacts": [palm(-1.0), palm(1.0)],
         "questions": [
             { "onset_of_turn": { "force": [12, 0] } },
-            { "onset_of_turn": { "force": [12, 0], "angle": slides - 1e-9 } },
-            { "follow": { "start": { "force": [12, 0] }, "legs": [{ "turn": { "force": [12, 0], "angle": 0.5 } }] } }
+            { "onset_of_turn": { "force": [12, 0], "angle_rad": slides - 1e-9 } },
+            { "follow": { "start": { "force": [12, 0] }, "legs": [{ "turn": { "force": [12, 0], "angle_rad": 0.5 } }] } }
         ]
     }}))?;
     let [Answer::OnsetOfTurn(onset), Answer::OnsetOfTurn(never), Answer::Follow(path)] = &answers[..] else {
@@ -159,14 +159,14 @@ fn an_edge_that_is_touched_is_told_by_the_name_of_its_contact() -> Tested {
     let weight = 20.0 / 5_f64.sqrt();
     let answers = answers_of(json!({ "format": "grasp-lcp/1", "planar": {
         "contacts": [palm(-1.0), palm(1.0)],
-        "questions": [{ "onset_of_turn": { "force": [weight, 0], "angle": 2.0 } }]
+        "questions": [{ "onset_of_turn": { "force": [weight, 0], "angle_rad": 2.0 } }]
     }}))?;
     let [Answer::OnsetOfTurn(TurnAnswer { onset: OnsetAnswer::Never, touches, .. })] = &answers[..] else {
         return Err(format!("{answers:?}").into());
     };
     let written = serde_json::to_value(touches)?;
     assert_eq!((&written[0]["contact"], &written[0]["name"]), (&json!(0), &json!("left")));
-    assert!((written[0]["angle"].as_f64().ok_or("a number")? - 2_f64.atan()).abs() < 1e-6);
+    assert!((written[0]["angle_rad"].as_f64().ok_or("a number")? - 2_f64.atan()).abs() < 1e-6);
     Ok(())
 }
 
@@ -207,7 +207,7 @@ fn a_limit_that_is_touched_is_told_by_its_joint() -> Tested {
 
 #[test]
 fn turns_on_hands_are_answered_as_by_calls() -> Tested {
-    let turn = json!({ "sine": { "force": [5, 0] }, "angle": 4 });
+    let turn = json!({ "sine": { "force": [5, 0] }, "angle_rad": 4 });
     let answers = answers_of(json!({ "format": "grasp-lcp/1", "planar": {
         "fingers": jaws(),
         "questions": [{ "onset_of_turn": turn }, { "follow": { "legs": [{ "turn": turn }] } }]
