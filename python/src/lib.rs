@@ -17,6 +17,7 @@ mod loads;
 mod onsets;
 mod pictures;
 mod quality;
+mod words;
 
 /// The native half of `grasp_lcp`.
 #[pymodule]
@@ -36,4 +37,6 @@ mod _grasp_lcp {
     use super::lcp::solve_lcp;
     #[pymodule_export]
     use super::onsets::onsets_of_rows;
+    #[pymodule_export]
+    use super::words::{words_of, words_of_name, words_of_number};
 }

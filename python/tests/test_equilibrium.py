@@ -76,7 +76,7 @@ def test_paths_slide_where_the_onset_says() -> None:
 
 def test_legs_go_and_come_back() -> None:
     grasp = pinch()
-    path = grasp.follow([{"load_by": [0, -3]}, {"commands_by": [[1e-3, 0]] * 2}, {"turn": {"weight": [0, -3], "angle": 1.0}}])
+    path = grasp.follow([{"load_by": [0, -3]}, {"commands_by": [[1e-3, 0]] * 2}, {"turn": {"weight": [0, -3], "angle_rad": 1.0}}])
     assert path.outcome == "completed" and path.state is not None
     assert path.state.load == pytest.approx([-3 * np.sin(1.0), -3 * np.cos(1.0), 0], abs=1e-13)
     assert path.state.forces[:, 0].mean() == pytest.approx(9, rel=1e-12)

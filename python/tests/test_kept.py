@@ -42,7 +42,7 @@ def test_answers_come_back_to_the_bit(answer: Answer) -> None:
     for other in (pickled, copy.deepcopy(answer), kind.from_json(answer.to_json()), kind.from_dict(answer.to_dict())):
         assert type(other) is kind and other == answer and hash(other) == hash(answer)
         assert other.outcome == answer.outcome and repr(other) == repr(answer)
-        for name in ("factor", "angle"):
+        for name in ("factor", "angle_rad"):
             assert getattr(other, name, None) == getattr(answer, name, None)
         if answer.state is not None:
             assert other.state is not None and (other.state.forces == answer.state.forces).all()

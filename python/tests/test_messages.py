@@ -106,7 +106,7 @@ CASES: list[tuple[Callable[[], object], type[Exception], str]] = [
     (
         lambda: pinch().turn(weight=[0, -1], angle=-1),
         ValueError,
-        "turn: angle of the turn is -1, must be more than 0 and at most 1e6",
+        "turn: angle of the turn is -1, must be more than 0 and at most 1e6 rad",
     ),
     (
         lambda: spatial().turn(weight=[0, 0, -1], axis=[0, 0, 0]),

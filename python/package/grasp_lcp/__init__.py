@@ -5,7 +5,7 @@
     ...     [[-0.04, 0], [0.04, 0]], [[1, 0], [-1, 0]],      # points, m; normals into the object
     ...     body_stiffness=[5e4, 3e4], finger_stiffness=[2e3, 1.5e3], friction=0.5, pressed_with=8.0)
     >>> grasp.onset([0, -4.905])
-    <Onset at factor 1.63098878695: contact 0 slides, contact 1 slides>
+    <Onset at factor 1.63099: contact 0 slides over the object along +y, contact 1 slides over the object along +y>
 
 One grasp: :class:`Grasp`. Many at once: :func:`onsets`, :func:`solve_batch`. Problems by themselves: :mod:`grasp_lcp.lcp`,
 :mod:`grasp_lcp.friction`. "No equilibrium exists" is an answer, never an exception; malformed input is a ``ValueError`` or a ``TypeError``
@@ -15,7 +15,7 @@ that names the argument.
 from . import friction, lcp
 from .answers import Answer, Beyond, Event, Leaving, Needed, Onset, Path, Proof, Solution, TurnOnset, Verdict
 from .batch import ContactState, Equilibria, Onsets, OnsetStatus, SolveStatus, onsets, solve_batch
-from .equilibrium import Contact, Drive, Equilibrium
+from .equilibrium import Contact, Drive, Equilibrium, Pad
 from .grasp import Grasp, Leg, Settings, answers, wrench
 from .quality import Closure, LeastSqueeze, LoadLimit, Quality, WeakestDirection, WrenchBall
 
@@ -38,6 +38,7 @@ __all__ = [
     "Onset",
     "OnsetStatus",
     "Onsets",
+    "Pad",
     "Path",
     "Proof",
     "Quality",

@@ -9,6 +9,8 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from ._grasp_lcp import words_of, words_of_name, words_of_number
+
 Array = NDArray[np.float64]
 Tree = dict[str, Any]
 
@@ -67,7 +69,12 @@ def motions_of(trees: Iterable[Mapping[str, Any]], columns: int) -> Array:
 
 def short(values: Iterable[float]) -> str:
     """Numbers for people: six digits, in brackets."""
-    return "(" + ", ".join(f"{value:.6g}" for value in values) + ")"
+    return "(" + ", ".join(words_of_number(value) for value in values) + ")"
+
+
+def label_of(tree: Mapping[str, Any], kind: str) -> str:
+    """What people call a contact, a joint or a tendon: its name as it may be printed, or what it is and its number."""
+    return words_of_name(str(tree["name"])) if tree.get("name") else f"{kind} {tree[kind]}"
 
 
 class View:
@@ -101,6 +108,10 @@ class View:
         """As a dictionary in the format of scenes, its own copy."""
         tree: Tree = json.loads(self.to_json())
         return tree
+
+    def _words(self, kind: str, axes: int) -> str:
+        """As the crate tells it to people."""
+        return words_of(kind, self.to_json(), axes)
 
     def __eq__(self, other: object) -> bool:
         return type(other) is type(self) and isinstance(other, View) and other._tree == self._tree

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import html
 import json
+import math
 from collections.abc import Mapping
 from functools import cached_property
 from typing import Any, TypeVar
 
-from ._grasp_lcp import Told
-from ._views import Array, Tree, View, array, load_of, motion_of, number, optional_number, rows, short
+from ._grasp_lcp import Told, words_of, words_of_number
+from ._views import Array, Tree, View, array, label_of, load_of, motion_of, number, optional_number, rows
 from .equilibrium import Equilibrium
 
 AnswerT = TypeVar("AnswerT", bound="Answer")
@@ -35,8 +36,13 @@ class Proof(View):
         return optional_number(self._tree.get("work"))
 
     def __repr__(self) -> str:
-        along = "" if self.motion is None else f" along {short(self.motion)}"
-        return f"<Proof by {self.kind.replace('_', ' ')}{along}>"
+        return f"<Proof: {words_of_proof(self._tree)}>"
+
+
+def words_of_proof(tree: Tree) -> str:
+    """A proof as the crate tells it."""
+    axes = len(tree["motion"]["translation"]) if "motion" in tree else 2
+    return words_of("proof", json.dumps(tree), axes)
 
 
 class Leaving(View):
@@ -50,7 +56,7 @@ class Leaving(View):
     @property
     def label(self) -> str:
         """Its name, or what it is and its number."""
-        label = str(self._tree.get("name") or f"contact {self.contact}")
+        label = label_of(self._tree, "contact")
         return f"{label}, point {self._tree['point']}" if "point" in self._tree else label
 
     @property
@@ -146,8 +152,7 @@ class Answer(View):
     def _why(self) -> str:
         words = self.outcome.replace("_", " ")
         if self.proof is not None:
-            along = "" if self.proof.motion is None else f" along {short(self.proof.motion)}"
-            return f"{words}: {self.proof.kind.replace('_', ' ')}{along}"
+            return f"{words}: {words_of_proof(self.proof._tree)}"
         return words if self.doubt is None else f"{words}: {self.doubt.replace('_', ' ')}"
 
     def __repr__(self) -> str:
@@ -286,8 +291,10 @@ class _First(Answer):
         found = self._tree.get("beyond")
         return None if found is None else Beyond(found)
 
+    _kind = "onset"
+
     def _who(self) -> str:
-        return ", ".join([*(f"{leaving.label} {leaving.how}" for leaving in self.leaving), *self.drives])
+        return self._words(self._kind, len(self._tree["load"]["force"]))
 
 
 class Onset(_First):
@@ -308,7 +315,7 @@ class Onset(_First):
 
     def __repr__(self) -> str:
         if self.outcome == "at":
-            return f"<Onset at factor {self.factor:.12g}: {self._who()}>"
+            return f"<Onset at factor {words_of_number(self.factor or 0.0)}: {self._who()}>"
         return super().__repr__()
 
     def _title(self) -> str:
@@ -318,6 +325,8 @@ class Onset(_First):
 class TurnOnset(_First):
     """The onset of sliding while a load turns; outcomes as of :class:`Onset`, with an angle for the factor."""
 
+    _kind = "onset_of_turn"
+
     @property
     def angle(self) -> float | None:
         """How far the load has turned, rad; of what gives way the angle up to which it holds. None for all other outcomes, never included:
@@ -325,7 +334,7 @@ class TurnOnset(_First):
         told = self._told
         if isinstance(told, Told):
             return told.factor if told.outcome != "never" else None
-        return optional_number(self._tree.get("angle"))
+        return optional_number(self._tree.get("angle_rad"))
 
     @property
     def touches(self) -> tuple[Tree, ...]:
@@ -334,11 +343,14 @@ class TurnOnset(_First):
 
     def __repr__(self) -> str:
         if self.outcome == "at":
-            return f"<TurnOnset at {self.angle:.12g} rad: {self._who()}>"
+            return f"<TurnOnset at {self._degrees()}: {self._who()}>"
         return super().__repr__()
 
     def _title(self) -> str:
-        return f"Onset of sliding, turned by {self.angle:.6g} rad" if self.outcome == "at" else super()._title()
+        return f"Onset of sliding, turned by {self._degrees()}" if self.outcome == "at" else super()._title()
+
+    def _degrees(self) -> str:
+        return f"{words_of_number(math.degrees(self.angle or 0.0))}°"
 
 
 class Event(View):
@@ -375,8 +387,7 @@ class Event(View):
         return Equilibrium(self._tree["state"])
 
     def __repr__(self) -> str:
-        who = ", ".join([*(f"{change.label} {change.how.replace('_', ' ')}" for change in self.changes), *self.drives])
-        return f"<Event on leg {self.leg} at {self.fraction:.6g}, load {short(self.load)}: {who}>"
+        return f"<Event on {self._words('event', len(self._tree['load']['force']))}>"
 
 
 class Path(Answer):
@@ -429,11 +440,12 @@ class Path(Answer):
     def __repr__(self) -> str:
         head = f"<Path {self.outcome.replace('_', ' ')}"
         if self.outcome == "lost" and self.load is not None and self.beyond is not None:
-            head += f" at load {short(self.load)}: {self.kind}, beyond: {self.beyond.what.replace('_', ' ')}"
+            load = words_of("load", json.dumps(self._tree["load"]), len(self._tree["load"]["force"]))
+            head += f" at {load}: {self.kind}, beyond: {self.beyond.what.replace('_', ' ')}"
         told = [f"  {event!r}" for event in self.events]
         return "\n".join([head, *told]) + ">"
 
 
 def _drive(tree: Mapping[str, Any]) -> str:
     kind = "joint" if "joint" in tree else "tendon"
-    return f"{tree.get('name') or f'{kind} {tree[kind]}'} {tree['what']}"
+    return f"{label_of(tree, kind)} {tree['what']}"

@@ -6,8 +6,8 @@ from functools import cached_property
 
 import numpy as np
 
-from ._grasp_lcp import LARGE_ROTATION
-from ._views import Array, View, array, load_of, motion_of, motions_of, number, optional_number, rows, short
+from ._grasp_lcp import LARGE_ROTATION, words_of_number
+from ._views import Array, View, array, label_of, load_of, motion_of, motions_of, number, optional_number, rows
 
 
 class Contact(View):
@@ -33,7 +33,7 @@ class Contact(View):
     @property
     def label(self) -> str:
         """Its name, or what it is and its number."""
-        label = self.name or f"contact {self.contact}"
+        label = label_of(self._tree, "contact")
         return label if self.point is None else f"{label}, point {self.point}"
 
     @property
@@ -79,7 +79,45 @@ class Contact(View):
         return None if found is None else bool(found)
 
     def __repr__(self) -> str:
-        return f"<Contact {self.label} {self.state}, force {short(self.force)} N, margin {self.margin:.6g} N>"
+        return f"<Contact {self._words('contact', len(self._tree['force']))}>"
+
+
+class Pad(View):
+    """A soft fingertip of an equilibrium: what its points are and carry together."""
+
+    @property
+    def label(self) -> str:
+        """Its name, or what it is and its number; its place among the contacts of the scene, where it counts as one."""
+        return label_of(self._tree, "contact")
+
+    @property
+    def points(self) -> range:
+        """Its points among the contacts of the answer."""
+        first = int(self._tree["first"])
+        return range(first, first + int(self._tree["points"]))
+
+    @property
+    def sliding(self) -> int:
+        """How many of its points slide."""
+        return int(self._tree["sliding"])
+
+    @property
+    def open(self) -> int:
+        """How many of them are open."""
+        return int(self._tree["open"])
+
+    @cached_property
+    def wrench(self) -> Array:
+        """Force in the contact frame, N, and moment about its middle, N m: in space along the contact frame, torsion first."""
+        return load_of(self._tree["wrench"])
+
+    @property
+    def margin(self) -> float:
+        """Friction in reserve of all its points together, N: zero where it slides everywhere."""
+        return number(self._tree["margin"])
+
+    def __repr__(self) -> str:
+        return f"<Pad {self.label}: {self.sliding} of {len(self.points)} points slide, {self.open} open, margin {words_of_number(self.margin)} N>"
 
 
 class Drive(View):
@@ -89,7 +127,7 @@ class Drive(View):
     def label(self) -> str:
         """Its name, or what it is and its number."""
         kind = "joint" if "joint" in self._tree else "tendon"
-        return str(self._tree.get("name") or f"{kind} {self._tree[kind]}")
+        return label_of(self._tree, kind)
 
     @property
     def state(self) -> str:
@@ -112,7 +150,7 @@ class Drive(View):
         return number(self._tree["margin"])
 
     def __repr__(self) -> str:
-        return f"<Drive {self.label} {self.state}, {self.torque:.6g}, margin {self.margin:.6g}>"
+        return f"<Drive {self._words('joint' if 'joint' in self._tree else 'tendon', 2)}>"
 
 
 class Equilibrium(View):
@@ -132,6 +170,11 @@ class Equilibrium(View):
     def contacts(self) -> tuple[Contact, ...]:
         """Contact by contact, in the order of the grasp; a soft fingertip point by point."""
         return tuple(Contact(tree) for tree in self._tree["contacts"])
+
+    @cached_property
+    def pads(self) -> tuple[Pad, ...]:
+        """The soft fingertips, the points of each together."""
+        return tuple(Pad(tree) for tree in self._tree.get("pads", ()))
 
     @cached_property
     def joints(self) -> tuple[Drive, ...]:
@@ -232,9 +275,4 @@ class Equilibrium(View):
         return float(np.linalg.norm(rotation)) > LARGE_ROTATION
 
     def __repr__(self) -> str:
-        head = f"<Equilibrium: the object moves by {short(self.twist)} m and rad, residual {self.residual:.1e}"
-        if self.is_beyond_small_motions:
-            head += "; far beyond the small motions that this is good for"
-        told = [f"  {touch.label} {touch.state}, force {short(touch.force)} N, margin {touch.margin:.6g} N" for touch in self.contacts]
-        told += [f"  {drive.label} {drive.state}, {drive.torque:.6g}" for drive in (*self.joints, *self.tendons)]
-        return "\n".join([head, *told]) + ">"
+        return f"<Equilibrium: {self._words('equilibrium', self._axes)}>"

@@ -368,6 +368,8 @@ class Grasp:
         loads = ("beside", "constant", "cosine", "sine")
         given = {name: value for name, value in words.items() if name != "self" and value is not None and value is not False}
         written = {name: wrench_json(name, value, self.axes) if name in loads else plain(name, value) for name, value in given.items()}
+        if "angle" in written:
+            written["angle_rad"] = written.pop("angle")
         return dumped(written)
 
     def follow(self, legs: Sequence[ArrayLike | Leg], start: ArrayLike | Mapping[str, Any] | None = None) -> Path:

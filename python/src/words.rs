@@ -1,0 +1,64 @@
+//! Parts of answers in words, as the crate has them: Python reads a part as JSON, and has it told here.
+
+use grasp_lcp::equilibrium::{ContactAnswer, Equilibrium, JointAnswer, Proof, TendonAnswer};
+use grasp_lcp::grasp::Wrench;
+use grasp_lcp::load_path::{Event, PartChange, WholeChange};
+use grasp_lcp::scene::{OnsetAnswer, TurnAnswer};
+use grasp_lcp::words::{Words, printable};
+use pyo3::prelude::*;
+use serde::de::DeserializeOwned;
+
+use crate::errors::of_json;
+
+/// A part of an answer in words, from its JSON; `axes` are those of a contact.
+#[pyfunction]
+pub(crate) fn words_of(kind: &str, text: &str, axes: usize) -> PyResult<String> {
+    if axes == 2 { part::<2>(kind, text) } else { part::<3>(kind, text) }
+}
+
+/// Six digits, without a minus before zero.
+#[pyfunction]
+pub(crate) fn words_of_number(number: f64) -> String {
+    Words::default().number(number)
+}
+
+/// A name with its control characters written out.
+#[pyfunction]
+pub(crate) fn words_of_name(name: &str) -> String {
+    printable(name).into_owned()
+}
+
+fn part<const C: usize>(kind: &str, text: &str) -> PyResult<String>
+where
+    Wrench<C>: DeserializeOwned,
+    Event<C>: DeserializeOwned,
+{
+    Ok(match kind {
+        "equilibrium" => read::<Equilibrium<C>>(kind, text)?.to_string(),
+        "contact" => read::<ContactAnswer<C>>(kind, text)?.to_string(),
+        "joint" => read::<JointAnswer>(kind, text)?.to_string(),
+        "tendon" => read::<TendonAnswer>(kind, text)?.to_string(),
+        "proof" => read::<Proof<C>>(kind, text)?.to_string(),
+        "load" => Words::default().load(&read::<Wrench<C>>(kind, text)?),
+        "event" => read::<Event<C>>(kind, text)?.to_string(),
+        "onset" => match read::<OnsetAnswer<C>>(kind, text)? {
+            OnsetAnswer::At(event) => leaving(&event.whole_changes(), &event.drives),
+            _ => String::new(),
+        },
+        "onset_of_turn" => match read::<TurnAnswer<C>>(kind, text)?.onset {
+            OnsetAnswer::At(event) => leaving(&event.whole_changes(), &event.drives),
+            _ => String::new(),
+        },
+        _ => String::new(),
+    })
+}
+
+fn read<T: DeserializeOwned>(kind: &str, text: &str) -> PyResult<T> {
+    serde_json::from_str(text).map_err(|error| of_json(kind, &error))
+}
+
+/// Who stops sticking.
+fn leaving<const C: usize>(contacts: &[WholeChange<C>], drives: &[PartChange]) -> String {
+    let drives = drives.iter().map(|drive| format!("{} {}", drive.part.text(), drive.what));
+    contacts.iter().map(ToString::to_string).chain(drives).collect::<Vec<_>>().join(", ")
+}
