@@ -1,7 +1,7 @@
 //! A contact that is held by a force carries it wherever the object goes, as a position would that is moved to just there.
 
 use grasp_lcp::equilibrium::ContactAnswer;
-use grasp_lcp::grasp::{Contact, HandPart};
+use grasp_lcp::grasp::{Contact, HandPart, JointKind};
 use grasp_lcp::load_path::{Leg, PathEnd};
 use grasp_lcp::{planar, spatial};
 
@@ -29,7 +29,7 @@ fn a_position_at_the_place_of_the_slide_carries_the_same() -> Tested {
     assert!((total / 12.0 - 1.0).abs() < 1e-13, "{total}");
     let [slide] = &held.joints[..] else { return Err("one slide for all points of the tip".into()) };
     assert_eq!(slide.joint.text(), "slide of left");
-    assert!(slide.slides && (slide.torque / 12.0 - 1.0).abs() < 1e-13);
+    assert!(slide.kind == JointKind::Slides && (slide.torque / 12.0 - 1.0).abs() < 1e-13);
 
     let moved = jaw(-0.03).command([slide.displacement, 0.0, 0.0]);
     let by_position = spatial::Grasp::new(tip.contacts(&moved)?.into_iter().chain(rest()))?;

@@ -31,7 +31,7 @@ fn push(height: f64) -> Value {
 fn it_is_told_where_an_answer_depends_on_it_and_nowhere_else() {
     let none = [json!({}), json!({})];
     assert_eq!(told(&scene(&none, &push(0.15))), None);
-    let turn = json!({ "need": { "quantity": "angle", "demand": "held", "turn": { "weight": [0, -3], "at": [0, 0.2], "angle": 1.5 } } });
+    let turn = json!({ "need": { "quantity": "angle", "demand": "held", "turn": { "weight": [0, -3], "at": [0, 0.2], "angle_rad": 1.5 } } });
     assert_eq!(told(&scene(&none, &turn)), None);
     // Both feet slide at last at μ W; which one slides first is a matter of how they share the push.
     let first = told(&scene(&none, &push(0.05))).expect("the first slip depends on it");
