@@ -108,8 +108,8 @@ impl<const C: usize> Contact<C> {
         }
     }
 
-    /// A vacuum that pulls the object onto the contact with this force, N, from 0: against the normal, whatever object and finger do. What presses is the lip, with
-    /// this force less what pulls at the object. See [`SuctionCup`](super::SuctionCup), whose lip is a ring.
+    /// A vacuum that pulls the object onto the contact with this force, N, from 0: against the normal, whatever object and finger do.
+    /// What presses is the lip, with this force less what pulls at the object. See [`SuctionCup`](super::SuctionCup), whose lip is a ring.
     #[must_use]
     pub fn suction(mut self, force: f64) -> Self {
         self.suction = force;

@@ -54,7 +54,8 @@ impl SoftFingertip<3> {
         Ok(Self { radius: halves[0].hypot(halves[1]), places: places.collect() })
     }
 
-    /// Stiffness against tilting about the first and about the second tangent, N m/rad: `k_n ⟨y²⟩` and `k_n ⟨x²⟩`. Of rings and discs they are the same.
+    /// Stiffness against tilting about the first and about the second tangent, N m/rad: `k_n ⟨y²⟩` and `k_n ⟨x²⟩`.
+    /// Of rings and discs they are the same.
     #[must_use]
     pub fn tilting_stiffnesses(&self, contact: &Contact<3>) -> [f64; 2] {
         [2, 1].map(|axis| contact.series_stiffness_of_axes()[0] * self.square(axis))

@@ -19,8 +19,8 @@ use crate::error::{Error, LARGEST};
 /// | a moment across the normal | V R/2 | one point opens |
 /// | a moment about the normal | μ V R | all of it slides |
 ///
-/// A real lip lets air in where its first point opens: that is the onset. [`Grasp::hold`](crate::ask::Grasp::hold) says that the cup lets go where all of its lip is open;
-/// other questions leave the vacuum on there.
+/// A real lip lets air in where its first point opens: that is the onset. [`Grasp::hold`](crate::ask::Grasp::hold) says that the cup lets go
+/// where all of its lip is open; other questions leave the vacuum on there.
 ///
 /// ```
 /// use grasp_lcp::spatial::{Contact, Grasp, SuctionCup, Wrench};
@@ -41,8 +41,8 @@ pub struct SuctionCup {
 }
 
 impl SuctionCup {
-    /// A cup whose lip is a ring of this radius (m) and so many points, and whose vacuum pulls with this force (N): the difference of pressure times the area within
-    /// the lip, or what was measured.
+    /// A cup whose lip is a ring of this radius (m) and so many points, and whose vacuum pulls with this force (N): the difference
+    /// of pressure times the area within the lip, or what was measured.
     ///
     /// # Errors
     /// [`Error::Fingertip`] as for [`SoftFingertip::ring`], and unless the force is from 0 to 1e50.

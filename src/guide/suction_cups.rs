@@ -1,8 +1,8 @@
 //! Suction cups: what a vacuum holds, and when it lets go.
 //!
 //! The vacuum pulls object and cup together with the force `V = p A`, pressure difference times the area inside of the lip, whatever the load
-//! does. What touches the object is the lip: a ring of points that presses with V less what pulls at the object. A [`SuctionCup`](crate::grasp::SuctionCup) is both; in scenes
-//! it is `"suction": {"radius": 0.015, "pressure": 60000}` on a contact, whose normal points into the object.
+//! does. What touches the object is the lip: a ring of points that presses with V less what pulls at the object. A [`SuctionCup`](crate::grasp::SuctionCup) is both;
+//! in scenes it is `"suction": {"radius": 0.015, "pressure": 60000}` on a contact, whose normal points into the object.
 //!
 //! The vacuum is no load of the caller's: what an answer tells as the load is the weight and whatever else was asked. Unlike a force of a finger it needs
 //! nothing on the other side of the object, since it pulls at cup and object alike.
@@ -14,8 +14,9 @@
 //! | peel: a moment across the normal | V R / 2 | one point opens |
 //! | spin: a moment about the normal | μ V R | all of it slides |
 //!
-//! A point of a real lip that opens lets air in, so that the onset of peeling is the end. On a bellows that follows, the vacuum may last until the lip is open all around:
-//! [`Grasp::hold`](crate::ask::Grasp::hold) says at the latest there that the cup lets go. [`Grasp::solve`](crate::ask::Grasp::solve) and paths leave the vacuum on; look at the states of the lip.
+//! A point of a real lip that opens lets air in, so that the onset of peeling is the end. On a bellows that follows, the vacuum may last
+//! until the lip is open all around: [`Grasp::hold`](crate::ask::Grasp::hold) says at the latest there that the cup lets go.
+//! [`Grasp::solve`](crate::ask::Grasp::solve) and paths leave the vacuum on; look at the states of the lip.
 //! A load of several kinds at once has no such short formula, and is what [`Grasp::onset`](crate::ask::Grasp::onset) answers. How much vacuum it takes answers
 //! [`Grasp::need`](crate::ask::Grasp::need) for a squeeze.
 //!
