@@ -115,7 +115,7 @@ impl<'c, const C: usize> WholeContacts<'c, C> {
 
     /// The name of a part, or its number.
     pub(crate) fn label(&self, number: usize) -> String {
-        self.name(number).map_or_else(|| format!("contact {number}"), str::to_owned)
+        self.name(number).map_or_else(|| format!("contact {number}"), |name| printable(name).into_owned())
     }
 }
 

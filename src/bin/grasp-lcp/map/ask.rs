@@ -1,7 +1,7 @@
 //! The question that is asked for every direction, and its answer.
 
 use grasp_lcp::Error;
-use grasp_lcp::load_path::{Departure, Onset, Ramp};
+use grasp_lcp::load_path::{Onset, Ramp};
 use grasp_lcp::scene::{Question, Setup};
 use grasp_lcp::squeeze::WeakestDirection;
 use grasp_lcp::sweep::Reserve;
@@ -62,10 +62,10 @@ pub(crate) fn first<const C: usize>(
     let robust = reserve.along(&direction);
     Ok(match grasp.onset(&Ramp::load(*base, direction))? {
         Onset::At(event) => {
-            let who = event.leaving.iter().map(|leaving| {
-                let does = if matches!(leaving.how, Departure::Opens) { "opens" } else { "slides" };
-                format!("{} {does}", leaving.contact.text())
-            });
+            let who = event
+                .leaving
+                .iter()
+                .map(|leaving| format!("{} {}", leaving.contact.text(), leaving.how.verb()));
             let drives = event.drives.iter().map(|drive| format!("{} gives way", drive.part.text()));
             let mut who: Vec<_> = who.chain(drives).collect();
             // Points of a soft fingertip leave by the dozen.
