@@ -9,6 +9,10 @@ use crate::words::{TOO_FAR, Words, listed, printable};
 
 /// What happens within this part of a load happens at once, for whoever reads it.
 const AT_ONCE: f64 = 1e-9;
+/// A proof that reaches no farther, m, says nothing to anybody: less than an atom.
+const NOWHERE: f64 = 1e-10;
+/// Farther than this, m, nobody asks.
+const FAR: f64 = 1e3;
 /// A force and a moment this close to a right angle act along one line: a force somewhere.
 const ONE_LINE: f64 = 1e-12;
 
@@ -166,8 +170,8 @@ impl<const C: usize> fmt::Display for Lost<C> {
             f.write_str(" (gross slip)")?;
         }
         match &self.nothing_near {
-            Some(near) => write!(f, ". {near:.digits$}"),
-            None => Ok(()),
+            Some(near) if near.translation > NOWHERE => write!(f, ". {near:.digits$}"),
+            _ => Ok(()),
         }
     }
 }
@@ -176,6 +180,9 @@ impl fmt::Display for NothingNear {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.translation.is_infinite() {
             return f.write_str("Nothing holds all of it, wherever the object goes");
+        }
+        if self.translation > FAR {
+            return f.write_str("Nothing holds all of it within a kilometre of there");
         }
         let words = Words::of(f);
         let (length, angle) = (words.length(self.translation), words.angle(self.rotation));
