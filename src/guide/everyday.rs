@@ -66,7 +66,7 @@
 //!
 //! ```text
 //! $ grasp-lcp need bottle.json
-//! TAKES 36.4669° and nothing slides, 28.2407° if friction is 10 % less and the squeeze is 5 % less. With more: something slides at 36.466914°
+//! TAKES 36.4669° and nothing slides, 28.2407° if friction is 10 % less and the squeeze is 5 % less. With more: something slides at 36.4669°
 //! ```
 //!
 //! # How hard do I have to pull to get a book out of a row?
@@ -98,7 +98,7 @@
 //!
 //! ```text
 //! $ grasp-lcp need tray.json
-//! TAKES 23.1986° and it is not lost, 23.1986° if friction is 10 % less and the squeeze is 5 % less. With more: it is lost at 23.198591°
+//! TAKES 23.1986° and it is not lost, 23.1986° if friction is 10 % less and the squeeze is 5 % less. With more: it is lost at 23.1986°
 //! ```
 //!
 //! It tips: half its foot of 30 mm over the 70 mm of its centre of mass is tan 23.2°. It would slide at tan⁻¹ 0.5 = 26.6°.

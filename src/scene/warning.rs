@@ -87,7 +87,7 @@ impl fmt::Display for Warning {
             ),
             Self::SameName { contacts, name } => {
                 let numbers: Vec<_> = contacts.iter().map(|contact| format!("contact {contact}")).collect();
-                write!(f, "{} are called {name}: answers do not tell which is meant", listed(&numbers))
+                write!(f, "{} are called {}: answers do not tell which is meant", listed(&numbers), printable(name))
             }
             Self::StiffnessLeftOut { names, stiffness, questions, .. } => {
                 let have = if names.len() == 1 { "has" } else { "have" };
@@ -95,7 +95,7 @@ impl fmt::Display for Warning {
                 write!(
                     f,
                     "{} {have} no stiffness, and it is taken that each gives way by {} N/m in all directions: the answer to {} depends on it; say `stiffness`",
-                    listed(names),
+                    listed(&names.iter().map(|name| printable(name)).collect::<Vec<_>>()),
                     words.number(*stiffness),
                     listed(&numbers)
                 )

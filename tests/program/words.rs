@@ -48,7 +48,7 @@ fn inside(told: &str) -> Option<String> {
     // A word that goes on with a capital letter is the name of a type or a variant.
     let variant = told.split(|c| !is_of_a_name(c)).find(|word| {
         let letters: Vec<_> = word.chars().collect();
-        *word != "kN"
+        !matches!(*word, "kN" | "kPa")
             && letters.windows(2).any(|pair| pair[0].is_ascii_lowercase() && pair[1].is_ascii_uppercase())
     });
     let numbers = told.split(|c: char| !(c.is_ascii_alphanumeric() || matches!(c, '.' | '-' | '+' | '−')));
@@ -75,7 +75,7 @@ fn the_test_sees_what_it_looks_for() {
         assert!(inside(bad).is_some(), "{bad}");
     }
     for good in [
-        "HOLDS, F_n (N), 6 N m at -0.5, 2 kN",
+        "HOLDS, F_n (N), 6 N m at -0.5, 2 kN, 20 kPa",
         "SLIPS OUT at 1e-05",
         "within 5 mm and 7.3°",
         "|F_t| / μF_n = −3",

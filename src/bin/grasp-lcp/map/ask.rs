@@ -4,7 +4,6 @@ use grasp_lcp::Error;
 use grasp_lcp::load_path::{Onset, Ramp};
 use grasp_lcp::scene::{Question, Setup};
 use grasp_lcp::squeeze::WeakestDirection;
-use grasp_lcp::sweep::Reserve;
 use grasp_lcp::{ask::Grasp, grasp::Wrench};
 
 use crate::failure::Failure;
@@ -25,15 +24,13 @@ const MANY: usize = 4;
 pub(crate) struct First {
     /// N; infinite for never, not a number where that is not known.
     pub(crate) factor: f64,
-    /// N, at least 0: below it no more slides than the standard deviations in reserve say.
-    pub(crate) robust: f64,
     /// The contacts that leave, and how.
     pub(crate) who: String,
 }
 
 impl First {
-    fn told(factor: f64, robust: f64, who: &str) -> Self {
-        Self { factor, robust, who: who.to_owned() }
+    fn told(factor: f64, who: &str) -> Self {
+        Self { factor, who: who.to_owned() }
     }
 }
 
@@ -54,13 +51,9 @@ pub(crate) fn quick<const C: usize>(grasp: &Grasp<C>) -> Grasp<C> {
     grasp.with(&grasp.settings().with_most_states(0))
 }
 
-/// What leaves first in a direction on top of the base load of a reserve.
-pub(crate) fn first<const C: usize>(
-    (grasp, reserve): (&Grasp<C>, &Reserve<C>),
-    (base, direction): (&Wrench<C>, Wrench<C>),
-) -> Result<First, Error> {
-    let robust = reserve.along(&direction);
-    Ok(match grasp.onset(&Ramp::load(*base, direction))? {
+/// What leaves first along a ramp.
+pub(crate) fn first<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>) -> Result<First, Error> {
+    Ok(match grasp.onset(ramp)? {
         Onset::At(event) => {
             let who = event
                 .leaving
@@ -73,11 +66,11 @@ pub(crate) fn first<const C: usize>(
                 let others = who.len() - 1;
                 who = vec![format!("{} and {others} others", who[0])];
             }
-            First { factor: event.factor, robust, who: who.join(", ") }
+            First { factor: event.factor, who: who.join(", ") }
         }
-        Onset::Never => First::told(f64::INFINITY, robust, "never"),
-        Onset::GivesWay { factor, .. } => First::told(factor, robust, "nothing resists"),
-        _ => First::told(f64::NAN, robust, "not known"),
+        Onset::Never => First::told(f64::INFINITY, "never"),
+        Onset::GivesWay { factor, .. } => First::told(factor, "nothing resists"),
+        _ => First::told(f64::NAN, "not known"),
     })
 }
 

@@ -18,6 +18,8 @@ use crate::files::Pictures;
 /// Directions of the picture; every 60th is in the table.
 const DIRECTIONS: u32 = 1440;
 const TABLE: usize = 60;
+/// The reserve is looked for in every fourth direction.
+const KEPT: usize = 4;
 /// Load paths are followed this many times as far as the largest onset, and the picture goes no further than that many times.
 const FAR: f64 = 5.0;
 const SHOWN: f64 = 3.0;
@@ -41,10 +43,8 @@ pub(crate) fn map(
     ask::check_base(&grasp, &ramp(0.0))?;
     let quick = ask::quick(&grasp);
     let angles: Vec<f64> = (0..DIRECTIONS).map(|k| TAU * f64::from(k) / f64::from(DIRECTIONS)).collect();
-    let reserve = grasp.reserve(&base, &unsure.uncertainty(), unsure.sigmas)?;
-    let firsts =
-        watch::sweep("onsets", &angles, MOST, |angle| ask::first((&quick, &reserve), (&base, pull(*angle))))?
-            .ok_or_else(ask::too_long)?;
+    let firsts = watch::sweep("onsets", &angles, MOST, |angle| ask::first(&quick, &ramp(*angle)))?
+        .ok_or_else(ask::too_long)?;
     let onsets: Vec<f64> = firsts.iter().map(|first| first.factor).collect();
     let largest = onsets.iter().copied().filter(|x| x.is_finite()).fold(0.0, f64::max);
     if largest <= 0.0 {
@@ -52,6 +52,11 @@ pub(crate) fn map(
             "no direction has an onset above zero: the grasp carries nothing more".to_owned(),
         ));
     }
+    let reserve = grasp.reserve(&base, &unsure.uncertainty(), unsure.sigmas)?;
+    let kept: Vec<f64> = angles.iter().copied().step_by(KEPT).collect();
+    let reserves = watch::sweep("reserves", &kept, MOST, |angle| Ok(reserve.along(&pull(*angle))))?
+        .ok_or_else(ask::too_long)?;
+    let reserves: Vec<_> = kept.into_iter().zip(reserves).collect();
     let most = FAR * largest;
     let lasts =
         watch::sweep("load paths", &angles, MOST, |angle| limit::last(&grasp, base, pull(*angle), most))?
@@ -65,7 +70,8 @@ pub(crate) fn map(
         let along = |angle: &f64| [pull(*angle).components()[0], pull(*angle).components()[1]];
         let onsets = angles.iter().map(along).zip(&firsts).collect();
         let paths = angles.iter().map(along).zip(&lasts).collect();
-        Map { at, base, unsure, onsets, paths, most, weakest }.print();
+        let reserves = reserves.iter().map(|(angle, held)| (along(angle), *held)).collect();
+        Map { at, base, unsure, onsets, reserves, paths, most, weakest }.print();
         return Ok(());
     };
     let title = pictures.title();
@@ -73,7 +79,7 @@ pub(crate) fn map(
 
     let words = ask::words(at, &base);
     println!("{title}: {}", words.join(", "));
-    print_table(&angles, &firsts, &lasts, most);
+    print_table(&angles, &firsts, &reserves, &lasts, most);
     println!("  {}", unsure.words().join(" "));
     println!("  of {DIRECTIONS} paths: {}", limit::count(&lasts));
     if let Some((angle, size)) = weakest {
@@ -84,7 +90,7 @@ pub(crate) fn map(
         );
     }
     let drawing = Drawing { title: &title, grasp: &grasp, words: &words, reserve: unsure.words().join("\n") };
-    let svg = drawing.of(&angles, &firsts, &lasts, weakest)?;
+    let svg = drawing.of(&angles, &firsts, &reserves, &lasts, weakest)?;
     pictures.save("_map.svg", &svg)?;
     Ok(())
 }
@@ -95,18 +101,19 @@ fn quarter(angle: f64) -> Option<(f64, f64)> {
     values.into_iter().zip([0.0, 0.25, 0.5, 0.75]).find(|(_, turns)| angle == turns * TAU).map(|(v, _)| v)
 }
 
-fn print_table(angles: &[f64], firsts: &[First], lasts: &[Last], most: f64) {
+fn print_table(angles: &[f64], firsts: &[First], reserves: &[(f64, f64)], lasts: &[Last], most: f64) {
     println!(
         "  {:>9}  {:>14}  {:>14}  {:>14}  {:22} leaves first",
         "direction", "onset (N)", "reserve (N)", "held to (N)", "end of the path"
     );
-    for ((angle, first), last) in angles.iter().zip(firsts).zip(lasts).step_by(TABLE) {
+    let rows = angles.iter().zip(firsts).zip(lasts).step_by(TABLE).zip(reserves.iter().step_by(TABLE / KEPT));
+    for (((angle, first), last), (_, reserve)) in rows {
         let held = last.words(most);
         println!(
             "  {:8.1}°  {:14.9}  {:14.9}  {held:>14}  {:22} {}",
             angle.to_degrees(),
             first.factor,
-            first.robust,
+            reserve,
             last.end.word(),
             first.who
         );
@@ -126,6 +133,7 @@ impl Drawing<'_> {
         &self,
         angles: &[f64],
         firsts: &[First],
+        reserves: &[(f64, f64)],
         lasts: &[Last],
         weakest: Option<(f64, f64)>,
     ) -> Result<String, Failure> {
@@ -139,7 +147,7 @@ impl Drawing<'_> {
         let mut polar = Polar::new(format!("{title}: what a force in every direction does"), "N")
             .rim(rim)
             .curve("onset of sliding", with(&mut onsets()), Stroke::Line)
-            .curve(reserve.as_str(), with(&mut firsts.iter().map(|first| first.robust)), Stroke::Line)
+            .curve(reserve.as_str(), reserves.to_vec(), Stroke::Line)
             .curve("held on the load path", with(&mut lasts.iter().map(|last| last.factor)), Stroke::Line);
         for (end, words) in [
             (LimitEnd::Snap, "… where it snaps: other\nequilibria exist beyond"),

@@ -5,6 +5,7 @@ use std::time::Duration;
 use grasp_lcp::picture::{SphereGrid, SphereMap};
 use grasp_lcp::scene::Setup;
 use grasp_lcp::spatial::{Grasp, Ramp, Wrench};
+use grasp_lcp::sweep::Reserve;
 
 use super::ask::{self, First};
 use super::limit::{self, Last, LimitEnd};
@@ -41,8 +42,7 @@ pub(crate) fn map(
     let (rings, around) = if grasp.len() > MANY { PATHS } else { ONSETS };
     let grid = SphereGrid::new(rings, around);
     let directions = grid.directions();
-    let reserve = grasp.reserve(&base, &unsure.uncertainty(), unsure.sigmas)?;
-    let first = |d: [f64; 3]| ask::first((&quick, &reserve), (&base, pull(d)));
+    let first = |d: [f64; 3]| ask::first(&quick, &ramp(d));
     let firsts = watch::sweep("onsets", &directions, ALL_ONSETS, |d| first(*d))?.ok_or_else(ask::too_long)?;
     let onsets: Vec<f64> = firsts.iter().map(|first| first.factor).collect();
     let finite = || onsets.iter().copied().enumerate().filter(|(_, x)| x.is_finite());
@@ -58,18 +58,22 @@ pub(crate) fn map(
     let coarse = SphereGrid::new(PATHS.0, PATHS.1);
     let most = FAR * largest;
     let ways = coarse.directions();
+    let reserve = grasp.reserve(&base, &unsure.uncertainty(), unsure.sigmas)?;
+    let reserves = watch::sweep("reserves", &ways, ALL_ONSETS, |d| Ok(reserve.along(&pull(*d))))?
+        .ok_or_else(ask::too_long)?;
     let lasts = load_paths(&grasp, base, &pull, (&ways, most))?;
 
     let Some(pictures) = pictures else {
         let onsets = directions.iter().copied().zip(&firsts).collect();
         let paths = ways.iter().copied().zip(lasts.iter().flatten()).collect();
-        Map { at, base, unsure, onsets, paths, most, weakest: Some((weakest, onset)) }.print();
+        let reserves = ways.iter().copied().zip(reserves).collect();
+        Map { at, base, unsure, onsets, reserves, paths, most, weakest: Some((weakest, onset)) }.print();
         return Ok(());
     };
     let title = pictures.title();
     let words = ask::words(at, &base).join(", ");
     println!("{title}: {words}");
-    print_table(&grasp, &first, &pull, (base, most), weakest)?;
+    print_table(&grasp, (&first, &reserve), &pull, (base, most), weakest)?;
     println!("  {}", unsure.words().join(" "));
     println!("  onsets in {} directions: {least:.6} to {largest:.6} N", directions.len());
     println!("  weakest direction ({}): onset {onset:.12} N", components(weakest));
@@ -91,6 +95,7 @@ pub(crate) fn map(
     let drawing = Drawing { grasp: &grasp, pictures, title: &title, words: &words, unsure };
     let weak = format!("Weakest: {onset:.6} N along ({}), where {}.", components(weakest), first.who);
     drawing.of_onsets(grid, &firsts, (weakest, onset, &weak))?;
+    drawing.of_reserves(coarse, reserves)?;
     match lasts.filter(|lasts| lasts.iter().any(|last| last.factor.is_finite())) {
         Some(lasts) => drawing.of_limits(coarse, &lasts, most),
         None => Ok(()),
@@ -126,23 +131,27 @@ struct Drawing<'a> {
 }
 
 impl Drawing<'_> {
-    /// Onsets, and what is left of them in reserve.
+    /// Onsets.
     fn of_onsets(
         &self,
         grid: SphereGrid,
         firsts: &[First],
         (weakest, onset, weak): ([f64; 3], f64, &str),
     ) -> Result<(), Failure> {
-        let of = |value: fn(&First) -> f64| firsts.iter().map(value).collect::<Vec<_>>();
+        let onsets = firsts.iter().map(|first| first.factor).collect();
         let title = format!("{}: onset of sliding for a force in every direction", self.title);
-        let map = SphereMap::new(title, "onset (N)", grid, of(|first| first.factor))?
+        let map = SphereMap::new(title, "onset (N)", grid, onsets)?
             .mark(weakest, format!("weakest {onset:.3} N"))
             .meanings("never slides", "not known");
-        self.save("_map.svg", map, weak)?;
+        self.save("_map.svg", map, weak)
+    }
+
+    /// What is held with standard deviations in reserve.
+    fn of_reserves(&self, grid: SphereGrid, held: Vec<f64>) -> Result<(), Failure> {
         let sigmas = self.unsure.sigmas;
         let title = format!("{}: onset of sliding with {sigmas}σ in reserve", self.title);
-        let map = SphereMap::new(title, "with reserve (N)", grid, of(|first| first.robust))?
-            .meanings("never slides", "not known");
+        let map =
+            SphereMap::new(title, "with reserve (N)", grid, held)?.meanings("never slides", "not known");
         self.save("_map_robust.svg", map, &self.unsure.words().join(" "))
     }
 
@@ -173,7 +182,7 @@ const MANY: usize = 8;
 
 fn print_table(
     grasp: &Grasp,
-    first: &impl Fn([f64; 3]) -> Result<First, grasp_lcp::Error>,
+    (first, reserve): (&impl Fn([f64; 3]) -> Result<First, grasp_lcp::Error>, &Reserve<3>),
     pull: &impl Fn([f64; 3]) -> Wrench,
     (base, most): (Wrench, f64),
     weakest: [f64; 3],
@@ -193,7 +202,8 @@ fn print_table(
         ("−z", back(z)),
         ("weakest", weakest),
     ] {
-        let First { factor, who, robust } = first(d)?;
+        let First { factor, who } = first(d)?;
+        let robust = reserve.along(&pull(d));
         let last = limit::last(grasp, base, pull(d), most)?;
         let held = last.words(most);
         println!("  {name:9}  {factor:14.9}  {robust:14.9}  {held:>14}  {:22} {who}", last.end.word());

@@ -13,6 +13,8 @@ pub(super) struct Map<'a, const C: usize> {
     pub(super) base: Wrench<C>,
     pub(super) unsure: &'a Unsure,
     pub(super) onsets: Vec<([f64; C], &'a First)>,
+    /// What is held with standard deviations in reserve.
+    pub(super) reserves: Vec<([f64; C], f64)>,
     /// Load paths, and how far they were followed.
     pub(super) paths: Vec<([f64; C], &'a Last)>,
     pub(super) most: f64,
@@ -26,10 +28,10 @@ impl<const C: usize> Map<'_, C> {
             json!({
                 "direction": direction.to_vec(),
                 "onset": force(first.factor, "never"),
-                "with_reserve": force(first.robust, "never"),
                 "leaves_first": first.who,
             })
         };
+        let reserve = |(direction, held): &([f64; C], f64)| json!({ "direction": direction.to_vec(), "held": force(*held, "never") });
         let path = |(direction, last): &([f64; C], &Last)| {
             let held =
                 if last.end == LimitEnd::Held { json!("further") } else { force(last.factor, "further") };
@@ -43,6 +45,7 @@ impl<const C: usize> Map<'_, C> {
             "standard_deviations": self.unsure.written(),
             "weakest": weakest,
             "onsets": self.onsets.iter().map(onset).collect::<Vec<_>>(),
+            "reserves": self.reserves.iter().map(reserve).collect::<Vec<_>>(),
             "followed_to": self.most,
             "paths": self.paths.iter().map(path).collect::<Vec<_>>(),
         });
