@@ -56,7 +56,7 @@ impl<const C: usize> FingerSetup<C> {
         }
     }
 
-    /// This finger with one more contact: a [`Contact`], or a [`Fingertip`] that says which link it is on.
+    /// This finger with one more contact: a [`Contact`](grasp::Contact), or a [`Fingertip`] that says which link it is on.
     #[must_use]
     pub fn contact(mut self, contact: impl Into<Fingertip<C>>) -> Self {
         self.contacts.push(contact.into());
