@@ -106,7 +106,7 @@ class Grasp:
             give these forces on an object that stays; if the forces do not balance it moves until they do.
         :param clearance: gaps before anything moves, m, negative for an overlap, shape (n,) or one for all.
         :param tangents: directions of the first tangent, shape (n, 2).
-        :param force: normal forces that stay wherever the object goes, in place of ``pressed_with``, N, one for all or a list of one or None a contact.
+        :param force: normal forces that stay wherever the object goes, in place of ``pressed_with``, N, one for all or a list, None for none.
         :param soft: patches of soft pads in place of the points, as in scenes: ``{"pad": {"width": 0.01, "strips": 1}}`` or ``{"pair":
             {"width": 0.01}}``, one for all or a list of one or None a contact.
         :param suction: what a vacuum pulls the object onto the contact with, N, one for all or a list of one or None a contact.
