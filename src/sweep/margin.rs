@@ -59,7 +59,7 @@ pub(super) struct Margin<const C: usize> {
 }
 
 /// Steps towards where a margin fails.
-const STEPS: usize = 8;
+const STEPS: usize = 30;
 /// Of a standard deviation.
 const NEAR: f64 = 1e-3;
 
