@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::answer::{ContactAnswer, ContactState, Equilibrium, NoEquilibrium, Outcome, Proof, Undecided};
 use super::hand_answer::{DriveState, JointAnswer, TendonAnswer};
-use super::pad_answer::Told;
+use super::pad_answer::WholeAnswer;
 use crate::grasp::JointKind;
 use crate::search::Doubt;
 use crate::words::Words;
@@ -38,7 +38,7 @@ impl<const C: usize> fmt::Display for Equilibrium<C> {
 }
 
 /// "left: sticks, force (8, -2.4525) N, margin 1.5475 N".
-impl<const C: usize> fmt::Display for Told<'_, C> {
+impl<const C: usize> fmt::Display for WholeAnswer<'_, C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
         let force = words.numbers(self.force().as_slice());
@@ -52,7 +52,7 @@ impl<const C: usize> fmt::Display for Told<'_, C> {
 
 impl<const C: usize> fmt::Display for ContactAnswer<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(&Told::Point(self), f)
+        fmt::Display::fmt(&WholeAnswer::Point(self), f)
     }
 }
 

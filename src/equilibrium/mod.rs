@@ -45,7 +45,7 @@ pub use answer::{
 pub use bracket::{Bracket, Spread};
 pub use decomposition::Decomposition;
 pub use hand_answer::{DriveState, JointAnswer, TendonAnswer};
-pub use pad_answer::{PadAnswer, Told};
+pub use pad_answer::{PadAnswer, WholeAnswer};
 pub use refutation::Refutation;
 pub use residuals::Residuals;
 pub(crate) use write_out::site_states;

@@ -85,14 +85,14 @@ impl<const C: usize> PadAnswer<C> {
 
 /// A contact as people count them.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Told<'a, const C: usize> {
+pub enum WholeAnswer<'a, const C: usize> {
     /// A contact that is a point itself.
     Point(&'a ContactAnswer<C>),
     /// All points of a soft fingertip.
     Pad(&'a PadAnswer<C>),
 }
 
-impl<const C: usize> Told<'_, C> {
+impl<const C: usize> WholeAnswer<'_, C> {
     /// Its name.
     #[must_use]
     pub fn text(&self) -> String {
@@ -132,14 +132,14 @@ impl<const C: usize> Told<'_, C> {
 
 impl<const C: usize> Equilibrium<C> {
     /// Contacts in order, points of one soft fingertip together.
-    pub fn whole_contacts(&self) -> impl Iterator<Item = Told<'_, C>> {
+    pub fn whole_contacts(&self) -> impl Iterator<Item = WholeAnswer<'_, C>> {
         let mut pads = self.pads.iter().peekable();
         self.contacts.iter().enumerate().filter_map(move |(i, contact)| {
             while pads.next_if(|pad| pad.range().end <= i).is_some() {}
             match pads.peek() {
-                Some(pad) if pad.first == i => Some(Told::Pad(pad)),
+                Some(pad) if pad.first == i => Some(WholeAnswer::Pad(pad)),
                 Some(pad) if pad.range().contains(&i) => None,
-                _ => Some(Told::Point(contact)),
+                _ => Some(WholeAnswer::Point(contact)),
             }
         })
     }

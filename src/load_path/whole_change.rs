@@ -22,7 +22,7 @@ pub struct WholeChange<const C: usize> {
 #[non_exhaustive]
 pub enum Doing<const C: usize> {
     /// A contact that is a point itself changes.
-    Point(Change<C>),
+    PointDoes(Change<C>),
     /// The first points slide.
     BeginsToSlide,
     /// The last points that touch slide.
@@ -48,7 +48,7 @@ pub enum Doing<const C: usize> {
 impl<const C: usize> fmt::Display for Doing<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::Point(change) => return write!(f, "{change:.*}", Words::of(f).digits()),
+            Self::PointDoes(change) => return write!(f, "{change:.*}", Words::of(f).digits()),
             Self::BeginsToSlide => "begins to slide",
             Self::SlidesEverywhere => "slides everywhere",
             Self::SticksInPart => "sticks in part",
@@ -106,7 +106,7 @@ pub(crate) fn whole_changes<const C: usize>(
     let mut told = Vec::new();
     for (at, change) in &sites {
         let Some(pad) = pad_of(*at) else {
-            all.push(WholeChange { contact: change.contact.clone(), what: Doing::Point(change.what) });
+            all.push(WholeChange { contact: change.contact.clone(), what: Doing::PointDoes(change.what) });
             continue;
         };
         if told.contains(&pad.first) {
@@ -124,8 +124,8 @@ pub(crate) fn whole_changes<const C: usize>(
 
 /// How many points of a pad do what before and after an event.
 struct PadAtEvent {
-    before: Count,
-    after: Count,
+    before: PadCount,
+    after: PadCount,
     slide_back: usize,
 }
 
@@ -135,11 +135,11 @@ impl PadAtEvent {
         pad: &PadAnswer<C>,
         changes: &[(usize, Change<C>)],
     ) -> Self {
-        let (mut before, mut after) = (Count::default(), Count::default());
+        let (mut before, mut after) = (PadCount::default(), PadCount::default());
         for i in pad.range() {
-            let state = Point::of(&state.contacts[i].state);
+            let state = PointDoes::of(&state.contacts[i].state);
             let change = changes.iter().find(|(at, _)| *at == i).map(|(_, what)| what);
-            let [was, is] = change.map_or([state; 2], |change| Point::change(change, state));
+            let [was, is] = change.map_or([state; 2], |change| PointDoes::change(change, state));
             before.add(was);
             after.add(is);
         }
@@ -149,7 +149,7 @@ impl PadAtEvent {
 
     fn doings<const C: usize>(&self) -> Vec<Doing<C>> {
         let Self { before, after, slide_back } = self;
-        let all_slide = |count: &Count| count.closed > 0 && count.slide == count.closed;
+        let all_slide = |count: &PadCount| count.closed > 0 && count.slide == count.closed;
         let mut told = Vec::new();
         let mut tell = |is_so: bool, what| {
             if is_so {
@@ -174,13 +174,13 @@ impl PadAtEvent {
 
 /// What a point does.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Point {
+enum PointDoes {
     Open,
     Sticks,
     Slides,
 }
 
-impl Point {
+impl PointDoes {
     fn of<const C: usize>(state: &ContactState<C>) -> Self {
         match state {
             ContactState::Separated => Self::Open,
@@ -205,16 +205,16 @@ impl Point {
 
 /// How many points do what.
 #[derive(Debug, Clone, Copy, Default)]
-struct Count {
+struct PadCount {
     closed: usize,
     slide: usize,
     open: usize,
 }
 
-impl Count {
-    fn add(&mut self, point: Point) {
-        self.closed += usize::from(point != Point::Open);
-        self.slide += usize::from(point == Point::Slides);
-        self.open += usize::from(point == Point::Open);
+impl PadCount {
+    fn add(&mut self, point: PointDoes) {
+        self.closed += usize::from(point != PointDoes::Open);
+        self.slide += usize::from(point == PointDoes::Slides);
+        self.open += usize::from(point == PointDoes::Open);
     }
 }

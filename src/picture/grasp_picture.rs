@@ -15,7 +15,7 @@ use super::palette::{GREY, VERMILION};
 use super::planar_load::{LoadOnPaper, PlanarLoad};
 use super::planar_picture::PlanarPicture;
 use super::sheet::{Place, sheet};
-use super::way_out::WayOut;
+use super::way_out::MovedOutline;
 use super::window::Window;
 use super::words::{lines, short};
 
@@ -45,7 +45,7 @@ pub(super) struct Picture<'a> {
     actuators: Actuators<2>,
     tips: Vec<Tip>,
     load: Option<PlanarLoad>,
-    way_out: Option<WayOut>,
+    way_out: Option<MovedOutline>,
     /// Size of the scene, m.
     span: f64,
     /// m per N.
@@ -91,7 +91,8 @@ impl<'a> Picture<'a> {
         let pushes: Vec<_> = doing().map(push).collect();
         let scale = metres_per_newton(&pushes, size((low, high)), most);
         let points = contacts.iter().map(|contact| contact.point);
-        let way_out = of.leaving.and_then(|motion| WayOut::new(motion, outline, points, size((low, high))));
+        let way_out =
+            of.leaving.and_then(|motion| MovedOutline::new(motion, outline, points, size((low, high))));
         Self { of, actuators: Actuators::of(grasp), tips, load, way_out, span, scale }
     }
 
@@ -178,7 +179,7 @@ impl<'a> Picture<'a> {
         if let Some(load) = &self.load {
             points.extend([load.at, load.at + load.force * self.scale]);
         }
-        points.extend(self.way_out.iter().flat_map(WayOut::points));
+        points.extend(self.way_out.iter().flat_map(MovedOutline::points));
         points
     }
 

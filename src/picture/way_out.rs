@@ -13,14 +13,14 @@ const FAR: f64 = 0.13;
 const ARROWS: usize = 6;
 
 /// Points, and where they would be next.
-pub(super) struct WayOut {
+pub(super) struct MovedOutline {
     from: Vec<Vector2<f64>>,
     to: Vec<Vector2<f64>>,
     /// The points are the corners of a closed line.
     is_closed: bool,
 }
 
-impl WayOut {
+impl MovedOutline {
     /// Of an outline, or else of contact points, in a scene of this size; none without a motion.
     pub(super) fn new(
         motion: &Motion<2>,

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use nalgebra::{Matrix, SVector};
 
-use super::datum::Datum;
-use super::margin::{Change, LOOKED_AT, change};
+use super::datum::UncertainDatum;
+use super::margin::{Effect, LOOKED_AT, effect};
 use crate::contact::{Polygon, State};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench, of_the_object};
@@ -15,13 +15,13 @@ use crate::object::{Load, Piece, PieceState};
 /// Forces with data as known, and with each datum off by what is looked at.
 #[derive(Debug, Clone)]
 pub(super) struct AllForces<const C: usize> {
-    known: Forces<C>,
-    off: Vec<[Forces<C>; LOOKED_AT.len()]>,
+    known: LinearForces<C>,
+    off: Vec<[LinearForces<C>; LOOKED_AT.len()]>,
 }
 
 /// Forces of all sites, or gaps of those that are open: by commands alone, and by each component of the load.
 #[derive(Debug, Clone)]
-struct Forces<const C: usize> {
+struct LinearForces<const C: usize> {
     commanded: Vec<SVector<f64, C>>,
     by_load: Vec<Vec<SVector<f64, C>>>,
 }
@@ -31,15 +31,15 @@ struct Forces<const C: usize> {
 pub(super) struct Course<const C: usize> {
     pub(super) known: Vec<SVector<f64, C>>,
     /// What each datum changes of each.
-    pub(super) off: Vec<Vec<Change<C>>>,
+    pub(super) off: Vec<Vec<Effect<C>>>,
 }
 
 impl<const C: usize> Course<C> {
-    fn with(all: &AllForces<C>, forces: impl Fn(&Forces<C>) -> Vec<SVector<f64, C>>) -> Self {
+    fn with(all: &AllForces<C>, forces: impl Fn(&LinearForces<C>) -> Vec<SVector<f64, C>>) -> Self {
         let known = forces(&all.known);
-        let of_datum = |values: &[Forces<C>; LOOKED_AT.len()]| {
+        let of_datum = |values: &[LinearForces<C>; LOOKED_AT.len()]| {
             let seen = values.each_ref().map(&forces);
-            let of_site = |(i, known)| change(seen.each_ref().map(|forces| forces[i] - known));
+            let of_site = |(i, known)| effect(seen.each_ref().map(|forces| forces[i] - known));
             known.iter().enumerate().map(of_site).collect()
         };
         let off = all.off.iter().map(of_datum).collect();
@@ -83,7 +83,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         &self,
         states: &[State<C>],
         polygon: &Arc<Polygon<C>>,
-        data: &[Datum],
+        data: &[UncertainDatum],
         sigmas: f64,
     ) -> Result<(AllForces<C>, Piece<D, C>), Error> {
         let (known, piece) = self.forces(states, polygon);
@@ -96,7 +96,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         Ok((AllForces { known, off }, piece))
     }
 
-    fn forces(&self, states: &[State<C>], polygon: &Arc<Polygon<C>>) -> (Forces<C>, Piece<D, C>) {
+    fn forces(&self, states: &[State<C>], polygon: &Arc<Polygon<C>>) -> (LinearForces<C>, Piece<D, C>) {
         let drives = self.drives();
         let at_rest = vec![SVector::zeros(); drives.len()];
         let problem = self.problem(polygon.clone(), false, drives.clone(), &Load::from(&Vector::zeros()));
@@ -112,7 +112,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let commanded = seen(&drives, &self.load_unchecked(&Wrench::ZERO));
         let by_load =
             (0..of_the_object::<C>()).map(|k| seen(&at_rest, &self.inside_unchecked(&unit(k)))).collect();
-        (Forces { commanded, by_load }, piece)
+        (LinearForces { commanded, by_load }, piece)
     }
 }
 

@@ -7,14 +7,14 @@ use crate::grasp::{Contact, Engine};
 use crate::numerics::Size;
 
 /// One datum with its σ, which is that of a factor, or of what is added.
-pub(super) struct Datum {
-    what: What,
+pub(super) struct UncertainDatum {
+    what: DatumKind,
     sigma: f64,
 }
 
 /// Whose it is: that of a contact, or of the soft fingertip that begins there.
 #[derive(Clone, Copy)]
-enum What {
+enum DatumKind {
     Stiffness { contact: usize },
     Squeeze { contact: usize },
     Point { contact: usize, axis: usize },
@@ -22,7 +22,7 @@ enum What {
     Joint(usize),
 }
 
-impl Datum {
+impl UncertainDatum {
     /// The engine where it is off by z σ.
     pub(super) fn engine<D: Size, const C: usize>(
         &self,
@@ -32,23 +32,23 @@ impl Datum {
         let (factor, added) = ((self.sigma * z).exp(), self.sigma * z);
         let mut off = Off::not();
         let whose = match self.what {
-            What::Stiffness { contact } => {
+            DatumKind::Stiffness { contact } => {
                 off.stiffness = factor;
                 Some(contact)
             }
-            What::Squeeze { contact } => {
+            DatumKind::Squeeze { contact } => {
                 off.squeeze = factor;
                 Some(contact)
             }
-            What::Point { contact, axis } => {
+            DatumKind::Point { contact, axis } => {
                 off.moved[axis] = added;
                 Some(contact)
             }
-            What::Normal { contact, axis } => {
+            DatumKind::Normal { contact, axis } => {
                 off.tilt[axis] = added;
                 Some(contact)
             }
-            What::Joint(_) => None,
+            DatumKind::Joint(_) => None,
         };
         let mut contacts = of.contacts().to_vec();
         let is_meant = |i: usize, contact: &Contact<C>| Some(i) == whose || !contact.begins_a_whole();
@@ -58,35 +58,34 @@ impl Datum {
             }
             *contact = off.applied_to(contact);
         }
-        of.with_data(
-            contacts,
-            |joint| if matches!(self.what, What::Joint(j) if j == joint) { factor } else { 1.0 },
-        )
+        of.with_data(contacts, |joint| {
+            if matches!(self.what, DatumKind::Joint(j) if j == joint) { factor } else { 1.0 }
+        })
     }
 }
 
 impl<D: Size, const C: usize> Engine<D, C> {
     /// What is not known exactly, friction and load aside, which change no force by themselves.
-    pub(super) fn data(&self, uncertainty: &Uncertainty) -> Vec<Datum> {
+    pub(super) fn data(&self, uncertainty: &Uncertainty) -> Vec<UncertainDatum> {
         let Uncertainty { stiffness, squeeze, position, normal, .. } = *uncertainty;
         let mut data = Vec::new();
-        let mut add = |what: What, sigma: f64| {
+        let mut add = |what: DatumKind, sigma: f64| {
             if sigma != 0.0 {
-                data.push(Datum { what, sigma });
+                data.push(UncertainDatum { what, sigma });
             }
         };
         for (contact, given) in self.contacts().iter().enumerate().filter(|(_, given)| given.begins_a_whole())
         {
-            add(What::Stiffness { contact }, stiffness);
+            add(DatumKind::Stiffness { contact }, stiffness);
             if given.commanded()[0] != 0.0 || given.force.is_some() || given.suction != 0.0 {
-                add(What::Squeeze { contact }, squeeze);
+                add(DatumKind::Squeeze { contact }, squeeze);
             }
-            (0..C).for_each(|axis| add(What::Point { contact, axis }, position));
-            (1..C).for_each(|axis| add(What::Normal { contact, axis }, normal));
+            (0..C).for_each(|axis| add(DatumKind::Point { contact, axis }, position));
+            (1..C).for_each(|axis| add(DatumKind::Normal { contact, axis }, normal));
         }
         for joint in (0..self.joint_commands().len()).filter(|joint| self.drives_of(*joint).next().is_some())
         {
-            add(What::Joint(joint), stiffness);
+            add(DatumKind::Joint(joint), stiffness);
         }
         data
     }

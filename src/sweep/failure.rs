@@ -14,7 +14,7 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::SVector;
 
-use super::margin::{Facet, Margin, Spread};
+use super::margin::{FacetMargin, MarginRow, UncertainForce};
 use crate::contact::Coulomb;
 use crate::numerics::normal_tail;
 
@@ -30,7 +30,7 @@ const SELDOM: f64 = 5.0;
 
 /// What a contact has to keep to.
 #[derive(Debug, Clone)]
-pub(super) enum Edges<const C: usize> {
+pub(super) enum LimitState<const C: usize> {
     /// Nothing can happen to it.
     None,
     /// Its normal force, or its gap if it is open, must not become negative.
@@ -42,15 +42,15 @@ pub(super) enum Edges<const C: usize> {
 }
 
 /// Places for the margins of a facet under two loads.
-pub(super) type TwoMargins<const C: usize> = [Margin<C>; 2];
+pub(super) type MarginPair<const C: usize> = [FacetMargin<C>; 2];
 
-impl<const C: usize> Edges<C> {
+impl<const C: usize> LimitState<C> {
     /// How often the contact leaves under one load, at most; and not under another one, if any.
     pub(super) fn failure(
         &self,
-        here: &Spread<'_, C>,
-        also: Option<&Spread<'_, C>>,
-        margins: &mut TwoMargins<C>,
+        here: &UncertainForce<'_, C>,
+        also: Option<&UncertainForce<'_, C>>,
+        margins: &mut MarginPair<C>,
     ) -> f64 {
         let mut two = TwoLoads { here, also, margins };
         match self {
@@ -70,20 +70,20 @@ impl<const C: usize> Edges<C> {
 
 /// What a contact carries under a load, and under another one beside it.
 struct TwoLoads<'a, const C: usize> {
-    here: &'a Spread<'a, C>,
-    also: Option<&'a Spread<'a, C>>,
-    margins: &'a mut TwoMargins<C>,
+    here: &'a UncertainForce<'a, C>,
+    also: Option<&'a UncertainForce<'a, C>>,
+    margins: &'a mut MarginPair<C>,
 }
 
 impl<const C: usize> TwoLoads<'_, C> {
     /// The margin of a facet under the first load.
-    fn find(&mut self, facet: &Facet<C>) -> &Margin<C> {
+    fn find(&mut self, facet: &MarginRow<C>) -> &FacetMargin<C> {
         self.here.find(facet, &mut self.margins[0]);
         &self.margins[0]
     }
 
     /// How often that margin, which was found last, holds under the other load where it just fails.
-    fn holds_otherwise(&mut self, facet: &Facet<C>) -> f64 {
+    fn holds_otherwise(&mut self, facet: &MarginRow<C>) -> f64 {
         let Some(also) = self.also else { return 1.0 };
         let [margin, other] = &mut *self.margins;
         also.find(facet, other);
@@ -91,7 +91,7 @@ impl<const C: usize> TwoLoads<'_, C> {
     }
 
     fn failure_of(&mut self, row: SVector<f64, C>, rubs: bool) -> f64 {
-        let facet = Facet { row, rubs };
+        let facet = MarginRow { row, rubs };
         // Nothing of another facet is near this one.
         self.here.roughly(&facet, &mut self.margins[0]);
         normal_tail(self.find(&facet).reliability()) * self.holds_otherwise(&facet)
@@ -99,7 +99,8 @@ impl<const C: usize> TwoLoads<'_, C> {
 
     fn failure_of_round(&mut self, cone: Coulomb) -> f64 {
         let along = |x: f64, y: f64| SVector::<f64, C>::from_fn(|a, _| [0.0, x, y][a]);
-        let facet = |angle: f64| Facet { row: cone.facet_row(&along(angle.cos(), angle.sin())), rubs: true };
+        let facet =
+            |angle: f64| MarginRow { row: cone.facet_row(&along(angle.cos(), angle.sin())), rubs: true };
         let mut roughly = |angle: f64| self.here.roughly(&facet(angle), &mut self.margins[0]);
         let all_around =
             (0..AROUND).map(|k| TAU * k as f64 / AROUND as f64).map(|angle| (angle, roughly(angle)));

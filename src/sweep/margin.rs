@@ -16,10 +16,10 @@ use crate::numerics::{normal_density, normal_tail};
 pub(super) const LOOKED_AT: [f64; 4] = [-1.0, -0.5, 0.5, 1.0];
 
 /// What a datum changes of a force: coefficients of `Σ c_k x^k`, k from 1, x being that part of the standard deviations in reserve.
-pub(super) type Change<const C: usize> = [SVector<f64, C>; LOOKED_AT.len()];
+pub(super) type Effect<const C: usize> = [SVector<f64, C>; LOOKED_AT.len()];
 
 /// The polynomial through what is seen where it is looked at.
-pub(super) fn change<const C: usize>([low, half_low, half_high, high]: [SVector<f64, C>; 4]) -> Change<C> {
+pub(super) fn effect<const C: usize>([low, half_low, half_high, high]: [SVector<f64, C>; 4]) -> Effect<C> {
     let (even, half_even) = (0.5 * (high + low), 0.5 * (half_high + half_low));
     let (odd, half_odd) = (0.5 * (high - low), 0.5 * (half_high - half_low));
     let fourth = (even - 4.0 * half_even) * (4.0 / 3.0);
@@ -28,9 +28,9 @@ pub(super) fn change<const C: usize>([low, half_low, half_high, high]: [SVector<
 }
 
 /// The force of a contact under one load: as known, and what each datum changes.
-pub(super) struct Spread<'a, const C: usize> {
+pub(super) struct UncertainForce<'a, const C: usize> {
     pub(super) force: SVector<f64, C>,
-    pub(super) changes: &'a [Change<C>],
+    pub(super) changes: &'a [Effect<C>],
     /// The standard deviations in reserve.
     pub(super) sigmas: f64,
     /// σ of friction.
@@ -39,14 +39,14 @@ pub(super) struct Spread<'a, const C: usize> {
 
 /// A row that a margin is made of, `row·F`, and whether friction multiplies its first component.
 #[derive(Clone, Copy)]
-pub(super) struct Facet<const C: usize> {
+pub(super) struct MarginRow<const C: usize> {
     pub(super) row: SVector<f64, C>,
     pub(super) rubs: bool,
 }
 
 /// One margin; a place for one after another, each of which is looked for from where the one before failed.
 #[derive(Debug)]
-pub(super) struct Margin<const C: usize> {
+pub(super) struct FacetMargin<const C: usize> {
     /// Where it fails: data in the order of the changes, friction last.
     fails_at: Vec<f64>,
     gradient: Vec<f64>,
@@ -63,9 +63,9 @@ const STEPS: usize = 30;
 /// Of a standard deviation.
 const NEAR: f64 = 1e-3;
 
-impl<const C: usize> Spread<'_, C> {
+impl<const C: usize> UncertainForce<'_, C> {
     /// β to first order about the data as known, in a place for the gradient: where to look.
-    pub(super) fn roughly(&self, facet: &Facet<C>, margin: &mut Margin<C>) -> f64 {
+    pub(super) fn roughly(&self, facet: &MarginRow<C>, margin: &mut FacetMargin<C>) -> f64 {
         margin.fails_at.clear();
         margin.fails_at.resize(self.changes.len() + 1, 0.0);
         self.linearise(facet, margin);
@@ -73,16 +73,18 @@ impl<const C: usize> Spread<'_, C> {
     }
 
     /// Looks for where the margin fails.
-    pub(super) fn find(&self, facet: &Facet<C>, margin: &mut Margin<C>) {
+    pub(super) fn find(&self, facet: &MarginRow<C>, margin: &mut FacetMargin<C>) {
         if margin.fails_at.len() != self.changes.len() + 1 {
             margin.fails_at.clear();
             margin.fails_at.resize(self.changes.len() + 1, 0.0);
         }
         let known = facet.row.dot(&self.force);
+        let mut arrived = false;
         for _ in 0..STEPS {
             let value = self.linearise(facet, margin);
             if margin.steepness == 0.0 {
-                break;
+                margin.reliability = ratio(known, 0.0);
+                return;
             }
             let along: f64 = margin.gradient.iter().zip(&margin.fails_at).map(|(g, z)| g * z).sum();
             let step = (along - value) / (margin.steepness * margin.steepness);
@@ -91,18 +93,20 @@ impl<const C: usize> Spread<'_, C> {
                 moved = f64::max(moved, (step * g - *z).abs());
                 *z = step * g;
             }
-            if moved < NEAR {
+            arrived = moved < NEAR;
+            if arrived {
                 break;
             }
         }
         let distance = margin.fails_at.iter().map(|z| z * z).sum::<f64>().sqrt();
-        margin.reliability =
-            if margin.steepness == 0.0 { ratio(known, 0.0) } else { distance.copysign(known) };
+        // A search that goes round in circles says less than the derivative: the nearer of both is safe.
+        let nearest = if arrived { distance } else { distance.min(self.roughly(facet, margin).abs()) };
+        margin.reliability = nearest.copysign(known);
     }
 
     /// The margin where the data are off as said, and its gradient there.
-    fn linearise(&self, facet: &Facet<C>, margin: &mut Margin<C>) -> f64 {
-        let Margin { fails_at, gradient, by_datum, .. } = margin;
+    fn linearise(&self, facet: &MarginRow<C>, margin: &mut FacetMargin<C>) -> f64 {
+        let FacetMargin { fails_at, gradient, by_datum, .. } = margin;
         let mut force = self.force;
         by_datum.clear();
         for (change, z) in self.changes.iter().zip(fails_at.iter()) {
@@ -127,14 +131,14 @@ impl<const C: usize> Spread<'_, C> {
     }
 }
 
-impl<const C: usize> Default for Margin<C> {
+impl<const C: usize> Default for FacetMargin<C> {
     fn default() -> Self {
         let (fails_at, gradient, by_datum) = (Vec::new(), Vec::new(), Vec::new());
         Self { fails_at, gradient, by_datum, steepness: 0.0, force: SVector::zeros(), reliability: 0.0 }
     }
 }
 
-impl<const C: usize> Margin<C> {
+impl<const C: usize> FacetMargin<C> {
     /// β, infinite where nothing spreads, of the sign of the margin as known.
     pub(super) fn reliability(&self) -> f64 {
         self.reliability

@@ -1,8 +1,8 @@
 //! The question up to which load nearly everything that a grasp may be keeps sticking, where its data are not known exactly.
 
 use super::courses::unit;
-use super::failure::Edges;
-use super::sticking::Sticking;
+use super::failure::LimitState;
+use super::sticking::StuckGrasp;
 use super::uncertainty::Uncertainty;
 use crate::contact::{Polygon, State};
 use crate::equilibrium::{Outcome, Settings};
@@ -25,7 +25,7 @@ pub struct Reserve<const C: usize> {
 /// What the grasp does under the base load.
 #[derive(Debug, Clone)]
 enum AtBase<const C: usize> {
-    Sticks(Box<Sticking<C>>),
+    Sticks(Box<StuckGrasp<C>>),
     Slides,
     NotKnown,
 }
@@ -89,7 +89,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         uncertainty: &Uncertainty,
         sigmas: f64,
         settings: &Settings,
-    ) -> Result<Sticking<C>, Error> {
+    ) -> Result<StuckGrasp<C>, Error> {
         let polygon = Polygon::shared(&settings.cone);
         let problem = self.problem(
             polygon.clone(),
@@ -100,13 +100,13 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let edges = states.iter().enumerate().map(|(i, state)| {
             let local = problem.local(i);
             if state.is_open() {
-                return if local.is_absent() { Edges::None } else { Edges::Opens };
+                return if local.is_absent() { LimitState::None } else { LimitState::Opens };
             }
             match (local.is_round(), local.may_slide()) {
-                (true, _) => Edges::Round(local.cone()),
-                (_, true) => Edges::Facets(local.cone(), local.facets().to_vec()),
-                _ if local.may_open() => Edges::Opens,
-                _ => Edges::None,
+                (true, _) => LimitState::Round(local.cone()),
+                (_, true) => LimitState::Facets(local.cone(), local.facets().to_vec()),
+                _ if local.may_open() => LimitState::Opens,
+                _ => LimitState::None,
             }
         });
         let edges = edges.collect();
@@ -117,6 +117,6 @@ impl<D: Size, const C: usize> Engine<D, C> {
             let work: Vec<f64> = (0..of_the_object::<C>()).map(of).collect();
             unresisted.push(Wrench::from_components(&work));
         }
-        Ok(Sticking::new(edges, forces, base, unresisted, [sigmas, uncertainty.friction, uncertainty.load]))
+        Ok(StuckGrasp::new(edges, forces, base, unresisted, [sigmas, uncertainty.friction, uncertainty.load]))
     }
 }

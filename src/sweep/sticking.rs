@@ -4,8 +4,8 @@
 //! both of its ends. How often a contact leaves there is told by [`failure`](super::failure); the sum over all contacts bounds how often anything does.
 
 use super::courses::{AllForces, Course};
-use super::failure::{Edges, TwoMargins};
-use super::margin::{Change, LOOKED_AT, Spread, change};
+use super::failure::{LimitState, MarginPair};
+use super::margin::{Effect, LOOKED_AT, UncertainForce, effect};
 use crate::grasp::Wrench;
 use crate::numerics::normal_tail;
 
@@ -23,8 +23,8 @@ const FAR: f64 = 1e6;
 
 /// A grasp that sticks under its base load.
 #[derive(Debug, Clone)]
-pub(super) struct Sticking<const C: usize> {
-    edges: Vec<Edges<C>>,
+pub(super) struct StuckGrasp<const C: usize> {
+    edges: Vec<LimitState<C>>,
     forces: AllForces<C>,
     /// Everything under the base load, and what of it the load does.
     base: Course<C>,
@@ -39,9 +39,9 @@ pub(super) struct Sticking<const C: usize> {
     unresisted: Vec<Wrench<C>>,
 }
 
-impl<const C: usize> Sticking<C> {
+impl<const C: usize> StuckGrasp<C> {
     pub(super) fn new(
-        edges: Vec<Edges<C>>,
+        edges: Vec<LimitState<C>>,
         forces: AllForces<C>,
         base: &Wrench<C>,
         unresisted: Vec<Wrench<C>>,
@@ -61,8 +61,8 @@ impl<const C: usize> Sticking<C> {
             load,
             unresisted,
         };
-        let (mut margins, mut memory) = (TwoMargins::default(), Vec::new());
-        let alone = |(i, edges): (usize, &Edges<C>)| {
+        let (mut margins, mut memory) = (MarginPair::default(), Vec::new());
+        let alone = |(i, edges): (usize, &LimitState<C>)| {
             edges.failure(&sticking.spread(i, None, &mut memory), None, &mut margins)
         };
         sticking.fails_at_base = sticking.edges.iter().enumerate().map(alone).collect();
@@ -108,9 +108,11 @@ impl<const C: usize> Sticking<C> {
     /// How often some contact leaves on the way to this factor, at most.
     fn failure(&self, rate: &Course<C>, factor: f64) -> f64 {
         let mut memory = [Vec::new(), Vec::new()];
-        let mut margins = TwoMargins::default();
+        let mut margins = MarginPair::default();
         let mut sum = 0.0;
-        for (i, edges) in self.edges.iter().enumerate().filter(|(_, edges)| !matches!(edges, Edges::None)) {
+        for (i, edges) in
+            self.edges.iter().enumerate().filter(|(_, edges)| !matches!(edges, LimitState::None))
+        {
             let [there, base] = &mut memory;
             let there = self.spread(i, Some((rate, factor)), there);
             sum += edges.failure(&there, None, &mut margins);
@@ -129,8 +131,8 @@ impl<const C: usize> Sticking<C> {
         &self,
         i: usize,
         more: Option<(&Course<C>, f64)>,
-        changes: &'m mut Vec<Change<C>>,
-    ) -> Spread<'m, C> {
+        changes: &'m mut Vec<Effect<C>>,
+    ) -> UncertainForce<'m, C> {
         changes.clear();
         changes.extend(self.base.off.iter().map(|of_datum| of_datum[i]));
         let (mut force, mut of_load) = (self.base.known[i], self.by_base_load.known[i]);
@@ -142,9 +144,9 @@ impl<const C: usize> Sticking<C> {
             of_load += rate.known[i] * factor;
         }
         if self.load.iter().any(|more| *more != 0.0) {
-            changes.push(change(self.load.map(|more| of_load * more)));
+            changes.push(effect(self.load.map(|more| of_load * more)));
         }
-        Spread { force, changes, sigmas: self.sigmas, friction: self.friction }
+        UncertainForce { force, changes, sigmas: self.sigmas, friction: self.friction }
     }
 }
 

@@ -1,7 +1,7 @@
 //! What an answer says of a soft fingertip, summed once more from its points.
 
 use grasp_lcp::ask::Grasp;
-use grasp_lcp::equilibrium::{ContactState, Equilibrium, Told};
+use grasp_lcp::equilibrium::{ContactState, Equilibrium, WholeAnswer};
 use grasp_lcp::{planar, spatial};
 use nalgebra::{SVector, Vector3};
 use support::splitmix::Random;
@@ -51,7 +51,7 @@ fn check<const C: usize>(grasp: &Grasp<C>, state: &Equilibrium<C>, random: &mut 
         }
         assert!((carried.norm() - pad.margin).abs() < 1e-12 * largest);
     }
-    let told: Vec<_> = state.whole_contacts().map(|told| matches!(told, Told::Pad(_))).collect();
+    let told: Vec<_> = state.whole_contacts().map(|told| matches!(told, WholeAnswer::Pad(_))).collect();
     assert_eq!(told.iter().filter(|is_pad| **is_pad).count(), state.pads.len());
     let points: usize = state.pads.iter().map(|pad| pad.points).sum();
     assert_eq!(told.len() - state.pads.len(), state.contacts.len() - points);

@@ -165,3 +165,19 @@ fn a_push_on_top_of_a_weight() -> Tested {
     is(&Need::squeeze(Wrench::force([0.0, -9.0])).on_top_of(weight), &pinch, 1.5)?;
     is(&Need::friction(Wrench::force([0.0, -9.0])).on_top_of(weight), &pinch, 0.75)
 }
+
+/// A lobe of a climbing cam: its axle runs along the middle of the crack, the wall touches it at an angle α below. Two forces meet in the axle, so that
+/// the wall's goes through it: μ >= tan α, whatever hangs there.
+#[test]
+fn a_cam_climbs() -> Tested {
+    for (alpha, weight) in [(13.75_f64.to_radians(), 800.0), (0.3, 1.0), (0.6, 5e4)] {
+        let (sin, cos) = alpha.sin_cos();
+        // The other lobe pushes back level, as a guide along the middle does.
+        let axle = Contact::new([0.0, 0.0], [-1.0, 0.0]).series_stiffness(3e6, 1e6).kept_closed();
+        let wall =
+            Contact::new([-0.02 * cos, -0.02 * sin], [1.0, 0.0]).series_stiffness(1e6, 4e5).friction(0.5);
+        let cam = Grasp::new([axle, wall])?;
+        is(&Need::friction(Wrench::force([0.0, -weight])), &cam, alpha.tan())?;
+    }
+    Ok(())
+}

@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use grasp_lcp::equilibrium::{ContactState, Equilibrium, Outcome, Told};
+use grasp_lcp::equilibrium::{ContactState, Equilibrium, Outcome, WholeAnswer};
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::hold::Verdict;
 use grasp_lcp::load_path::{Beyond, Departure, EdgeOf, Leaving, PartChange};
@@ -214,7 +214,7 @@ impl Report<'_> {
         let mut site = 0;
         let mut sliding = Vec::new();
         for told in state.whole_contacts() {
-            let points = if let Told::Pad(pad) = told { pad.points } else { 1 };
+            let points = if let WholeAnswer::Pad(pad) = told { pad.points } else { 1 };
             let those = (site..site + points).filter(slides).count();
             site += points;
             match (those, points) {

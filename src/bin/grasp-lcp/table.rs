@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use grasp_lcp::equilibrium::{Equilibrium, PadAnswer, Told};
+use grasp_lcp::equilibrium::{Equilibrium, PadAnswer, WholeAnswer};
 use grasp_lcp::words::Words;
 
 use crate::words::Style;
@@ -13,7 +13,7 @@ pub(crate) fn table<const C: usize>(
     state: &Equilibrium<C>,
 ) -> io::Result<()> {
     let rows: Vec<_> = if style.points {
-        state.contacts.iter().map(Told::Point).collect()
+        state.contacts.iter().map(WholeAnswer::Point).collect()
     } else {
         state.whole_contacts().collect()
     };
@@ -59,14 +59,14 @@ impl Cleaned {
     }
 }
 
-fn cells<const C: usize>(row: &Told<'_, C>, numbers: Cleaned, columns: usize) -> Vec<String> {
+fn cells<const C: usize>(row: &WholeAnswer<'_, C>, numbers: Cleaned, columns: usize) -> Vec<String> {
     let force = row.force();
     let tangential = force.iter().skip(1).fold(0.0, |h: f64, f| h.hypot(*f));
     let mut cells = vec![row.text(), numbers.force(force[0]), numbers.force(tangential)];
     if columns > 5 {
         cells.extend(match row {
-            Told::Pad(pad) => moments(pad, numbers.words),
-            Told::Point(_) => vec!["0".to_owned(); columns - 5],
+            WholeAnswer::Pad(pad) => moments(pad, numbers.words),
+            WholeAnswer::Point(_) => vec!["0".to_owned(); columns - 5],
         });
     }
     let margin = if row.margin().is_finite() { numbers.force(row.margin()) } else { "no limit".to_owned() };

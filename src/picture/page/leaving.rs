@@ -14,14 +14,14 @@ const TURNS: f64 = 1e-6;
 const ARROWS: usize = 6;
 
 /// Lines on the object, where they are and where they would be next.
-pub(super) struct WayOut {
+pub(super) struct MovedLines {
     pub(super) lines: Vec<Vec<Vector3<f64>>>,
     pub(super) arrows: Vec<[Vector3<f64>; 2]>,
 }
 
 impl Drawing<'_> {
     /// Of the outlines, or else of contacts.
-    pub(super) fn way_out(&self, motion: &Motion<3>) -> WayOut {
+    pub(super) fn way_out(&self, motion: &Motion<3>) -> MovedLines {
         let corners =
             self.page.outlines.iter().map(|line| line.iter().map(|corner| Vector3::from(*corner)).collect());
         let lines: Vec<Vec<_>> = corners.collect();
@@ -32,7 +32,7 @@ impl Drawing<'_> {
         let fastest = points.iter().map(|point| speed(point).norm()).fold(0.0, f64::max);
         let time = LEAVES * self.span / fastest;
         if !(time.is_finite() && time > 0.0) {
-            return WayOut { lines: Vec::new(), arrows: Vec::new() };
+            return MovedLines { lines: Vec::new(), arrows: Vec::new() };
         }
         let turn = Rotation3::from_scaled_axis(turns * time);
         // About the axis, and along it.
@@ -44,7 +44,7 @@ impl Drawing<'_> {
             if is_turn { turned } else { point + speed(point) * time }
         };
         let every = points.len().div_ceil(ARROWS).max(1);
-        WayOut {
+        MovedLines {
             lines: lines.iter().map(|line| line.iter().map(next).collect()).collect(),
             arrows: points.iter().step_by(every).map(|point| [*point, next(point)]).collect(),
         }

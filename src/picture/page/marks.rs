@@ -7,7 +7,7 @@ use plotters::style::RGBColor;
 
 use super::drawing::{AXIS, CONE, Drawing, FINGER, MANY, SLIP, goes};
 use super::frame::Frame;
-use super::leaving::WayOut;
+use super::leaving::MovedLines;
 use crate::picture::contact_look::{ink, slope, word};
 use crate::picture::fingertip::{ContactGroup, Resultant};
 use crate::picture::palette::{GREY, PALETTE, VERMILION};
@@ -218,7 +218,7 @@ fn draw_load(marks: &mut Vec<Mark>, drawing: &Drawing, load: &Wrench) {
     }
 }
 
-fn draw_way_out(marks: &mut Vec<Mark>, way: &WayOut) {
+fn draw_way_out(marks: &mut Vec<Mark>, way: &MovedLines) {
     for corners in &way.lines {
         let corners = closed(corners.clone());
         marks.extend(corners.map(|corners| Mark::Line {

@@ -95,7 +95,7 @@ fn write_rows(
     for (number, tip) in tips.iter().enumerate() {
         let contact = &grasp.contacts()[tip.contacts.start];
         if tip.is_soft() {
-            let row = Row::of_tip(tip, grasp.contacts(), state, frame);
+            let row = ContactRow::of_tip(tip, grasp.contacts(), state, frame);
             row.write(page, number, "", &tip.name, contact.hold)?;
         }
         for i in tip.contacts.clone() {
@@ -103,7 +103,7 @@ fn write_rows(
             let class = if tip.is_soft() { " class=\"point\"" } else { "" };
             let name = if tip.is_soft() { contact.label_text(i) } else { tip.name.clone() };
             let friction = frame.friction(i, contact.friction_coefficient());
-            Row::of_point(answer, friction).write(page, number, class, &name, contact.hold)?;
+            ContactRow::of_point(answer, friction).write(page, number, class, &name, contact.hold)?;
         }
     }
     page.push_str("</tbody>\n</table>\n</div>\n");
@@ -111,12 +111,12 @@ fn write_rows(
 }
 
 /// Numbers of a row, in the order of the columns.
-struct Row {
+struct ContactRow {
     state: &'static str,
     numbers: [f64; 7],
 }
 
-impl Row {
+impl ContactRow {
     fn of_point(answer: &ContactAnswer, friction: f64) -> Self {
         let numbers = [
             answer.normal_force(),

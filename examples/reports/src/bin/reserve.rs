@@ -1,15 +1,17 @@
 //! Is the load that a grasp holds with standard deviations in reserve as safe as it says, and by how much could it be more?
 //!
-//! `cargo run --release -p reports --bin reserve [samples]`
+//! `cargo run --release -p reports --bin reserve [samples [directions]]`
 //!
-//! Random grasps are pulled in random directions. Beside the reserve stand the quantile of samples, and the onset less three of its standard deviations to first order.
+//! Random grasps are pulled in random directions, and two scenes in directions all around. Beside the reserve stand the quantile of samples, and the onset less three of
+//! its standard deviations to first order.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 use std::time::Instant;
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::load_path::Ramp;
+use grasp_lcp::scene::{Scene, Space};
 use grasp_lcp::sweep::Uncertainty;
 use grasp_lcp::{planar, spatial};
 use support::Failure;
@@ -22,6 +24,7 @@ const TAIL: f64 = 0.001_349_898_031_630_094_5;
 
 fn main() -> Result<(), Failure> {
     let samples = std::env::args().nth(1).map_or(Ok(20_000), |count| count.parse::<u64>())?;
+    let directions = std::env::args().nth(2).map_or(Ok(60), |count| count.parse::<usize>())?;
     println!(
         "{SIGMAS} standard deviations in reserve, {samples} samples of each grasp, {:.1} of which may slide below\n",
         TAIL * samples as f64
@@ -78,9 +81,40 @@ fn main() -> Result<(), Failure> {
         }
         space.print("space", what);
     }
+    for scene in ["paper_two_fingers", "bottle"] {
+        all_around(scene, &known, samples, directions)?;
+    }
     println!(
         "\nGrasps that slide at rest more often than that have no reserve, and are counted as 0. By chance: four standard deviations of the number that is expected."
     );
+    Ok(())
+}
+
+/// A scene of the repository, pulled in about so many directions all around.
+fn all_around(name: &str, off: &Uncertainty, samples: u64, directions: usize) -> Result<(), Failure> {
+    let path = format!("{}/../scenes/{name}.json", env!("CARGO_MANIFEST_DIR"));
+    let scene = Scene::from_json(&std::fs::read(path)?)?;
+    let mut tally = Tally::default();
+    match &scene.space {
+        Space::Planar(setup) => {
+            let grasp = setup.grasp()?;
+            for k in 0..directions {
+                let (sin, cos) = (TAU * k as f64 / directions as f64).sin_cos();
+                tally.add(&grasp, planar::Wrench::force([cos, sin]), off, samples)?;
+            }
+        }
+        Space::Spatial(setup) => {
+            let grasp = setup.grasp()?;
+            for k in 0..directions {
+                // A spiral over the sphere.
+                let z = 1.0 - (2 * k + 1) as f64 / directions as f64;
+                let (sin, cos) = (PI * (3.0 - 5.0_f64.sqrt()) * k as f64).sin_cos();
+                let r = (1.0 - z * z).sqrt();
+                tally.add(&grasp, spatial::Wrench::force([r * cos, r * sin, z]), off, samples)?;
+            }
+        }
+    }
+    tally.print("", &format!("directions of {name}"));
     Ok(())
 }
 

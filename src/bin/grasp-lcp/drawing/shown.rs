@@ -29,9 +29,9 @@ pub(super) enum What<const C: usize> {
 }
 
 /// The answers to one question: of a program one for each event, and the end.
-pub(super) struct Answers<const C: usize>(pub(super) Vec<Shown<C>>);
+pub(super) struct ShownAnswers<const C: usize>(pub(super) Vec<Shown<C>>);
 
-impl<const C: usize> Answers<C> {
+impl<const C: usize> ShownAnswers<C> {
     /// Which one stands for the question: that of a hold comes first, that of a program last.
     pub(super) fn key_index(&self) -> Option<usize> {
         let is_event = |shown: &Shown<C>| shown.label.starts_with(LEG);
@@ -53,8 +53,8 @@ pub(super) fn shown<const C: usize>(
     setup: &Setup<C>,
     grasp: &Grasp<C>,
     question: &Question<C>,
-) -> Result<Answers<C>, Failure> {
-    Ok(Answers(match question {
+) -> Result<ShownAnswers<C>, Failure> {
+    Ok(ShownAnswers(match question {
         Question::Hold { base, load } => {
             let ramp = Ramp::load(*base, *load);
             held(grasp.hold(ramp.clone())?, ramp.load_at(1.0))

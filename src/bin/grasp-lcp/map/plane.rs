@@ -11,7 +11,7 @@ use super::ask::{self, First};
 use super::limit::{self, Last, LimitEnd};
 use super::unsure::Unsure;
 use super::watch;
-use super::written::Map;
+use super::written::WrittenMap;
 use crate::failure::Failure;
 use crate::files::Pictures;
 
@@ -71,7 +71,7 @@ pub(crate) fn map(
         let onsets = angles.iter().map(along).zip(&firsts).collect();
         let paths = angles.iter().map(along).zip(&lasts).collect();
         let reserves = reserves.iter().map(|(angle, held)| (along(angle), *held)).collect();
-        Map { at, base, unsure, onsets, reserves, paths, most, weakest }.print();
+        WrittenMap { at, base, unsure, onsets, reserves, paths, most, weakest }.print();
         return Ok(());
     };
     let title = pictures.title();

@@ -11,7 +11,7 @@ use super::ask::{self, First};
 use super::limit::{self, Last, LimitEnd};
 use super::unsure::Unsure;
 use super::watch;
-use super::written::Map;
+use super::written::WrittenMap;
 use crate::failure::Failure;
 use crate::files::Pictures;
 
@@ -67,7 +67,8 @@ pub(crate) fn map(
         let onsets = directions.iter().copied().zip(&firsts).collect();
         let paths = ways.iter().copied().zip(lasts.iter().flatten()).collect();
         let reserves = ways.iter().copied().zip(reserves).collect();
-        Map { at, base, unsure, onsets, reserves, paths, most, weakest: Some((weakest, onset)) }.print();
+        WrittenMap { at, base, unsure, onsets, reserves, paths, most, weakest: Some((weakest, onset)) }
+            .print();
         return Ok(());
     };
     let title = pictures.title();

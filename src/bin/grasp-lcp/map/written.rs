@@ -8,7 +8,7 @@ use super::unsure::Unsure;
 use grasp_lcp::grasp::Wrench;
 
 /// Everything that a map knows.
-pub(super) struct Map<'a, const C: usize> {
+pub(super) struct WrittenMap<'a, const C: usize> {
     pub(super) at: [f64; C],
     pub(super) base: Wrench<C>,
     pub(super) unsure: &'a Unsure,
@@ -21,7 +21,7 @@ pub(super) struct Map<'a, const C: usize> {
     pub(super) weakest: Option<([f64; C], f64)>,
 }
 
-impl<const C: usize> Map<'_, C> {
+impl<const C: usize> WrittenMap<'_, C> {
     /// One object; a force that is never reached is "never", one that is not known is null.
     pub(super) fn print(&self) {
         let onset = |(direction, first): &([f64; C], &First)| {
