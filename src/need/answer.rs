@@ -22,14 +22,8 @@ pub struct Needed {
     /// What friction and squeeze were taken to be less by then.
     pub lower: [f64; 2],
     /// Whether the object turns [too far](crate::equilibrium::Equilibrium::is_beyond_small_motions) under that for the answer to say much.
-    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "is_false"))]
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "std::ops::Not::not"))]
     pub beyond_small_motions: bool,
-}
-
-#[cfg(feature = "serde")]
-#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes fields by reference")]
-fn is_false(value: &bool) -> bool {
-    !value
 }
 
 /// A quantity that people set.

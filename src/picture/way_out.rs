@@ -1,6 +1,6 @@
 //! Where a planar object would be next on its way out.
 
-use nalgebra::{Rotation2, Vector2};
+use nalgebra::{Point2, Vector2};
 
 use super::painting::{Painting, flat};
 use super::palette::VERMILION;
@@ -30,20 +30,14 @@ impl MovedOutline {
     ) -> Option<Self> {
         let is_closed = outline.len() > 2;
         let from: Vec<_> = if is_closed { outline.to_vec() } else { contacts.collect() };
-        let v = motion.object.components();
-        let (along, omega) = (Vector2::new(v[0], v[1]), v[2]);
-        let fastest = from.iter().map(|p| (along + perpendicular(p) * omega).norm()).fold(0.0, f64::max);
+        let speed = |p: &Vector2<f64>| Vector2::from(motion.object.displacement_at(*p)).norm();
+        let fastest = from.iter().map(speed).fold(0.0, f64::max);
         let time = FAR * size / fastest;
         if !(time.is_finite() && time > 0.0) {
             return None;
         }
-        let angle = omega * time;
-        // About the point that stays; it is far away where the motion hardly turns.
-        let centre = perpendicular(&along) / omega;
-        let next = |p: &Vector2<f64>| {
-            let turned = centre + Rotation2::new(angle) * (p - centre);
-            if angle.abs() > 1e-6 && turned.iter().all(|x| x.is_finite()) { turned } else { p + along * time }
-        };
+        let carried = (motion.object * time).exp();
+        let next = |p: &Vector2<f64>| (carried * Point2::from(*p)).coords;
         let to = from.iter().map(next).collect();
         Some(Self { from, to, is_closed })
     }
@@ -75,9 +69,4 @@ impl MovedOutline {
         });
         farthest.map(|(_, to)| place(*to))
     }
-}
-
-/// A quarter of a turn on from a vector, from x to y.
-fn perpendicular(v: &Vector2<f64>) -> Vector2<f64> {
-    Vector2::new(-v.y, v.x)
 }

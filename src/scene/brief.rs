@@ -54,13 +54,8 @@ pub struct Brief {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub does: Option<&'static str>,
     /// Whether the object turns [too far](Equilibrium::is_beyond_small_motions) for the answer to say much about it. Not written where it does not.
-    #[serde(skip_serializing_if = "is_false")]
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub beyond_small_motions: bool,
-}
-
-#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes fields by reference")]
-fn is_false(value: &bool) -> bool {
-    !value
 }
 
 impl<const C: usize> Setup<C> {

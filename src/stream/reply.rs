@@ -19,7 +19,7 @@ pub(crate) struct Reply {
     id: Option<Id>,
     #[serde(skip_serializing_if = "Option::is_none")]
     hash: Option<String>,
-    #[serde(skip_serializing_if = "is_false")]
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
     blank: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
     answers: Option<Answers>,
@@ -31,11 +31,6 @@ pub(crate) struct Reply {
     error: Option<Fault>,
     #[serde(skip_serializing_if = "Option::is_none")]
     begins: Option<String>,
-}
-
-#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes fields by reference")]
-fn is_false(value: &bool) -> bool {
-    !value
 }
 
 impl Reply {

@@ -18,7 +18,8 @@ fn is_safe<const C: usize>(grasp: &Grasp<C>, base: Wrench<C>, direction: Wrench<
     let known = grasp.onset(&ramp).unwrap().factor().unwrap_or(0.0);
     let slides =
         |onset: Result<grasp_lcp::load_path::Onset<C>, Error>| onset.unwrap().factor().unwrap_or(0.0);
-    let onsets: Vec<f64> = grasp.onset_of_samples(&ramp, off, SAMPLES).into_iter().map(slides).collect();
+    let mut onsets: Vec<f64> = grasp.onset_of_samples(&ramp, off, SAMPLES).into_iter().map(slides).collect();
+    onsets.sort_by(f64::total_cmp);
     for (sigmas, tail) in TAILS {
         let held = grasp.reserve(&base, off, sigmas).unwrap().along(&direction);
         assert!(held <= known, "{held} {known}");
@@ -28,6 +29,12 @@ fn is_safe<const C: usize>(grasp: &Grasp<C>, base: Wrench<C>, direction: Wrench<
             below <= expected + 4.0 * expected.sqrt(),
             "{below} of {expected} below {held}, onset {known}"
         );
+        // Nor is it less than it needs to be, unless about as many slide at rest already.
+        let at_rest = onsets.iter().filter(|onset| **onset == 0.0).count() as f64;
+        if at_rest < 0.2 * expected {
+            let quantile = onsets[onsets.len() * (if sigmas == 2.0 { 2275 } else { 135 }) / 100_000];
+            assert!(held > quantile - 0.15 * known, "{held} {quantile}, onset {known}");
+        }
     }
 }
 

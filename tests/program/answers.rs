@@ -85,8 +85,17 @@ fn pictures_are_written_where_they_are_wanted() {
     }
     let named = run(&["map", &scene("paper_two_fingers.json"), "-o", &output, "--name", "all"]);
     let words = text(&named.stdout);
-    // The distance of the line of loads at which finger 1 slides, from `onset_of_sliding` and from `weakest_direction`.
-    assert!(words.contains("weakest direction") && words.contains("0.106070494671251"), "{words}");
+    assert!(words.contains("weakest direction 299.736°: first slip at 0.10607 N"), "{words}");
+    // The distance of the line of loads at which finger 1 slides.
+    let map = json(&["map", &scene("paper_two_fingers.json"), "--json"]);
+    let weakest = map["weakest"]["onset"].as_f64().expect("a force");
+    assert!((weakest - 0.106_070_494_671_251).abs() < 1e-15, "{weakest}");
+    let least = |of: &str, what: &str| {
+        let all = map[of].as_array().into_iter().flatten();
+        all.filter_map(|one| one[what].as_f64()).fold(f64::INFINITY, f64::min)
+    };
+    let (onset, held) = (least("onsets", "onset"), least("reserves", "held"));
+    assert!(weakest <= onset && 0.0 < held && held < onset, "{held} {onset}");
     assert!(folder.join("all_map.svg").exists());
 }
 

@@ -49,6 +49,11 @@ pub(crate) fn percent(text: &str) -> Result<f64, String> {
     within(text, 0.0..=100.0_f64.next_down(), "a number of percent, from 0 to less than 100, such as 10")
 }
 
+/// Standard deviations in reserve.
+pub(crate) fn deviations(text: &str) -> Result<f64, String> {
+    within(text, f64::MIN_POSITIVE..=8.0, "a number of standard deviations, above 0, at most 8")
+}
+
 fn within(text: &str, range: RangeInclusive<f64>, allowed: &str) -> Result<f64, String> {
     let number = text.trim().parse().ok().filter(|number| range.contains(number));
     number.ok_or_else(|| format!("must be {allowed}"))

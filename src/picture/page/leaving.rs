@@ -1,15 +1,13 @@
 //! Where the object would be next on its way out.
 
-use nalgebra::{Rotation3, Vector3};
+use nalgebra::{Point3, Vector3};
 
-use super::drawing::{Drawing, halves};
+use super::drawing::Drawing;
 use crate::grasp::Motion;
 use crate::spatial::Contact;
 
 /// Part of the span by which the fastest point is moved.
 const LEAVES: f64 = 0.15;
-/// A turn by a smaller angle is drawn as what it is to first order: its axis is too far away to be reckoned with, rad.
-const TURNS: f64 = 1e-6;
 /// Arrows at most.
 const ARROWS: usize = 6;
 
@@ -27,22 +25,14 @@ impl Drawing<'_> {
         let lines: Vec<Vec<_>> = corners.collect();
         let contacts = || self.page.grasp.contacts().iter().map(Contact::point).collect();
         let points: Vec<Vector3<f64>> = if lines.is_empty() { contacts() } else { lines.concat() };
-        let (moves, turns) = halves(&motion.object.to_vector());
-        let speed = |point: &Vector3<f64>| moves + turns.cross(point);
-        let fastest = points.iter().map(|point| speed(point).norm()).fold(0.0, f64::max);
+        let speed = |point: &Vector3<f64>| Vector3::from(motion.object.displacement_at(*point)).norm();
+        let fastest = points.iter().map(speed).fold(0.0, f64::max);
         let time = LEAVES * self.span / fastest;
         if !(time.is_finite() && time > 0.0) {
             return MovedLines { lines: Vec::new(), arrows: Vec::new() };
         }
-        let turn = Rotation3::from_scaled_axis(turns * time);
-        // About the axis, and along it.
-        let at = self.axis(&motion.object).at;
-        let next = |point: &Vector3<f64>| {
-            let along = turns * (turns.dot(&speed(&at)) / turns.norm_squared());
-            let turned = at + turn * (point - at) + along * time;
-            let is_turn = turns.norm() * time > TURNS && turned.iter().all(|x| x.is_finite());
-            if is_turn { turned } else { point + speed(point) * time }
-        };
+        let carried = (motion.object * time).exp();
+        let next = |point: &Vector3<f64>| (carried * Point3::from(*point)).coords;
         let every = points.len().div_ceil(ARROWS).max(1);
         MovedLines {
             lines: lines.iter().map(|line| line.iter().map(next).collect()).collect(),

@@ -7,6 +7,7 @@ use grasp_lcp::hold::Verdict;
 use grasp_lcp::load_path::{Event, Leg, LoadPath, Onset, PathEnd, Ramp};
 use grasp_lcp::need::Amount;
 use grasp_lcp::scene::{NeedAsked, Question, Setup};
+use grasp_lcp::words::Words;
 
 use crate::failure::Failure;
 use crate::words::NO_WORDS;
@@ -63,11 +64,11 @@ pub(super) fn shown<const C: usize>(
         Question::Solve { load } => vec![solved(grasp, load)?],
         Question::Onset(ramp) => {
             let ramp = setup.ramp(ramp)?;
-            let at = |factor: f64| format!("factor {}", digits(factor));
+            let at = |factor: f64| format!("factor {}", Words::default().number(factor));
             vec![onset(grasp, grasp.onset(&ramp)?, &ramp.load_at(0.0), Leg::along(&ramp), &at)?]
         }
         Question::OnsetOfTurn(turn) => {
-            let at = |angle: f64| format!("turned by {}°", digits(angle.to_degrees()));
+            let at = |angle: f64| format!("turned by {}", Words::default().angle(angle));
             let onset_of_turn = grasp.onset_of_turn(turn)?.onset;
             vec![onset(grasp, onset_of_turn, &turn.load_at(0.0), Leg::turn(turn), &at)?]
         }
@@ -204,7 +205,7 @@ fn followed<const C: usize>(
         Some(PathEnd::Undecided { doubt, .. }) => ("what comes next is undecided", doubt.to_string()),
         _ => ("the path's end", String::new()),
     };
-    let label = format!("{LEG}{leg} at {}: {how}", digits(fraction));
+    let label = format!("{LEG}{leg} at {}: {how}", Words::default().number(fraction));
     let last = end(&path, &label).map(|mut shown| {
         shown.says.extend(Some(why.clone()).filter(|why| !why.is_empty()));
         shown
@@ -223,15 +224,7 @@ fn changed<const C: usize>(grasp: &Grasp<C>, event: Event<C>) -> Shown<C> {
     } else {
         format!("{} changes", names.join(", "))
     };
-    state(format!("{LEG}{} at {}: {what}", event.leg, digits(event.fraction)), event.state)
-}
-
-/// A number in up to six digits behind the point, without zeros behind them.
-fn digits(x: f64) -> String {
-    if x != 0.0 && !(1e-3..1e6).contains(&x.abs()) {
-        return format!("{x:.5e}");
-    }
-    format!("{x:.6}").trim_end_matches('0').trim_end_matches('.').to_owned()
+    state(format!("{LEG}{} at {}: {what}", event.leg, Words::default().number(event.fraction)), event.state)
 }
 
 /// Where a path ends, and the way the object leaves if it is lost.

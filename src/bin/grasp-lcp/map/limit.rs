@@ -2,6 +2,7 @@
 
 use grasp_lcp::Error;
 use grasp_lcp::load_path::{Beyond, Leg, LossKind, PathEnd};
+use grasp_lcp::words::Words;
 use grasp_lcp::{ask::Grasp, grasp::Wrench};
 
 /// The end of a load path.
@@ -77,10 +78,11 @@ pub(crate) fn last<const C: usize>(
 impl Last {
     /// The load, for a table of paths that go as far as `most`.
     pub(crate) fn words(&self, most: f64) -> String {
+        let number = |x: f64| Words::default().number(x);
         match self.end {
-            LimitEnd::Held => format!("{most:.4} and on"),
+            LimitEnd::Held => format!("{} and on", number(most)),
             LimitEnd::Unknown => "–".to_owned(),
-            _ => format!("{:.9}", self.factor),
+            _ => number(self.factor),
         }
     }
 }

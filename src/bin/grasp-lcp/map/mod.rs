@@ -7,6 +7,7 @@
 mod ask;
 mod limit;
 mod plane;
+mod rows;
 mod space;
 mod unsure;
 mod watch;
@@ -17,6 +18,7 @@ use grasp_lcp::scene::{Scene, Space};
 use crate::arguments::Numbers;
 use crate::failure::Failure;
 use crate::files::Pictures;
+use crate::loads::point;
 pub(crate) use unsure::Unsure;
 
 /// Prints a table and draws the maps of a scene, for a force at a point. It comes on top of the base load of the first onset that the scene asks for.
@@ -31,9 +33,4 @@ pub(crate) fn map(
         Space::Planar(setup) => plane::map(setup, point(at)?, unsure, pictures),
         Space::Spatial(setup) => space::map(setup, point(at)?, unsure, pictures),
     }
-}
-
-/// Where the force acts, the origin unless said otherwise.
-fn point<const C: usize>(at: Option<&Numbers>) -> Result<[f64; C], Failure> {
-    at.map_or(Ok([0.0; C]), |at| at.array("at")).map_err(Failure::Usage)
 }

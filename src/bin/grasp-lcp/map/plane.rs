@@ -6,9 +6,11 @@ use std::time::Duration;
 use grasp_lcp::picture::{Polar, Stroke};
 use grasp_lcp::planar::{Grasp, Ramp, Wrench};
 use grasp_lcp::scene::Setup;
+use grasp_lcp::words::Words;
 
 use super::ask::{self, First};
 use super::limit::{self, Last, LimitEnd};
+use super::rows;
 use super::unsure::Unsure;
 use super::watch;
 use super::written::WrittenMap;
@@ -61,10 +63,6 @@ pub(crate) fn map(
     let lasts =
         watch::sweep("load paths", &angles, MOST, |angle| limit::last(&grasp, base, pull(*angle), most))?
             .ok_or_else(ask::too_long)?;
-    let onset_at = |angle: f64| {
-        let onset = quick.onset(&ramp(angle)).ok().and_then(|onset| onset.factor());
-        onset.unwrap_or(f64::NAN)
-    };
     let weakest = ask::weakest(&quick, &base, at)?;
     let Some(pictures) = pictures else {
         let along = |angle: &f64| [pull(*angle).components()[0], pull(*angle).components()[1]];
@@ -83,11 +81,8 @@ pub(crate) fn map(
     println!("  {}", unsure.words().join(" "));
     println!("  of {DIRECTIONS} paths: {}", limit::count(&lasts));
     if let Some((angle, size)) = weakest {
-        println!(
-            "  weakest direction {:.6}°: onset {size:.15} N, from onset_of_sliding {:.15} N",
-            angle.to_degrees(),
-            onset_at(angle)
-        );
+        let words = Words::default();
+        println!("  weakest direction {}: first slip at {} N", words.angle(angle), words.number(size));
     }
     let drawing = Drawing { title: &title, grasp: &grasp, words: &words, reserve: unsure.words().join("\n") };
     let svg = drawing.of(&angles, &firsts, &reserves, &lasts, weakest)?;
@@ -102,21 +97,10 @@ fn quarter(angle: f64) -> Option<(f64, f64)> {
 }
 
 fn print_table(angles: &[f64], firsts: &[First], reserves: &[(f64, f64)], lasts: &[Last], most: f64) {
-    println!(
-        "  {:>9}  {:>14}  {:>14}  {:>14}  {:22} leaves first",
-        "direction", "onset (N)", "reserve (N)", "held to (N)", "end of the path"
-    );
-    let rows = angles.iter().zip(firsts).zip(lasts).step_by(TABLE).zip(reserves.iter().step_by(TABLE / KEPT));
-    for (((angle, first), last), (_, reserve)) in rows {
-        let held = last.words(most);
-        println!(
-            "  {:8.1}°  {:14.9}  {:14.9}  {held:>14}  {:22} {}",
-            angle.to_degrees(),
-            first.factor,
-            reserve,
-            last.end.word(),
-            first.who
-        );
+    rows::head();
+    let all = angles.iter().zip(firsts).zip(lasts).step_by(TABLE).zip(reserves.iter().step_by(TABLE / KEPT));
+    for (((angle, first), last), (_, reserve)) in all {
+        rows::row(&Words::default().angle(*angle), first, *reserve, last, most);
     }
 }
 

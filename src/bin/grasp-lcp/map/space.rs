@@ -6,9 +6,11 @@ use grasp_lcp::picture::{SphereGrid, SphereMap};
 use grasp_lcp::scene::Setup;
 use grasp_lcp::spatial::{Grasp, Ramp, Wrench};
 use grasp_lcp::sweep::Reserve;
+use grasp_lcp::words::Words;
 
 use super::ask::{self, First};
 use super::limit::{self, Last, LimitEnd};
+use super::rows;
 use super::unsure::Unsure;
 use super::watch;
 use super::written::WrittenMap;
@@ -76,8 +78,9 @@ pub(crate) fn map(
     println!("{title}: {words}");
     print_table(&grasp, (&first, &reserve), &pull, (base, most), weakest)?;
     println!("  {}", unsure.words().join(" "));
-    println!("  onsets in {} directions: {least:.6} to {largest:.6} N", directions.len());
-    println!("  weakest direction ({}): onset {onset:.12} N", components(weakest));
+    let number = |x: f64| Words::default().number(x);
+    println!("  onsets in {} directions: {} to {} N", directions.len(), number(least), number(largest));
+    println!("  weakest direction ({}): first slip at {} N", components(weakest), number(onset));
     match &lasts {
         Some(lasts) => println!(
             "  of {} paths, followed to {most:.1} N with an error of a step of {:.0e}: {}",
@@ -188,10 +191,7 @@ fn print_table(
     (base, most): (Wrench, f64),
     weakest: [f64; 3],
 ) -> Result<(), Failure> {
-    println!(
-        "  {:9}  {:>14}  {:>14}  {:>14}  {:22} leaves first",
-        "direction", "onset (N)", "reserve (N)", "held to (N)", "end of the path"
-    );
+    rows::head();
     let (x, y, z) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]);
     let back = |d: [f64; 3]| d.map(|x: f64| 0.0 - x);
     for (name, d) in [
@@ -203,11 +203,8 @@ fn print_table(
         ("−z", back(z)),
         ("weakest", weakest),
     ] {
-        let First { factor, who } = first(d)?;
-        let robust = reserve.along(&pull(d));
         let last = limit::last(grasp, base, pull(d), most)?;
-        let held = last.words(most);
-        println!("  {name:9}  {factor:14.9}  {robust:14.9}  {held:>14}  {:22} {who}", last.end.word());
+        rows::row(name, &first(d)?, reserve.along(&pull(d)), &last, most);
     }
     Ok(())
 }
