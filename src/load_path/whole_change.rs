@@ -22,7 +22,7 @@ pub struct WholeChange<const C: usize> {
 #[non_exhaustive]
 pub enum Doing<const C: usize> {
     /// A contact that is a point itself changes.
-    PointDoes(Change<C>),
+    Point(Change<C>),
     /// The first points slide.
     BeginsToSlide,
     /// The last points that touch slide.
@@ -48,7 +48,7 @@ pub enum Doing<const C: usize> {
 impl<const C: usize> fmt::Display for Doing<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::PointDoes(change) => return write!(f, "{change:.*}", Words::of(f).digits()),
+            Self::Point(change) => return write!(f, "{change:.*}", Words::of(f).digits()),
             Self::BeginsToSlide => "begins to slide",
             Self::SlidesEverywhere => "slides everywhere",
             Self::SticksInPart => "sticks in part",
@@ -106,7 +106,7 @@ pub(crate) fn whole_changes<const C: usize>(
     let mut told = Vec::new();
     for (at, change) in &sites {
         let Some(pad) = pad_of(*at) else {
-            all.push(WholeChange { contact: change.contact.clone(), what: Doing::PointDoes(change.what) });
+            all.push(WholeChange { contact: change.contact.clone(), what: Doing::Point(change.what) });
             continue;
         };
         if told.contains(&pad.first) {
