@@ -11,8 +11,11 @@ mod closer_look;
 mod energy;
 mod engines;
 mod many;
+mod onsets;
+mod paths;
 mod questions;
 mod sensitivity;
+mod squeezes;
 mod statics;
 mod workspace;
 

@@ -1,0 +1,143 @@
+//! Where the first contact stops sticking, along a load or as it turns.
+
+use super::grasp::Grasp;
+use crate::equilibrium::Equilibrium;
+use crate::error::Error;
+use crate::grasp::Wrench;
+use crate::load_path::{Beyond, Onset, OnsetEvent, Ramp, StickingRange, Turn, TurnOnset};
+
+impl<const C: usize> Grasp<C> {
+    /// The onset of sliding from a base load along a load direction: exact in the plane, on
+    /// the round cone in space. See [`Self::onset`].
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// // Both contacts slide when half the load is μ N = 5 N.
+    /// let onset = grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, -1.0]))?;
+    /// let event = onset.event().expect("friction is finite");
+    /// assert!((event.factor - 10.0).abs() < 1e-14);
+    /// assert_eq!(event.leaving.len(), 2);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if a load is not finite, or beyond 1e50.
+    #[doc(alias = "first slip")]
+    pub fn onset_of_sliding(&self, base: &Wrench<C>, direction: &Wrench<C>) -> Result<Onset<C>, Error> {
+        self.onset(&Ramp::load(*base, *direction))
+    }
+
+    /// The factor at which the first contact stops sticking along a [`Ramp`], and which contacts leave and how: in
+    /// the plane exact, in space on the round cone. No stepping and no bisection: a linear equation for each facet in the plane, a quadratic
+    /// one for each contact on the round cone.
+    ///
+    /// The equilibrium there and what comes next are one call further: [`Self::state_at_onset`], [`Self::beyond`].
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// // The fingers let go under 4 N: F_t = 2 N needs F_n = 4 N, which is left after 6 mm.
+    /// let release = Ramp::commands(Wrench::force([0.0, -4.0]), [[-1.0, 0.0]; 2]);
+    /// let factor = grasp.onset(&release)?.factor().expect("sticks at first");
+    /// assert!((factor - 0.006).abs() < 1e-16);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if a load of the ramp, [`Error::Contact`] if a command change is not finite or beyond 1e50; [`Error::Size`] if
+    /// there are more or fewer command changes than contacts.
+    #[doc(alias = "first slip", alias = "slip margin", alias = "incipient slip")]
+    pub fn onset(&self, ramp: &Ramp<C>) -> Result<Onset<C>, Error> {
+        self.engine.onset(ramp, &self.settings)
+    }
+
+    /// The equilibrium at an onset: everything sticks, the leaving contacts stand on the edge of their cone. `None` for the event of a grasp
+    /// with another number of contacts.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    /// let onset = grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, -1.0]))?;
+    ///
+    /// let state = grasp.state_at_onset(onset.event().expect("slides")).expect("its own event");
+    /// assert!((state.contacts[0].friction_used() - 0.5).abs() < 1e-15);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[must_use]
+    pub fn state_at_onset(&self, event: &OnsetEvent<C>) -> Option<Equilibrium<C>> {
+        self.engine.state_at_onset(event)
+    }
+
+    /// What comes after an onset; see [`Self::beyond`].
+    #[doc(alias = "gross slip")]
+    #[must_use]
+    pub fn beyond(&self, event: &OnsetEvent<C>) -> Option<Beyond<C>> {
+        self.engine.beyond(event, &self.settings)
+    }
+
+    /// The angle at which the first contact stops sticking while a load turns: in the plane exact, in space on
+    /// the round cone. No stepping: each margin's roots are isolated between its turning points, so that none is lost.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Onset, Turn};
+    ///
+    /// // A box of 2 N between two palms that press with 10 N each, μ = 0.5, tilted: its weight comes to lie on one of them.
+    /// let palm = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).pressed_with(10.0);
+    /// let palms = Grasp::new([palm(-1.0), palm(1.0)])?;
+    /// let light = palms.onset_of_turn(&Turn::tilting([0.0, -2.0], [0.0, 0.0]))?;
+    /// assert!(matches!(light.onset, Onset::Never));
+    ///
+    /// // 12 N would slide at once on its side: the palm above carries F_n = 10 - 6 sin θ and F_t = 6 cos θ. μ F_n = F_t where
+    /// // 6 cos θ + 3 sin θ = 5; upright it needs 6 N of 5 N.
+    /// let heavy = palms.onset_of_turn(&Turn::tilting([0.0, -12.0], [0.0, 0.0]))?;
+    /// assert!(matches!(heavy.onset, Onset::AlreadySliding(_) | Onset::NoBase(_)));
+    /// let from_its_side = Turn::tilting([12.0, 0.0], [0.0, 0.0]).reversed();
+    /// let onset = palms.onset_of_turn(&from_its_side)?.onset;
+    /// // 6 sin θ + 3 cos θ = 5 there.
+    /// let closed = (5.0 / 45_f64.sqrt()).asin() - 3_f64.atan2(6.0);
+    /// assert!((onset.factor().expect("slides") - closed).abs() < 1e-15);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if a part of the load is not finite, or beyond 1e50. [`Error::Argument`] unless the angle is more than zero, and at
+    /// most 1e6.
+    pub fn onset_of_turn(&self, turn: &Turn<C>) -> Result<TurnOnset<C>, Error> {
+        self.engine.onset_of_turn(turn, &self.settings)
+    }
+
+    /// The range of factors of a ramp, around 0, in which everything that touches sticks: for an affine choice of load or
+    /// commands all the values that a planner may take without sliding. Two onsets, one each way. `None` where at 0 something slides, nothing
+    /// holds, or neither is known.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// let ramp = Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0]));
+    /// let range = grasp.sticking_range(&ramp)?.expect("sticks without load");
+    /// assert!((range.from - -10.0).abs() < 1e-13 && (range.to - 10.0).abs() < 1e-13);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As for [`Self::onset`].
+    pub fn sticking_range(&self, ramp: &Ramp<C>) -> Result<Option<StickingRange>, Error> {
+        self.engine.sticking_range(ramp, &self.settings)
+    }
+}

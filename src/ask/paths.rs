@@ -1,0 +1,74 @@
+//! Load programs, followed from event to event or in steps.
+
+use super::grasp::Grasp;
+use crate::error::Error;
+use crate::grasp::Wrench;
+use crate::load_path::{Leg, LoadPath, PatchPath, SteppedPath};
+
+impl<const C: usize> Grasp<C> {
+    /// Follows a load program from the equilibrium under `start` (that of [`Self::solve`]) with the finger commands of the grasp, on the
+    /// exact cone: in space the round one. Nothing is computed beyond the start until the path is asked for an event. See [`LoadPath`],
+    /// and [`Leg`] for an example. For hundreds of contacts and more there are [`Self::follow_patch`] and [`Self::follow_in_steps`].
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if a load, [`Error::Contact`] if a command of a leg is not finite or beyond 1e50; [`Error::Size`] if a leg has more
+    /// or fewer commands than there are contacts. That there is no equilibrium to start from is [`PathEnd::NoStart`](crate::load_path::PathEnd::NoStart).
+    #[doc(alias = "gross slip")]
+    pub fn follow(&self, start: &Wrench<C>, legs: &[Leg<C>]) -> Result<LoadPath<'_, C>, Error> {
+        self.engine.follow(start, legs, &self.settings)
+    }
+
+    /// Follows a load program from the equilibrium under `start` with the finger commands of the
+    /// grasp, for any number of contacts. An event costs about as much as the contacts that it
+    /// concerns. In space on the default polygonal cone, 8 facets inside the round one; for the round one
+    /// there is [`Self::follow_in_steps`]. See [`PatchPath`].
+    ///
+    /// # Errors
+    /// As for [`Self::follow`]; [`Error::NotForHands`]; [`Error::StraightOnly`] if the load of a leg turns.
+    pub fn follow_patch(&self, start: &Wrench<C>, legs: &[Leg<C>]) -> Result<PatchPath<'_, C>, Error> {
+        self.engine.follow_patch(start, legs, &self.settings)
+    }
+
+    /// Follows a load program in steps from the equilibrium under `start`, for any number of contacts on the round cone: a patch that is
+    /// sheared and twisted. `error` is the estimated error of forces over the largest one that a leg may add, such as 1e-5. A step costs
+    /// a few passes over all contacts, by several threads with the same bits; steps are as long as the square root of the error. See [`SteppedPath`].
+    ///
+    /// Where no step leads on the path is [lost](crate::load_path::PathEnd::Lost), if the speed of the object or the rates of what stands on an edge tell how; else it is
+    /// [undecided](crate::load_path::PathEnd::Undecided).
+    ///
+    /// In the plane nothing turns, and [`Self::follow_patch`] tells every event exactly.
+    ///
+    /// ```
+    /// use grasp_lcp::load_path::PathEnd;
+    /// use grasp_lcp::spatial::{Contact, Grasp, Leg, Wrench};
+    ///
+    /// // A ring of a hundred springs under a body of 100 N, μ = 0.5: 50 N m turn it. It is sheared and twisted, and let go.
+    /// let spring = |i: i32| {
+    ///     let (sin, cos) = (f64::from(i) * std::f64::consts::TAU / 100.0).sin_cos();
+    ///     Contact::new([cos, sin, 0.0], [0.0, 0.0, 1.0]).series_stiffness(1e3, 8e2).friction(0.5)
+    /// };
+    /// let ring = Grasp::new((0..100).map(spring))?;
+    /// let pulled = |shear: f64, torsion: f64| Wrench::new([shear, 0.0, -100.0], [0.0, 0.0, torsion]);
+    /// let legs = [Leg::load_to(pulled(25.0, 35.0)), Leg::load_to(pulled(0.0, 0.0))];
+    ///
+    /// let mut path = ring.follow_in_steps(&pulled(0.0, 0.0), &legs, 1e-4)?;
+    /// assert!(path.by_ref().any(|step| step.sliding > 0));
+    /// path.by_ref().for_each(drop);
+    /// assert!(matches!(path.end(), Some(PathEnd::Completed)) && path.step_error() < 3e-4);
+    /// // What has slipped stays slipped.
+    /// let left = path.state().expect("completed");
+    /// assert!(left.twist.rotation()[2] > 1e-6 && left.residuals.worst() < 1e-10);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As for [`Self::follow`]; [`Error::NotForHands`]; [`Error::Argument`] unless `error` is from 1e-9 to 1.
+    pub fn follow_in_steps(
+        &self,
+        start: &Wrench<C>,
+        legs: &[Leg<C>],
+        error: f64,
+    ) -> Result<SteppedPath<'_, C>, Error> {
+        self.engine.follow_in_steps(start, legs, error, &self.settings)
+    }
+}

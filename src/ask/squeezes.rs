@@ -1,0 +1,102 @@
+//! How much squeeze suffices, and the worst case within bounds or of all directions.
+
+use super::grasp::Grasp;
+use crate::error::Error;
+use crate::grasp::Wrench;
+use crate::load_path::Ramp;
+use crate::squeeze::{Bounds, LeastOnset, LeastSqueeze, Loads, WeakestDirection};
+
+impl<const C: usize> Grasp<C> {
+    /// The least common factor of all finger commands with which every contact touches and sticks under each of a set of loads. On the round
+    /// cone in space.
+    ///
+    /// Every condition is linear in the factor or concave, so what suffices is an interval. A condition that is broken at one factor gives
+    /// another that is needed at least, where the next step begins: what is needed and what suffices meet in one number. Clearances stay as
+    /// they are.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, LeastSqueeze, Loads, Turn, Wrench};
+    ///
+    /// // Two palms that press with 1 N each, μ = 0.5, hold a box. Carried upright, 12 N need 12 times as much: 6 N of friction at each.
+    /// let palm = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).pressed_with(1.0);
+    /// let palms = Grasp::new([palm(-1.0), palm(1.0)])?;
+    /// let needed = |loads: Loads| match palms.least_squeeze(&loads)? {
+    ///     LeastSqueeze::Factor { factor, .. } => Ok::<f64, grasp_lcp::Error>(factor),
+    ///     other => panic!("{other:?}"),
+    /// };
+    /// assert!((needed(Loads::Each(vec![Wrench::force([0.0, -12.0])]))? - 12.0).abs() < 1e-14);
+    /// // Turned over it needs more, where a palm is half below: F_t = 6 cos θ, F_n = s - 6 sin θ.
+    /// let turned = needed(Loads::Turn(Turn::tilting([0.0, -12.0], [0.0, 0.0])))?;
+    /// assert!((turned - 180_f64.sqrt()).abs() < 1e-13);
+    /// // So it does for 12 N of any direction.
+    /// let any = Loads::AnyForce { base: Wrench::ZERO, size: 12.0, point: [0.0, 0.0] };
+    /// assert!((needed(any)? - turned).abs() < 1e-13);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if a load, [`Error::Argument`] if another number of the set is out of range or the set is empty.
+    /// [`Error::NotForHands`] for a grasp by a hand.
+    #[doc(alias = "grip force", alias = "clamp preload", alias = "gripping force")]
+    pub fn least_squeeze(&self, loads: &Loads<C>) -> Result<LeastSqueeze<C>, Error> {
+        self.engine.least_squeeze(loads, &self.settings)
+    }
+
+    /// The least onset of sliding along a ramp over all commands and loads within bounds, with the case in which it is. On the round cone
+    /// in space. Exact, not by sampling: see [`Bounds`].
+    ///
+    /// Of friction the worst case is the least: ask a grasp with that. Stiffness and geometry do not enter linearly;
+    /// [`Self::robust_onset`] has them to first order.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Bounds, Contact, Grasp, LeastOnset, Ramp, Wrench};
+    ///
+    /// // Two fingers that press with 1000 N/m · 10 mm = 10 N, μ = 0.5, to 1 mm; a pull down of up to 2 N beside the weight.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    /// let weight = Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0]));
+    /// let bounds = Bounds::none().with_commands([[0.001, 0.0]; 2]).with_base(Wrench::force([0.0, 2.0]));
+    /// // 2 μ · 9 N less 2 N.
+    /// let LeastOnset::At { factor, .. } = grasp.least_onset_within(&weight, &bounds)? else { panic!("it slides") };
+    /// assert!((factor - 7.0).abs() < 1e-13);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As for [`Self::onset`]; [`Error::Argument`] or [`Error::Size`] for bounds below zero or beyond 1e50, or of another number of contacts;
+    /// [`Error::NotForHands`] for a grasp by a hand.
+    pub fn least_onset_within(&self, ramp: &Ramp<C>, bounds: &Bounds<C>) -> Result<LeastOnset<C>, Error> {
+        self.engine.least_onset_within(ramp, bounds, &self.settings)
+    }
+
+    /// The direction in which the least force through a point (m) makes a contact stop sticking, beside a base load. On the round cone in
+    /// space.
+    ///
+    /// Of each facet the worst direction is known in closed form: with forces `F⁰ + A x` it is `x` along `-Aᵀa`, of size `a·F⁰ / |Aᵀa|`.
+    ///
+    /// The round cone has a facet at every angle. The least is found where a trigonometric polynomial falls below zero, see [the room](crate::squeeze).
+    /// So it is least over all directions up to rounding, whatever the number of minima.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, WeakestDirection, Wrench};
+    ///
+    /// // Two fingers that press with 10 N, μ = 0.5: along the line of the fingers 20 N open one, across 10 N make both slide. Between, a
+    /// // finger carries F_n = 10 + x/2, F_t = y/2: y/2 = 5 + x/4 is nearest at x = -4, y = 8.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 1000.0).friction(0.5).pressed_with(10.0);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    /// let WeakestDirection::Force { size, direction, .. } = grasp.weakest_direction(&Wrench::ZERO, [0.0, 0.0])? else { panic!("it slides") };
+    /// assert!((size - 80_f64.sqrt()).abs() < 1e-14);
+    /// assert!((direction[0].abs() - 0.2_f64.sqrt()).abs() < 1e-15 && (direction[1].abs() - 0.8_f64.sqrt()).abs() < 1e-15);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if the base load, [`Error::Argument`] if the point is not finite or beyond 1e50.
+    pub fn weakest_direction(
+        &self,
+        base: &Wrench<C>,
+        point: impl Into<[f64; C]>,
+    ) -> Result<WeakestDirection<C>, Error> {
+        self.engine.weakest_direction(base, point.into(), &self.settings)
+    }
+}
