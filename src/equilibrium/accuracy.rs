@@ -2,7 +2,8 @@
 
 use nalgebra::SVector;
 
-use super::answer::{Cone, Equilibrium};
+use super::answer::Equilibrium;
+use super::cone::Cone;
 use crate::contact::{Polygon, PolygonCone, State};
 use crate::grasp::{Engine, Wrench, wrench_of};
 use crate::numerics::{Draw, Size, Vector};

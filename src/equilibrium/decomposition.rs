@@ -4,7 +4,8 @@ use std::borrow::Cow;
 
 use nalgebra::SVector;
 
-use super::answer::{ContactState, Equilibrium};
+use super::answer::Equilibrium;
+use super::contact_answer::ContactState;
 use crate::grasp::{Engine, Site, object_alone};
 use crate::numerics::{Map, Size};
 use crate::object::least_forces;

@@ -2,8 +2,10 @@
 
 use std::fmt;
 
-use super::answer::{ContactAnswer, ContactState, Equilibrium, NoEquilibrium, Outcome, Proof, Undecided};
+use super::answer::{Equilibrium, Outcome, Undecided};
+use super::contact_answer::{ContactAnswer, ContactState};
 use super::hand_answer::{DriveState, JointAnswer, TendonAnswer};
+use super::no_equilibrium::{NoEquilibrium, Proof};
 use super::pad_answer::WholeAnswer;
 use crate::grasp::JointKind;
 use crate::search::Doubt;

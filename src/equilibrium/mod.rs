@@ -24,12 +24,15 @@
 mod accuracy;
 mod answer;
 mod bracket;
+mod cone;
+mod contact_answer;
 mod decomposition;
 mod display;
 mod distinct;
 #[cfg(test)]
 mod exact_refutation;
 mod hand_answer;
+mod no_equilibrium;
 mod pad_answer;
 mod questions;
 mod recomputed;
@@ -39,12 +42,13 @@ mod write_out;
 
 pub use crate::search::{Doubt, Rung, Settings};
 pub use accuracy::Accuracy;
-pub use answer::{
-    Cone, ContactAnswer, ContactState, Equilibrium, NoEquilibrium, Outcome, Proof, Undecided, WorkDone,
-};
+pub use answer::{Equilibrium, Outcome, Undecided, WorkDone};
 pub use bracket::{Bracket, Spread};
+pub use cone::Cone;
+pub use contact_answer::{ContactAnswer, ContactState};
 pub use decomposition::Decomposition;
 pub use hand_answer::{DriveState, JointAnswer, TendonAnswer};
+pub use no_equilibrium::{NoEquilibrium, Proof};
 pub use pad_answer::{PadAnswer, WholeAnswer};
 pub use refutation::Refutation;
 pub use residuals::Residuals;

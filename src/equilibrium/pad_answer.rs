@@ -4,7 +4,8 @@ use std::ops::Range;
 
 use nalgebra::SVector;
 
-use super::answer::{ContactAnswer, ContactState, Equilibrium};
+use super::answer::Equilibrium;
+use super::contact_answer::{ContactAnswer, ContactState};
 use crate::error::ContactLabel;
 use crate::grasp::{Engine, WholeContacts, Wrench, displacement_of, of_the_object};
 use crate::numerics::{Fixed, Size, Vector};

@@ -1,6 +1,8 @@
 //! The questions for equilibria.
 
-use super::answer::{Cone, Equilibrium, NoEquilibrium, Outcome, Proof, Undecided, WorkDone};
+use super::answer::{Equilibrium, Outcome, Undecided, WorkDone};
+use super::cone::Cone;
+use super::no_equilibrium::{NoEquilibrium, Proof};
 use crate::contact::Polygon;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};

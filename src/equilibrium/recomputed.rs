@@ -2,7 +2,8 @@
 
 use nalgebra::SVector;
 
-use super::answer::{Cone, ContactAnswer, ContactState};
+use super::cone::Cone;
+use super::contact_answer::{ContactAnswer, ContactState};
 use super::residuals::Residuals;
 use crate::contact::Polygon;
 use crate::grasp::{Engine, Hold, Site, Wrench, displacement_of, object_alone, of_the_object, wrench_of};

@@ -2,7 +2,9 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::answer::{Cone, ContactAnswer, ContactState, Equilibrium, LocalAnswer, WorkDone};
+use super::answer::{Equilibrium, LocalAnswer, WorkDone};
+use super::cone::Cone;
+use super::contact_answer::{ContactAnswer, ContactState};
 use crate::contact::{LocalLaw, Mode, State};
 use crate::forms::{LeftOut, Why};
 use crate::grasp::{

@@ -1,0 +1,130 @@
+//! What one contact does in an equilibrium, and what it carries.
+
+use nalgebra::SVector;
+
+use crate::error::ContactLabel;
+#[cfg(feature = "serde")]
+use crate::serial::AsComputed;
+
+/// One contact of an equilibrium.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub struct ContactAnswer<const C: usize> {
+    /// Which contact.
+    #[cfg_attr(feature = "serde", serde(flatten))]
+    pub contact: ContactLabel,
+    /// What the contact does.
+    #[cfg_attr(feature = "serde", serde(flatten))]
+    pub state: ContactState<C>,
+    /// Force of the finger on the object in the contact frame, N: (`F_n`, `F_t`…); `F_n` > 0 pushes. Without friction `F_t` is zero.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
+    pub force: SVector<f64, C>,
+    /// The same force along the coordinate axes, N.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
+    pub force_world: SVector<f64, C>,
+    /// Gap between the surfaces along the normal, `n·u_c - a_n` if that is positive, m; zero for a closed contact.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
+    pub gap: f64,
+    /// Slip of the finger over the body in the contact frame, `s = a_t - t·u_c - F_t/k_t`, m; its normal component is zero. Along F_t
+    /// where it slides, zero where it sticks; on a load path all the slip so far, which a sticking contact keeps. For a separated or
+    /// frictionless contact: how far the surfaces have moved past each other.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
+    pub slip: SVector<f64, C>,
+    /// Friction in reserve of a sticking contact, N: `μ F_n - |F_t|` in the plane and on the round cone, on a polygon the least of
+    /// `μ F_n - h·F_t` over its facets. Infinite if it is bonded or has infinite friction. Zero for a sliding, separated or
+    /// frictionless contact.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
+    pub margin: f64,
+    /// Whether working precision tells the state from its neighbours, where that was asked for: `None` unless a scene that asks to `solve` has
+    /// told it, see [`Grasp::distinct`](crate::ask::Grasp::distinct).
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub distinct: Option<bool>,
+    /// Displacement u_c of the body's core at the contact, that of the rigid object, coordinate axes, m.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
+    pub body_core: SVector<f64, C>,
+    /// Displacement u_d of the body's surface, coordinate axes, m; `None`, and not written, if only the series stiffness is known.
+    #[cfg_attr(
+        feature = "serde",
+        serde(
+            default,
+            with = "AsComputed::<Option<SVector<f64, C>>>",
+            skip_serializing_if = "Option::is_none"
+        )
+    )]
+    #[cfg_attr(feature = "schema", schemars(!default))]
+    pub body_surface: Option<SVector<f64, C>>,
+    /// Displacement u_e of the finger's surface, coordinate axes, m; `None`, and not written, if only the series stiffness is known.
+    #[cfg_attr(
+        feature = "serde",
+        serde(
+            default,
+            with = "AsComputed::<Option<SVector<f64, C>>>",
+            skip_serializing_if = "Option::is_none"
+        )
+    )]
+    #[cfg_attr(feature = "schema", schemars(!default))]
+    pub finger_surface: Option<SVector<f64, C>>,
+}
+
+impl<const C: usize> ContactAnswer<C> {
+    /// Normal force `F_n`, N.
+    #[must_use]
+    pub fn normal_force(&self) -> f64 {
+        self.force[0]
+    }
+
+    /// Size of the tangential force, `|F_t|`, N.
+    #[must_use]
+    pub fn friction_force(&self) -> f64 {
+        self.force.iter().skip(1).fold(0.0, |h: f64, f| h.hypot(*f))
+    }
+
+    /// How much friction is used, `|F_t| / F_n`, to be compared with μ; zero without tangential force. Of no meaning for a bonded contact,
+    /// whose normal force may pull.
+    #[must_use]
+    pub fn friction_used(&self) -> f64 {
+        let friction = self.friction_force();
+        if friction == 0.0 { 0.0 } else { friction / self.force[0] }
+    }
+}
+
+impl ContactAnswer<2> {
+    /// Tangential force `F_t` along t, N, with its sign.
+    #[must_use]
+    pub fn tangential_force(&self) -> f64 {
+        self.force[1]
+    }
+
+    /// `F_t / F_n` with the sign of `F_t`, as the paper tabulates it; zero without tangential force.
+    #[must_use]
+    pub fn ratio(&self) -> f64 {
+        self.friction_used().copysign(self.force[1])
+    }
+}
+
+/// What a contact does.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(tag = "state", rename_all = "snake_case")
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub enum ContactState<const C: usize> {
+    /// Open, or touching without force: F = 0, gap >= 0.
+    Separated,
+    /// Closed and stuck: gap = 0, no slip (on a load path none beyond what it has slipped before), `|F_t| <= μ F_n`. The paper
+    /// says rolling; today that word is kept for a fingertip that rolls. A bonded contact is always in this state, whatever its force.
+    #[doc(alias = "rolling")]
+    Sticking,
+    /// Closed and on the edge of its cone: gap = 0, `|F_t| = μ F_n`, F_t along the slip.
+    Sliding {
+        /// Unit direction in which the finger slips over the body, coordinate axes; friction pulls the body that way.
+        #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
+        direction: SVector<f64, C>,
+    },
+    /// Closed without friction: F_t = 0 and the surfaces move past each other as they like.
+    Frictionless,
+}

@@ -1,0 +1,60 @@
+//! That no equilibrium exists, and how that is known.
+
+use crate::grasp::Motion;
+#[cfg(feature = "serde")]
+use crate::serial::AsComputed;
+
+/// No equilibrium exists: the grasp gives way under this load.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub struct NoEquilibrium<const C: usize> {
+    /// Why, and how that is known.
+    #[cfg_attr(feature = "serde", serde(flatten))]
+    pub proof: Proof<C>,
+}
+
+/// Why no equilibrium exists, and how that is known.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(tag = "proof", rename_all = "snake_case")
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub enum Proof<const C: usize> {
+    /// No contact resists this unit motion in any state, and the load works on it.
+    FreeMotion {
+        /// The motion, the way the load drives it; lengths as for [`Equilibrium::free_motions`](super::Equilibrium::free_motions).
+        motion: Motion<C>,
+        /// Work of the load on it, `W·q` > 0, J.
+        #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
+        work: f64,
+    },
+    /// The load lies outside the friction wrench cone: no admissible contact force works against this unit motion, and
+    /// the load drives it. Holds for any stiffness and any command.
+    SeparatingMotion {
+        /// The motion, the way the load drives it; lengths as for [`Equilibrium::free_motions`](super::Equilibrium::free_motions).
+        motion: Motion<C>,
+        /// Work of the load on it, `W·q` > 0, J.
+        #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
+        work: f64,
+    },
+    /// Every combination of contact states was tried; each violates a condition clearly. In the plane and on polygons.
+    EveryStateTried {
+        /// How many combinations.
+        combinations: usize,
+    },
+    /// On the round cone: what contacts do was divided into cases, open or closed, sticking or sliding, friction between two angles.
+    /// In each case all that the contact laws allow, and more, is contradicted by a linear combination of the conditions. Beyond an onset or
+    /// the end of a path, in the plane too, a single case may do: nothing responds to a motion when everything on an edge slides.
+    EveryCaseContradicted {
+        /// How many cases.
+        cases: usize,
+        /// By this factor at least an equilibrium that rounding has hidden would have to exceed the data, in √J: stretches and
+        /// forces of all contacts together over those of the elastic trial state. At least 1e4.
+        escape: f64,
+    },
+}
