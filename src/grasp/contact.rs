@@ -4,17 +4,9 @@ use std::sync::Arc;
 
 use nalgebra::SVector;
 
+use super::commands::Axes;
 use super::stiffness::Stiffness;
 use crate::error::ContactLabel;
-
-/// The axes along which a command is given.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Axes {
-    /// Those of the contact frame, the normal first.
-    Frame,
-    /// Those of the coordinates in which the contact is given.
-    World,
-}
 
 /// How the contact is held together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -144,168 +136,12 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// Springs of the object at this contact: normal and tangential stiffness, N/m, positive;
-    /// `f64::INFINITY` for a rigid object (the default). Takes the place of a series stiffness
-    /// given before.
-    #[must_use]
-    pub fn body_stiffness(self, normal: f64, tangential: f64) -> Self {
-        self.body_stiffness_axes(normal_and_tangential(normal, tangential))
-    }
-
-    /// Springs of the object, one for each axis of the contact frame, the normal first, N/m.
-    #[must_use]
-    pub fn body_stiffness_axes(mut self, axes: impl Into<[f64; C]>) -> Self {
-        let [_, finger] = self.stiffness.sides();
-        self.stiffness = Stiffness::BodyAndFinger { body: SVector::from(axes.into()), finger };
-        self
-    }
-
-    /// Springs of the finger: normal and tangential stiffness, N/m, positive; `f64::INFINITY` for a
-    /// rigid finger (the default). Takes the place of a series stiffness given before.
-    #[must_use]
-    pub fn finger_stiffness(self, normal: f64, tangential: f64) -> Self {
-        self.finger_stiffness_axes(normal_and_tangential(normal, tangential))
-    }
-
-    /// Springs of the finger, one for each axis of the contact frame, the normal first, N/m.
-    #[must_use]
-    pub fn finger_stiffness_axes(mut self, axes: impl Into<[f64; C]>) -> Self {
-        let [body, _] = self.stiffness.sides();
-        self.stiffness = Stiffness::BodyAndFinger { body, finger: SVector::from(axes.into()) };
-        self
-    }
-
-    /// Body and finger springs in series, `1/k = 1/k_body + 1/k_finger`, given at once: normal and
-    /// tangential, N/m, positive and finite. Takes the place of both; how far each surface gives
-    /// way is then not known.
-    #[must_use]
-    pub fn series_stiffness(self, normal: f64, tangential: f64) -> Self {
-        self.series_stiffness_axes(normal_and_tangential(normal, tangential))
-    }
-
-    /// Series stiffness, one for each axis of the contact frame, the normal first, N/m.
-    #[must_use]
-    pub fn series_stiffness_axes(mut self, axes: impl Into<[f64; C]>) -> Self {
-        self.stiffness = Stiffness::Series(SVector::from(axes.into()));
-        self
-    }
-
     /// Coefficient of friction μ >= 0. With 0 (the default) the contact has no tangential spring at
     /// all, whatever tangential stiffness was given; with `f64::INFINITY` it never slides while it
     /// is closed. A [bonded](Self::bonded) contact has its tangential springs whatever μ is.
     #[must_use]
     pub fn friction(mut self, mu: f64) -> Self {
         self.friction = mu;
-        self
-    }
-
-    /// Commanded displacement u_f of the finger's core in the **contact frame**, m: (normal,
-    /// tangential…). A positive normal part pushes into the object, a positive tangential one drags
-    /// it along the tangent. [`Self::command_world`] takes one along the coordinate axes.
-    #[doc(alias = "commanded displacement", alias = "reference displacement")]
-    #[must_use]
-    pub fn command(mut self, u_f: impl Into<[f64; C]>) -> Self {
-        self.command = SVector::from(u_f.into());
-        self.command_axes = Axes::Frame;
-        self
-    }
-
-    /// Commanded displacement of the finger's core along the **coordinate axes**, m, in place of
-    /// [`Self::command`]. A grasp turns it into the contact frame: normal and tangent may be given
-    /// after it.
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Contact, Grasp};
-    ///
-    /// // A finger pushes up, n = (0, 1), t = (1, 0). To the right is along t, upwards along n.
-    /// let finger = Contact::new([0.0, 0.0], [0.0, 2.0]).series_stiffness(1.0, 1.0).command_world([0.001, 0.002]);
-    /// assert_eq!(finger.commanded().as_slice(), [0.002, 0.001]);
-    /// assert_eq!(Grasp::new([finger])?.contacts()[0].commanded().as_slice(), [0.002, 0.001]);
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    #[must_use]
-    pub fn command_world(mut self, u_f: impl Into<[f64; C]>) -> Self {
-        self.command = SVector::from(u_f.into());
-        self.command_axes = Axes::World;
-        self
-    }
-
-    /// A squeeze as people think of it: the finger is commanded so far that it presses with this force on an object that stays where it is, N, from 0.
-    /// In place of the normal part of the command, `clearance + force / k_n`; the tangential part stays. The finger holds that **position** afterwards: when the
-    /// object moves the force changes, and fingers that press with unequal forces push the object to where they agree.
-    ///
-    /// On a finger [with joints](crate::grasp::Finger) these are commanded with it, `K⁻¹Jᵀ` times the force, so that nothing pulls along the tangents either.
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
-    ///
-    /// // Two fingers that each press with 8 N; μ = 0.5. One is 2 mm away before.
-    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).pressed_with(8.0);
-    /// let grasp = Grasp::new([finger(-1.0), finger(1.0).clearance(0.002)])?;
-    /// let onset = grasp.onset_of_sliding(&Wrench::ZERO, &Wrench::force([0.0, -1.0]))?;
-    /// assert!((onset.factor().expect("slides") - 8.0).abs() < 1e-13);
-    /// assert!((grasp.contacts()[1].commanded()[0] - 0.010).abs() < 1e-16);
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    #[doc(alias = "grip force", alias = "preload", alias = "squeeze")]
-    #[must_use]
-    pub fn pressed_with(mut self, force: f64) -> Self {
-        (self.press, self.force) = (Some(force), None);
-        self
-    }
-
-    /// A normal force that **stays**: an air cylinder, a weight on a lever, a motor that holds its current, N, from 0. The finger follows the object along
-    /// the normal wherever it goes, in place of a position; along the tangents its springs hold as usual. The points of a soft fingertip are pressed on by one
-    /// slide, so that they share the force as they stand. In place of [`Self::pressed_with`] and of the normal part of the command.
-    ///
-    /// The grasp has a joint more for it, "slide of" the contact, behind all other joints. Questions that are not for hands are not for such a grasp.
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
-    ///
-    /// // 8 N against a jaw that stands still: they stay 8 N whatever pushes along them, and the jaw carries the rest.
-    /// let pad = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 1e3).friction(0.5);
-    /// let grasp = Grasp::new([pad(-1.0).force(8.0), pad(1.0)])?;
-    /// let outcome = grasp.solve(&Wrench::force([3.0, 0.0]))?;
-    /// let held = outcome.equilibrium().expect("holds");
-    /// assert!((held.contacts[0].normal_force() - 8.0).abs() < 1e-13);
-    /// assert!((held.contacts[1].normal_force() - 11.0).abs() < 1e-13);
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    #[doc(alias = "clamp")]
-    #[doc(alias = "force control")]
-    #[must_use]
-    pub fn force(mut self, force: f64) -> Self {
-        (self.force, self.press) = (Some(force), None);
-        self
-    }
-
-    /// Clearance between finger and object before anything moves, m (default 0).
-    ///
-    /// The finger must come this far along the normal before it touches, `F_n = k_n (command -
-    /// clearance - n·u_c)`. A negative clearance is an overlap at rest, a depth as collision
-    /// libraries report it: the contact then presses with k_n times the overlap before anything
-    /// moves.
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
-    ///
-    /// // A finger meets a post that is bonded to a rigid wall; two springs of 1000 N/m in series.
-    /// let finger = Contact::new([0.0, 0.0], [1.0, 0.0]).body_stiffness(1000.0, 1000.0).finger_stiffness(1000.0, 1000.0);
-    /// let post = Contact::new([1.0, 0.0], [-1.0, 0.0]).series_stiffness(1e12, 1e12).bonded();
-    /// let force = |finger: Contact| {
-    ///     let outcome = Grasp::new([finger, post.clone()])?.solve(&Wrench::ZERO)?;
-    ///     Ok::<_, grasp_lcp::Error>(outcome.equilibrium().expect("holds").contacts[0].normal_force())
-    /// };
-    /// // It comes 10 mm and meets the post 2 mm away: 8 mm · 500 N/m.
-    /// assert!((force(finger.clone().command([0.010, 0.0]).clearance(0.002))? - 4.0).abs() < 1e-8);
-    /// // It rests, 3 mm inside of the post: 3 mm · 500 N/m.
-    /// assert!((force(finger.clearance(-0.003))? - 1.5).abs() < 1e-8);
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    #[must_use]
-    pub fn clearance(mut self, gap0: f64) -> Self {
-        self.clearance = gap0;
         self
     }
 
@@ -344,39 +180,10 @@ impl<const C: usize> Contact<C> {
         self.point
     }
 
-    /// Series stiffness along the axes of the contact frame, N/m.
-    #[must_use]
-    pub fn series_stiffness_of_axes(&self) -> SVector<f64, C> {
-        self.stiffness.series()
-    }
-
     /// Coefficient of friction μ.
     #[must_use]
     pub fn friction_coefficient(&self) -> f64 {
         self.friction
-    }
-
-    /// Commanded displacement of the finger's core in the contact frame, m. One that was given
-    /// along the coordinate axes is not a number where the contact has no frame, which a grasp
-    /// refuses.
-    #[must_use]
-    pub fn commanded(&self) -> SVector<f64, C> {
-        let mut command = match self.command_axes {
-            Axes::Frame => self.command,
-            Axes::World => {
-                self.frame(0).map_or_else(|_| SVector::repeat(f64::NAN), |frame| frame.tr_mul(&self.command))
-            }
-        };
-        if let Some(force) = self.press {
-            command[0] = self.clearance + force / self.stiffness.series()[0];
-        }
-        command
-    }
-
-    /// The contact with its command along the axes of its frame, and nothing left to be resolved.
-    pub(super) fn resolved(mut self) -> Self {
-        (self.command, self.command_axes, self.press) = (self.commanded(), Axes::Frame, None);
-        self
     }
 
     /// Number of axes along which the contact has a spring: 1 without friction, else `C`.
@@ -394,10 +201,4 @@ impl<const C: usize> Contact<C> {
     pub(crate) fn label(&self, index: usize) -> ContactLabel {
         ContactLabel { index, point: None, name: self.name.clone() }
     }
-}
-
-fn normal_and_tangential<const C: usize>(normal: f64, tangential: f64) -> SVector<f64, C> {
-    let mut axes = SVector::repeat(tangential);
-    axes[0] = normal;
-    axes
 }

@@ -13,7 +13,8 @@
 
 use nalgebra::{AbstractRotation, Isometry, SVector};
 
-use super::contact::{Axes, Contact};
+use super::commands::Axes;
+use super::contact::Contact;
 use super::rotation::{moved_twist, moved_wrench};
 use super::wrench::{Twist, Wrench};
 use crate::numerics::{Fixed, Size, Vector};

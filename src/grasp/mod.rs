@@ -25,7 +25,9 @@
 //! `collision-contacts` in the repository takes contacts from parry and shows all of it.
 
 mod axis;
+mod commands;
 mod contact;
+mod contact_springs;
 mod coordinates;
 mod engine;
 mod fingertip;
@@ -49,7 +51,7 @@ mod whole_contact;
 mod wrench;
 
 #[cfg(feature = "serde")]
-pub(crate) use contact::Axes;
+pub(crate) use commands::Axes;
 pub use contact::{Contact, Hold};
 pub(crate) use coordinates::Coordinates;
 pub(crate) use engine::Engine;

@@ -1,0 +1,66 @@
+//! How a contact gives way: the springs of object and finger.
+
+use nalgebra::SVector;
+
+use super::contact::Contact;
+use super::stiffness::Stiffness;
+
+impl<const C: usize> Contact<C> {
+    /// Springs of the object at this contact: normal and tangential stiffness, N/m, positive;
+    /// `f64::INFINITY` for a rigid object (the default). Takes the place of a series stiffness
+    /// given before.
+    #[must_use]
+    pub fn body_stiffness(self, normal: f64, tangential: f64) -> Self {
+        self.body_stiffness_axes(normal_and_tangential(normal, tangential))
+    }
+
+    /// Springs of the object, one for each axis of the contact frame, the normal first, N/m.
+    #[must_use]
+    pub fn body_stiffness_axes(mut self, axes: impl Into<[f64; C]>) -> Self {
+        let [_, finger] = self.stiffness.sides();
+        self.stiffness = Stiffness::BodyAndFinger { body: SVector::from(axes.into()), finger };
+        self
+    }
+
+    /// Springs of the finger: normal and tangential stiffness, N/m, positive; `f64::INFINITY` for a
+    /// rigid finger (the default). Takes the place of a series stiffness given before.
+    #[must_use]
+    pub fn finger_stiffness(self, normal: f64, tangential: f64) -> Self {
+        self.finger_stiffness_axes(normal_and_tangential(normal, tangential))
+    }
+
+    /// Springs of the finger, one for each axis of the contact frame, the normal first, N/m.
+    #[must_use]
+    pub fn finger_stiffness_axes(mut self, axes: impl Into<[f64; C]>) -> Self {
+        let [body, _] = self.stiffness.sides();
+        self.stiffness = Stiffness::BodyAndFinger { body, finger: SVector::from(axes.into()) };
+        self
+    }
+
+    /// Body and finger springs in series, `1/k = 1/k_body + 1/k_finger`, given at once: normal and
+    /// tangential, N/m, positive and finite. Takes the place of both; how far each surface gives
+    /// way is then not known.
+    #[must_use]
+    pub fn series_stiffness(self, normal: f64, tangential: f64) -> Self {
+        self.series_stiffness_axes(normal_and_tangential(normal, tangential))
+    }
+
+    /// Series stiffness, one for each axis of the contact frame, the normal first, N/m.
+    #[must_use]
+    pub fn series_stiffness_axes(mut self, axes: impl Into<[f64; C]>) -> Self {
+        self.stiffness = Stiffness::Series(SVector::from(axes.into()));
+        self
+    }
+
+    /// Series stiffness along the axes of the contact frame, N/m.
+    #[must_use]
+    pub fn series_stiffness_of_axes(&self) -> SVector<f64, C> {
+        self.stiffness.series()
+    }
+}
+
+fn normal_and_tangential<const C: usize>(normal: f64, tangential: f64) -> SVector<f64, C> {
+    let mut axes = SVector::repeat(tangential);
+    axes[0] = normal;
+    axes
+}
