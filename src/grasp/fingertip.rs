@@ -82,7 +82,7 @@ use crate::error::{Error, LARGEST};
 pub struct SoftFingertip<const C: usize> {
     /// Distance of the outermost points from the centre.
     pub(super) radius: f64,
-    pub(super) places: Vec<Place<C>>,
+    pub(super) points: Vec<PatchPoint<C>>,
 }
 
 /// Sines and cosines below this size are zero but for rounding. A cosine of 6e-17 in place of 0
@@ -92,7 +92,7 @@ const ZERO: f64 = 1e-15;
 
 /// One point of the patch.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Place<const C: usize> {
+pub(super) struct PatchPoint<const C: usize> {
     /// Where, in the frame of the contact (its normal component is zero), from the centre.
     pub(super) offset: SVector<f64, C>,
     pub(super) share: f64,
@@ -157,17 +157,17 @@ impl SoftFingertip<3> {
             let half_spacings = 2 * i + from_rim % 2;
             let (sin, cos) = (TAU * half_spacings as f64 / (2 * points) as f64).sin_cos();
             let clean = |x: f64| if x.abs() < ZERO { 0.0 } else { x };
-            Place {
+            PatchPoint {
                 offset: SVector::from([0.0, clean(cos), clean(sin)]) * (ring.distance * radius),
                 share: ring.share / points as f64,
             }
         };
-        let places = rings
+        let points = rings
             .iter()
             .enumerate()
             .flat_map(|(j, ring)| (0..points).map(move |i| place(rings.len() - 1 - j, ring, i)))
             .collect();
-        Ok(Self { radius, places })
+        Ok(Self { radius, points })
     }
 
     /// Torsional stiffness about the normal at a contact with these springs, N m/rad: `Σ w_i (k_1
@@ -236,9 +236,9 @@ impl SoftFingertip<2> {
     /// In order along the tangent.
     fn of_layers(width: f64, layers: &[Layer]) -> Result<Self, Error> {
         let radius = 0.5 * usable(width, "width")?;
-        let place = |(at, share)| Place { offset: SVector::from([0.0, at * radius]), share };
-        let places = along_a_line(layers).map(place).collect();
-        Ok(Self { radius, places })
+        let place = |(at, share)| PatchPoint { offset: SVector::from([0.0, at * radius]), share };
+        let points = along_a_line(layers).map(place).collect();
+        Ok(Self { radius, points })
     }
 }
 
@@ -257,7 +257,7 @@ impl<const C: usize> SoftFingertip<C> {
     pub fn contacts(&self, contact: &Contact<C>) -> Result<Vec<Contact<C>>, Error> {
         contact.check(0)?;
         let frame = contact.frame(0)?;
-        let child = |(i, place): (usize, &Place<C>)| Contact {
+        let child = |(i, place): (usize, &PatchPoint<C>)| Contact {
             name: contact.name.as_ref().map(|name| format!("{name} {i}").into()),
             point: contact.point + frame * place.offset,
             tangent: Some(frame.column(1).into_owned()),
@@ -268,17 +268,19 @@ impl<const C: usize> SoftFingertip<C> {
             point_of_pad: Some(i),
             ..contact.clone()
         };
-        Ok(self.places.iter().enumerate().map(child).collect())
+        Ok(self.points.iter().enumerate().map(child).collect())
     }
 
     /// This patch where the compiler does not know the number of axes; none if the patch has
     /// another number.
     #[cfg(feature = "serde")]
     pub(crate) fn of_axes<const B: usize>(self) -> Option<SoftFingertip<B>> {
-        let Self { radius, places } = self;
-        let place =
-            |place: Place<C>| Place { offset: SVector::from_fn(|a, _| place.offset[a]), share: place.share };
-        (B == C).then(|| SoftFingertip { radius, places: places.into_iter().map(place).collect() })
+        let Self { radius, points } = self;
+        let place = |place: PatchPoint<C>| PatchPoint {
+            offset: SVector::from_fn(|a, _| place.offset[a]),
+            share: place.share,
+        };
+        (B == C).then(|| SoftFingertip { radius, points: points.into_iter().map(place).collect() })
     }
 
     /// Distance of the outermost points from the centre, m: the radius R, or half the width.
@@ -291,7 +293,7 @@ impl<const C: usize> SoftFingertip<C> {
     /// of the contact frame (the normal one is zero), m, and the share w_i of the stiffness.
     #[must_use]
     pub fn points(&self) -> impl ExactSizeIterator<Item = (SVector<f64, C>, f64)> {
-        self.places.iter().map(|place| (place.offset, place.share))
+        self.points.iter().map(|place| (place.offset, place.share))
     }
 
     /// Stiffness against tilting about any tangent, N m/rad: `k_n ⟨r²⟩/2` in space, `k_n ⟨x²⟩` in
@@ -320,11 +322,11 @@ impl<const C: usize> SoftFingertip<C> {
 
     /// `Σ w_i f(ρ_i)`.
     fn mean(&self, f: impl Fn(&SVector<f64, C>) -> f64) -> f64 {
-        self.places.iter().map(|place| place.share * f(&place.offset)).sum()
+        self.points.iter().map(|place| place.share * f(&place.offset)).sum()
     }
 
     fn largest(&self, f: impl Fn(&SVector<f64, C>) -> f64) -> f64 {
-        self.places.iter().map(|place| f(&place.offset)).fold(0.0, f64::max)
+        self.points.iter().map(|place| f(&place.offset)).fold(0.0, f64::max)
     }
 }
 

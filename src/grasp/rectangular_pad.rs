@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use super::contact::Contact;
-use super::fingertip::{Place, SoftFingertip, along_a_line, check, usable};
+use super::fingertip::{PatchPoint, SoftFingertip, along_a_line, check, usable};
 use super::pressure::Pressure;
 use crate::error::Error;
 
@@ -45,13 +45,13 @@ impl SoftFingertip<3> {
         let all = strips[0].saturating_mul(4).saturating_mul(strips[1].saturating_mul(4));
         check(all <= Self::MOST_POINTS, "number of points", all as f64, "at most 4096")?;
         let layers = strips.map(|count| Pressure::Uniform.layers::<2>(count));
-        let places = along_a_line(&layers[0]).flat_map(|(x, share)| {
-            along_a_line(&layers[1]).map(move |(y, other)| Place {
+        let points = along_a_line(&layers[0]).flat_map(|(x, share)| {
+            along_a_line(&layers[1]).map(move |(y, other)| PatchPoint {
                 offset: SVector::from([0.0, x * halves[0], y * halves[1]]),
                 share: share * other,
             })
         });
-        Ok(Self { radius: halves[0].hypot(halves[1]), places: places.collect() })
+        Ok(Self { radius: halves[0].hypot(halves[1]), points: points.collect() })
     }
 
     /// Stiffness against tilting about the first and about the second tangent, N m/rad: `k_n ⟨y²⟩` and `k_n ⟨x²⟩`.
