@@ -35,6 +35,7 @@ pub mod svg;
 pub mod tractrix;
 pub mod transform;
 pub mod truth;
+mod truth_equations;
 
 pub use close::relatively_close;
 

@@ -21,11 +21,10 @@ use nalgebra::SVector;
 
 use super::dyadic::{Dyadic, solve};
 use super::scene::Scene;
+use super::truth_equations::{Exactly, Known, dot, equations, norm, unit_wrench};
 
 /// Bits that are kept of a quotient.
 const BITS: u64 = 320;
-/// Bits of a matrix that only directs the next step of Newton's method.
-const DIRECTING: u64 = 100;
 /// Steps of Newton's method below this part are the last.
 const SETTLED: f64 = 1e-40;
 const STEPS: usize = 12;
@@ -72,25 +71,6 @@ pub enum Kind {
     Margin,
     /// Friction works against the slip.
     Slip,
-}
-
-/// One contact in its state.
-struct Known<const C: usize> {
-    /// Wrench of a unit force along each axis, about the origin.
-    axes: [Vec<Dyadic>; C],
-    k: [Dyadic; C],
-    mu: Option<Dyadic>,
-    drive: [Dyadic; C],
-    state: Exactly<C>,
-}
-
-enum Exactly<const C: usize> {
-    Open,
-    Springs(usize),
-    /// In the plane: along ±t.
-    Along(Dyadic),
-    /// In space: place of its unknowns d₁, d₂, σ.
-    Turning(usize),
 }
 
 /// Errors of an answer.
@@ -259,145 +239,4 @@ impl<const C: usize> Truth<C> {
         (errors.force, errors.motion) = (errors.newtons / self.largest, errors.metres / self.travel);
         errors
     }
-}
-
-impl<const C: usize> Known<C> {
-    fn stretch(&self, z: &[Dyadic]) -> [Dyadic; C] {
-        std::array::from_fn(|a| &self.drive[a] - &dot(&self.axes[a], z))
-    }
-
-    fn force(&self, z: &[Dyadic]) -> [Dyadic; C] {
-        let v = self.stretch(z);
-        let mut force: [Dyadic; C] = std::array::from_fn(|_| Dyadic::zero());
-        match &self.state {
-            Exactly::Open => {}
-            Exactly::Springs(axes) => {
-                for a in 0..*axes {
-                    force[a] = &self.k[a] * &v[a];
-                }
-            }
-            Exactly::Along(d) => {
-                force[0] = &self.k[0] * &v[0];
-                force[1] = &(self.friction() * d) * &force[0];
-            }
-            Exactly::Turning(at) => {
-                force[0] = &self.k[0] * &v[0];
-                let limit = self.friction() * &force[0];
-                for a in 1..C {
-                    force[a] = &limit * &z[at + a - 1];
-                }
-            }
-        }
-        force
-    }
-
-    fn friction(&self) -> &Dyadic {
-        self.mu.as_ref().expect("what slides has a finite coefficient of friction")
-    }
-}
-
-/// The equations at z and their derivatives.
-fn equations<const D: usize, const C: usize>(
-    contacts: &[Known<C>],
-    load: &[Dyadic],
-    z: &[Dyadic],
-    rounded: bool,
-) -> (Vec<Vec<Dyadic>>, Vec<Dyadic>) {
-    let n = z.len();
-    let mut value = vec![Dyadic::zero(); n];
-    let mut matrix = vec![vec![Dyadic::zero(); n]; n];
-    value[..D].clone_from_slice(load);
-    // Adds `g s`, s with this derivative by z, to the balance.
-    let mut push = |g: &[Dyadic], s: &Dyadic, slope: &[(usize, Dyadic)], matrix: &mut Vec<Vec<Dyadic>>| {
-        for i in 0..D {
-            value[i] = &value[i] + &(&g[i] * s);
-            for (j, slope) in slope {
-                matrix[i][*j] = &matrix[i][*j] + &(&g[i] * slope);
-            }
-        }
-    };
-    let by_twist = |g: &[Dyadic], factor: &Dyadic| -> Vec<(usize, Dyadic)> {
-        g.iter().enumerate().map(|(j, g)| (j, &-factor * g)).collect()
-    };
-    let mut own = Vec::new();
-    for contact in contacts {
-        let (v, force) = (contact.stretch(z), contact.force(z));
-        match &contact.state {
-            Exactly::Open => {}
-            Exactly::Springs(axes) => {
-                for a in 0..*axes {
-                    push(
-                        &contact.axes[a],
-                        &force[a],
-                        &by_twist(&contact.axes[a], &contact.k[a]),
-                        &mut matrix,
-                    );
-                }
-            }
-            Exactly::Along(d) => {
-                push(&contact.axes[0], &force[0], &by_twist(&contact.axes[0], &contact.k[0]), &mut matrix);
-                let drag = &(contact.friction() * d) * &contact.k[0];
-                push(&contact.axes[1], &force[1], &by_twist(&contact.axes[0], &drag), &mut matrix);
-            }
-            Exactly::Turning(at) => {
-                push(&contact.axes[0], &force[0], &by_twist(&contact.axes[0], &contact.k[0]), &mut matrix);
-                let limit = contact.friction() * &force[0];
-                let mut length = -&Dyadic::new(1.0);
-                for a in 1..C {
-                    let (d, sigma) = (&z[at + a - 1], &z[at + 2]);
-                    length = &length + &(d * d);
-                    matrix[*at][at + a - 1] = &Dyadic::new(2.0) * d;
-                    let drag = &(contact.friction() * d) * &contact.k[0];
-                    let mut slope = by_twist(&contact.axes[0], &drag);
-                    slope.push((at + a - 1, limit.clone()));
-                    push(&contact.axes[a], &force[a], &slope, &mut matrix);
-                    // μ N d + k σ d - k v = 0
-                    let row = at + a;
-                    let k = &contact.k[a];
-                    own.push((row, &(&force[a] + &(&(k * sigma) * d)) - &(k * &v[a])));
-                    for (j, slope) in slope {
-                        matrix[row][j] = slope;
-                    }
-                    for j in 0..D {
-                        matrix[row][j] = &matrix[row][j] + &(k * &contact.axes[a][j]);
-                    }
-                    matrix[row][at + a - 1] = &matrix[row][at + a - 1] + &(k * sigma);
-                    matrix[row][at + 2] = k * d;
-                }
-                own.push((*at, length));
-            }
-        }
-    }
-    for (row, x) in own {
-        value[row] = x;
-    }
-    if rounded {
-        for row in &mut matrix {
-            for entry in row {
-                *entry = entry.rounded(DIRECTING);
-            }
-        }
-    }
-    (matrix, value)
-}
-
-/// Force and moment about the origin of a unit force along `axis` at `point`.
-fn unit_wrench<const C: usize>(point: &[Dyadic; C], axis: &[Dyadic; C]) -> Vec<Dyadic> {
-    let moment = |a: usize, b: usize| &(&point[a] * &axis[b]) - &(&point[b] * &axis[a]);
-    let mut wrench = axis.to_vec();
-    if C == 2 {
-        wrench.push(moment(0, 1));
-    } else {
-        wrench.extend([moment(1, 2), moment(2, 0), moment(0, 1)]);
-    }
-    wrench
-}
-
-/// Over the length of the first.
-fn dot(a: &[Dyadic], b: &[Dyadic]) -> Dyadic {
-    a.iter().zip(b).fold(Dyadic::zero(), |sum, (a, b)| &sum + &(a * b))
-}
-
-fn norm(v: &[Dyadic]) -> f64 {
-    v.iter().fold(0.0, |h: f64, x| h.hypot(x.float()))
 }
