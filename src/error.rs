@@ -110,6 +110,16 @@ pub enum Error {
         /// Which contact.
         contact: ContactLabel,
     },
+    /// A question about loads of any size, asked of contacts that do not hold such loads by themselves and have a vacuum, which holds some.
+    #[error(
+        "{question} asks for loads of any size: the vacuum of contact {contact} is limited, ask load_limit or ferrari_canny"
+    )]
+    Vacuum {
+        /// The method.
+        question: &'static str,
+        /// Which contact.
+        contact: ContactLabel,
+    },
     /// A field of a question is missing, or is none of this question.
     #[error("{question}: {field} {fault}")]
     Question {

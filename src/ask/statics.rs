@@ -27,7 +27,7 @@ impl<const C: usize> Statics<'_, C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::NotForHands`] for a grasp by a hand.
+    /// [`Error::NotForHands`] for a grasp by a hand. [`Error::Vacuum`] where contacts alone do not hold it and suction cups hold some loads.
     pub fn force_closure(&self) -> Result<Closure<C>, Error> {
         self.0.engine.force_closure(&self.0.settings)
     }
@@ -36,13 +36,13 @@ impl<const C: usize> Statics<'_, C> {
     /// order.
     ///
     /// # Errors
-    /// [`Error::NotForHands`] for a grasp by a hand.
+    /// As for [`Self::force_closure`].
     pub fn form_closure(&self) -> Result<Closure<C>, Error> {
         self.0.engine.form_closure()
     }
 
     /// The largest factor λ for which *some* contact forces with normal forces within a budget balance the load `base + λ direction`: limit
-    /// analysis, on the round cone in space. What these fingers do as springs is for [`Grasp::hold`] to say.
+    /// analysis, on the round cone in space. Vacuums of suction cups pull besides. What these fingers do as springs is for [`Grasp::hold`] to say.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -72,6 +72,8 @@ impl<const C: usize> Statics<'_, C> {
 
     /// The measure ε of Ferrari and Canny for normal forces within a budget, with the default [`WrenchScale`] and [`Settings`](crate::Settings): on the round
     /// cone in space.
+    ///
+    /// Vacuums of suction cups pull besides: a load counts as balanced if forces within the budget balance it together with them.
     ///
     /// It is what some contact forces *could* do, if fingers were told. What these fingers do, squeezed this much, is for
     /// [`Self::onset`](Grasp::onset) to say.

@@ -4,8 +4,17 @@ use super::contact::Contact;
 use super::engine::Engine;
 use super::rotation::wrench_of;
 use super::site::Site;
+use super::whole_contact::{WholeContact, WholeContacts};
 use super::wrench::Wrench;
+use crate::error::ContactLabel;
 use crate::numerics::{Size, Vector};
+use crate::words::listed;
+
+/// "cup opens all around, and its vacuum is gone".
+pub(crate) fn vacuum_is_gone(cups: &[WholeContact]) -> String {
+    let [opens, its] = if cups.len() == 1 { ["opens", "its"] } else { ["open", "their"] };
+    format!("{} {opens} all around, and {its} vacuum is gone", listed(cups))
+}
 
 /// The vacuums of all contacts together.
 #[derive(Debug, Clone)]
@@ -42,6 +51,29 @@ impl<D: Size, const C: usize> Engine<D, C> {
     /// What vacuums pull with, if there are any.
     pub(crate) fn vacuum(&self) -> Option<&Vacuum<D, C>> {
         self.vacuum.as_deref()
+    }
+
+    /// The suction cups whose lips are open all around, so that their vacuum is gone.
+    pub(crate) fn cups_open(&self, is_open: impl Fn(usize) -> bool) -> Vec<WholeContact> {
+        if self.vacuum().is_none() {
+            return Vec::new();
+        }
+        let of_a_cup = |i: usize| self.contacts()[i].suction > 0.0;
+        let mut cups = WholeContacts::of(self.contacts()).with(|i| of_a_cup(i) && is_open(i));
+        cups.retain(WholeContact::is_whole);
+        cups
+    }
+
+    /// The first suction cup, if there is one.
+    pub(crate) fn first_cup(&self) -> Option<ContactLabel> {
+        let cups = self.cups_open(|_| true);
+        cups.first().map(|cup| WholeContacts::of(self.contacts()).whole(cup.contact))
+    }
+
+    /// The points of some contacts, by their place in the list.
+    pub(crate) fn points_of(&self, parts: &[WholeContact]) -> Vec<usize> {
+        let whole = WholeContacts::of(self.contacts());
+        parts.iter().flat_map(|part| whole.ranges()[part.contact].clone()).collect()
     }
 
     /// A load of the caller's with what vacuums do to the object.

@@ -63,7 +63,8 @@ impl<const D: usize, const C: usize> Engine<Fixed<D>, C> {
                 local.edges().worst(force).is_none_or(|(row, value)| value > CLEARLY_INSIDE * row.norm())
             })
         };
-        Ok(self.closure(&axes, &straight, |v| round_generators(&problem, v).collect(), inside))
+        let closure = self.closure(&axes, &straight, |v| round_generators(&problem, v).collect(), inside);
+        self.whatever_vacuums_hold(closure, "force_closure")
     }
 
     /// [`Statics::form_closure`](crate::ask::Statics::form_closure).
@@ -72,7 +73,20 @@ impl<const D: usize, const C: usize> Engine<Fixed<D>, C> {
         let axes: Vec<_> = (0..self.len()).map(|i| (i, 0)).collect();
         let normals: Vec<_> = self.normals().collect();
         let inside = |forces: &[SVector<f64, C>]| forces.iter().all(|force| force[0] > CLEARLY_INSIDE);
-        Ok(self.closure(&axes, &normals, |_| Vec::new(), inside))
+        let closure = self.closure(&axes, &normals, |_| Vec::new(), inside);
+        self.whatever_vacuums_hold(closure, "form_closure")
+    }
+
+    /// What contacts alone hold they hold with a vacuum. Where they do not, it holds some loads that they do not.
+    fn whatever_vacuums_hold(
+        &self,
+        closure: Closure<C>,
+        question: &'static str,
+    ) -> Result<Closure<C>, Error> {
+        match (&closure, self.first_cup()) {
+            (Closure::Closed { .. }, _) | (_, None) => Ok(closure),
+            (_, Some(contact)) => Err(Error::Vacuum { question, contact }),
+        }
     }
 
     /// The closure of cones with these generators and those of round cones, whose forces have these axes of the contacts.

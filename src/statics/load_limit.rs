@@ -57,7 +57,7 @@ impl<const D: usize, const C: usize> Engine<Fixed<D>, C> {
         base.check("base load")?;
         direction.check("load direction")?;
         let set = self.wrench_set(budget, &WrenchScale::of(self.contacts()), settings, "load_limit")?;
-        let [base, rate] = [&self.with_vacuum(base), direction].map(|load| -set.inside(load));
+        let [base, rate] = [base, direction].map(|load| -set.inside(load));
         let size = rate.norm();
         if size == 0.0 {
             let allowed = "more than 0";

@@ -5,6 +5,9 @@
 //! balance within a [`Budget`] of normal forces; [limit analysis](crate::ask::Statics::load_limit) how far a given one can grow. Whether these fingers,
 //! squeezed this much, do so is for [`Grasp::solve`](crate::ask::Grasp::solve) and [`Grasp::onset`](crate::ask::Grasp::onset) to say.
 //!
+//! The force of a vacuum is there whatever contacts do: it counts as part of every load. Closure, which asks for loads of any size, is refused where it
+//! rests on one.
+//!
 //! | file | idea |
 //! |---|---|
 //! | `closure` | force and form closure, with forces or a motion as the proof |

@@ -48,6 +48,8 @@ pub(super) struct WrenchSet<const D: usize, const C: usize> {
     contacts: Vec<Pushing<D, C>>,
     budget: Budget,
     scale: WrenchScale<C>,
+    /// What vacuums pull with, which is there whatever the forces are.
+    vacuum: SVector<f64, D>,
     /// Directions in which no contact force acts; the set is given some thickness there.
     pub(super) flat: Vec<SVector<f64, D>>,
 }
@@ -84,7 +86,9 @@ impl<const D: usize, const C: usize> WrenchSet<D, C> {
         };
         let contacts =
             problem.locals().zip(grasp.sites().iter().map(|site| &site.frame)).enumerate().map(pushing);
-        Ok(Self { contacts: contacts.collect::<Result<_, _>>()?, budget, scale, flat: Vec::new() })
+        let contacts = contacts.collect::<Result<_, _>>()?;
+        let set = Self { contacts, budget, scale, vacuum: SVector::zeros(), flat: Vec::new() };
+        Ok(Self { vacuum: set.inside(&grasp.with_vacuum(&Wrench::ZERO)), ..set })
     }
 
     /// The forces whose wrench goes farthest in a direction.
@@ -110,7 +114,7 @@ impl<const D: usize, const C: usize> WrenchSet<D, C> {
         let forces = self.forces(v);
         let wrench = self.contacts.iter().zip(&forces).map(|(contact, force)| contact.map * force);
         let thickness = self.flat.iter().map(|flat| flat * bound.copysign(flat.dot(v)));
-        wrench.sum::<SVector<f64, D>>() + thickness.sum::<SVector<f64, D>>()
+        self.vacuum + wrench.sum::<SVector<f64, D>>() + thickness.sum::<SVector<f64, D>>()
     }
 
     /// A wrench of the question.

@@ -3,3 +3,4 @@
 mod closure;
 mod ferrari_canny;
 mod load_limit;
+mod vacuum;

@@ -1,0 +1,107 @@
+//! Suction cups in static questions: their force is there beside those of the contacts, against sums over directions and balances by hand.
+
+use std::f64::consts::PI;
+
+use grasp_lcp::Error;
+use grasp_lcp::planar::{Closure, Contact, Grasp, Wrench};
+use grasp_lcp::statics::{Budget, LoadLimit, WrenchScale};
+
+const VACUUM: f64 = 60.0;
+const FRICTION: f64 = 0.5;
+/// From the middle, m.
+const ASIDE: f64 = 0.1;
+/// Of a grid of directions, from pole to pole.
+const STEPS: i32 = 200;
+
+type Tested = Result<(), Error>;
+
+/// Two cups on top of a plate.
+fn cups() -> Result<Grasp, Error> {
+    let cup = |x: f64| {
+        Contact::new([x, 0.0], [0.0, -1.0])
+            .name("cup")
+            .series_stiffness(5e3, 5e3)
+            .friction(FRICTION)
+            .suction(VACUUM)
+    };
+    Grasp::new([cup(-ASIDE), cup(ASIDE)])
+}
+
+/// The least of the farthest wrench over many directions. Each lip pushes with up to `most` as it likes; each vacuum pulls with V.
+#[test]
+fn the_ball_is_about_no_load_and_beside_the_vacuum() -> Tested {
+    for most in [70.0, 100.0, 400.0] {
+        let reach = |v: [f64; 3]| {
+            let cup = |x: f64| {
+                // Moments over the length of 1 m; the normal is −y.
+                let (normal, along) = (-(v[1] + v[2] * x), v[0]);
+                (normal + FRICTION * along.abs()).max(0.0) * most - VACUUM * normal
+            };
+            cup(-ASIDE) + cup(ASIDE)
+        };
+        let scale = WrenchScale { about: [0.0, 0.0], length: 1.0 };
+        let ball = cups()?.statics().ferrari_canny_scaled(Budget::Each(most), &scale)?;
+        assert!(ball.at_least > 0.0 && ball.at_most - ball.at_least < 1e-6 * most, "{ball:?}");
+        // No direction reaches less far, and the one that is told reaches no farther.
+        let told = ball.weakest.components();
+        let farthest = reach([-told[0], -told[1], -told[2]]);
+        assert!((farthest - ball.at_most).abs() < 1e-9 * most, "{farthest} {ball:?}");
+        let angle = |k: i32| PI * f64::from(k) / f64::from(STEPS);
+        for (polar, azimuth) in (0..=STEPS).flat_map(|i| (0..2 * STEPS).map(move |j| (angle(i), angle(j)))) {
+            let (sin, cos) = azimuth.sin_cos();
+            let there = reach([polar.sin() * cos, polar.sin() * sin, polar.cos()]);
+            assert!(there > ball.at_least * (1.0 - 1e-9), "{polar} {azimuth}: {there} {ball:?}");
+        }
+    }
+    Ok(())
+}
+
+/// Lips that may not push as much as the vacuum pulls are not even balanced without load.
+#[test]
+fn lips_must_bear_the_vacuum() -> Tested {
+    let ball = cups()?.statics().ferrari_canny(Budget::Each(50.0))?;
+    assert_eq!((ball.at_least, ball.at_most), (0.0, 0.0));
+    let limit =
+        cups()?.statics().load_limit(&Wrench::ZERO, &Wrench::force([0.0, -1.0]), Budget::Each(50.0))?;
+    // 20 N more than lips bear have to be taken off them; none of it is there yet.
+    assert!(matches!(limit, LoadLimit::NoBase { .. }), "{limit:?}");
+    Ok(())
+}
+
+#[test]
+fn limits_along_a_load() -> Tested {
+    let plate = cups()?;
+    for (load, expected) in [
+        // Hang: both vacuums. Shear: friction of what presses.
+        (Wrench::force([0.0, -1.0]), 2.0 * VACUUM),
+        (Wrench::force([1.0, 0.0]), FRICTION * 2.0 * VACUUM),
+        // Peel about the far lip, at the near one: W (a + b) = 2 a V for b = a.
+        (Wrench::force_at([0.0, -1.0], [ASIDE, 0.0]), VACUUM),
+    ] {
+        let limit = plate.statics().load_limit(&Wrench::ZERO, &load, Budget::Each(1e3))?;
+        let LoadLimit::Factor { at_least, at_most, .. } = limit else { panic!("{limit:?}") };
+        assert!(
+            (at_least - expected).abs() < 1e-6 && (at_most - expected).abs() < 1e-6,
+            "{at_least} {at_most}"
+        );
+    }
+    Ok(())
+}
+
+#[test]
+fn closure_does_not_rest_on_a_vacuum() -> Tested {
+    let refused = cups()?.statics().force_closure().expect_err("cups alone hold some loads, not any");
+    assert!(matches!(refused, Error::Vacuum { question: "force_closure", .. }));
+    assert_eq!(
+        refused.to_string(),
+        "force_closure asks for loads of any size: the vacuum of contact 0 (cup) is limited, ask load_limit or ferrari_canny"
+    );
+    assert!(matches!(cups()?.statics().form_closure(), Err(Error::Vacuum { .. })));
+    // Two jaws are closed with a cup or without.
+    let jaw = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 1e3).friction(FRICTION);
+    let cup =
+        Contact::new([0.0, 0.5], [0.0, -1.0]).series_stiffness(1e3, 1e3).friction(FRICTION).suction(VACUUM);
+    let jaws = Grasp::new([jaw(-1.0), jaw(1.0), cup])?;
+    assert!(matches!(jaws.statics().force_closure()?, Closure::Closed { .. }));
+    Ok(())
+}
