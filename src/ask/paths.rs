@@ -8,7 +8,7 @@ use crate::load_path::{Leg, LoadPath, PatchPath, SteppedPath};
 impl<const C: usize> Grasp<C> {
     /// Follows a load program from the equilibrium under `start` (that of [`Self::solve`]) with the finger commands of the grasp, on the
     /// exact cone: in space the round one. Nothing is computed beyond the start until the path is asked for an event. See [`LoadPath`],
-    /// and [`Leg`] for an example. For hundreds of contacts and more there are [`Self::follow_patch`] and [`Self::follow_in_steps`].
+    /// and [`Leg`] for an example. It ends where a suction cup is open all around. For hundreds of contacts and more there are [`Self::follow_patch`] and [`Self::follow_in_steps`].
     ///
     /// # Errors
     /// [`Error::Wrench`] if a load, [`Error::Contact`] if a command of a leg is not finite or beyond 1e50; [`Error::Size`] if a leg has more
@@ -21,7 +21,7 @@ impl<const C: usize> Grasp<C> {
     /// Follows a load program from the equilibrium under `start` with the finger commands of the
     /// grasp, for any number of contacts. An event costs about as much as the contacts that it
     /// concerns. In space on the default polygonal cone, 8 facets inside the round one; for the round one
-    /// there is [`Self::follow_in_steps`]. See [`PatchPath`].
+    /// there is [`Self::follow_in_steps`]. Vacuums of suction cups stay on whatever their lips do. See [`PatchPath`].
     ///
     /// # Errors
     /// As for [`Self::follow`]; [`Error::NotForHands`]; [`Error::StraightOnly`] if the load of a leg turns.
@@ -31,7 +31,8 @@ impl<const C: usize> Grasp<C> {
 
     /// Follows a load program in steps from the equilibrium under `start`, for any number of contacts on the round cone: a patch that is
     /// sheared and twisted. `error` is the estimated error of forces over the largest one that a leg may add, such as 1e-5. A step costs
-    /// a few passes over all contacts, by several threads with the same bits; steps are as long as the square root of the error. See [`SteppedPath`].
+    /// a few passes over all contacts, by several threads with the same bits; steps are as long as the square root of the error. Vacuums of suction cups
+    /// stay on whatever their lips do. See [`SteppedPath`].
     ///
     /// Where no step leads on the path is [lost](crate::load_path::PathEnd::Lost), if the speed of the object or the rates of what stands on an edge tell how; else it is
     /// [undecided](crate::load_path::PathEnd::Undecided).

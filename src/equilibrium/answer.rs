@@ -11,7 +11,7 @@ use super::pad_answer::PadAnswer;
 use super::residuals::Residuals;
 use crate::contact::State;
 use crate::forms::LeftOut;
-use crate::grasp::{Coordinates, Motion, Twist, Wrench};
+use crate::grasp::{Coordinates, Motion, Twist, WholeContact, Wrench};
 use crate::search::{Doubt, Rung};
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
@@ -72,6 +72,10 @@ pub struct Equilibrium<const C: usize> {
     /// Tendon by tendon.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub tendons: Vec<TendonAnswer>,
+    /// Suction cups whose lips are open all around. Their vacuum is counted here and would be gone: the answer is one of a grasp that
+    /// does not exist.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    pub open_cups: Vec<WholeContact>,
     /// How well the answer satisfies the conditions, recomputed from the question.
     pub residuals: Residuals,
     /// How far it is from the exact answer, where that was asked for: `None` unless a scene that asks to `solve` has told it, see

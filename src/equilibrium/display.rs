@@ -7,7 +7,7 @@ use super::contact_answer::{ContactAnswer, ContactState};
 use super::hand_answer::{DriveState, JointAnswer, TendonAnswer};
 use super::no_equilibrium::{NoEquilibrium, Proof};
 use super::pad_answer::WholeAnswer;
-use crate::grasp::JointKind;
+use crate::grasp::{JointKind, vacuum_is_gone};
 use crate::search::Doubt;
 use crate::words::Words;
 
@@ -31,6 +31,9 @@ impl<const C: usize> fmt::Display for Equilibrium<C> {
         write!(f, "the object {}, residual {residual}", self.motion(words))?;
         if let Some(caution) = self.caution() {
             write!(f, "; {caution}")?;
+        }
+        if let Some(gone) = self.vacuum_gone() {
+            write!(f, "; {gone}")?;
         }
         let digits = words.digits();
         self.whole_contacts().try_for_each(|told| write!(f, "\n  {told:.digits$}"))?;
@@ -107,6 +110,15 @@ impl<const C: usize> Equilibrium<C> {
     #[must_use]
     pub fn caution(&self) -> Option<&'static str> {
         self.is_beyond_small_motions().then_some("far beyond the small motions that this is good for")
+    }
+}
+
+impl<const C: usize> Equilibrium<C> {
+    /// What is to be said where suction cups are [open all around](Self::open_cups).
+    #[must_use]
+    pub fn vacuum_gone(&self) -> Option<String> {
+        let is_gone = || format!("{}: this does not hold", vacuum_is_gone(&self.open_cups));
+        (!self.open_cups.is_empty()).then(is_gone)
     }
 }
 

@@ -42,6 +42,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             residuals: self.residuals(problem, load, &twist, (&contacts, &found), cone),
             twist: Twist::among(&twist),
             pads: self.pads(&contacts),
+            open_cups: self.cups_open(|i| contacts[i].state == ContactState::Separated),
             contacts,
             joints,
             tendons,

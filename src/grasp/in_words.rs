@@ -13,6 +13,8 @@ const SEEN: f64 = 0.05;
 const ROUNDING: f64 = 1e-9;
 /// The same where nothing but the motion is known, m, and among forces and moments.
 const LITTLE_ROUNDING: f64 = 1e-13;
+/// Points that move by less, m, stay where they are for whoever reads it: less than a nucleus is wide.
+const NOWHERE: f64 = 1e-15;
 
 impl Words {
     /// A force and a moment about the origin: "(0, -4.905) N and 0.2 N m".
@@ -43,9 +45,9 @@ impl Words {
         let mean = moved.iter().sum::<SVector<f64, C>>() / moved.len().max(1) as f64;
         let mean = if moved.is_empty() { along } else { mean };
         let spread = moved.iter().map(|u| (u - mean).norm()).fold(0.0, f64::max);
-        let turns = omega.size() > 0.0 && (moved.is_empty() || spread > ROUNDING * mean.norm());
+        let turns = omega.size() > 0.0 && (moved.is_empty() || spread > NOWHERE.max(ROUNDING * mean.norm()));
         let moves = |by: &SVector<f64, C>| {
-            if by.norm() == 0.0 {
+            if by.norm() <= NOWHERE {
                 return "stays where it is".to_owned();
             }
             format!("moves {} along {}", self.length(by.norm()), self.along(&by.normalize()))

@@ -19,8 +19,17 @@ use crate::error::{Error, LARGEST};
 /// | a moment across the normal | V R/2 | one point opens |
 /// | a moment about the normal | μ V R | all of it slides |
 ///
-/// A real lip lets air in where its first point opens: that is the onset. [`Grasp::hold`](crate::ask::Grasp::hold) says that the cup lets go
-/// where all of its lip is open; other questions leave the vacuum on there.
+/// A real lip lets air in where its first point opens: that is the onset. Where all of it is open the vacuum is gone at the latest:
+///
+/// | question | says so by |
+/// |---|---|
+/// | [`hold`](crate::ask::Grasp::hold), [`need`](crate::ask::Grasp::need) | it lets go ([`WayOut::LetsGo`](crate::hold::WayOut::LetsGo)), and is lost there |
+/// | [`follow`](crate::ask::Grasp::follow), maps of what is held | the path ends ([`LossKind::LetsGo`](crate::load_path::LossKind::LetsGo)) |
+/// | [`onset`](crate::ask::Grasp::onset), also of a turn | what comes [beyond](crate::load_path::Beyond::WithoutVacuum) |
+/// | [`solve`](crate::ask::Grasp::solve) and every equilibrium | [`open_cups`](crate::equilibrium::Equilibrium::open_cups): it does not hold |
+/// | [`least_squeeze`](crate::ask::Grasp::least_squeeze), the weakest direction, the reserve | every lip touches and sticks there |
+/// | [`statics`](crate::ask::Statics) | forces besides: limits count them, closure of cups alone is refused |
+/// | [`follow_patch`](crate::ask::Grasp::follow_patch), [`follow_in_steps`](crate::ask::Grasp::follow_in_steps) | nothing: they leave the vacuum on, look at the states |
 ///
 /// ```
 /// use grasp_lcp::spatial::{Contact, Grasp, SuctionCup, Wrench};

@@ -15,8 +15,8 @@
 //! | spin: a moment about the normal | μ V R | all of it slides |
 //!
 //! A point of a real lip that opens lets air in, so that the onset of peeling is the end. On a bellows that follows, the vacuum may last
-//! until the lip is open all around: [`Grasp::hold`](crate::ask::Grasp::hold) says at the latest there that the cup lets go.
-//! [`Grasp::solve`](crate::ask::Grasp::solve) and paths leave the vacuum on; look at the states of the lip.
+//! until the lip is open all around: [`Grasp::hold`](crate::ask::Grasp::hold) says at the latest there that the cup lets go, a path ends there, and an equilibrium
+//! beyond names it among its [`open_cups`](crate::equilibrium::Equilibrium::open_cups). [`SuctionCup`](crate::grasp::SuctionCup) lists what other questions say.
 //! A load of several kinds at once has no such short formula, and is what [`Grasp::onset`](crate::ask::Grasp::onset) answers. How much vacuum it takes answers
 //! [`Grasp::need`](crate::ask::Grasp::need) for a squeeze.
 //!

@@ -21,7 +21,6 @@
 //!
 //! With the v of the loss and from the q where it was lost, h grows no faster than contacts open: the radius is where it could reach `W·v`.
 
-mod let_go;
 mod put_on;
 mod verdict;
 mod way_out;

@@ -3,15 +3,15 @@
 use crate::contact::{Polygon, WEIGHTLESS};
 use crate::equilibrium::{ContactState, Equilibrium, Outcome};
 use crate::error::{Error, is_moderate};
-use crate::grasp::{Coordinates, Engine, WholeContacts};
-use crate::load_path::{Change, ContactChange, Departure, Event, Leg, Loss, Onset, PathEnd, Ramp};
+use crate::grasp::{Coordinates, Engine, WholeContact, WholeContacts};
+use crate::load_path::{Change, ContactChange, Departure, Event, Leg, Loss, LossKind, Onset, PathEnd, Ramp};
 use crate::numerics::Size;
 use crate::object::Load;
 use crate::proofs::nothing_near;
 use crate::search::{Doubt, Settings};
 
 use super::verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
-use super::way_out::way_out;
+use super::way_out::{WayOut, way_out};
 
 /// A gap below this part of the size of the grasp is none, for whoever reads of it.
 const SHUT: f64 = 1e-9;
@@ -25,7 +25,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         }
         let onset = self.onset(ramp, settings)?;
         let mut path = self.follow(&ramp.base, &[Leg::along(ramp)], settings)?;
-        let (events, mut beyond) = (path.run(), Vec::new());
+        let events = path.run();
         let state = matches!(path.end(), Some(PathEnd::Completed)).then(|| path.state()).flatten();
         let mut gone = 1.0;
         if let Some(PathEnd::Completed) = path.end()
@@ -33,29 +33,12 @@ impl<D: Size, const C: usize> Engine<D, C> {
         {
             gone = settings.most_load;
             path.continue_with(&[Leg::along(&ramp.times(gone - 1.0))])?;
-            beyond = path.run();
+            path.run();
         }
         let reached = |(leg, fraction): (usize, f64)| {
             if leg == 0 { fraction } else { 1.0 + fraction * (gone - 1.0) }
         };
         let first_slip = self.first_slip(&onset);
-        if let Some((event, cups)) = self.cups_let_go(events.iter().chain(&beyond)) {
-            let held_to = reached((event.leg, event.fraction));
-            let state = state.filter(|_| held_to > 1.0);
-            let holding =
-                state.as_ref().map_or(Holding::Lost, |s| self.held(s, &events, first_slip.as_ref()));
-            let lost = Some(Lost::without_vacuum(held_to, event, cups));
-            let state = state.map(Box::new);
-            return Ok(Verdict {
-                base: ramp.base,
-                load: ramp.direction,
-                holding,
-                first_slip,
-                held_to,
-                lost,
-                state,
-            });
-        }
         let held_to = reached(path.place());
         let holding = match (&state, path.end()) {
             (Some(state), _) => self.held(state, &events, first_slip.as_ref()),
@@ -70,7 +53,8 @@ impl<D: Size, const C: usize> Engine<D, C> {
         };
         let lost = path.end().and_then(PathEnd::loss).map(|loss| {
             let mut lost = self.lost(held_to, loss, path.state());
-            if matches!(holding, Holding::Lost) {
+            // The proof counts on every vacuum.
+            if matches!(holding, Holding::Lost) && !matches!(lost.way_out, WayOut::LetsGo { .. }) {
                 lost.nothing_near = self.nothing_near(&lost, loss, ramp, settings);
             }
             lost
@@ -137,15 +121,21 @@ impl<D: Size, const C: usize> Engine<D, C> {
     /// How an equilibrium is lost when the load is on so many times.
     fn lost(&self, factor: f64, loss: &Loss<C>, state: Option<Equilibrium<C>>) -> Lost<C> {
         let largest = |state: &Equilibrium<C>| {
-            state.contacts.iter().map(|contact| contact.force.norm()).fold(0.0, f64::max)
+            let load = state.load.components().iter().take(C).fold(0.0, |h: f64, x| h.hypot(*x));
+            state.contacts.iter().map(|contact| contact.force.norm()).fold(load, f64::max)
         };
         let weightless = state.as_ref().map_or(0.0, |state| WEIGHTLESS * largest(state));
         let of = |i: usize| state.as_ref().map(|state| &state.contacts[i]);
         let presses = |i: usize| of(i).is_none_or(|contact| contact.force.norm() > weightless);
         let touches =
             |i: usize| presses(i) || of(i).is_some_and(|contact| contact.gap <= SHUT * self.length());
-        let slides = |i: usize| loss.contacts.iter().any(|contact| contact.index == i) && presses(i);
+        let at_its_edge = |i: usize| loss.contacts.iter().any(|contact| contact.index == i);
+        let slides = |i: usize| at_its_edge(i) && presses(i);
         let parts = WholeContacts::of(self.contacts());
+        let cups = if loss.kind == LossKind::LetsGo { self.cups_open(at_its_edge) } else { Vec::new() };
+        if !cups.is_empty() {
+            return Lost::without_vacuum(factor, cups, state);
+        }
         Lost {
             factor,
             kind: loss.kind,
@@ -179,5 +169,22 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let radii = virtually.into_iter().flatten().filter_map(|v| nothing_near(&problem, &at, &v));
         let radius = radii.max_by(f64::total_cmp)?;
         Some(NothingNear { translation: radius, rotation: radius / self.length() })
+    }
+}
+
+impl<const C: usize> Lost<C> {
+    /// Where the lips of cups are open all around.
+    fn without_vacuum(factor: f64, cups: Vec<WholeContact>, state: Option<Equilibrium<C>>) -> Self {
+        Self {
+            factor,
+            kind: LossKind::LetsGo,
+            way_out: WayOut::LetsGo { cups },
+            slide: Vec::new(),
+            is_gross_slip: false,
+            drives: Vec::new(),
+            motion: None,
+            state: state.map(Box::new),
+            nothing_near: None,
+        }
     }
 }

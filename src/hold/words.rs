@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
 use super::way_out::WayOut;
-use crate::grasp::{WholeContact, Wrench};
+use crate::grasp::{WholeContact, Wrench, vacuum_is_gone};
 use crate::words::{TOO_FAR, Words, listed, printable};
 
 /// What happens within this part of a load happens at once, for whoever reads it.
@@ -214,10 +214,7 @@ impl<const C: usize> fmt::Display for WayOut<C> {
                 }
                 write!(f, "{} m", words.numbers(centre.as_slice()))
             }
-            Self::LetsGo { cups } => {
-                let them = if cups.len() == 1 { "its vacuum" } else { "their vacuum" };
-                write!(f, "{} all around, and {them} is gone", does(cups, "opens", "open"))
-            }
+            Self::LetsGo { cups } => f.write_str(&vacuum_is_gone(cups)),
             Self::NotKnown => f.write_str("nothing holds on"),
         }
     }

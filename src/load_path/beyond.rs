@@ -11,7 +11,7 @@ use super::segment::Segment;
 use crate::contact::ZERO_SLACK;
 use crate::equilibrium::{ContactState, NoEquilibrium, Outcome, site_states};
 use crate::forms::kinematic_form;
-use crate::grasp::{Engine, Motion};
+use crate::grasp::{Engine, Motion, WholeContact};
 use crate::lcp;
 use crate::numerics::{Size, Vector};
 use crate::object::{Piece, Problem};
@@ -61,6 +61,11 @@ pub enum Beyond<const C: usize> {
         /// Why the rates have no solution.
         reason: NoEquilibrium<C>,
     },
+    /// The lips of these suction cups are open all around, and their vacuum is gone. What is left is another grasp, without them.
+    WithoutVacuum {
+        /// The cups.
+        cups: Vec<WholeContact>,
+    },
     /// Nothing can be said.
     Undecided {
         /// Why.
@@ -94,6 +99,10 @@ pub(super) fn continuation<D: Size, const C: usize>(
 ) -> Beyond<C> {
     let (mut states, mut force_rates) = (site_states(rates, &found), found.forces);
     states.truncate(grasp.len());
+    let cups = grasp.cups_open(|i| states[i] == ContactState::Separated);
+    if !cups.is_empty() {
+        return Beyond::WithoutVacuum { cups };
+    }
     force_rates.truncate(grasp.len());
     Beyond::Continues(Box::new(Continuation {
         states,

@@ -2,9 +2,11 @@
 
 use std::fmt;
 
+use super::beyond::Beyond;
 use super::drive_change::{DriveChange, PartChange};
 use super::event::{Change, Loss, LossKind, PathEnd};
 use super::onset::{Departure, Onset, OnsetEvent};
+use crate::grasp::vacuum_is_gone;
 use crate::words::Words;
 
 impl<const C: usize> fmt::Display for Onset<C> {
@@ -96,6 +98,23 @@ impl<const C: usize> fmt::Display for PathEnd<C> {
             Self::Undecided { leg, fraction, doubt } => {
                 write!(f, "held to {} of leg {leg}, beyond undecided: {doubt}", words.number(*fraction))
             }
+        }
+    }
+}
+
+/// What comes beyond: "no equilibrium; it is the limit load".
+impl<const C: usize> fmt::Display for Beyond<C> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let digits = Words::of(f).digits();
+        match self {
+            Self::Continues(_) => f.write_str("the grasp holds on"),
+            Self::LimitLoad => f.write_str("no equilibrium; it is the limit load"),
+            Self::Snap => f.write_str("another equilibrium; the grasp snaps over or is lost"),
+            Self::Ends { reason } => write!(f, "this equilibrium ends: {reason:.digits$}"),
+            Self::WithoutVacuum { cups } => {
+                write!(f, "{}; what is left is another grasp", vacuum_is_gone(cups))
+            }
+            Self::Undecided { doubt } => write!(f, "not known: {doubt}"),
         }
     }
 }

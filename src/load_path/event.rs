@@ -215,6 +215,7 @@ pub enum LossKind {
     Asymptote,
     /// From here on nothing resists the motion, on which the load works as it changes.
     GivesWay,
-    /// A contact with infinite friction loses its normal force while it still holds a tangential one; or all of the lip of a suction cup is open.
+    /// A contact with infinite friction loses its normal force while it still holds a tangential one; or all of the lip of a suction cup is open,
+    /// and its vacuum is gone.
     LetsGo,
 }

@@ -9,6 +9,7 @@ use super::event::PathEnd;
 use super::journey::Journey;
 use super::segment::Segment;
 use crate::equilibrium::Equilibrium;
+use crate::grasp::WholeContact;
 use crate::numerics::Size;
 use crate::object::Problem;
 
@@ -99,6 +100,11 @@ pub(crate) trait Follower<'g, D: Size, const C: usize>: Debug {
     /// The equilibrium at a fraction of a leg that lies behind; `None` where rounding does not allow it to be told.
     fn state_behind(&self, _leg: usize, _fraction: f64) -> Option<Equilibrium<C>> {
         None
+    }
+
+    /// Suction cups whose lips are open all around from here on, for a follower that looks at them.
+    fn cups_open(&self, _journey: &Journey<'g, D, C>) -> Vec<WholeContact> {
+        Vec::new()
     }
 
     /// How often a contact has been looked at.

@@ -6,7 +6,7 @@ use nalgebra::SVector;
 
 use super::beyond::{Beyond, EquilibriumEnd, beyond_end};
 use super::energy::LegEnergy;
-use super::event::PathEnd;
+use super::event::{LossKind, PathEnd};
 use super::follower::{Came, Follower, StandAtEdge};
 use super::journey::Journey;
 use super::leg::Leg;
@@ -43,6 +43,7 @@ impl<'g, D: Size, const C: usize, F: Follower<'g, D, C>> Following<'g, D, C, F> 
             Err(end) => Self { journey, follower: None, end: Some(end) },
         };
         path.set_out(goes);
+        path.end_without_vacuum();
         Ok(path)
     }
 
@@ -53,13 +54,27 @@ impl<'g, D: Size, const C: usize, F: Follower<'g, D, C>> Following<'g, D, C, F> 
         }
     }
 
+    /// Ends the path where the lip of a suction cup is open all around: what comes next is not for a grasp with its vacuum to say.
+    fn end_without_vacuum(&mut self) {
+        let Some(follower) = &self.follower else { return };
+        let open = follower.cups_open(&self.journey);
+        if !open.is_empty() {
+            let points = self.journey.grasp.points_of(&open);
+            let loss = self.journey.loss(follower.fraction(), LossKind::LetsGo, points, None);
+            self.end = Some(PathEnd::Lost(Box::new(loss)));
+        }
+    }
+
     /// What a follower has to tell when it goes on in this way; `None` where the path has ended or there is nothing to tell yet.
     pub(super) fn go(
         &mut self,
         on: impl FnOnce(&mut F, &Journey<'g, D, C>) -> Result<Came<F::Report>, PathEnd<C>>,
     ) -> Option<F::Report> {
         match on(self.follower.as_mut()?, &self.journey) {
-            Ok(Came::To(told)) => return Some(told),
+            Ok(Came::To(told)) => {
+                self.end_without_vacuum();
+                return Some(told);
+            }
             Ok(Came::OnTheWay) => {}
             Ok(Came::ToTheEndOfTheLeg) => {
                 let goes = self.journey.program.next_leg();
@@ -151,7 +166,12 @@ impl<'g, D: Size, const C: usize, F: Follower<'g, D, C>> AnyPath<C, F::Report> f
     fn beyond(&self, settings: Option<&Settings>) -> Option<Beyond<C>> {
         let settings = settings.unwrap_or(&self.journey.settings);
         let loss = self.end.as_ref()?.loss()?;
-        let StandAtEdge { segment, rates, forces } = self.follower.as_ref()?.edge(&self.journey);
+        let follower = self.follower.as_ref()?;
+        let cups = follower.cups_open(&self.journey);
+        if !cups.is_empty() {
+            return Some(Beyond::WithoutVacuum { cups });
+        }
+        let StandAtEdge { segment, rates, forces } = follower.edge(&self.journey);
         let motion = loss.against.as_ref().map(Coordinates::to);
         let end = EquilibriumEnd { factor: loss.fraction, forces: &forces, motion };
         let (settled, effort) = settle(&rates, settings);

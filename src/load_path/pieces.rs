@@ -24,7 +24,7 @@ use super::trajectory::Trajectory;
 use crate::contact::WEIGHTLESS;
 use crate::equilibrium::{ACCURATE, Equilibrium};
 use crate::error::Error;
-use crate::grasp::{Engine, Wrench};
+use crate::grasp::{Engine, WholeContact, Wrench};
 use crate::numerics::{Size, Vector};
 use crate::object::{PieceState, Problem};
 use crate::search::{Doubt, Settings};
@@ -93,6 +93,10 @@ impl<'g, D: Size, const C: usize> Follower<'g, D, C> for Pieces<'g, D, C> {
 
     fn forces(&self, _: &Journey<'g, D, C>) -> Vec<SVector<f64, C>> {
         self.node.at.forces.clone()
+    }
+
+    fn cups_open(&self, journey: &Journey<'g, D, C>) -> Vec<WholeContact> {
+        journey.grasp.cups_open(|i| self.node.states[i].is_open())
     }
 
     fn step_error(&self) -> f64 {

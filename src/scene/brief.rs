@@ -56,6 +56,9 @@ pub struct Brief {
     /// Whether the object turns [too far](Equilibrium::is_beyond_small_motions) for the answer to say much about it. Not written where it does not.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub beyond_small_motions: bool,
+    /// Whether a suction cup is [open all around](Equilibrium::open_cups) in an equilibrium, so that it is none. Not written where no cup is.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub vacuum_gone: bool,
 }
 
 impl<const C: usize> Setup<C> {
@@ -98,8 +101,20 @@ impl<const C: usize> Setup<C> {
 impl Brief {
     fn new(question: &'static str, outcome: &'static str) -> Self {
         let (factor, angle, leg, fraction, margin, first, does) = (None, None, None, None, None, None, None);
-        let beyond_small_motions = false;
-        Self { question, outcome, factor, angle, leg, fraction, margin, first, does, beyond_small_motions }
+        let (beyond_small_motions, vacuum_gone) = (false, false);
+        Self {
+            question,
+            outcome,
+            factor,
+            angle,
+            leg,
+            fraction,
+            margin,
+            first,
+            does,
+            beyond_small_motions,
+            vacuum_gone,
+        }
     }
 }
 
@@ -114,7 +129,8 @@ impl SceneNames {
 
     /// With the contact of the least margin.
     fn tightest<const C: usize>(&self, brief: Brief, state: &Equilibrium<C>) -> Brief {
-        let brief = Brief { beyond_small_motions: is_far(Some(state)), ..brief };
+        let vacuum_gone = !state.open_cups.is_empty();
+        let brief = Brief { beyond_small_motions: is_far(Some(state)), vacuum_gone, ..brief };
         let margins = state.contacts.iter().enumerate().filter(|(_, contact)| contact.margin.is_finite());
         let least = margins.min_by(|a, b| a.1.margin.total_cmp(&b.1.margin));
         let Some((site, contact)) = least else { return brief };

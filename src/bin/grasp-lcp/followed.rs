@@ -2,12 +2,15 @@
 
 use std::io;
 
-use grasp_lcp::equilibrium::{ContactAnswer, ContactState, Equilibrium};
+use grasp_lcp::equilibrium::{ContactAnswer, ContactState, Equilibrium, PadAnswer};
 use grasp_lcp::load_path::{ContactChange, Loss};
 use grasp_lcp::scene::{PathAnswer, PathOutcome};
 
 use crate::report::Report;
 use crate::words::NO_WORDS;
+
+/// Who carries less than this part of the largest force opens, where others would say that it slides.
+const WEIGHTLESS: f64 = 1e-9;
 
 impl Report<'_> {
     pub(crate) fn followed<const C: usize>(&mut self, path: &PathAnswer<C>) -> io::Result<()> {
@@ -66,7 +69,7 @@ impl Report<'_> {
         }
     }
 
-    /// Who slides with all that touches where an equilibrium is lost: the last points come to their edge just there.
+    /// Who slides or opens with all that touches where an equilibrium is lost: the last points come to their edge just there.
     fn on_their_edge<const C: usize>(&mut self, loss: &Loss<C>, state: &Equilibrium<C>) -> io::Result<()> {
         let is_closed = |contact: &&ContactAnswer<C>| contact.state != ContactState::Separated;
         let slides = |contact: &ContactAnswer<C>| {
@@ -77,7 +80,13 @@ impl Report<'_> {
             let mut closed = state.contacts[pad.range()].iter().filter(is_closed).peekable();
             closed.peek().is_some() && closed.all(slides)
         });
-        let names: Vec<_> = those.map(|pad| pad.contact.text()).collect();
-        names.iter().try_for_each(|name| self.line(&format!("{name} slides everywhere")))
+        let size = |force: &[f64]| force.iter().fold(0.0, |h: f64, x| h.hypot(*x));
+        let forces = state.contacts.iter().map(|contact| size(contact.force.as_slice()));
+        let weightless = WEIGHTLESS * forces.fold(size(loss.load.components()), f64::max);
+        let does = |pad: &PadAnswer<C>| {
+            let presses = size(&pad.wrench.components()[..C]) > weightless;
+            format!("{} {}", pad.contact.text(), if presses { "slides everywhere" } else { "opens" })
+        };
+        those.map(does).collect::<Vec<_>>().iter().try_for_each(|what| self.line(what))
     }
 }

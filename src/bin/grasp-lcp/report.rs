@@ -234,14 +234,6 @@ impl Report<'_> {
     /// What lies beyond an onset where the equilibrium ends, or beyond the end of a path.
     pub(crate) fn beyond<const C: usize>(&mut self, beyond: &Beyond<C>) -> io::Result<()> {
         let digits = self.style.digits();
-        match beyond {
-            Beyond::LimitLoad => self.line("beyond: no equilibrium; it is the limit load"),
-            Beyond::Snap => self.line("beyond: another equilibrium; the grasp snaps over or is lost"),
-            Beyond::Ends { reason } => {
-                self.line(&format!("beyond: this equilibrium ends: {reason:.digits$}"))
-            }
-            Beyond::Undecided { doubt } => self.line(&format!("beyond: not known: {doubt}")),
-            _ => self.line(&format!("beyond: {NO_WORDS}")),
-        }
+        self.line(&format!("beyond: {beyond:.digits$}"))
     }
 }

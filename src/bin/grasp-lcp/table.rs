@@ -17,7 +17,8 @@ pub(crate) fn table<const C: usize>(
     } else {
         state.whole_contacts().collect()
     };
-    let forces = state.contacts.iter().flat_map(|contact| contact.force.iter());
+    let forces =
+        state.contacts.iter().flat_map(|contact| contact.force.iter()).chain(&state.load.components()[..C]);
     let numbers = Cleaned { words: style.words, largest: forces.fold(0.0, |most: f64, x| most.max(x.abs())) };
     let heads = heads::<C>(!state.pads.is_empty() && !style.points);
     let columns = heads.len();
@@ -29,10 +30,8 @@ pub(crate) fn table<const C: usize>(
     state.tendons.iter().try_for_each(|tendon| writeln!(out, "  {tendon:.digits$}"))?;
     let residual = Words::with_digits(1).number(state.residuals.worst());
     writeln!(out, "  the object {}, residual {residual}", state.motion(style.words))?;
-    if let Some(caution) = state.caution() {
-        writeln!(out, "  CAUTION: {caution}")?;
-    }
-    Ok(())
+    let caution = state.caution().map(str::to_owned);
+    state.vacuum_gone().into_iter().chain(caution).try_for_each(|note| writeln!(out, "  CAUTION: {note}"))
 }
 
 fn heads<const C: usize>(pads: bool) -> Vec<String> {

@@ -14,6 +14,8 @@ pub(crate) enum LimitEnd {
     Snap,
     /// This equilibrium ends; whether others exist is not known.
     Ends,
+    /// A contact lets go: a suction cup that is open all around.
+    LetsGo,
     /// Nothing resists from there on.
     GivesWay,
     /// It is held as far as was asked.
@@ -23,14 +25,15 @@ pub(crate) enum LimitEnd {
 }
 
 impl LimitEnd {
-    pub(crate) const ALL: [Self; 6] =
-        [Self::Limit, Self::Snap, Self::Ends, Self::GivesWay, Self::Held, Self::Unknown];
+    pub(crate) const ALL: [Self; 7] =
+        [Self::Limit, Self::Snap, Self::Ends, Self::LetsGo, Self::GivesWay, Self::Held, Self::Unknown];
 
     pub(crate) fn word(self) -> &'static str {
         match self {
             Self::Limit => "limit load",
             Self::Snap => "snap",
             Self::Ends => "this equilibrium ends",
+            Self::LetsGo => "a contact lets go",
             Self::GivesWay => "nothing resists",
             Self::Held => "held",
             Self::Unknown => "not known",
@@ -62,6 +65,7 @@ pub(crate) fn last<const C: usize>(
     let (end, fraction) = match path.end() {
         Some(PathEnd::Completed) => (LimitEnd::Held, f64::INFINITY),
         Some(PathEnd::Lost(loss)) if loss.kind == LossKind::GivesWay => (LimitEnd::GivesWay, loss.fraction),
+        Some(PathEnd::Lost(loss)) if loss.kind == LossKind::LetsGo => (LimitEnd::LetsGo, loss.fraction),
         Some(PathEnd::Lost(loss)) => {
             let end = match path.beyond() {
                 Some(Beyond::LimitLoad) => LimitEnd::Limit,
