@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use grasp_lcp::equilibrium::{Equilibrium, Outcome};
+use grasp_lcp::grasp::Wrench;
 use grasp_lcp::load_path::{Onset, TurnOnset};
 use pyo3::prelude::*;
 use serde::Serialize;
@@ -22,7 +23,7 @@ pub(crate) enum Reply {
 
 /// An answer as the crate gave it.
 pub(crate) enum Raw<const C: usize> {
-    Solved(Outcome<C>),
+    Solved(Outcome<C>, Wrench<C>),
     Onset(Onset<C>),
     Turn(TurnOnset<C>),
 }
@@ -99,7 +100,7 @@ fn word<const C: usize>(onset: &Onset<C>) -> &'static str {
 impl<const C: usize> Of<C> {
     fn onset(&self) -> Option<&Onset<C>> {
         match &self.raw {
-            Raw::Solved(_) => None,
+            Raw::Solved(..) => None,
             Raw::Onset(onset) => Some(onset),
             Raw::Turn(turn) => Some(&turn.onset),
         }
@@ -109,7 +110,7 @@ impl<const C: usize> Of<C> {
     fn state(&self) -> PyResult<Option<Equilibrium<C>>> {
         let grasp = self.kept.without_joints("pictures").map_err(refused)?;
         Ok(match (&self.raw, self.onset()) {
-            (Raw::Solved(outcome), _) => outcome.equilibrium().cloned(),
+            (Raw::Solved(outcome, _), _) => outcome.equilibrium().cloned(),
             (_, Some(Onset::At(event))) => grasp.state_at_onset(event),
             (_, Some(Onset::AlreadySliding(state))) => Some((**state).clone()),
             _ => None,
@@ -123,9 +124,9 @@ where
 {
     fn outcome(&self) -> &'static str {
         match &self.raw {
-            Raw::Solved(Outcome::Equilibrium(_)) => "equilibrium",
-            Raw::Solved(Outcome::NoEquilibrium(_)) => "no_equilibrium",
-            Raw::Solved(_) => "undecided",
+            Raw::Solved(Outcome::Equilibrium(_), _) => "equilibrium",
+            Raw::Solved(Outcome::NoEquilibrium(_), _) => "no_equilibrium",
+            Raw::Solved(..) => "undecided",
             Raw::Onset(onset) => word(onset),
             Raw::Turn(turn) => word(&turn.onset),
         }
@@ -138,7 +139,7 @@ where
     fn json(&self) -> PyResult<String> {
         let (grasp, setup) = (self.kept.without_joints("answers").map_err(refused)?, &self.kept.setup);
         match &self.raw {
-            Raw::Solved(outcome) => json(&setup.tell_outcome(grasp, outcome).map_err(refused)?),
+            Raw::Solved(outcome, load) => json(&setup.tell_outcome(grasp, load, outcome).map_err(refused)?),
             Raw::Onset(onset) => json(&setup.tell_onset(grasp, onset).map_err(refused)?),
             Raw::Turn(turn) => json(&setup.tell_onset_of_turn(grasp, turn).map_err(refused)?),
         }

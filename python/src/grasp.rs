@@ -126,7 +126,7 @@ where
             return asked(&self.setup, Question::Solve { load }).map(Reply::Written);
         };
         let outcome = grasp.with(&self.setup.settings).solve(&load).map_err(refused)?;
-        Ok(Reply::told(self, Raw::Solved(outcome)))
+        Ok(Reply::told(self, Raw::Solved(outcome, load)))
     }
 
     fn onset(self: Arc<Self>, ramp: &AskedRamp<'_, '_>) -> PyResult<Reply> {

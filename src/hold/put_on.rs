@@ -78,7 +78,8 @@ impl<D: Size, const C: usize> Engine<D, C> {
             matches!(state.contacts[i].state, ContactState::Sliding { .. })
                 || changes().any(|change| change.contact.index == i && begins(change))
         };
-        if state.contacts.iter().all(|contact| contact.force.norm() == 0.0) {
+        // What a vacuum holds is not loose, at its very limit either.
+        if self.vacuum().is_none() && state.contacts.iter().all(|contact| contact.force.norm() == 0.0) {
             return Holding::Loose;
         }
         let parts = WholeContacts::of(self.contacts()).with(has_slid);

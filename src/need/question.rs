@@ -3,6 +3,7 @@
 use crate::grasp::Wrench;
 use crate::load_path::Turn;
 use crate::squeeze::Loads;
+use crate::words::Words;
 
 /// What is to be kept.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -27,6 +28,8 @@ pub struct Need<const C: usize> {
     /// Relative uncertainty of friction and of the squeeze, for the safe amount.
     pub(super) lower: [f64; 2],
     pub(super) scan: usize,
+    /// In which what becomes of other amounts is told.
+    pub(super) words: Words,
 }
 
 /// The quantity.
@@ -41,7 +44,8 @@ pub(super) enum Sought<const C: usize> {
 
 impl<const C: usize> Need<C> {
     fn of(sought: Sought<C>) -> Self {
-        Self { sought, base: Wrench::ZERO, demand: Demand::Sticks, lower: [0.1, 0.05], scan: 16 }
+        let words = Words::default();
+        Self { sought, base: Wrench::ZERO, demand: Demand::Sticks, lower: [0.1, 0.05], scan: 16, words }
     }
 
     /// The least squeeze for these loads: all commands in proportion, those of joints and torques that hold joints by force included.
@@ -127,6 +131,13 @@ impl<const C: usize> Need<C> {
     #[must_use]
     pub fn if_lower_by(mut self, friction: f64, squeeze: f64) -> Self {
         self.lower = [friction, squeeze];
+        self
+    }
+
+    /// This need whose answer tells numbers of other amounts in these words: with more digits than six, or fewer.
+    #[must_use]
+    pub fn told_in(mut self, words: Words) -> Self {
+        self.words = words;
         self
     }
 

@@ -2,6 +2,7 @@
 
 use std::cell::Cell;
 use std::f64::consts::{PI, TAU};
+use std::fmt;
 
 use super::question::{Demand, Need, Sought};
 use crate::ask::Grasp;
@@ -51,6 +52,7 @@ pub(super) struct Loading<const C: usize> {
     /// What acts besides, not so many times as large.
     pub(super) base: Wrench<C>,
     pub(super) times: f64,
+    words: Words,
     /// Set where the object turns too far on the way.
     far: Cell<bool>,
 }
@@ -79,7 +81,7 @@ impl<const C: usize> Loading<C> {
             }
             Sought::Angle { turn } => (changed(squeeze, &given)?, Loads::Turn(turn.up_to(amount)), 1.0),
         };
-        Ok(Self { grasp, loads, base: need.base, times, far: Cell::new(false) })
+        Ok(Self { grasp, loads, base: need.base, times, words: need.words, far: Cell::new(false) })
     }
 
     fn put_on(&self, demand: Demand) -> Result<Trial, Error> {
@@ -117,7 +119,7 @@ impl<const C: usize> Loading<C> {
         for ramp in ramps {
             let verdict = self.grasp.hold(ramp)?;
             self.watch(verdict.state.as_deref());
-            match judged(&verdict, demand) {
+            match self.judged(&verdict, demand) {
                 Trial::Does => {}
                 trial @ Trial::DoesNot(_) => return Ok(trial),
                 Trial::Unknown(why) => unknown = Some(why),
@@ -138,7 +140,7 @@ impl<const C: usize> Loading<C> {
             WeakestDirection::Force { load, .. } => {
                 let first = self.grasp.hold(Ramp::load(*base, load - *base))?;
                 self.watch(first.state.as_deref());
-                let who = first.first_slip.map_or_else(|| "it slides".to_owned(), |first| first.to_string());
+                let who = first.first_slip.map_or_else(|| "it slides".to_owned(), |first| self.said(&first));
                 Trial::DoesNot(format!("{who} under a force of one direction"))
             }
             WeakestDirection::GivesWay { .. } => {
@@ -146,7 +148,7 @@ impl<const C: usize> Loading<C> {
             }
             WeakestDirection::NotSticking => {
                 let rest = self.grasp.hold(Ramp::load(*base, Wrench::ZERO))?;
-                Trial::DoesNot(rest.to_string())
+                Trial::DoesNot(self.said(&rest))
             }
             WeakestDirection::Undecided => {
                 Trial::Unknown("rounding keeps the weakest direction from being told".to_owned())
@@ -154,18 +156,38 @@ impl<const C: usize> Loading<C> {
         })
     }
 
+    fn said(&self, what: &impl fmt::Display) -> String {
+        let digits = self.words.digits();
+        format!("{what:.digits$}")
+    }
+
+    fn judged(&self, verdict: &Verdict<C>, demand: Demand) -> Trial {
+        let does = match demand {
+            Demand::Sticks => verdict.sticks(),
+            Demand::Held => verdict.holds(),
+        };
+        match does {
+            Some(true) => Trial::Does,
+            Some(false) => Trial::DoesNot(match (&verdict.first_slip, verdict.holds()) {
+                (Some(first), Some(true)) => self.said(first),
+                _ => self.said(verdict),
+            }),
+            None => Trial::Unknown(self.said(verdict)),
+        }
+    }
+
     fn turn(&self, turn: &Turn<C>, demand: Demand) -> Result<Trial, Error> {
-        let degrees = |angle: f64| Words::default().angle(angle);
+        let degrees = |angle: f64| self.words.angle(angle);
         if demand == Demand::Sticks {
             return Ok(match self.grasp.onset_of_turn(turn)?.onset {
                 Onset::Never => Trial::Does,
-                Onset::Undecided(undecided) => Trial::Unknown(undecided.to_string()),
+                Onset::Undecided(undecided) => Trial::Unknown(self.said(&undecided)),
                 Onset::At(event) => Trial::DoesNot(format!("something slides at {}", degrees(event.factor))),
                 Onset::GivesWay { factor, .. } => {
                     Trial::DoesNot(format!("it gives way at {}", degrees(factor)))
                 }
                 Onset::AlreadySliding(_) => Trial::DoesNot("something slides before it turns".to_owned()),
-                Onset::NoBase(none) => Trial::DoesNot(none.to_string()),
+                Onset::NoBase(none) => Trial::DoesNot(self.said(&none)),
             });
         }
         let mut path = self.grasp.follow(&turn.load_at(0.0), &[Leg::turn(turn)])?;
@@ -176,25 +198,10 @@ impl<const C: usize> Loading<C> {
             Some(PathEnd::Lost(loss)) => {
                 Trial::DoesNot(format!("it is lost at {}", degrees(loss.fraction * turn.angle())))
             }
-            Some(end @ PathEnd::NoStart(_)) => Trial::DoesNot(end.to_string()),
-            Some(end @ PathEnd::Undecided { .. }) => Trial::Unknown(end.to_string()),
+            Some(end @ PathEnd::NoStart(_)) => Trial::DoesNot(self.said(end)),
+            Some(end @ PathEnd::Undecided { .. }) => Trial::Unknown(self.said(end)),
             None => Trial::Unknown("the path has no end".to_owned()),
         })
-    }
-}
-
-fn judged<const C: usize>(verdict: &Verdict<C>, demand: Demand) -> Trial {
-    let does = match demand {
-        Demand::Sticks => verdict.sticks(),
-        Demand::Held => verdict.holds(),
-    };
-    match does {
-        Some(true) => Trial::Does,
-        Some(false) => Trial::DoesNot(match (&verdict.first_slip, verdict.holds()) {
-            (Some(first), Some(true)) => first.to_string(),
-            _ => verdict.to_string(),
-        }),
-        None => Trial::Unknown(verdict.to_string()),
     }
 }
 

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::held::{HoldAnswer, NeedAnswer};
 use super::onset::{OnsetAnswer, TurnAnswer};
 use super::path::PathAnswer;
-use crate::equilibrium::Outcome;
+use super::solved::SolveAnswer;
 
 /// The answer to a [`Question`](super::Question), under the same name.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -19,7 +19,7 @@ pub enum Answer<const C: usize> {
     /// To `need`.
     Need(NeedAnswer),
     /// To `solve`.
-    Solve(Outcome<C>),
+    Solve(SolveAnswer<C>),
     /// To `onset`.
     Onset(OnsetAnswer<C>),
     /// To `onset_of_turn`.

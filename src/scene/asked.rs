@@ -3,6 +3,7 @@
 use nalgebra::SVector;
 
 use super::answer::Answer;
+use super::held::NeedAnswer;
 use super::labels::SceneNames;
 use super::onset::Factor;
 use super::question::{Commands, Goal, LegAsked, LoadGoal, Question, RampAsked};
@@ -11,6 +12,7 @@ use crate::ask::Grasp;
 use crate::error::{ContactLabel, Error};
 use crate::grasp::Wrench;
 use crate::load_path::{self, Ramp};
+use crate::words::Words;
 
 impl<const C: usize> Setup<C> {
     /// The ramp of a question as the grasp has it. Every point of a soft fingertip has the command changes of its
@@ -123,8 +125,16 @@ impl<const C: usize> Setup<C> {
     /// As for [`Self::grasp`], [`Self::ramp`], [`Self::legs`] and the methods of [`Grasp`] that
     /// answer: a malformed question is an error, "no equilibrium" is an answer.
     pub fn answers(&self) -> Result<Vec<Answer<C>>, Error> {
+        self.answers_in(Words::default())
+    }
+
+    /// The answer to every question, in order, whose sentences have numbers with so many digits.
+    ///
+    /// # Errors
+    /// As for [`Self::answers`].
+    pub fn answers_in(&self, words: Words) -> Result<Vec<Answer<C>>, Error> {
         let (grasp, labels) = (self.grasp()?, self.labels()?);
-        self.questions.iter().map(|question| self.answer(&grasp, &labels, question)).collect()
+        self.questions.iter().map(|question| self.answer(&grasp, &labels, question, words)).collect()
     }
 
     fn answer(
@@ -132,13 +142,19 @@ impl<const C: usize> Setup<C> {
         grasp: &Grasp<C>,
         labels: &SceneNames,
         question: &Question<C>,
+        words: Words,
     ) -> Result<Answer<C>, Error> {
         Ok(match question {
             Question::Hold { base, load } => {
-                Answer::Hold(labels.verdict(grasp.hold(Ramp::load(*base, *load))?))
+                Answer::Hold(labels.verdict(grasp.hold(Ramp::load(*base, *load))?, words))
             }
-            Question::Need(asked) => Answer::Need(grasp.need(&self.need(asked)?)?.into()),
-            Question::Solve { load } => Answer::Solve(labels.solved(grasp, grasp.solve(load)?)),
+            Question::Need(asked) => {
+                let needed = grasp.need(&self.need(asked)?.told_in(words))?;
+                Answer::Need(NeedAnswer::of(needed, words))
+            }
+            Question::Solve { load } => {
+                Answer::Solve(labels.solve(grasp, load, grasp.solve(load)?, words)?)
+            }
             Question::Onset(asked) => {
                 let onset = grasp.onset(&self.ramp(asked)?)?;
                 Answer::Onset(labels.onset(grasp, &onset, |factor| Factor { factor }))

@@ -2,10 +2,13 @@
 
 use super::onset::{Factor, OnsetAnswer, TurnAnswer};
 use super::setup::Setup;
+use super::solved::SolveAnswer;
 use crate::ask::Grasp;
 use crate::equilibrium::{Equilibrium, Outcome};
 use crate::error::Error;
+use crate::grasp::Wrench;
 use crate::load_path as path;
+use crate::words::Words;
 
 impl<const C: usize> Setup<C> {
     /// An answer of this setup's grasp to [`Grasp::solve`], as [`Self::answers`] writes it: for whoever asks the grasp, and writes
@@ -19,15 +22,20 @@ impl<const C: usize> Setup<C> {
     /// let load = Wrench::force([0.0, -4.0]);
     /// let setup = Setup::new([jaw(-1.0).into(), jaw(1.0).into()]).ask(Question::Solve { load });
     /// let grasp = setup.grasp()?;
-    /// let told = setup.tell_outcome(&grasp, &grasp.solve(&load)?)?;
+    /// let told = setup.tell_outcome(&grasp, &load, &grasp.solve(&load)?)?;
     /// assert_eq!(setup.answers()?, [Answer::Solve(told)]);
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     ///
     /// # Errors
-    /// As for [`Self::points`].
-    pub fn tell_outcome(&self, grasp: &Grasp<C>, outcome: &Outcome<C>) -> Result<Outcome<C>, Error> {
-        Ok(self.labels()?.solved(grasp, outcome.clone()))
+    /// As for [`Self::points`] and [`Grasp::hold`].
+    pub fn tell_outcome(
+        &self,
+        grasp: &Grasp<C>,
+        load: &Wrench<C>,
+        outcome: &Outcome<C>,
+    ) -> Result<SolveAnswer<C>, Error> {
+        self.labels()?.solve(grasp, load, outcome.clone(), Words::default())
     }
 
     /// An answer of this setup's grasp to [`Grasp::onset`], with the settings of the setup. What comes beyond the onset and the

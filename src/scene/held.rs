@@ -1,10 +1,13 @@
 //! Answers to "does it hold?" and "how much does it need?"
 
+use std::fmt;
+
 use serde::{Deserialize, Serialize};
 
 use super::labels::SceneNames;
 use crate::hold::Verdict;
 use crate::need::Needed;
+use crate::words::Words;
 
 /// What becomes of a load that is put on from rest; see [`Verdict`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -31,8 +34,8 @@ pub struct NeedAnswer {
 }
 
 impl SceneNames {
-    pub(super) fn verdict<const C: usize>(&self, mut verdict: Verdict<C>) -> HoldAnswer<C> {
-        let says = verdict.to_string();
+    pub(super) fn verdict<const C: usize>(&self, mut verdict: Verdict<C>, words: Words) -> HoldAnswer<C> {
+        let says = said(&verdict, words);
         let at_the_loss = verdict.lost.as_mut().and_then(|lost| lost.state.as_mut());
         for state in verdict.state.as_mut().into_iter().chain(at_the_loss) {
             **state = self.equilibrium(state.as_ref().clone());
@@ -41,8 +44,13 @@ impl SceneNames {
     }
 }
 
-impl From<Needed> for NeedAnswer {
-    fn from(needed: Needed) -> Self {
-        Self { says: needed.to_string(), needed }
+impl NeedAnswer {
+    pub(super) fn of(needed: Needed, words: Words) -> Self {
+        Self { says: said(&needed, words), needed }
     }
+}
+
+fn said(answer: &impl fmt::Display, words: Words) -> String {
+    let digits = words.digits();
+    format!("{answer:.digits$}")
 }

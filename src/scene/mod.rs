@@ -236,7 +236,7 @@
 //! |---|---|---|
 //! | `hold` | the sentence `says`, and as `holding` one of `sticks`, `slides`, `loose`, `lost`, `no_rest`, `undecided` | [`HoldAnswer`] |
 //! | `need` | the sentence `says`, and as `amount` one of `bound`, `any`, `none`, `undecided` | [`NeedAnswer`] |
-//! | `solve` | `equilibrium`, `no_equilibrium`, `undecided` | [`Outcome`](crate::equilibrium::Outcome) |
+//! | `solve` | `equilibrium`, `no_equilibrium`, `undecided` ; where that does not tell whether it is held, `from_rest` what `hold` says | [`SolveAnswer`] |
 //! | `onset` | `at`, `never`, `already_sliding`, `no_base`, `gives_way`, `undecided` | [`OnsetAnswer`] |
 //! | `onset_of_turn` | the same, with `angle_rad` for the factor, and the edges that are touched | [`TurnAnswer`] |
 //! | `follow` | `completed`, `lost`, `no_start`, `undecided` | [`PathAnswer`] |
@@ -284,6 +284,7 @@ mod plain_words;
 mod question;
 mod settings;
 mod setup;
+mod solved;
 mod springs;
 mod turn;
 mod warning;
@@ -305,5 +306,6 @@ pub use patch::Tip;
 pub use path::{BalancedEnergy, PathAnswer, PathOutcome};
 pub use question::{Commands, Goal, LegAsked, LoadGoal, Question, RampAsked};
 pub use setup::Setup;
+pub use solved::SolveAnswer;
 pub use warning::Warning;
 pub use written::{Answers, FORMAT, Id, Scene, Space};

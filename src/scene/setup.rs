@@ -19,7 +19,7 @@ use crate::serial::{AsComputed, AxisRow, Given};
 /// ```
 /// use grasp_lcp::planar::{Contact, Wrench};
 /// use grasp_lcp::equilibrium::Outcome;
-/// use grasp_lcp::scene::{Answer, OnsetAnswer, Question, RampAsked, Setup};
+/// use grasp_lcp::scene::{Answer, OnsetAnswer, Question, RampAsked, Setup, SolveAnswer};
 ///
 /// // Two jaws press with 1000 N/m · 0.01 m = 10 N each; μ = 0.5, so that they hold 10 N.
 /// let jaw = |side: f64| {
@@ -30,7 +30,7 @@ use crate::serial::{AsComputed, AxisRow, Given};
 ///     .ask(Question::Solve { load: down * 4.0 })
 ///     .ask(Question::Onset(RampAsked::along(down)));
 ///
-/// let [Answer::Solve(Outcome::Equilibrium(state)), Answer::Onset(OnsetAnswer::At(onset))] = &setup.answers()?[..] else {
+/// let [Answer::Solve(SolveAnswer { outcome: Outcome::Equilibrium(state), .. }), Answer::Onset(OnsetAnswer::At(onset))] = &setup.answers()?[..] else {
 ///     panic!("it holds 4 N, and slides at some load")
 /// };
 /// assert!((state.contacts[0].force[0] - 10.0).abs() < 1e-13);

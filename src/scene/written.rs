@@ -7,6 +7,7 @@ use super::answer::Answer;
 use super::object;
 use super::setup::Setup;
 use crate::error::Error;
+use crate::words::Words;
 use crate::{planar, spatial};
 
 /// The version of the format that is written and read.
@@ -81,9 +82,17 @@ impl Scene {
     /// # Errors
     /// As for [`Setup::answers`].
     pub fn answers(&self) -> Result<Answers, Error> {
+        self.answers_in(Words::default())
+    }
+
+    /// The answer to every question, in order, whose sentences have numbers with so many digits.
+    ///
+    /// # Errors
+    /// As for [`Setup::answers`].
+    pub fn answers_in(&self, words: Words) -> Result<Answers, Error> {
         match &self.space {
-            Space::Planar(setup) => setup.answers().map(Answers::Planar),
-            Space::Spatial(setup) => setup.answers().map(Answers::Spatial),
+            Space::Planar(setup) => setup.answers_in(words).map(Answers::Planar),
+            Space::Spatial(setup) => setup.answers_in(words).map(Answers::Spatial),
         }
     }
 }

@@ -7,7 +7,7 @@ use grasp_lcp::nalgebra::DMatrix;
 use grasp_lcp::planar::Contact;
 use grasp_lcp::planar::hand::{Finger, Hand, Joint, Tendon};
 use grasp_lcp::planar::{Leg, Wrench};
-use grasp_lcp::scene::{Answer, Answers, Fingertip, Scene, Setup, Space};
+use grasp_lcp::scene::{Answer, Answers, Fingertip, Scene, Setup, SolveAnswer, Space};
 use grasp_lcp::{planar, scene, spatial};
 use serde_json::{Value, json};
 
@@ -99,7 +99,8 @@ fn a_written_hand_reads_back_and_answers_as_the_one_that_is_built() -> Tested {
     assert_eq!(format!("{back:?}"), format!("{answers:?}"));
 
     let grasp = by_calls()?;
-    let [Answer::Solve(Outcome::Equilibrium(told)), onset, path] = &answers[..] else {
+    let [Answer::Solve(SolveAnswer { outcome: Outcome::Equilibrium(told), .. }), onset, path] = &answers[..]
+    else {
         return Err(format!("{answers:?}").into());
     };
     let outcome = grasp.solve(&Wrench::new([0.25, -0.5], 0.125))?;
@@ -168,7 +169,7 @@ fn hands_of_every_size_are_answered() -> Tested {
         let direct = direct.solve(&spatial::Wrench::force([0.1, 0.2, -1.0]))?;
         let direct = direct.equilibrium().ok_or("holds")?;
         let Answers::Spatial(answers) = scene.answers()? else { return Err("spatial".into()) };
-        let [Answer::Solve(Outcome::Equilibrium(told))] = &answers[..] else {
+        let [Answer::Solve(SolveAnswer { outcome: Outcome::Equilibrium(told), .. })] = &answers[..] else {
             return Err(format!("{coordinates}: {answers:?}").into());
         };
         for (a, b) in told.contacts.iter().zip(&direct.contacts) {
@@ -188,7 +189,8 @@ fn a_finger_has_soft_tips() -> Tested {
     };
     let setup = Setup::<2>::new([]).finger(jaw(-1.0)).finger(jaw(1.0));
     let setup = setup.ask(serde_json::from_value(json!({ "solve": { "load": { "moment": 0.2 } } }))?);
-    let [Answer::Solve(Outcome::Equilibrium(told))] = &setup.answers()?[..] else {
+    let [Answer::Solve(SolveAnswer { outcome: Outcome::Equilibrium(told), .. })] = &setup.answers()?[..]
+    else {
         return Err("holds".into());
     };
     let places: Vec<_> =

@@ -10,6 +10,7 @@ mod messages;
 mod names_apart;
 mod picture_paper;
 mod planar_still;
+mod said_in_digits;
 mod soft_still;
 mod spatial_page;
 mod spatial_still;

@@ -51,7 +51,9 @@ pub(crate) fn ask(ask: &Ask, asked: &Asked) -> Result<ExitCode, Failure> {
     if let Some(warning) = left_out.map_err(|error| files::refused(&ask.scene, &error))? {
         files::warn(&ask.scene, &warning);
     }
-    let answers = scene.answers().map_err(|error| files::refused(&ask.scene, &error))?;
+    let answers = scene
+        .answers_in(Words::with_digits(ask.digits.into()))
+        .map_err(|error| files::refused(&ask.scene, &error))?;
     let mut out = io::stdout().lock();
     if ask.json {
         serde_json::to_writer_pretty(&mut out, &answers).map_err(io::Error::from)?;
@@ -301,7 +303,7 @@ fn is_undecided<const C: usize>(answer: &Answer<C>) -> bool {
     match answer {
         Answer::Hold(answer) => matches!(answer.verdict.holding, Holding::Undecided { .. }),
         Answer::Need(answer) => matches!(answer.needed.amount, Amount::Undecided { .. }),
-        Answer::Solve(answer) => matches!(answer, Outcome::Undecided(_)),
+        Answer::Solve(answer) => matches!(answer.outcome, Outcome::Undecided(_)),
         Answer::Onset(answer) => matches!(answer, OnsetAnswer::Undecided(_)),
         Answer::OnsetOfTurn(answer) => matches!(answer.onset, OnsetAnswer::Undecided(_)),
         Answer::Follow(answer) => matches!(answer.end, PathOutcome::Undecided { .. }),

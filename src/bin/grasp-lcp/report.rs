@@ -33,7 +33,7 @@ pub(crate) fn print<const C: usize>(
     }
     let mut report = Report { out, style };
     for (question, answer) in setup.questions.iter().zip(answers) {
-        report.answer(setup, question, answer)?;
+        report.answer(question, answer)?;
     }
     Ok(())
 }
@@ -61,12 +61,7 @@ impl Report<'_> {
         table(self.out, self.style, state)
     }
 
-    fn answer<const C: usize>(
-        &mut self,
-        setup: &Setup<C>,
-        question: &Question<C>,
-        answer: &Answer<C>,
-    ) -> io::Result<()> {
+    fn answer<const C: usize>(&mut self, question: &Question<C>, answer: &Answer<C>) -> io::Result<()> {
         let digits = self.style.digits();
         match (question, answer) {
             (_, Answer::Hold(answer)) => {
@@ -74,13 +69,14 @@ impl Report<'_> {
                 answer.verdict.state.as_ref().map_or(Ok(()), |state| self.table(state))
             }
             (_, Answer::Need(answer)) => writeln!(self.out, "{:.digits$}", answer.needed),
-            (Question::Solve { load }, Answer::Solve(outcome)) => {
+            (Question::Solve { load }, Answer::Solve(answer)) => {
                 writeln!(self.out, "\nUnder {}", self.load(load))?;
-                self.solved(outcome)?;
+                self.solved(&answer.outcome)?;
                 // Nothing was found by a search; what happens from rest is known all the same.
-                match (outcome, setup.grasp().map(|grasp| grasp.hold(*load))) {
-                    (Outcome::Undecided(_), Ok(Ok(verdict))) => self.put_on_from_rest(&verdict),
-                    _ => Ok(()),
+                match (&answer.from_rest, &answer.outcome) {
+                    (Some(told), Outcome::Undecided(_)) => self.put_on_from_rest(&told.verdict),
+                    (Some(told), _) => self.line(&format!("put on from rest: {}", told.says)),
+                    (None, _) => Ok(()),
                 }
             }
             (Question::Onset(ramp), Answer::Onset(onset)) => {

@@ -1,0 +1,90 @@
+//! Sentences of answers in JSON have as many digits as are asked for, and an outcome that says nothing comes with what happens from rest.
+
+use grasp_lcp::equilibrium::Outcome;
+use grasp_lcp::hold::Holding;
+use grasp_lcp::need::Amount;
+use grasp_lcp::planar::{Contact, Wrench};
+use grasp_lcp::scene::{Answer, Answers, Fingertip, Question, Scene, Setup, SolveAnswer, Space};
+use grasp_lcp::words::Words;
+use serde_json::json;
+
+/// Two jaws of 7.123456789 N each, μ = 0.5, that hold as much together.
+fn jaws() -> Setup<2> {
+    let jaw = |x: f64, name| {
+        Contact::new([x, 0.0], [-x, 0.0])
+            .name(name)
+            .series_stiffness(1e3, 8e2)
+            .friction(0.5)
+            .pressed_with(7.123_456_789)
+    };
+    Setup::new([jaw(-0.03, "left").into(), jaw(0.03, "right").into()])
+}
+
+fn in_digits(question: serde_json::Value, digits: usize) -> Answer<2> {
+    let question: Question<2> = serde_json::from_value(question).expect("a question");
+    let answers = jaws().ask(question).answers_in(Words::with_digits(digits)).expect("answered");
+    answers.into_iter().next().expect("one")
+}
+
+#[test]
+fn hold_and_need_obey_the_digits() {
+    for (digits, force) in [(3, "7.12 N of 9 N"), (6, "7.12346 N of 9 N"), (10, "7.123456789 N of 9 N")] {
+        let Answer::Hold(held) = in_digits(json!({ "hold": { "load": { "force": [0, -9] } } }), digits)
+        else {
+            panic!("hold was asked")
+        };
+        assert!(held.says.starts_with(&format!("SLIPS OUT at {force}: ")), "{}", held.says);
+        assert_eq!(held.says, format!("{:.digits$}", held.verdict));
+        let need = json!({ "need": { "quantity": "squeeze", "demand": "held", "load": { "force": [0, -9.123456789] } } });
+        let Answer::Need(needed) = in_digits(need, digits) else { panic!("need was asked") };
+        assert_eq!(needed.says, format!("{:.digits$}", needed.needed));
+        // What happens with less is a sentence of the answer; it obeys, too.
+        let Amount::Bound { otherwise, .. } = &needed.needed.amount else { panic!("some squeeze does") };
+        let load = Words::with_digits(digits).number(9.123_456_789);
+        assert!(otherwise.contains(&format!("{load} N of {load} N")), "{otherwise}");
+    }
+}
+
+#[test]
+fn six_unless_said() {
+    let question =
+        || serde_json::from_value(json!({ "hold": { "load": { "force": [0, -9] } } })).expect("a question");
+    let setup = jaws().ask(question());
+    assert_eq!(setup.answers().expect("answered"), setup.answers_in(Words::default()).expect("answered"));
+    let scene = Scene::from(Space::Planar(setup));
+    let Answers::Planar(list) = scene.answers_in(Words::with_digits(2)).expect("answered") else {
+        panic!("planar")
+    };
+    assert!(matches!(&list[..], [Answer::Hold(held)] if held.says.starts_with("SLIPS OUT at 7.1 N of 9 N")));
+}
+
+/// Soft jaws of 25 N and μ = 0.3 hold 15 N by statics; whether a wedged equilibrium holds 20 N elsewhere is not decided.
+#[test]
+fn undecided_comes_with_what_happens_from_rest() {
+    let jaw = |x: f64| -> Fingertip<2> {
+        let jaw = json!({
+            "point": [x, 0], "normal": [-x, 0], "series_stiffness": [2000, 1000], "friction": 0.3, "pressed_with": 25,
+            "soft": { "pad": { "width": 0.02, "strips": 2 } }
+        });
+        serde_json::from_value(jaw).expect("a jaw")
+    };
+    let setup = Setup::new([jaw(-0.04), jaw(0.04)]);
+    for (weight, decided) in [(14.9, true), (20.0, false)] {
+        let answers = setup.clone().ask(Question::Solve { load: Wrench::force([0.0, -weight]) }).answers();
+        let Ok([Answer::Solve(SolveAnswer { outcome, from_rest, .. })]) = answers.as_deref() else {
+            panic!("one answer")
+        };
+        assert_eq!(matches!(outcome, Outcome::Undecided(_)), !decided, "{outcome}");
+        assert_eq!(from_rest.is_none(), decided);
+        if let Some(told) = from_rest {
+            let lost = told.verdict.lost.as_ref().expect("beyond what friction carries");
+            assert!(
+                (lost.factor * weight - 15.0).abs() < 1e-9 && matches!(told.verdict.holding, Holding::Lost)
+            );
+        }
+        // As it is written it is read.
+        let written = serde_json::to_string(&answers.as_ref().expect("one answer")).expect("written");
+        let read: Vec<Answer<2>> = serde_json::from_str(&written).expect("read");
+        assert_eq!(serde_json::to_string(&read).expect("written"), written);
+    }
+}
