@@ -65,6 +65,11 @@ impl<D: Size> Direction<D> {
     pub(super) fn onward() -> Self {
         Self { twist: Vector::zeros(), factor: 1.0 }
     }
+
+    /// Whether what goes across it stays at its factor.
+    fn keeps_the_factor(&self) -> bool {
+        self.twist.norm_squared() == 0.0
+    }
 }
 
 impl<'s, 'g, D: Size, const C: usize> Arc<'s, 'g, D, C> {
@@ -227,7 +232,11 @@ impl<'s, 'g, D: Size, const C: usize> Arc<'s, 'g, D, C> {
                     ended = Some(carried);
                     break;
                 }
-                let change = self.unscaled(bordered.solve(&left, 0.0));
+                let mut change = self.unscaled(bordered.solve(&left, 0.0));
+                if across.keeps_the_factor() {
+                    // It comes out as the rounding of zero.
+                    change.factor = 0.0;
+                }
                 twist += &change.twist;
                 factor += change.factor;
                 let rates = self.force_rates(&tangents, &change);

@@ -22,12 +22,10 @@ use crate::object::{PieceState, largest_force};
 
 /// A goal within this part of the leg is where the step ends.
 const AT_THE_GOAL: f64 = 2e-13;
-/// After so many trials it need not come as near, and after so many more it is given up.
-const NEAR_THE_GOAL: f64 = 1e-11;
+/// After so many trials it need not come as near, and after so many more a part of the leg as small as the error of steps will do: the tangent leads there.
+const NEAR_THE_GOAL: [f64; 2] = [1e-11, 1e-9];
 const MANY_TRIALS: usize = 16;
 const MOST_TRIALS: usize = 60;
-/// A factor that is missed by this part of it is reached: neighbouring lengths of a step may lead to both sides of it.
-const ROUNDED: f64 = 2.0 * f64::EPSILON;
 /// A part of a step may have so many times its error.
 const LOOSER: [f64; 4] = [1.0, 10.0, 100.0, 1000.0];
 /// A slip against the friction force by this part of the displacements of the contact is rounding.
@@ -68,7 +66,12 @@ pub(super) struct StepGoal {
 impl StepGoal {
     /// The goal of a trial after so many that missed it: steps of implicit rules come no nearer than their rounding.
     pub(super) fn after(factor: f64, trials: usize) -> Self {
-        Self { factor, near: if trials < MANY_TRIALS { AT_THE_GOAL } else { NEAR_THE_GOAL } }
+        let near = match trials / MANY_TRIALS {
+            0 => AT_THE_GOAL,
+            1 => NEAR_THE_GOAL[0],
+            _ => NEAR_THE_GOAL[1],
+        };
+        Self { factor, near }
     }
 }
 
@@ -303,8 +306,8 @@ impl<'s, 'g, D: Size, const C: usize> Flow<'s, 'g, D, C> {
             let goal_here = StepGoal::after(goal, trial);
             let mut rules = LOOSER.into_iter().map(|times| rule.looser(times));
             let reached = rules.find_map(|rule| self.reach(length, goal_here, rule))?;
-            if (reached.to - goal).abs() <= ROUNDED * goal.abs() {
-                return Some(Reached { to: goal, ..reached });
+            if reached.to == goal {
+                return Some(reached);
             }
             if reached.to > goal {
                 high = length;
