@@ -81,12 +81,12 @@ impl<const C: usize> ContactAnswer<C> {
         self.force.iter().skip(1).fold(0.0, |h: f64, f| h.hypot(*f))
     }
 
-    /// How much friction is used, `|F_t| / F_n`, to be compared with μ; zero without tangential force. Of no meaning for a bonded contact,
+    /// How much friction is used, `|F_t| / F_n`, to be compared with μ; zero where nothing presses. Of no meaning for a bonded contact,
     /// whose normal force may pull.
     #[must_use]
     pub fn friction_used(&self) -> f64 {
         let friction = self.friction_force();
-        if friction == 0.0 { 0.0 } else { friction / self.force[0] }
+        if friction == 0.0 || self.force[0] <= 0.0 { 0.0 } else { friction / self.force[0] }
     }
 }
 

@@ -43,7 +43,7 @@ pub(super) struct Arc<'s, 'g, D: Size, const C: usize> {
     pub(super) sliding: Vec<usize>,
     /// u, the displacement that counts as much as the whole leg, m.
     unit: f64,
-    /// T of what does not slide; motions that nothing resists are held.
+    /// T of what does not slide; motions that nothing resists are held, or pushed along by what carries no force.
     fixed: Square<D>,
     /// b of what does not slide, but for the rate of the load.
     push: Vector<D>,
@@ -73,12 +73,16 @@ impl<D: Size> Direction<D> {
 }
 
 impl<'s, 'g, D: Size, const C: usize> Arc<'s, 'g, D, C> {
-    pub(super) fn new(
+    /// Motions that nothing resists go on at their rates for one unit of the factor.
+    pub(super) fn new<'m>(
         segment: &'s Segment<'g, D, C>,
         states: &'s [State<C>],
-        free_motions: &[Vector<D>],
+        free_motions: impl IntoIterator<Item = (&'m Vector<D>, f64)>,
         unit: f64,
-    ) -> Self {
+    ) -> Self
+    where
+        D: 'm,
+    {
         let sites = segment.grasp.sites();
         let size = segment.grasp.size();
         let (mut fixed, mut push, mut stiffest) = (Square::zeros(size), Vector::zeros(), 0.0_f64);
@@ -90,8 +94,9 @@ impl<'s, 'g, D: Size, const C: usize> Arc<'s, 'g, D, C> {
                 push += &pushed * segment.change[i];
             }
         }
-        for v in free_motions {
+        for (v, rate) in free_motions {
             fixed.add_product(v, &(v * stiffest));
+            push += v * (stiffest * rate);
         }
         let sliding = (0..sites.len()).filter(|&i| states[i].slides()).collect();
         let driven = segment.change.iter().any(|a| a.norm() > 0.0);
@@ -302,19 +307,22 @@ fn add_products<D: Size>(t: &mut Square<D>, [a, b]: [&Vector<D>; 2], [c, d]: [&V
 
 impl<D: Size, const C: usize> Segment<'_, D, C> {
     /// State and rates where contacts slide on the round cone: the first order of what comes next, as long as the states last. The
-    /// state is the one near `at` in which friction is on the cones: where a contact has opened, the others take its share.
+    /// state is the one near `at` in which friction is on the cones: where a contact has opened, the others take its share. Motions that
+    /// nothing resists are as fast as those of the rates `pushed`.
     pub(super) fn tangent(
         &self,
         states: &[State<C>],
         factor: f64,
         at: &PieceState<D, C>,
+        pushed: Option<&Vector<D>>,
     ) -> Result<Here<D, C>, NoEquilibrium<C>> {
         let piece = std::sync::Arc::new(Piece::new(&self.problem, states));
         let rate = piece
             .solve(self.problem.sites, &self.change, &self.course.rate_at(factor))
             .map_err(|u| self.unbalanced(factor, u.motion))?;
+        let rate = self.pushed_along(&piece, rate, pushed);
         let frictions: Vec<_> = states.iter().filter_map(State::slide).map(|slide| slide.direction).collect();
-        let arc = Arc::new(self, states, piece.free_motions(), 1.0);
+        let arc = Arc::new(self, states, piece.free_motions().iter().map(|v| (v, 0.0)), 1.0);
         let largest = self.problem.largest_force(&at.forces, &at.twist).max(self.largest);
         let is_near = |(there, _): &(PieceState<D, C>, f64)| {
             there.forces.iter().zip(&at.forces).all(|(f, g)| (f - g).norm() <= CORRECTED * largest)

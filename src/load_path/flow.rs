@@ -28,6 +28,8 @@ const MANY_TRIALS: usize = 16;
 const MOST_TRIALS: usize = 60;
 /// A part of a step may have so many times its error.
 const LOOSER: [f64; 4] = [1.0, 10.0, 100.0, 1000.0];
+/// A motion slower than this part of the fastest is rounding.
+const UNPUSHED: f64 = 1e-9;
 /// A slip against the friction force by this part of the displacements of the contact is rounding.
 const BACKWARDS: f64 = 1e-13;
 /// Works and their turnover are integrated along with the rest.
@@ -125,7 +127,12 @@ impl<'s, 'g, D: Size, const C: usize> Flow<'s, 'g, D, C> {
         let force = largest_force(sites, &drives, &here.twist, load, forces).max(segment.largest);
         let spans = sites.iter().zip(&drives).map(|(site, a)| site.span(a, &here.twist));
         let sizes = [force, spans.fold(0.0, f64::max)];
-        let arc = Arc::new(segment, states, &here.free_motions, unit);
+        // Motions that no force drives go on as they do here.
+        let pushed = |v: &Vector<D>| {
+            let rate = v.dot(&here.twist_rate);
+            if rate.abs() > UNPUSHED * here.twist_rate.norm() { rate / here.factor_rate } else { 0.0 }
+        };
+        let arc = Arc::new(segment, states, here.free_motions.iter().map(|v| (v, pushed(v))), unit);
         // The friction force of what has just closed is rounding: its direction is that of the state.
         let friction = |&i: &usize| {
             let size = tangential_norm(&here.lines[i].force);

@@ -91,7 +91,7 @@ impl<D: Size, const C: usize> Node<D, C> {
         }
         let other_continuations = others(&rates, &found);
         let changes = self.take_over(segment, factor, &rates, &found);
-        let look = self.look(segment, factor);
+        let look = self.look(segment, factor, Some(&found.twist));
         let here = look.map_err(|_| journey.undecided(factor, Doubt::Inaccurate))?;
         for (i, stand) in self.stands.iter_mut().enumerate() {
             segment.problem.local(i).leave(stand, &self.states[i], &here.lines[i], &here.gaps[i]);

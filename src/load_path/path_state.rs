@@ -9,7 +9,7 @@ use super::trajectory::Trajectory;
 use super::watch::is_vanishing;
 use crate::contact::{ActiveSet, Line, State, ZERO_SLACK, tangential};
 use crate::equilibrium::NoEquilibrium;
-use crate::numerics::Size;
+use crate::numerics::{Size, Vector};
 use crate::object::{PieceState, least_spring_force};
 use crate::search::Found;
 
@@ -45,7 +45,7 @@ impl<D: Size, const C: usize> Node<D, C> {
         if segment.problem.round {
             node.slip_until_now(segment, 0.0);
         }
-        if let Ok(here) = node.look(segment, 0.0) {
+        if let Ok(here) = node.look(segment, 0.0, None) {
             node.stand(segment, &here);
         }
         node
@@ -56,16 +56,17 @@ impl<D: Size, const C: usize> Node<D, C> {
         self.states.iter().any(|state| state.slide().is_some())
     }
 
-    /// Forces and their rates in the present states.
+    /// Forces and their rates in the present states. Motions that these leave free are as fast as those of the rates `pushed`.
     pub(super) fn look(
         &self,
         segment: &Segment<'_, D, C>,
         factor: f64,
+        pushed: Option<&Vector<D>>,
     ) -> Result<Here<D, C>, NoEquilibrium<C>> {
         if self.turns() {
-            segment.tangent(&self.states, factor, &self.at)
+            segment.tangent(&self.states, factor, &self.at, pushed)
         } else {
-            segment.look(&self.states, factor, Some(&self.at.twist))
+            segment.look(&self.states, factor, Some(&self.at.twist), pushed)
         }
     }
 

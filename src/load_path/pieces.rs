@@ -190,7 +190,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
     fn present_state(&self, journey: &Journey<'g, D, C>) -> Option<Equilibrium<C>> {
         let here = match &self.here {
             Some(here) => here.clone(),
-            None => self.node.look(&self.segment, self.factor).ok()?,
+            None => self.node.look(&self.segment, self.factor, None).ok()?,
         };
         let there = self.state_after(&here, 0.0);
         self.state_on(&self.stretch(journey, here, self.factor, there), self.factor)

@@ -178,7 +178,7 @@ mod tests {
                 .collect();
             let sliding = frictions.iter().map(|friction| State::Round(Slide::new(friction, 0.0)));
             let states: Vec<_> = std::iter::once(State::Sticking).chain(sliding).collect();
-            let arc = Arc::new(&segment, &states, &[], 0.5);
+            let arc = Arc::new(&segment, &states, [], 0.5);
             let way = arc.direction(&arc.tangents(frictions.iter().copied()), 0.0, &Direction::onward());
             let way = way.expect("one direction");
 

@@ -12,6 +12,9 @@ use crate::grasp::Engine;
 use crate::numerics::{Size, Vector, cleared_for};
 use crate::object::{Piece, PieceState, Problem, largest_force};
 
+/// A motion slower than this part of the fastest is rounding.
+const UNFELT: f64 = 1e-12;
+
 /// Load and drives at factor 0 and their rates, with the slip of the contacts so far.
 #[derive(Debug, Clone)]
 pub(super) struct Segment<'g, D: Size, const C: usize> {
@@ -77,12 +80,13 @@ impl<D: Size, const C: usize> Here<D, C> {
 
 impl<'g, D: Size, const C: usize> Segment<'g, D, C> {
     /// Forces, gaps and their rates at a factor. Where the states leave motions free, the twist is that nearest to
-    /// `near`: nothing drives the object along them.
+    /// `near`, and its rate that nearest to `pushed`: no force drives the object along them, but a contact that touches without any may push it.
     pub(super) fn look(
         &self,
         states: &[State<C>],
         factor: f64,
         near: Option<&Vector<D>>,
+        pushed: Option<&Vector<D>>,
     ) -> Result<Here<D, C>, NoEquilibrium<C>> {
         let piece = self.problem.piece(states);
         let rate = match &self.course {
@@ -95,6 +99,7 @@ impl<'g, D: Size, const C: usize> Segment<'g, D, C> {
         let rate = piece
             .solve(self.problem.sites, &self.change, rate)
             .map_err(|u| self.unbalanced(factor, u.motion))?;
+        let rate = self.pushed_along(&piece, rate, pushed);
         let at = self.state(&piece, factor, near).unwrap_or_else(|| PieceState {
             forces: base.forces.iter().zip(&rate.forces).map(|(f, df)| f + df * factor).collect(),
             twist: &base.twist + &rate.twist * factor,
@@ -189,21 +194,42 @@ impl<'g, D: Size, const C: usize> Segment<'g, D, C> {
         near: Option<&Vector<D>>,
     ) -> Option<PieceState<D, C>> {
         let wrench = self.course.at(factor);
-        let PieceState { mut forces, mut twist } =
-            piece.solve(self.problem.sites, &self.drives(factor), &wrench).ok()?;
-        if let Some(near) = near {
-            for v in piece.free_motions() {
-                twist += v * v.dot(&(near - &twist));
-            }
-            for v in &piece.neutral_motions() {
-                let shift = v * v.dot(&(near - &twist));
-                twist += &shift;
-                for (f, change) in forces.iter_mut().zip(piece.forces_along(&self.problem, &shift)) {
-                    *f += change;
-                }
+        let at = piece.solve(self.problem.sites, &self.drives(factor), &wrench).ok()?;
+        Some(if let Some(near) = near { self.nearest(piece, at, near) } else { at })
+    }
+
+    /// Rates of a piece, with the motions that it leaves free as fast as those of these rates.
+    pub(super) fn pushed_along(
+        &self,
+        piece: &Piece<D, C>,
+        rate: PieceState<D, C>,
+        pushed: Option<&Vector<D>>,
+    ) -> PieceState<D, C> {
+        let Some(pushed) = pushed else { return rate };
+        let apart = pushed - &rate.twist;
+        let felt = |v: &Vector<D>| v.dot(&apart).abs() > UNFELT * pushed.norm();
+        let moves = piece.free_motions().iter().any(felt) || piece.neutral_motions().iter().any(felt);
+        if moves { self.nearest(piece, rate, pushed) } else { rate }
+    }
+
+    /// Of all states or rates of a piece that leaves motions free that with the twist nearest to this one.
+    pub(super) fn nearest(
+        &self,
+        piece: &Piece<D, C>,
+        PieceState { mut forces, mut twist }: PieceState<D, C>,
+        near: &Vector<D>,
+    ) -> PieceState<D, C> {
+        for v in piece.free_motions() {
+            twist += v * v.dot(&(near - &twist));
+        }
+        for v in &piece.neutral_motions() {
+            let shift = v * v.dot(&(near - &twist));
+            twist += &shift;
+            for (f, change) in forces.iter_mut().zip(piece.forces_along(&self.problem, &shift)) {
+                *f += change;
             }
         }
-        Some(PieceState { forces, twist })
+        PieceState { forces, twist }
     }
 
     /// How far it is from a state, in steps along a straight piece, to where a contact reaches an edge.

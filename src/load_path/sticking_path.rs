@@ -32,7 +32,7 @@ impl<D: Size, const C: usize> StickingPath<'_, D, C> {
         let mut reached: Option<PathState<C>> = None;
         // Every turn closes a contact for good or ends the walk; the bound only guards against rounding.
         for _ in 0..2 * states.len() + 2 {
-            let mut here = match self.segment.look(&states, self.factor, None) {
+            let mut here = match self.segment.look(&states, self.factor, None, None) {
                 Ok(here) => here,
                 Err(reason) => return Onset::GivesWay { factor: self.factor, reason },
             };
@@ -59,7 +59,7 @@ impl<D: Size, const C: usize> StickingPath<'_, D, C> {
                             }
                             states[i] = found.states[i];
                         }
-                        here = match self.segment.look(&states, self.factor, None) {
+                        here = match self.segment.look(&states, self.factor, None, None) {
                             Ok(here) => here,
                             Err(reason) => return Onset::GivesWay { factor: self.factor, reason },
                         };

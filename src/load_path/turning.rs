@@ -41,6 +41,8 @@ const STANDS_STILL: f64 = 1e-10;
 const ALL_BUT_GONE: f64 = 1e-10;
 /// From an apex on the first step is this part of the way on which forces change by as much as they are: they turn by its square.
 const SETTING_OUT: f64 = 1e-6;
+/// The object moves no more than so many times as far as the softest spring gives: what counts in arclength as much as the whole leg.
+const MOST_AMPLIFIED: f64 = 1e6;
 /// Where forces would double on this part of the way they are none.
 const NO_WAY: f64 = 1e-12;
 /// A step leaves this part of the way to where a sliding contact loses its normal force: its direction may turn ever faster.
@@ -115,7 +117,18 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
                 size = size.hypot(rate.twist.norm());
             }
         }
+        // Beside a limit load hardly anything resists a motion, and a displacement beyond all bounds would be no measure of any other.
+        let size = size.min(MOST_AMPLIFIED * self.springs_give(here));
         if size > 0.0 { size } else { 1.0 }
+    }
+
+    /// How far the softest spring gives under all forces that there are or that come for one unit of the factor.
+    fn springs_give(&self, here: &Here<D, C>) -> f64 {
+        let sites = self.segment.grasp.sites();
+        let softest = sites.iter().map(|site| site.springs.softest()).fold(f64::INFINITY, f64::min);
+        let drives = self.segment.change.iter().map(SVector::norm).fold(0.0, f64::max);
+        let load = self.segment.course.rate_at(self.factor).norm();
+        (here.sizes[0] + load) / softest + drives
     }
 
     /// The length on which the load turns as far as one step may: a condition may be broken and hold again on a longer one.
@@ -244,8 +257,9 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         stops |= !standing.is_empty() || !sticks.is_empty() || (0..self.node.states.len()).any(weightless);
         self.take(journey, here, (end.length, end.rule), &end.reached);
         self.node.reach(&standing);
-        for contact in sticks {
-            self.node.stick(contact);
+        // Where something else happens at the same place, that decides whether it sticks.
+        if standing.is_empty() {
+            sticks.iter().for_each(|contact| self.node.stick(*contact));
         }
         self.at_node = leg_done || stops;
         // A maximum at the end of a leg is no end: the next one may go another way.
