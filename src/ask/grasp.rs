@@ -98,7 +98,7 @@ impl<const C: usize> Grasp<C> {
     /// Contacts as people count them, of those that are meant: a soft fingertip is one, with so many of its points.
     #[must_use]
     pub fn whole_contacts(&self, is_meant: impl Fn(usize) -> bool) -> Vec<WholeContact> {
-        WholeContacts::of(self.contacts()).with(is_meant)
+        WholeContacts::of(self.contacts()).with(&is_meant)
     }
 
     /// The settings with which it is asked.

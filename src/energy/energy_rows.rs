@@ -119,7 +119,11 @@ pub(super) fn values<'r, D: Size, const C: usize>(
     rows: impl IntoIterator<Item = &'r ForceCondition<D, C>>,
     forces: &[SVector<f64, C>],
 ) -> DVector<f64> {
-    DVector::from_vec(rows.into_iter().map(|row| row.value(forces) / row.length).collect())
+    let mut values = Vec::new();
+    for row in rows {
+        values.push(row.value(forces) / row.length);
+    }
+    DVector::from_vec(values)
 }
 
 /// The matrix with these entries; `None` if it has too many of them.

@@ -201,7 +201,7 @@ fn every_leaf_is_contradicted_in_exact_arithmetic() -> Result<(), crate::Error> 
 
         // A quarter of the load is held: the same steps cannot contradict every case of that.
         let (held, mut weak) = (grasp.problem_under(&(load * 0.25), &settings)?, 0);
-        let mut open = vec![problem.locals().map(|local| local.first_label()).collect::<Vec<_>>()];
+        let mut open = vec![problem.each(|local| local.first_label())];
         for step in &steps {
             let labels = open.pop().expect("a case for every step");
             match step {

@@ -154,7 +154,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             return Vec::new();
         }
         let parts = WholeContacts::of(contacts);
-        let middles = parts.mean(|i| contacts[i].point);
+        let middles = parts.mean(&|i| contacts[i].point);
         let pad = |(number, range): (usize, Range<usize>)| {
             contacts[range.start].point_of_pad?;
             let of = &solved[range.clone()];

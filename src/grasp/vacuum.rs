@@ -59,7 +59,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             return Vec::new();
         }
         let of_a_cup = |i: usize| self.contacts()[i].suction > 0.0;
-        let mut cups = WholeContacts::of(self.contacts()).with(|i| of_a_cup(i) && is_open(i));
+        let mut cups = WholeContacts::of(self.contacts()).with(&|i| of_a_cup(i) && is_open(i));
         cups.retain(WholeContact::is_whole);
         cups
     }

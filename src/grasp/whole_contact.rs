@@ -72,17 +72,15 @@ impl<'c, const C: usize> WholeContacts<'c, C> {
     }
 
     /// The parts that have points among these, in order.
-    pub(crate) fn with(&self, is_meant: impl Fn(usize) -> bool) -> Vec<WholeContact> {
-        let part = |(contact, range): (usize, &Range<usize>)| {
+    pub(crate) fn with(&self, is_meant: &dyn Fn(usize) -> bool) -> Vec<WholeContact> {
+        let mut parts = Vec::new();
+        for (contact, range) in self.ranges.iter().enumerate() {
             let points = range.clone().filter(|i| is_meant(*i)).count();
-            (points > 0).then(|| WholeContact {
-                contact,
-                label: self.label(contact),
-                points,
-                of: range.len(),
-            })
-        };
-        self.ranges().iter().enumerate().filter_map(part).collect()
+            if points > 0 {
+                parts.push(WholeContact { contact, label: self.label(contact), points, of: range.len() });
+            }
+        }
+        parts
     }
 
     /// A part as answers name it.
@@ -91,7 +89,7 @@ impl<'c, const C: usize> WholeContacts<'c, C> {
     }
 
     /// The mean of a quantity of points over each part.
-    pub(crate) fn mean(&self, of: impl Fn(usize) -> SVector<f64, C>) -> Vec<SVector<f64, C>> {
+    pub(crate) fn mean(&self, of: &dyn Fn(usize) -> SVector<f64, C>) -> Vec<SVector<f64, C>> {
         let mean = |range: &Range<usize>| {
             range.clone().fold(SVector::zeros(), |sum, i| sum + of(i)) / range.len() as f64
         };
@@ -104,8 +102,8 @@ impl<'c, const C: usize> WholeContacts<'c, C> {
     }
 
     /// The sum of a quantity of points over each part.
-    pub(crate) fn sum(&self, of: impl Fn(usize) -> f64) -> Vec<f64> {
-        self.ranges.iter().map(|range| range.clone().map(&of).sum()).collect()
+    pub(crate) fn sum(&self, of: &dyn Fn(usize) -> f64) -> Vec<f64> {
+        self.ranges.iter().map(|range| range.clone().map(of).sum()).collect()
     }
 
     /// The name of a part, if it has one.

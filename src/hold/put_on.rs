@@ -82,7 +82,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         if self.vacuum().is_none() && state.contacts.iter().all(|contact| contact.force.norm() == 0.0) {
             return Holding::Loose;
         }
-        let parts = WholeContacts::of(self.contacts()).with(has_slid);
+        let parts = WholeContacts::of(self.contacts()).with(&has_slid);
         if parts.is_empty() && first_slip.is_none_or(|first| first.factor > 1.0) {
             Holding::Sticks
         } else {
@@ -98,7 +98,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
                     let is_meant = |i: usize| {
                         event.leaving.iter().any(|leaving| leaving.contact.index == i && so(&leaving.how))
                     };
-                    parts.with(is_meant)
+                    parts.with(&is_meant)
                 };
                 Some(FirstSlip {
                     factor: event.factor,
@@ -110,7 +110,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             }
             Onset::AlreadySliding(state) => Some(FirstSlip {
                 factor: 0.0,
-                slide: parts.with(|i| matches!(state.contacts[i].state, ContactState::Sliding { .. })),
+                slide: parts.with(&|i| matches!(state.contacts[i].state, ContactState::Sliding { .. })),
                 open: Vec::new(),
                 would_pull: Vec::new(),
                 give_way: Vec::new(),
@@ -141,7 +141,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             factor,
             kind: loss.kind,
             way_out: way_out(self.contacts(), loss.motion.as_ref(), touches),
-            slide: parts.with(slides),
+            slide: parts.with(&slides),
             is_gross_slip: (0..self.len()).any(slides) && (0..self.len()).all(|i| slides(i) || !presses(i)),
             drives: loss.drives.clone(),
             motion: loss.motion.clone(),

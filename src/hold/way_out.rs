@@ -73,11 +73,11 @@ pub(super) fn way_out<const C: usize>(
     let twist = motion.object.coordinates::<Fixed<6>>();
     let velocity = |point: &SVector<f64, C>| displacement_of::<Fixed<6>, C>(point, &twist);
     let parts = WholeContacts::of(contacts);
-    let touching = parts.with(touches);
-    let places = parts.mean(|i| contacts[i].point);
+    let touching = parts.with(&touches);
+    let places = parts.mean(&|i| contacts[i].point);
     let moves: Vec<_> = places.iter().map(velocity).collect();
     let part_holds = parts.first(|i| contacts[i].hold);
-    let normals = parts.mean(|i| contacts[i].normal.normalize());
+    let normals = parts.mean(&|i| contacts[i].normal.normalize());
     let count = touching.len().max(1) as f64;
     let centre = touching.iter().fold(SVector::zeros(), |sum, part| sum + places[part.contact] / count);
     let along = velocity(&centre);
@@ -104,7 +104,7 @@ pub(super) fn way_out<const C: usize>(
         return turns(&motion.object, &centre, &along);
     }
     // What was open before moves on.
-    let opens: Vec<_> = parts.with(|_| true).into_iter().filter(opens).collect();
+    let opens: Vec<_> = parts.with(&|_| true).into_iter().filter(opens).collect();
     if opens.is_empty() { WayOut::TurnsAbout { about } } else { WayOut::TipsOver { about, opens } }
 }
 

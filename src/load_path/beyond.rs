@@ -239,7 +239,7 @@ fn search_beyond<D: Size, const C: usize>(here: &Problem<D, C>, rates: &Problem<
     };
     let way = whole_way(here, rates);
     let mut another = false;
-    for_each_combination(here, |states| {
+    for_each_combination(here, &mut |states| {
         let piece = Piece::new(here, &states);
         let (Ok(now), Ok(next)) = (
             piece.solve(here.sites, &here.drives, here.load()),

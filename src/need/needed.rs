@@ -207,10 +207,10 @@ fn presses<const C: usize>(grasp: &Grasp<C>, squeeze: f64) -> Result<Vec<Press>,
     let squeezed = grasp.squeezed(squeeze)?;
     let Outcome::Equilibrium(state) = squeezed.solve(&Wrench::ZERO)? else { return Ok(Vec::new()) };
     let parts = WholeContacts::of(grasp.contacts());
-    let forces = parts.sum(|i| state.contacts[i].force[0]);
+    let forces = parts.sum(&|i| state.contacts[i].force[0]);
     let press = |part: crate::grasp::WholeContact| {
         let force = forces[part.contact];
         Press { part, force }
     };
-    Ok(parts.with(|_| true).into_iter().map(press).collect())
+    Ok(parts.with(&|_| true).into_iter().map(press).collect())
 }

@@ -16,15 +16,19 @@ fn for_each(count: usize, what: &(dyn Fn(usize) + Sync)) {
 
 /// `f` of every item, answers in the order of the items.
 pub(crate) fn in_order<T: Sync, R: Send>(items: &[T], f: &(impl Fn(&T) -> R + Sync)) -> Vec<R> {
-    let answers: Vec<Mutex<Option<R>>> = items.iter().map(|_| Mutex::new(None)).collect();
+    let mut answers: Vec<Mutex<Option<R>>> = Vec::new();
+    answers.resize_with(items.len(), Mutex::default);
     for_each(items.len(), &|k| {
         let answer = f(&items[k]);
         *answers[k].lock().unwrap_or_else(PoisonError::into_inner) = Some(answer);
     });
-    answers
-        .into_iter()
-        .filter_map(|answer| answer.into_inner().unwrap_or_else(PoisonError::into_inner))
-        .collect()
+    let mut all = Vec::with_capacity(items.len());
+    for answer in answers {
+        if let Some(answer) = answer.into_inner().unwrap_or_else(PoisonError::into_inner) {
+            all.push(answer);
+        }
+    }
+    all
 }
 
 /// Does something with each of the items, which it takes.

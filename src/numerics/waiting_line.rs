@@ -65,7 +65,9 @@ impl WaitingLine {
         self.next.reserve(count);
         self.later.iter_mut().for_each(|tier| tier.waiting.reserve(count));
         let all = &mut self.later[0].waiting;
-        all.extend((0_u32..).take(count).map(|number| entry(0.0, number, 0)));
+        for number in (0..).take(count) {
+            all.push(entry(0.0, number, 0));
+        }
         each_time(all, time);
         all.retain(|entry| parts(*entry).0.is_finite());
     }

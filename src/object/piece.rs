@@ -51,7 +51,9 @@ impl<D: Size, const C: usize> Piece<D, C> {
         let rows = |side: fn(&Spring<C>) -> &SVector<f64, C>| {
             let mut rows = Vec::with_capacity(springs.len());
             for (site, range) in sites.iter().zip(first.windows(2)) {
-                rows.extend(springs[range[0]..range[1]].iter().map(|spring| &site.map * side(spring)));
+                for spring in &springs[range[0]..range[1]] {
+                    rows.push(&site.map * side(spring));
+                }
             }
             rows
         };

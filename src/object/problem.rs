@@ -180,6 +180,15 @@ impl<'g, D: Size, const C: usize> Problem<'g, D, C> {
         (0..self.len()).map(|contact| self.local(contact))
     }
 
+    /// What each contact answers, in order.
+    pub(crate) fn each<T>(&self, of: impl Fn(LocalLaw<'_, C>) -> T) -> Vec<T> {
+        let mut answers = Vec::with_capacity(self.len());
+        for contact in 0..self.len() {
+            answers.push(of(self.local(contact)));
+        }
+        answers
+    }
+
     /// Stretch of a contact for a motion of the object, `a_i - G_iᵀq`.
     #[inline]
     pub(crate) fn stretch(&self, contact: usize, twist: &Vector<D>) -> SVector<f64, C> {
@@ -188,13 +197,13 @@ impl<'g, D: Size, const C: usize> Problem<'g, D, C> {
 
     /// The states of the elastic trial: everything that is there sticks.
     pub(crate) fn unjumped(&self) -> Vec<State<C>> {
-        self.locals().map(|local| local.unjumped()).collect()
+        self.each(|local| local.unjumped())
     }
 
     /// What slides goes on sliding and what has reached an edge slides along it: in rates the common case, one solve. What is at the
     /// apex of its cone opens.
     pub(crate) fn yielding(&self) -> Vec<State<C>> {
-        self.locals().map(|local| local.yielding()).collect()
+        self.each(|local| local.yielding())
     }
 
     /// The same states, with slides on the round cone that belong to these friction forces and to the slip at this twist.

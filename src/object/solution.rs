@@ -180,7 +180,9 @@ impl<D: Size, const C: usize> Piece<D, C> {
         cleared_for(x, self.springs.len());
         for (contact, springs, _) in self.of_each_contact() {
             let stretch = stretch(contact);
-            x.extend(springs.iter().map(|spring| spring.right.dot(&stretch)));
+            for spring in springs {
+                x.push(spring.right.dot(&stretch));
+            }
         }
     }
 

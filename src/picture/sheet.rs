@@ -182,7 +182,11 @@ pub(super) fn plaque_size(words: &str, size: f64) -> (f64, f64) {
 }
 
 fn points(places: impl IntoIterator<Item = Place>) -> String {
-    places.into_iter().map(|place| written(pixel(place))).collect::<Vec<_>>().join(" ")
+    let mut points = Vec::new();
+    for place in places {
+        points.push(written(pixel(place)));
+    }
+    points.join(" ")
 }
 
 fn written((x, y): Pixel) -> String {

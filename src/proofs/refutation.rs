@@ -44,7 +44,7 @@ pub(crate) fn check<D: Size, const C: usize>(
         problem.sites.iter().zip(forces).map(|(site, f)| 2.0 * site.springs.stored(f)).sum::<f64>()
     };
     let data = stored(&state.forces).sqrt();
-    let mut open = vec![problem.locals().map(|local| local.first_label()).collect::<Vec<_>>()];
+    let mut open = vec![problem.each(|local| local.first_label())];
     let mut least = f64::INFINITY;
     for step in steps {
         let labels = open.pop()?;

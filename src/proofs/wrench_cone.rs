@@ -71,14 +71,14 @@ pub(crate) fn nearest_forces<D: Size, const C: usize>(
     let (motion, against) = loop {
         let residual = nearest.residual();
         let v = Vector::<D>::from_fn(size, |k| -residual[k]);
-        let known = straight.iter().enumerate().map(|(k, g)| (k, g.clone()));
-        let next = straight.len() + joined.len();
-        let all = known.chain(round(&v).into_iter().map(|g| (next, g)));
-        let worked = all.map(|(k, g)| {
-            let work = g.wrench.dot(&v);
-            (k, g, work)
-        });
-        let worst = worked.min_by(|a, b| a.2.total_cmp(&b.2));
+        let (round, next) = (round(&v), straight.len() + joined.len());
+        let mut worst: Option<(usize, &Generator<D, C>, f64)> = None;
+        for (k, generator) in straight.iter().chain(&round).enumerate() {
+            let work = generator.wrench.dot(&v);
+            if worst.is_none_or(|(.., least)| work.total_cmp(&least).is_lt()) {
+                worst = Some((if k < straight.len() { k } else { next }, generator, work));
+            }
+        }
         let Some((tag, generator, work)) = worst else { break (v, 0.0) };
         let joins = work < -JOINS * v.norm() && v.norm() > CLEAR && !nearest.has(tag);
         if !joins || joins_left == 0 || !nearest.take_in(tag, generator.wrench.as_slice(), target.as_slice())
@@ -87,7 +87,7 @@ pub(crate) fn nearest_forces<D: Size, const C: usize>(
         }
         joins_left -= 1;
         if tag == next {
-            joined.push(generator);
+            joined.push(generator.clone());
         }
         nearest.settle(target.as_slice());
     };

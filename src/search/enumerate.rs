@@ -15,9 +15,9 @@ pub(crate) fn combinations<D: Size, const C: usize>(problem: &Problem<D, C>) -> 
 /// Visits every combination of states in a fixed order, everything unjumped first, until `visit` says stop.
 pub(crate) fn for_each_combination<D: Size, const C: usize>(
     problem: &Problem<D, C>,
-    mut visit: impl FnMut(Vec<State<C>>) -> bool,
+    visit: &mut dyn FnMut(Vec<State<C>>) -> bool,
 ) {
-    let choices: Vec<Vec<State<C>>> = problem.locals().map(|local| local.states()).collect();
+    let choices = problem.each(|local| local.states());
     let mut at = vec![0; choices.len()];
     loop {
         let states = choices.iter().zip(&at).map(|(choice, &k)| choice[k]).collect();
@@ -44,7 +44,7 @@ pub(crate) struct Enumerated<D: Size, const C: usize> {
 /// Tries all combinations, or all until the first that holds.
 pub(crate) fn search<D: Size, const C: usize>(problem: &Problem<D, C>, first_only: bool) -> Enumerated<D, C> {
     let mut search = Enumerated { found: Vec::new(), tried: 0, doubtful: false };
-    for_each_combination(problem, |states| {
+    for_each_combination(problem, &mut |states| {
         search.tried += 1;
         match accept(problem, states) {
             Judged::Holds(found) => {

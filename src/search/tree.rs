@@ -82,7 +82,7 @@ pub(super) fn search_tree<D: Size, const C: usize>(
         return Tree::Unresolved(Doubt::RayWithoutProof);
     };
     let hull = |local: LocalLaw<'_, C>, label: &Label| Hull::from(local.hull(label));
-    let labels: Vec<_> = problem.locals().map(|local| local.first_label()).collect();
+    let labels = problem.each(|local| local.first_label());
     let hulls = problem.locals().zip(&labels).map(|(local, label)| hull(local, label)).collect();
     let mut open = vec![Case { labels, hulls, nearest: Rc::new(balance.start()), divided: None }];
     let (mut cases, mut least_escape, mut narrow) = (0, f64::INFINITY, false);

@@ -55,7 +55,7 @@ impl<'g, D: Size, const C: usize> Sticking<'g, D, C> {
         let polygon = Polygon::shared(&settings.cone);
         let nothing = Load::from(&Vector::zeros());
         let problem = grasp.problem(polygon, settings.is_round::<C>(), grasp.drives(), &nothing);
-        let edges = problem.locals().map(|local| local.edges()).collect();
+        let edges = problem.each(|local| local.edges());
         let piece = problem.trial();
         Self { grasp, problem, piece, edges }
     }

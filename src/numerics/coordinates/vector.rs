@@ -28,7 +28,9 @@ impl<D: Size> Vector<D> {
     #[inline]
     pub(crate) fn from_fn(size: D, mut component: impl FnMut(usize) -> f64) -> Self {
         let mut v = Self::all_zero(size);
-        v.iter_mut().enumerate().for_each(|(k, x)| *x = component(k));
+        for (k, x) in v.iter_mut().enumerate() {
+            *x = component(k);
+        }
         v
     }
 
