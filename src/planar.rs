@@ -15,6 +15,10 @@ pub type Grasp = crate::ask::Grasp<2>;
 pub type Wrench = crate::grasp::Wrench<2>;
 /// Translation (x, y) and rotation; see [`crate::grasp::Twist`].
 pub type Twist = crate::grasp::Twist<2>;
+/// A body that an arm carries, and its load; see [`crate::grasp::Payload`].
+pub type Payload = crate::grasp::Payload<2>;
+/// How the arm moves; see [`crate::grasp::ArmMotion`].
+pub type ArmMotion = crate::grasp::ArmMotion<2>;
 /// What becomes of a load that is put on; see [`crate::hold::Verdict`].
 pub type Verdict = crate::hold::Verdict<2>;
 /// A quantity that is sought, with its loads; see [`crate::need::Need`].

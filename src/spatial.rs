@@ -14,6 +14,10 @@ pub type Grasp = crate::ask::Grasp<3>;
 pub type Wrench = crate::grasp::Wrench<3>;
 /// Translation (x, y, z) and rotation (x, y, z); see [`crate::grasp::Twist`].
 pub type Twist = crate::grasp::Twist<3>;
+/// A body that an arm carries, and its load; see [`crate::grasp::Payload`].
+pub type Payload = crate::grasp::Payload<3>;
+/// How the arm moves; see [`crate::grasp::ArmMotion`].
+pub type ArmMotion = crate::grasp::ArmMotion<3>;
 /// What becomes of a load that is put on; see [`crate::hold::Verdict`].
 pub type Verdict = crate::hold::Verdict<3>;
 /// A quantity that is sought, with its loads; see [`crate::need::Need`].

@@ -36,6 +36,7 @@ mod hand;
 mod in_words;
 mod inside;
 mod motion;
+mod payload;
 mod pressure;
 mod rectangular_pad;
 mod remembered;
@@ -61,6 +62,7 @@ pub(crate) use hand::JointMotion;
 pub(crate) use hand::{Drive, Linkage, Named, Owner, Role};
 pub use hand::{Finger, Hand, HandPart, Joint, JointKind, Limit, PartLabel, Tendon};
 pub use motion::Motion;
+pub use payload::{ArmMotion, Payload};
 pub use pressure::Pressure;
 pub(crate) use remembered::Remembered;
 pub(crate) use rotation::{

@@ -12,6 +12,9 @@
 //!
 //! Two jaws, 20 N, friction 0.6: 24 N, and the box pulls with 0.5 · (9.81 + 5) = 7.4 N.
 //!
+//! An arm that swings throws the box outwards, too: `--angular-velocity 0,0,90`, in degrees a second, `--about` a point of the axis, with
+//! `--angular-acceleration` and the box's `--inertia`; see [`Payload`](crate::grasp::Payload).
+//!
 //! # I push a box on a table with 8 N. Does it slide or tip over?
 //!
 //! ```text

@@ -87,7 +87,15 @@
 //!
 //! A wrench is `{"force": [0, -1], "moment": 0.2}` in the plane and `{"force": [0, 0, -1],
 //! "moment": [0, 0.1, 0]}` in space, N and N m about the origin; what is left out is zero. `"at":
-//! [0.1, 0]` lets the force act there (m): its moment is added.
+//! [0.1, 0]` lets the force act there (m): its moment is added. A body that an arm carries is a load, too; see [`Payload`](crate::grasp::Payload):
+//!
+//! | field | value | unit | if left out |
+//! |---|---|---|---|
+//! | `mass` | its mass, centred `at` | kg | no body |
+//! | `gravity` | of all axes | m/s² | 9.81 down the last axis |
+//! | `accelerated` | acceleration of the arm; if it turns of the point that it turns about | m/s² | none |
+//! | `turning` | `about` a point (m) with `velocity_deg` and `acceleration_deg` or `…_rad`: a number in the plane, in space three along the axis | degrees or rad a second, and a second squared | none |
+//! | `inertia` | about its centre: a number in the plane, in space three about axes along the coordinates | kg m² | an error where it counts |
 //!
 //! A question is an object with one field:
 //!
@@ -262,6 +270,7 @@ mod schema;
 mod answer;
 mod asked;
 mod brief;
+mod carried;
 mod cup;
 #[cfg(feature = "json")]
 mod fault;

@@ -162,6 +162,22 @@ fn told(generator: &SchemaGenerator, part: Schema, description: &str) -> Schema 
     part
 }
 
+/// How the arm turns that carries a body.
+fn turning<const C: usize>(generator: &SchemaGenerator) -> Schema {
+    let rate = || angular::<Given>(of_the_object::<C>() - C);
+    let about = told(generator, list::<Given>(C, C), "A point of the axis, m; the origin if left out.");
+    let velocity = [("velocity_deg", "degrees/s."), ("velocity_rad", "rad/s, in place of it.")];
+    let speeding = [("acceleration_deg", "degrees/s²."), ("acceleration_rad", "rad/s², in place of it.")];
+    let mut schema =
+        json_schema!({ "type": "object", "properties": { "about": about }, "additionalProperties": false });
+    if let Some(properties) = schema.get_mut("properties").and_then(Value::as_object_mut) {
+        for (name, unit) in velocity.into_iter().chain(speeding) {
+            properties.insert(name.to_owned(), told(generator, rate(), unit).into());
+        }
+    }
+    schema
+}
+
 impl<const C: usize> JsonSchema for Wrench<C> {
     fn schema_name() -> Cow<'static, str> {
         "Wrench".into()
@@ -181,6 +197,17 @@ impl<const C: usize> JsonSchema for Wrench<C> {
         let at = told(generator, at, "Where the force acts, m; at the origin if left out.");
         if let Some(properties) = schema.get_mut("properties").and_then(Value::as_object_mut) {
             properties.insert("at".to_owned(), at.into());
+            let turns = of_the_object::<C>() - C;
+            let body = [
+                ("mass", number::<Given>(), "Of a body that an arm carries, kg; its centre is `at`."),
+                ("inertia", angular::<Given>(turns), "Of the body about its centre, kg m²."),
+                ("gravity", list::<Given>(C, C), "m/s²; 9.81 down the last axis if left out."),
+                ("accelerated", list::<Given>(C, C), "Acceleration of the arm, m/s²."),
+                ("turning", turning::<C>(generator), "How the arm turns."),
+            ];
+            for (name, part, description) in body {
+                properties.insert(name.to_owned(), told(generator, part, description).into());
+            }
         }
         schema.insert("additionalProperties".to_owned(), false.into());
         schema

@@ -9,6 +9,7 @@ use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 
+use super::carried::{WrittenMass, WrittenTurning};
 use super::object;
 use crate::grasp::{Twist, Wrench, of_the_object, wrench_of};
 use crate::serial::{Computed, Few, Given, Number};
@@ -56,6 +57,11 @@ struct WrittenWrench {
     force: Option<Few<Given, 3>>,
     moment: Option<Few<Given, 3>>,
     at: Option<Few<Given, 3>>,
+    mass: Option<Number<Given>>,
+    inertia: Option<Few<Given, 3>>,
+    gravity: Option<Few<Given, 3>>,
+    accelerated: Option<Few<Given, 3>>,
+    turning: Option<WrittenTurning>,
 }
 
 #[derive(serde::Deserialize)]
@@ -75,11 +81,12 @@ impl<const C: usize> Serialize for Wrench<C> {
     }
 }
 
-/// `{"force": …, "moment": …, "at": …}`, all optional (feature `serde`), see [`crate::scene`].
+/// `{"force": …, "moment": …, "at": …}` or with a `"mass"`, all optional (feature `serde`), see [`crate::scene`].
 /// Refuses numbers that a grasp would refuse.
 impl<'de, const C: usize> Deserialize<'de> for Wrench<C> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
-        object::read(deserializer, WRENCH, |WrittenWrench { force, moment, at }| {
+        object::read(deserializer, WRENCH, |written: WrittenWrench| {
+            let WrittenWrench { force, moment, at, mass, inertia, gravity, accelerated, turning } = &written;
             let parts = [force.as_ref(), moment.as_ref()];
             let mut wrench = join::<_, C>(parts, ["force", "moment"])?;
             if at.is_some() {
@@ -93,7 +100,15 @@ impl<'de, const C: usize> Deserialize<'de> for Wrench<C> {
                     wrench[k] += through[6 + k - object];
                 }
             }
-            Ok(Self::from_components(&wrench))
+            let carried = WrittenMass {
+                mass: mass.as_ref(),
+                at: at.as_ref(),
+                inertia: inertia.as_ref(),
+                gravity: gravity.as_ref(),
+                accelerated: accelerated.as_ref(),
+                turning: turning.as_ref(),
+            };
+            Ok(Self::from_components(&wrench) + carried.load()?)
         })
     }
 }

@@ -2,6 +2,7 @@
 
 mod everyday;
 mod nothing_near;
+mod payload;
 mod seals;
 mod suction;
 mod ways_out;

@@ -155,7 +155,7 @@ fn what_is_missing_doubled_or_unknown_is_named() {
         (
             "\"force\"",
             "\"forse\"",
-            "unknown field `forse` (`force`?), must be one of `force`, `moment`, `at`",
+            "unknown field `forse` (`force`?), must be one of `force`, `moment`, `at`, `mass`, `inertia`, `gravity`, `accelerated`, `turning`",
         ),
         (
             "\"commands_by\"",

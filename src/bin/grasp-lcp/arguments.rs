@@ -281,9 +281,21 @@ pub(crate) struct LoadArguments {
     /// Gravity, m/s²; down along the last axis with 9.81 if left out.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]", requires = "mass")]
     pub(crate) gravity: Option<Numbers>,
-    /// The acceleration of the hand, m/s²: the mass pulls the other way.
+    /// The acceleration of the arm, m/s²: the mass pulls the other way.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]", requires = "mass")]
     pub(crate) accelerated: Option<Numbers>,
+    /// A point of the axis about which the arm turns, m; the origin if left out.
+    #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]", requires = "mass")]
+    pub(crate) about: Option<Numbers>,
+    /// How fast the arm turns, degrees/s: one number in the plane, in space three along the axis.
+    #[arg(long, allow_hyphen_values = true, value_name = "W", requires = "mass")]
+    pub(crate) angular_velocity: Option<Numbers>,
+    /// How its turning speeds up, degrees/s²: as many numbers.
+    #[arg(long, allow_hyphen_values = true, value_name = "A", requires = "mass")]
+    pub(crate) angular_acceleration: Option<Numbers>,
+    /// The moment of inertia about the centre of mass, kg m²: one number in the plane, in space three, about axes along the coordinates.
+    #[arg(long, allow_hyphen_values = true, value_name = "I", requires = "mass")]
+    pub(crate) inertia: Option<Numbers>,
 }
 
 /// Where pictures go.

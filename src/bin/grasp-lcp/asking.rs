@@ -152,7 +152,7 @@ impl<const C: usize> Meaning<C> {
             all = self.push(force, "force", at.as_ref())?;
         }
         if mass.is_some() {
-            all = all + (self.force_at)(pull_of_mass(load)?, point(at.as_ref())?);
+            all = all + pull_of_mass(load)?;
         }
         if let Some(moment) = moment {
             let (given, expected) = (moment.0.len(), C * (C - 1) / 2);

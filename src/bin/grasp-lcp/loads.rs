@@ -1,10 +1,14 @@
 //! Loads of the command line, as forces.
 
+use grasp_lcp::Error;
+use grasp_lcp::grasp::{ArmMotion, Payload, Wrench};
+
 use crate::arguments::{LoadArguments, Numbers};
 use crate::failure::Failure;
 
-/// Weight of a kilogram where nothing else is said, m/s².
-const GRAVITY: f64 = 9.81;
+/// Where the arm turns a body of which only the mass is known.
+const INERTIA_IS_MISSING: &str =
+    "--inertia is missing: about the centre of mass, kg m², 0 for a body that is small beside its arm";
 
 /// Where a force acts: the origin unless said otherwise.
 pub(crate) fn point<const C: usize>(at: Option<&Numbers>) -> Result<[f64; C], Failure> {
@@ -12,26 +16,61 @@ pub(crate) fn point<const C: usize>(at: Option<&Numbers>) -> Result<[f64; C], Fa
 }
 
 /// With what a mass pulls: its weight, less what accelerates it.
-pub(crate) fn pull_of_mass<const C: usize>(load: &LoadArguments) -> Result<[f64; C], Failure> {
-    let mass = load.mass.unwrap_or(0.0);
-    let down = std::array::from_fn(|a| if a + 1 == C { -GRAVITY } else { 0.0 });
-    let given = |numbers: Option<&Numbers>, option: &str, default: [f64; C]| {
-        numbers.map_or(Ok(default), |numbers| numbers.array(option)).map_err(Failure::Usage)
+pub(crate) fn pull_of_mass<const C: usize>(load: &LoadArguments) -> Result<Wrench<C>, Failure> {
+    let given = |numbers: &Numbers, option: &str| numbers.array(option).map_err(Failure::Usage);
+    let mut arm = ArmMotion::<C>::still();
+    if let Some(gravity) = &load.gravity {
+        arm = arm.gravity(given(gravity, "gravity")?);
+    }
+    if let Some(accelerated) = &load.accelerated {
+        arm = arm.accelerated(given(accelerated, "accelerated")?);
+    }
+    let about_axes = |numbers: Option<&Numbers>, option: &str| {
+        numbers.map_or(Ok([0.0; 3]), |numbers| about_axes::<C>(numbers, option))
     };
-    let gravity = given(load.gravity.as_ref(), "gravity", down)?;
-    let accelerated = given(load.accelerated.as_ref(), "accelerated", [0.0; C])?;
-    Ok(std::array::from_fn(|a| mass * (gravity[a] - accelerated[a])))
+    let velocity = about_axes(load.angular_velocity.as_ref(), "angular-velocity")?.map(f64::to_radians);
+    let faster = about_axes(load.angular_acceleration.as_ref(), "angular-acceleration")?.map(f64::to_radians);
+    let about = load.about.as_ref().map_or(Ok([0.0; C]), |about| given(about, "about"))?;
+    let mut body = Payload::new(load.mass.unwrap_or(0.0), point::<C>(load.at.as_ref())?);
+    if load.inertia.is_some() {
+        body = body.of_inertia(about_axes(load.inertia.as_ref(), "inertia")?);
+    }
+    body.load(&arm.and_turning(about, velocity, faster)).map_err(|error| match error {
+        Error::Question { .. } => Failure::Usage(INERTIA_IS_MISSING.to_owned()),
+        error => error.into(),
+    })
+}
+
+/// A number about the one axis of the plane, or three.
+fn about_axes<const C: usize>(numbers: &Numbers, option: &str) -> Result<[f64; 3], Failure> {
+    match (C, &numbers.0[..]) {
+        (2, [z]) => Ok([0.0, 0.0, *z]),
+        (2, all) => {
+            Err(Failure::Usage(format!("--{option}: {} given, must be one number in the plane", all.len())))
+        }
+        _ => numbers.array(option).map_err(Failure::Usage),
+    }
 }
 
 /// The force of a load, a weight included.
 pub(crate) fn total_force<const C: usize>(load: &LoadArguments) -> Result<[f64; C], Failure> {
-    let pull = if load.mass.is_some() { pull_of_mass(load)? } else { [0.0; C] };
+    let moves = [
+        ("angular-velocity", &load.angular_velocity),
+        ("angular-acceleration", &load.angular_acceleration),
+        ("about", &load.about),
+        ("inertia", &load.inertia),
+    ];
+    if let Some((option, _)) = moves.iter().find(|(_, given)| given.is_some()) {
+        let message = format!("--{option}: has no place where an arm or an angle is sought");
+        return Err(Failure::Usage(message));
+    }
+    let pull = if load.mass.is_some() { pull_of_mass(load)? } else { Wrench::<C>::ZERO };
     let force = load.force.as_ref().map_or(Ok([0.0; C]), |force| force.array("force"));
     let force = force.map_err(Failure::Usage)?;
     if load.mass.is_none() && load.force.is_none() {
         return Err(Failure::Usage("say for which load: --mass or --force".to_owned()));
     }
-    Ok(std::array::from_fn(|a| pull[a] + force[a]))
+    Ok(std::array::from_fn(|a| pull.components()[a] + force[a]))
 }
 
 /// A direction, of any length but zero.

@@ -1,0 +1,223 @@
+//! A body that an arm carries: what it pulls with while the arm accelerates, and turns.
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::rotation::of_the_object;
+use super::wrench::Wrench;
+use crate::error::{Error, MODERATE, is_moderate};
+
+/// Standard weight of a kilogram as people round it, m/s².
+const GRAVITY: f64 = 9.81;
+
+/// A body of some mass, carried by an arm: [`Self::load`] is what it pulls its grasp with.
+///
+/// With the centre of mass c, the mass m and the moment of inertia I about c, the load is that of gravity g less what accelerates the body:
+///
+/// ```text
+/// a_c = a + α × r + ω × (ω × r),  r = c - p        force m (g - a_c) at c,  moment -(I α + ω × I ω)
+/// ```
+///
+/// where the arm's point p accelerates with a, and the arm turns about p with ω and α. Axes and moments are those of the grasp at that instant.
+///
+/// ```
+/// use grasp_lcp::planar::{ArmMotion, Payload, Wrench};
+///
+/// // 0.5 kg, half a metre out on an arm that turns at 2 rad/s: 0.5 kg · (2 rad/s)² · 0.5 m outwards, beside the weight.
+/// let body = Payload::new(0.5, [0.5, 0.0]);
+/// let steady = ArmMotion::turning([0.0, 0.0], 2.0, 0.0);
+/// assert_eq!(body.load(&steady)?, Wrench::force_at([1.0, -0.5 * 9.81], [0.5, 0.0]));
+///
+/// // While it speeds up the body's own inertia counts: a bar of 0.2 m, m L²/12 about its middle.
+/// let speeding = ArmMotion::turning([0.0, 0.0], 0.0, 3.0);
+/// let refused = body.load(&speeding).unwrap_err();
+/// assert!(refused.to_string().starts_with("payload: inertia is missing"), "{refused}");
+/// let bar = body.inertia(0.5 * 0.2 * 0.2 / 12.0).load(&speeding)?;
+/// assert!((bar.about([0.5, 0.0]).moment() + 0.5 * 0.2 * 0.2 / 12.0 * 3.0).abs() < 1e-15);
+/// # Ok::<(), grasp_lcp::Error>(())
+/// ```
+#[doc(alias = "mass")]
+#[doc(alias = "inertia")]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Payload<const C: usize> {
+    mass: f64,
+    centre: Vector3<f64>,
+    /// About the centre; of the plane what stands last.
+    inertia: Option<Matrix3<f64>>,
+}
+
+/// How an arm moves at an instant: gravity, the acceleration of one of its points, and how it turns.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ArmMotion<const C: usize> {
+    gravity: Vector3<f64>,
+    acceleration: Vector3<f64>,
+    about: Vector3<f64>,
+    angular_velocity: Vector3<f64>,
+    angular_acceleration: Vector3<f64>,
+}
+
+fn of_space<const C: usize>(v: [f64; C]) -> Vector3<f64> {
+    Vector3::from_fn(|a, _| v.get(a).copied().unwrap_or(0.0))
+}
+
+impl<const C: usize> Payload<C> {
+    /// A body of so many kg with its centre of mass there, m.
+    pub fn new(mass: f64, centre: impl Into<[f64; C]>) -> Self {
+        Self { mass, centre: of_space(centre.into()), inertia: None }
+    }
+
+    /// What it pulls with while the arm moves like this.
+    ///
+    /// # Errors
+    /// [`Error::Argument`] unless the mass is from 0 to 1e50, and for a motion that is not finite or too large; [`Error::Question`] if its moment of inertia is asked for and was not given: where
+    /// the arm speeds up its turning, and in space where it turns at all. [`Error::Wrench`] for what overflows.
+    pub fn load(&self, arm: &ArmMotion<C>) -> Result<Wrench<C>, Error> {
+        arm.check()?;
+        if !(self.mass >= 0.0 && is_moderate(self.mass)) {
+            return Err(Error::Argument {
+                what: "mass of the payload",
+                value: self.mass,
+                allowed: "from 0 to 1e50",
+            });
+        }
+        if let Some(value) =
+            self.inertia.and_then(|inertia| inertia.iter().copied().find(|x| !is_moderate(*x)))
+        {
+            return Err(Error::Argument { what: "inertia of the payload", value, allowed: MODERATE });
+        }
+        let ArmMotion { gravity, acceleration, about, angular_velocity: omega, angular_acceleration: alpha } =
+            arm;
+        let arm_length = self.centre - about;
+        let centre_accelerates =
+            acceleration + alpha.cross(&arm_length) + omega.cross(&omega.cross(&arm_length));
+        let force = (gravity - centre_accelerates) * self.mass;
+        let spin = match self.inertia {
+            Some(inertia) => inertia * alpha + omega.cross(&(inertia * omega)),
+            // The plane has one axis, about which nothing wobbles.
+            None if *alpha == Vector3::zeros() && (C == 2 || *omega == Vector3::zeros()) => Vector3::zeros(),
+            None => {
+                let fault = "is missing, must be given where the arm turns: about the centre of mass, kg m², 0 for a body that is small beside its arm";
+                return Err(Error::Question { question: "payload", field: "inertia", fault });
+            }
+        };
+        let moment = self.centre.cross(&force) - spin;
+        let planes = of_the_object::<C>() - C;
+        let components = [&force.as_slice()[..C], &moment.as_slice()[3 - planes..]].concat();
+        let load = Wrench::from_components(&components);
+        load.check("load of the payload").map(|()| load)
+    }
+}
+
+impl<const C: usize> Payload<C> {
+    /// Its moments of inertia about axes through its centre of mass along x, y and z, kg m², where these are its principal axes. Of the plane the last counts.
+    #[must_use]
+    pub fn of_inertia(mut self, axes: [f64; 3]) -> Self {
+        self.inertia = Some(Matrix3::from_diagonal(&axes.into()));
+        self
+    }
+}
+
+impl Payload<2> {
+    /// Its moment of inertia about its centre of mass, kg m².
+    #[must_use]
+    pub fn inertia(self, inertia: f64) -> Self {
+        self.of_inertia([0.0, 0.0, inertia])
+    }
+}
+
+impl Payload<3> {
+    /// Its matrix of inertia about its centre of mass, kg m², row by row.
+    #[must_use]
+    pub fn inertia_matrix(mut self, rows: impl Into<[[f64; 3]; 3]>) -> Self {
+        self.inertia = Some(Matrix3::from(rows.into()).transpose());
+        self
+    }
+}
+
+impl<const C: usize> Default for ArmMotion<C> {
+    fn default() -> Self {
+        Self::still()
+    }
+}
+
+impl<const C: usize> ArmMotion<C> {
+    /// An arm that stands still. Gravity is 9.81 m/s² down the last axis.
+    #[must_use]
+    pub fn still() -> Self {
+        let zeros = Vector3::zeros();
+        let mut gravity = zeros;
+        gravity[C - 1] = -GRAVITY;
+        Self {
+            gravity,
+            acceleration: zeros,
+            about: zeros,
+            angular_velocity: zeros,
+            angular_acceleration: zeros,
+        }
+    }
+
+    /// With another gravity, m/s².
+    #[must_use]
+    pub fn gravity(mut self, gravity: impl Into<[f64; C]>) -> Self {
+        self.gravity = of_space(gravity.into());
+        self
+    }
+
+    /// With an acceleration, m/s²: of all of the arm, or if it turns of the point that it turns about.
+    #[must_use]
+    pub fn accelerated(mut self, acceleration: impl Into<[f64; C]>) -> Self {
+        self.acceleration = of_space(acceleration.into());
+        self
+    }
+
+    /// Turning besides about a point, m: with vectors of three axes, of which the plane has the last, rad/s and rad/s².
+    #[must_use]
+    pub fn and_turning(
+        mut self,
+        about: impl Into<[f64; C]>,
+        velocity: [f64; 3],
+        acceleration: [f64; 3],
+    ) -> Self {
+        let turns = |axes: [f64; 3]| if C == 2 { Vector3::new(0.0, 0.0, axes[2]) } else { axes.into() };
+        self.about = of_space(about.into());
+        (self.angular_velocity, self.angular_acceleration) = (turns(velocity), turns(acceleration));
+        self
+    }
+
+    /// Refuses numbers that are not finite or too large.
+    fn check(&self) -> Result<(), Error> {
+        let all = [
+            ("gravity", &self.gravity),
+            ("acceleration of the arm", &self.acceleration),
+            ("point that the arm turns about", &self.about),
+            ("angular velocity of the arm", &self.angular_velocity),
+            ("angular acceleration of the arm", &self.angular_acceleration),
+        ];
+        for (what, vector) in all {
+            if let Some(value) = vector.iter().copied().find(|x| !is_moderate(*x)) {
+                return Err(Error::Argument { what, value, allowed: MODERATE });
+            }
+        }
+        Ok(())
+    }
+}
+
+impl ArmMotion<2> {
+    /// An arm that turns about a point, m, with an angular velocity, rad/s, and an angular acceleration, rad/s², from x to y.
+    #[must_use]
+    pub fn turning(about: impl Into<[f64; 2]>, velocity: f64, acceleration: f64) -> Self {
+        Self::still().and_turning(about, [0.0, 0.0, velocity], [0.0, 0.0, acceleration])
+    }
+}
+
+impl ArmMotion<3> {
+    /// An arm that turns about an axis through a point, m, with an angular velocity, rad/s, and an angular acceleration, rad/s²: vectors along the axis, by
+    /// the right-hand rule.
+    #[must_use]
+    pub fn turning(
+        about: impl Into<[f64; 3]>,
+        velocity: impl Into<[f64; 3]>,
+        acceleration: impl Into<[f64; 3]>,
+    ) -> Self {
+        Self::still().and_turning(about, velocity.into(), acceleration.into())
+    }
+}

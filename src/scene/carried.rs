@@ -1,0 +1,87 @@
+//! Masses of loads as they are written: a body that an arm carries, `{"mass": 0.5, "at": [0.5, 0], "turning": {"velocity_deg": 90}}`.
+
+use super::wrench::part;
+use crate::grasp::{ArmMotion, Payload, Wrench, of_the_object};
+use crate::serial::{Few, Given, Number};
+
+/// How the arm turns.
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct WrittenTurning {
+    /// A point of the axis, m; the origin if left out.
+    about: Option<Few<Given, 3>>,
+    /// Angular velocity, degrees a second: one number in the plane, in space three along the axis.
+    velocity_deg: Option<Few<Given, 3>>,
+    /// The same in rad/s, in place of it.
+    velocity_rad: Option<Few<Given, 3>>,
+    /// Angular acceleration, degrees a second squared.
+    acceleration_deg: Option<Few<Given, 3>>,
+    /// The same in rad/s², in place of it.
+    acceleration_rad: Option<Few<Given, 3>>,
+}
+
+/// What a wrench may have besides force and moment.
+pub(super) struct WrittenMass<'w> {
+    pub(super) mass: Option<&'w Number<Given>>,
+    pub(super) at: Option<&'w Few<Given, 3>>,
+    pub(super) inertia: Option<&'w Few<Given, 3>>,
+    pub(super) gravity: Option<&'w Few<Given, 3>>,
+    pub(super) accelerated: Option<&'w Few<Given, 3>>,
+    pub(super) turning: Option<&'w WrittenTurning>,
+}
+
+impl WrittenMass<'_> {
+    /// What the mass pulls with; nothing without one.
+    pub(super) fn load<const C: usize>(&self) -> Result<Wrench<C>, String> {
+        let Some(mass) = self.mass else {
+            let others = [
+                ("inertia", self.inertia.is_some()),
+                ("gravity", self.gravity.is_some()),
+                ("accelerated", self.accelerated.is_some()),
+                ("turning", self.turning.is_some()),
+            ];
+            return match others.iter().find(|(_, given)| *given) {
+                Some((name, _)) => Err(format!("{name}: of a load with a mass, which is missing")),
+                None => Ok(Wrench::ZERO),
+            };
+        };
+        let along = |given: Option<&Few<Given, 3>>, name: &str| part(given, C, name);
+        // The plane turns about z, the last axis of space.
+        let planes = of_the_object::<C>() - C;
+        let about_axes = |given: Option<&Few<Given, 3>>, name: &str| {
+            let listed = part(given, planes, name)?;
+            let mut axes = [0.0; 3];
+            axes[3 - planes..].copy_from_slice(&listed[..planes]);
+            Ok::<_, String>(axes)
+        };
+        let mut arm = ArmMotion::<C>::still().accelerated(first(along(self.accelerated, "accelerated")?));
+        if let Some(gravity) = self.gravity {
+            arm = arm.gravity(first(along(Some(gravity), "gravity")?));
+        }
+        if let Some(turning) = self.turning {
+            let rate = |degrees: Option<&Few<Given, 3>>, radians: Option<&Few<Given, 3>>, name: &str| {
+                let [in_degrees, in_radians] = [format!("{name}_deg"), format!("{name}_rad")];
+                match (degrees, radians) {
+                    (Some(_), Some(_)) => {
+                        Err(format!("{in_degrees} and {in_radians}: a turn has one of them"))
+                    }
+                    (Some(_), None) => Ok(about_axes(degrees, &in_degrees)?.map(f64::to_radians)),
+                    (None, _) => about_axes(radians, &in_radians),
+                }
+            };
+            let velocity = rate(turning.velocity_deg.as_ref(), turning.velocity_rad.as_ref(), "velocity")?;
+            let speeding =
+                rate(turning.acceleration_deg.as_ref(), turning.acceleration_rad.as_ref(), "acceleration")?;
+            arm = arm.and_turning(first(along(turning.about.as_ref(), "about")?), velocity, speeding);
+        }
+        let mut body = Payload::new(mass.0, first::<C>(along(self.at, "at")?));
+        if let Some(inertia) = self.inertia {
+            body = body.of_inertia(about_axes(Some(inertia), "inertia")?);
+        }
+        body.load(&arm).map_err(|error| error.to_string())
+    }
+}
+
+fn first<const C: usize>(all: [f64; 3]) -> [f64; C] {
+    std::array::from_fn(|a| all[a])
+}
