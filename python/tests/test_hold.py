@@ -1,9 +1,11 @@
 """Does it hold, and how much does it need, against closed forms."""
 
+import math
+
 import pytest
 from grasps import pinch
 
-from grasp_lcp import Verdict, answers
+from grasp_lcp import Grasp, Verdict, answers
 
 
 def test_a_pinch_holds_twice_its_friction() -> None:
@@ -28,6 +30,31 @@ def test_what_a_pinch_needs() -> None:
     assert grasp.need("load", loads=[[0, -12], [0, -4]]).amount == pytest.approx(8 / 12, rel=1e-11)
     with pytest.raises(ValueError, match="unknown variant `luck`"):
         grasp.need("luck", [0, -12])
+
+
+def test_how_far_a_weight_may_be_tilted() -> None:
+    # F_n = 8 - W/2 sin θ, F_t = W/2 cos θ at the jaw above: W/2 (cos θ + μ sin θ) = 8 μ, for W = 7.5 N.
+    grasp = pinch(0.5, 8.0)
+    needed = grasp.need("angle", turn={"weight": [0, -7.5]})
+    at = (3.75 * math.cos(needed.amount or 0.0), 3.75 * math.sin(needed.amount or 0.0))
+    assert at[0] + 0.5 * at[1] == pytest.approx(4.0, rel=1e-11)
+    assert needed.amount == pytest.approx(grasp.turn(weight=[0, -7.5]).angle, rel=1e-11)
+    assert str(needed).startswith("TAKES ")
+    with pytest.raises(TypeError, match="turn: list given, must be a mapping"):
+        grasp.need("angle", turn=[0, -7.5])
+    with pytest.raises(ValueError, match="turn is missing"):
+        grasp.need("angle")
+
+
+def test_friction_of_one_contact_by_its_name() -> None:
+    # Both carry half of 10 N: with 8 N at each μ = 5/8 has to do at left, whatever right has beyond that.
+    jaws = Grasp.planar(
+        [[-1, 0], [1, 0]], [[1, 0], [-1, 0]], series_stiffness=[1e3, 1e3], friction=[0.1, 0.9], pressed_with=8.0, names=["left", "right"]
+    )
+    by_name, by_number = (jaws.need("friction", [0, -10], contact=contact).amount for contact in ("left", 0))
+    assert by_name == by_number == pytest.approx(5 / 8, rel=1e-11)
+    with pytest.raises(ValueError, match=r"contact: none is called 'lift', must be the name of one of \['left', 'right'\]"):
+        jaws.need("friction", [0, -10], contact="lift")
 
 
 def test_a_scene_asks() -> None:

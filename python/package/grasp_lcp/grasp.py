@@ -274,12 +274,13 @@ class Grasp:
         any_force: float | None = None,
         at: ArrayLike | None = None,
         per_metre: ArrayLike | Mapping[str, Any] | None = None,
-        contact: int | None = None,
+        contact: int | str | None = None,
+        turn: Mapping[str, Any] | None = None,
         may_slide: bool = False,
         friction_less: float = 0.1,
         squeeze_less: float = 0.05,
     ) -> Needed:
-        """How much does it need? The least ``"squeeze"`` or ``"friction"``, the greatest ``"load"`` or ``"arm"``.
+        """How much does it need? The least ``"squeeze"`` or ``"friction"``, the greatest ``"load"``, ``"arm"`` or ``"angle"``.
 
         :param quantity: what is sought.
         :param load: the load; beside ``any_force`` what acts besides.
@@ -287,7 +288,8 @@ class Grasp:
         :param loads: loads, one at a time, in place of it.
         :param any_force: a force of this size and any direction, N, that acts at ``at``.
         :param per_metre: of an arm, what a metre more adds to the load.
-        :param contact: of friction, the contact that it is sought of, from 0.
+        :param contact: of friction, the contact that it is sought of: its number from 0, or its name.
+        :param turn: of an angle, what turns, in the words of :meth:`turn`; also loads for what else is sought, all along the turn.
         :param may_slide: contacts may slide, as long as the object is not lost.
         :param friction_less, squeeze_less: parts by which friction and squeeze may be less, for the safe amount.
         """
@@ -299,9 +301,13 @@ class Grasp:
             asked["loads"] = [
                 wrench_json(f"loads[{k}]", each, self.axes) for k, each in enumerate(listed("loads", loads, "a list of loads"))
             ]
-        for name, given in (("any_force", any_force), ("at", at), ("contact", contact)):
+        for name, given in (("any_force", any_force), ("at", at), ("contact", self._numbered(contact))):
             if given is not None:
                 asked[name] = plain(name, given)
+        if turn is not None:
+            if not isinstance(turn, Mapping):
+                raise TypeError(f"turn: {type(turn).__name__} given, must be a mapping with the words of Grasp.turn, such as weight")
+            asked["turn"] = self._turn_words(turn)
         if may_slide:
             asked["demand"] = "held"
         return Needed(self._held.ask(dumped({"need": asked})))
@@ -361,16 +367,30 @@ class Grasp:
         :param angle: how far it turns, rad; a full turn unless said otherwise.
         :param reversed: the other way round.
         """
-        return TurnOnset(self._held.turn(self._turn(locals())))
+        return TurnOnset(self._held.turn(dumped(self._turn_words(locals()))))
 
-    def _turn(self, words: Mapping[str, Any]) -> str:
-        """A turn in JSON from the words of :meth:`turn`."""
+    def _numbered(self, contact: int | str | None) -> int | None:
+        """The number of a contact that is called by its name."""
+        if not isinstance(contact, str):
+            return contact
+        (space,) = (part for name, part in json.loads(self.to_json()).items() if name in ("planar", "spatial"))
+        fingers = (finger["contacts"] for finger in space.get("fingers", ()))
+        contacts = [*space.get("contacts", ()), *(contact for finger in fingers for contact in finger)]
+        named = [number for number, each in enumerate(contacts) if each.get("name") == contact]
+        if len(named) != 1:
+            names = [each.get("name") for each in contacts if each.get("name")]
+            how_many = "several are" if named else "none is"
+            raise ValueError(f"contact: {how_many} called {contact!r}, must be the name of one of {names}, or a number from 0")
+        return named[0]
+
+    def _turn_words(self, words: Mapping[str, Any]) -> dict[str, Any]:
+        """A turn as scenes write it, from the words of :meth:`turn`."""
         loads = ("beside", "constant", "cosine", "sine")
         given = {name: value for name, value in words.items() if name != "self" and value is not None and value is not False}
         written = {name: wrench_json(name, value, self.axes) if name in loads else plain(name, value) for name, value in given.items()}
         if "angle" in written:
             written["angle_rad"] = written.pop("angle")
-        return dumped(written)
+        return written
 
     def follow(self, legs: Sequence[ArrayLike | Leg], start: ArrayLike | Mapping[str, Any] | None = None) -> Path:
         """The load path of a program, from event to event, with slips remembered.
@@ -448,7 +468,7 @@ class Grasp:
         if base is not None or at is not None:
             raise TypeError("least_squeeze: base and at go with any_force alone")
         if turn is not None:
-            return LeastSqueeze.from_json(self._held.least_squeeze_of_turn(self._turn(turn)))
+            return LeastSqueeze.from_json(self._held.least_squeeze_of_turn(dumped(self._turn_words(turn))))
         rows = np.atleast_2d(floats("loads", loads if loads is not None else ()))
         if rows.ndim != 2:
             raise ValueError(f"loads: shape {rows.shape} given, must be (k, {self.axes}) or (k, {3 * (self.axes - 1)})")
