@@ -42,7 +42,7 @@ pub(super) enum LimitState<const C: usize> {
 }
 
 /// Places for the margins of a facet under two loads.
-pub(super) type MarginPair<const C: usize> = [FacetMargin<C>; 2];
+pub(super) type MarginPair = [FacetMargin; 2];
 
 impl<const C: usize> LimitState<C> {
     /// How often the contact leaves under one load, at most; and not under another one, if any.
@@ -50,7 +50,7 @@ impl<const C: usize> LimitState<C> {
         &self,
         here: &UncertainForce<'_, C>,
         also: Option<&UncertainForce<'_, C>>,
-        margins: &mut MarginPair<C>,
+        margins: &mut MarginPair,
     ) -> f64 {
         let mut two = TwoLoads { here, also, margins };
         match self {
@@ -72,12 +72,12 @@ impl<const C: usize> LimitState<C> {
 struct TwoLoads<'a, const C: usize> {
     here: &'a UncertainForce<'a, C>,
     also: Option<&'a UncertainForce<'a, C>>,
-    margins: &'a mut MarginPair<C>,
+    margins: &'a mut MarginPair,
 }
 
 impl<const C: usize> TwoLoads<'_, C> {
     /// The margin of a facet under the first load.
-    fn find(&mut self, facet: &MarginRow<C>) -> &FacetMargin<C> {
+    fn find(&mut self, facet: &MarginRow<C>) -> &FacetMargin {
         self.here.find(facet, &mut self.margins[0]);
         &self.margins[0]
     }
@@ -93,7 +93,7 @@ impl<const C: usize> TwoLoads<'_, C> {
     fn failure_of(&mut self, row: SVector<f64, C>, rubs: bool) -> f64 {
         let facet = MarginRow { row, rubs };
         // Nothing of another facet is near this one.
-        self.here.roughly(&facet, &mut self.margins[0]);
+        self.margins[0].start_over(self.here.changes.len());
         normal_tail(self.find(&facet).reliability()) * self.holds_otherwise(&facet)
     }
 
@@ -101,7 +101,8 @@ impl<const C: usize> TwoLoads<'_, C> {
         let along = |x: f64, y: f64| SVector::<f64, C>::from_fn(|a, _| [0.0, x, y][a]);
         let facet =
             |angle: f64| MarginRow { row: cone.facet_row(&along(angle.cos(), angle.sin())), rubs: true };
-        let mut roughly = |angle: f64| self.here.roughly(&facet(angle), &mut self.margins[0]);
+        let first_order = self.here.first_order();
+        let roughly = |angle: f64| first_order.reliability(&facet(angle));
         let all_around =
             (0..AROUND).map(|k| TAU * k as f64 / AROUND as f64).map(|angle| (angle, roughly(angle)));
         let (worst, least) =
@@ -121,12 +122,14 @@ impl<const C: usize> TwoLoads<'_, C> {
         {
             half *= 0.5;
         }
+        self.margins[0].start_over(self.here.changes.len());
         let mut sum = normal_tail(self.find(&facet(worst - half)).reliability());
         let width = 2.0 * half / AROUND as f64;
         for k in 0..AROUND {
             let angle = worst - half + width * (k as f64 + 0.5);
             let (facet, turned) = (facet(angle), -along(-angle.sin(), angle.cos()));
-            let crossings = self.find(&facet).crossings(&turned);
+            self.find(&facet);
+            let crossings = self.here.crossings(&self.margins[0], &turned);
             if crossings > 0.0 {
                 sum += width * crossings * self.holds_otherwise(&facet);
             }

@@ -8,7 +8,7 @@
 //! friction, which multiplies the normal force as it does. The reliability β is the distance of the nearest z at which the margin vanishes (Hasofer and
 //! Lind, Exact and invariant second-moment code format, 1974).
 
-use nalgebra::SVector;
+use nalgebra::{SMatrix, SVector};
 
 use crate::numerics::{normal_density, normal_tail};
 
@@ -46,15 +46,15 @@ pub(super) struct MarginRow<const C: usize> {
 
 /// One margin; a place for one after another, each of which is looked for from where the one before failed.
 #[derive(Debug)]
-pub(super) struct FacetMargin<const C: usize> {
+pub(super) struct FacetMargin {
     /// Where it fails: data in the order of the changes, friction last.
     fails_at: Vec<f64>,
+    /// What each datum changes of both parts of the margin: the normal one, which friction multiplies, and the other.
+    parts: Vec<[[f64; 2]; LOOKED_AT.len()]>,
+    /// There it was linearised last.
+    linearised_at: Vec<f64>,
     gradient: Vec<f64>,
-    /// What one σ of each datum changes of the force there.
-    by_datum: Vec<SVector<f64, C>>,
     steepness: f64,
-    /// The force there.
-    force: SVector<f64, C>,
     reliability: f64,
 }
 
@@ -64,26 +64,31 @@ const STEPS: usize = 30;
 const NEAR: f64 = 1e-3;
 
 impl<const C: usize> UncertainForce<'_, C> {
-    /// β to first order about the data as known, in a place for the gradient: where to look.
-    pub(super) fn roughly(&self, facet: &MarginRow<C>, margin: &mut FacetMargin<C>) -> f64 {
-        margin.fails_at.clear();
-        margin.fails_at.resize(self.changes.len() + 1, 0.0);
-        self.linearise(facet, margin);
-        ratio(facet.row.dot(&self.force), margin.steepness)
+    /// What all facets share as long as data are as known: where to look.
+    pub(super) fn first_order(&self) -> FirstOrder<C> {
+        let mut spread = SMatrix::zeros();
+        for [slope, ..] in self.changes {
+            let by_sigma = slope / self.sigmas;
+            spread += by_sigma * by_sigma.transpose();
+        }
+        FirstOrder { force: self.force, spread, friction: self.friction }
     }
 
     /// Looks for where the margin fails.
-    pub(super) fn find(&self, facet: &MarginRow<C>, margin: &mut FacetMargin<C>) {
+    pub(super) fn find(&self, facet: &MarginRow<C>, margin: &mut FacetMargin) {
         if margin.fails_at.len() != self.changes.len() + 1 {
-            margin.fails_at.clear();
-            margin.fails_at.resize(self.changes.len() + 1, 0.0);
+            margin.start_over(self.changes.len());
         }
-        let known = facet.row.dot(&self.force);
+        margin.parts.clear();
+        margin
+            .parts
+            .extend(self.changes.iter().map(|change| change.each_ref().map(|c| parts(&facet.row, c))));
+        let known = parts(&facet.row, &self.force);
         let mut arrived = false;
         for _ in 0..STEPS {
-            let value = self.linearise(facet, margin);
+            let value = self.linearise(known, facet.rubs, margin);
             if margin.steepness == 0.0 {
-                margin.reliability = ratio(known, 0.0);
+                margin.reliability = ratio(known[0] + known[1], 0.0);
                 return;
             }
             let along: f64 = margin.gradient.iter().zip(&margin.fails_at).map(|(g, z)| g * z).sum();
@@ -98,73 +103,121 @@ impl<const C: usize> UncertainForce<'_, C> {
                 break;
             }
         }
-        let distance = margin.fails_at.iter().map(|z| z * z).sum::<f64>().sqrt();
-        // A search that goes round in circles says less than the derivative: the nearer of both is safe.
-        let nearest = if arrived { distance } else { distance.min(self.roughly(facet, margin).abs()) };
-        margin.reliability = nearest.copysign(known);
+        let mut nearest = margin.fails_at.iter().map(|z| z * z).sum::<f64>().sqrt();
+        if !arrived {
+            // A search that goes round in circles says less than the derivative: the nearer of both is safe.
+            margin.start_over(self.changes.len());
+            let value = self.linearise(known, facet.rubs, margin);
+            nearest = nearest.min(ratio(value, margin.steepness).abs());
+        }
+        margin.reliability = nearest.copysign(known[0] + known[1]);
     }
 
     /// The margin where the data are off as said, and its gradient there.
-    fn linearise(&self, facet: &MarginRow<C>, margin: &mut FacetMargin<C>) -> f64 {
-        let FacetMargin { fails_at, gradient, by_datum, .. } = margin;
-        let mut force = self.force;
-        by_datum.clear();
-        for (change, z) in self.changes.iter().zip(fails_at.iter()) {
-            // Beyond what was looked at it goes on straight.
-            let x = z / self.sigmas;
-            let inside = x.clamp(-1.0, 1.0);
-            let [c1, c2, c3, c4] = change;
-            let slope = c1 + (c2 * 2.0 + (c3 * 3.0 + c4 * (4.0 * inside)) * inside) * inside;
-            force += (c1 + (c2 + (c3 + c4 * inside) * inside) * inside) * inside + slope * (x - inside);
-            by_datum.push(slope / self.sigmas);
-        }
-        let off = fails_at.last().map_or(0.0, |z| self.friction * z);
-        let rubs = if facet.rubs { off.exp() } else { 1.0 };
-        let mut row = facet.row;
-        row[0] *= rubs;
+    fn linearise(&self, known: [f64; 2], rubs: bool, margin: &mut FacetMargin) -> f64 {
+        let FacetMargin { fails_at, parts, linearised_at, gradient, .. } = margin;
+        let rubs = if rubs { fails_at.last().map(|z| (self.friction * z).exp()) } else { None };
+        let factor = rubs.unwrap_or(1.0);
+        linearised_at.clone_from(fails_at);
         gradient.clear();
-        gradient.extend(by_datum.iter().map(|d| row.dot(d)));
-        gradient.push(if facet.rubs { self.friction * row[0] * force[0] } else { 0.0 });
-        margin.steepness = margin.gradient.iter().map(|g| g * g).sum::<f64>().sqrt();
-        margin.force = force;
-        row.dot(&force)
-    }
-}
-
-impl<const C: usize> Default for FacetMargin<C> {
-    fn default() -> Self {
-        let (fails_at, gradient, by_datum) = (Vec::new(), Vec::new(), Vec::new());
-        Self { fails_at, gradient, by_datum, steepness: 0.0, force: SVector::zeros(), reliability: 0.0 }
-    }
-}
-
-impl<const C: usize> FacetMargin<C> {
-    /// β, infinite where nothing spreads, of the sign of the margin as known.
-    pub(super) fn reliability(&self) -> f64 {
-        self.reliability
+        let [mut normal, mut other] = known;
+        let mut steepness = 0.0;
+        for (coefficients, z) in parts.iter().zip(fails_at.iter()) {
+            let x = z / self.sigmas;
+            let [of_normal, of_other] = [0, 1].map(|part| Beyond::of(coefficients.map(|c| c[part]), x));
+            normal += of_normal.value;
+            other += of_other.value;
+            let by_sigma = (factor * of_normal.slope + of_other.slope) / self.sigmas;
+            steepness += by_sigma * by_sigma;
+            gradient.push(by_sigma);
+        }
+        let by_friction = if rubs.is_some() { self.friction * factor * normal } else { 0.0 };
+        gradient.push(by_friction);
+        margin.steepness = (steepness + by_friction * by_friction).sqrt();
+        factor * normal + other
     }
 
     /// `φ(β) E[(X' - β')₊]` for one unit of the angle, while the row changes at this rate: X is the margin in deviations about its mean, X' independent of it.
-    pub(super) fn crossings(&self, turned: &SVector<f64, C>) -> f64 {
-        if self.steepness == 0.0 {
+    pub(super) fn crossings(&self, margin: &FacetMargin, turned: &SVector<f64, C>) -> f64 {
+        if margin.steepness == 0.0 {
             return 0.0;
         }
-        let (mut mixed, mut rates) = (0.0, 0.0);
-        for (g, d) in self.gradient.iter().zip(&self.by_datum) {
-            let rate = turned.dot(d);
-            mixed += g * rate;
-            rates += rate * rate;
+        let (mut mixed, mut rates, mut rate) = (0.0, 0.0, turned.dot(&self.force));
+        for ((change, z), g) in self.changes.iter().zip(&margin.linearised_at).zip(&margin.gradient) {
+            let there = Beyond::of(change.each_ref().map(|c| turned.dot(c)), z / self.sigmas);
+            let by_sigma = there.slope / self.sigmas;
+            rate += there.value;
+            mixed += g * by_sigma;
+            rates += by_sigma * by_sigma;
         }
-        let along = mixed / self.steepness;
-        let turning = (rates - along * along).max(0.0).sqrt() / self.steepness;
-        let rate = turned.dot(&self.force) / self.steepness;
+        let along = mixed / margin.steepness;
+        let turning = (rates - along * along).max(0.0).sqrt() / margin.steepness;
+        let rate = rate / margin.steepness;
         let mean = if turning == 0.0 {
             (-rate).max(0.0)
         } else {
             let x = rate / turning;
             turning * normal_density(x) - rate * normal_tail(x)
         };
-        normal_density(self.reliability) * mean
+        normal_density(margin.reliability) * mean
+    }
+}
+
+/// Forces to first order about data as known: what does not depend on the facet.
+pub(super) struct FirstOrder<const C: usize> {
+    force: SVector<f64, C>,
+    /// Covariance of the force, but for friction.
+    spread: SMatrix<f64, C, C>,
+    friction: f64,
+}
+
+impl<const C: usize> FirstOrder<C> {
+    /// β to first order.
+    pub(super) fn reliability(&self, facet: &MarginRow<C>) -> f64 {
+        let by_friction = if facet.rubs { self.friction * facet.row[0] * self.force[0] } else { 0.0 };
+        let variance = facet.row.dot(&(self.spread * facet.row)) + by_friction * by_friction;
+        ratio(facet.row.dot(&self.force), variance.max(0.0).sqrt())
+    }
+}
+
+/// What a row makes of the normal part of a force, and of the other.
+fn parts<const C: usize>(row: &SVector<f64, C>, force: &SVector<f64, C>) -> [f64; 2] {
+    let normal = row[0] * force[0];
+    [normal, row.dot(force) - normal]
+}
+
+/// An effect that goes on straight beyond where it was looked at.
+struct Beyond {
+    value: f64,
+    slope: f64,
+}
+
+impl Beyond {
+    fn of([c1, c2, c3, c4]: [f64; LOOKED_AT.len()], x: f64) -> Self {
+        let inside = x.clamp(-1.0, 1.0);
+        let slope = c1 + (c2 * 2.0 + (c3 * 3.0 + c4 * (4.0 * inside)) * inside) * inside;
+        let value = (c1 + (c2 + (c3 + c4 * inside) * inside) * inside) * inside;
+        Self { value: value + slope * (x - inside), slope }
+    }
+}
+
+impl Default for FacetMargin {
+    fn default() -> Self {
+        let [fails_at, linearised_at, gradient] = [const { Vec::new() }; 3];
+        Self { fails_at, parts: Vec::new(), linearised_at, gradient, steepness: 0.0, reliability: 0.0 }
+    }
+}
+
+impl FacetMargin {
+    /// The next one is looked for from data as known on, of which there are so many and friction.
+    pub(super) fn start_over(&mut self, data: usize) {
+        self.fails_at.clear();
+        self.fails_at.resize(data + 1, 0.0);
+    }
+
+    /// β, infinite where nothing spreads, of the sign of the margin as known.
+    pub(super) fn reliability(&self) -> f64 {
+        self.reliability
     }
 
     /// How often another margin holds, at most, where this one just fails (Ditlevsen, Narrow reliability bounds for structural systems, 1979).
