@@ -71,6 +71,9 @@ pub enum Amount {
         changes: usize,
         /// Of a squeeze: what each contact presses with at rest, N.
         presses: Vec<Press>,
+        /// Of a squeeze: joints and tendons whose drives are at their limit at rest, so that they press no harder.
+        #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+        at_their_limit: Vec<String>,
     },
     /// Any amount does, down or up to this one, which was tried.
     Any {

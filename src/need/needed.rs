@@ -4,7 +4,7 @@ use super::answer::{Amount, Needed, Press, Quantity, check_part};
 use super::question::{Need, Sought};
 use super::trial::{Trial, is_far, try_amount};
 use crate::ask::Grasp;
-use crate::equilibrium::Outcome;
+use crate::equilibrium::{DriveState, Outcome};
 use crate::error::Error;
 use crate::grasp::{WholeContacts, Wrench};
 
@@ -158,9 +158,10 @@ fn amount<const C: usize>(grasp: &Grasp<C>, need: &Need<C>, less: [f64; 2]) -> R
         Trial::DoesNot(otherwise) => otherwise,
         Trial::Does => String::new(),
     };
-    let presses = if let Sought::Squeeze { .. } = need.sought { presses(grasp, good)? } else { Vec::new() };
+    let (presses, at_their_limit) =
+        if let Sought::Squeeze { .. } = need.sought { presses(grasp, good)? } else { Default::default() };
     let changes = changes(need.scan, good, is_least, tried)?;
-    Ok(Amount::Bound { does: good, does_not: bad.0, otherwise, changes, presses })
+    Ok(Amount::Bound { does: good, does_not: bad.0, otherwise, changes, presses, at_their_limit })
 }
 
 /// An amount that clearly does not, close beyond a bound at which it is not known; else the one that was tried.
@@ -202,15 +203,19 @@ fn changes(
     Ok(changes)
 }
 
-/// What each contact presses with at rest, squeezed so many times as much.
-fn presses<const C: usize>(grasp: &Grasp<C>, squeeze: f64) -> Result<Vec<Press>, Error> {
+/// What each contact presses with at rest, squeezed so many times as much, and whose drives are at their limit there.
+fn presses<const C: usize>(grasp: &Grasp<C>, squeeze: f64) -> Result<(Vec<Press>, Vec<String>), Error> {
     let squeezed = grasp.squeezed(squeeze)?;
-    let Outcome::Equilibrium(state) = squeezed.solve(&Wrench::ZERO)? else { return Ok(Vec::new()) };
+    let Outcome::Equilibrium(state) = squeezed.solve(&Wrench::ZERO)? else { return Ok(Default::default()) };
     let parts = WholeContacts::of(grasp.contacts());
     let forces = parts.sum(&|i| state.contacts[i].force[0]);
     let press = |part: crate::grasp::WholeContact| {
         let force = forces[part.contact];
         Press { part, force }
     };
-    Ok(parts.with(&|_| true).into_iter().map(press).collect())
+    let joints = state.joints.iter().map(|joint| (joint.state, joint.joint.text()));
+    let drives = joints.chain(state.tendons.iter().map(|tendon| (tendon.state, tendon.tendon.text())));
+    // A finger that is held by its force alone is there by design.
+    let at_their_limit = drives.filter(|(state, _)| *state == DriveState::Yields).map(|(_, name)| name);
+    Ok((parts.with(&|_| true).into_iter().map(press).collect(), at_their_limit.collect()))
 }

@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::answer::{Amount, Needed, Press, Quantity};
 use super::question::Demand;
-use crate::words::{TOO_FAR, Words, listed};
+use crate::words::{TOO_FAR, Words, listed, printable};
 
 /// Forces this close are called one.
 const ALIKE: f64 = 1e-6;
@@ -26,7 +26,7 @@ impl Needed {
             Demand::Held => "it is not lost",
         };
         match &self.amount {
-            Amount::Bound { does, otherwise, changes, presses, .. } => {
+            Amount::Bound { does, otherwise, changes, presses, at_their_limit, .. } => {
                 let much = self.quantity.much(words, *does, presses);
                 if self.quantity.is_least() {
                     write!(f, "NEEDS {much} so that {aim}")?;
@@ -35,6 +35,15 @@ impl Needed {
                 }
                 self.safe_amount(f, *does, presses)?;
                 write!(f, ". With {} {otherwise}", if self.quantity.is_least() { "less:" } else { "more:" })?;
+                if !at_their_limit.is_empty() {
+                    let names: Vec<_> = at_their_limit.iter().map(|name| printable(name)).collect();
+                    let are = if names.len() == 1 {
+                        "is at its limit and presses"
+                    } else {
+                        "are at their limit and press"
+                    };
+                    write!(f, ". At rest {} {are} no harder", listed(&names))?;
+                }
                 if *changes > 1 {
                     write!(f, ". The verdict changes {changes} times among the amounts that were looked at")?;
                 }
@@ -69,11 +78,18 @@ impl Needed {
         match &self.safe {
             Some(Amount::Bound { does: safe, presses: safe_presses, .. }) => {
                 let much = match (alike(presses), alike(safe_presses)) {
+                    // Drives at their limit press no harder, however far they are told to go.
+                    (Some(one), Some(other)) if (one - other).abs() <= ALIKE * one.abs() && *safe != does => {
+                        format!("{} times that command", words.number(safe / does))
+                    }
                     (Some(_), Some(force)) => format!("{} N", words.number(force)),
                     _ if presses.is_empty() => self.quantity.much(words, *safe, &[]),
                     _ => format!("{} times as much", words.number(safe / does)),
                 };
-                write!(f, ", {much} if {}", listed(&less))
+                // What does need not be all that lies above or below: less may do where more does not.
+                let is_beyond = if self.quantity.is_least() { *safe < does } else { *safe > does };
+                let beside = if is_beyond { " (of itself: not all beyond it does)" } else { "" };
+                write!(f, ", {much} if {}{beside}", listed(&less))
             }
             Some(Amount::None { .. }) => write!(f, ", and no amount does if {}", listed(&less)),
             Some(Amount::Undecided { .. }) => write!(f, ", and it is not known if {}", listed(&less)),
