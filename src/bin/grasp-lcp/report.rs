@@ -80,19 +80,23 @@ impl Report<'_> {
                 }
             }
             (Question::Onset(ramp), Answer::Onset(onset)) => {
-                let commands = if ramp.command_change.is_some() || ramp.joint_change.is_some() {
-                    ", commands changing along"
-                } else {
-                    ""
-                };
+                let commands = ramp.command_change.is_some() || ramp.joint_change.is_some();
                 let (base, direction) = (self.load(&ramp.base), self.load(&ramp.direction));
-                writeln!(self.out, "\nOnset of sliding from {base} along {direction}{commands}")?;
-                self.onset(onset, "factor", |report, at| report.number(at.factor))
+                let changes = ramp.direction != Wrench::ZERO;
+                let way = match (changes, commands) {
+                    (false, _) => format!("under {base} while commands change"),
+                    (true, true) => format!("from {base} along {direction}, commands changing along"),
+                    (true, false) => format!("from {base} along {direction}"),
+                };
+                writeln!(self.out, "\nOnset of sliding {way}")?;
+                self.onset(onset, ("factor", changes), |report, at| report.number(at.factor))
             }
             (Question::OnsetOfTurn(turn), Answer::OnsetOfTurn(onset)) => {
                 let (from, most) = (self.load(&turn.load_at(0.0)), self.style.words.angle(turn.angle()));
                 writeln!(self.out, "\nOnset of sliding from {from} while the load turns by {most}")?;
-                self.onset(&onset.onset, "an angle of", |report, at| report.style.words.angle(at.angle))?;
+                self.onset(&onset.onset, ("an angle of", true), |report, at| {
+                    report.style.words.angle(at.angle)
+                })?;
                 self.touches(onset)
             }
             (Question::Follow { start, legs }, Answer::Follow(path)) => {
@@ -125,18 +129,20 @@ impl Report<'_> {
         }
     }
 
-    /// An onset at a place that is called so.
+    /// An onset at a place that is called so, where the load changes or commands alone.
     fn onset<const C: usize, At>(
         &mut self,
         onset: &OnsetAnswer<C, At>,
-        called: &str,
+        (called, changes): (&str, bool),
         place: impl Fn(&Self, &At) -> String,
     ) -> io::Result<()> {
         let digits = self.style.digits();
         match onset {
             OnsetAnswer::At(event) => {
                 let (at, load) = (place(self, &event.at), self.load(&event.load));
-                self.line(&format!("at {called} {at}, that is {load}"))?;
+                // A load that does not change says nothing of where that is.
+                let load = if changes { format!(", that is {load}") } else { String::new() };
+                self.line(&format!("at {called} {at}{load}"))?;
                 self.leaving(event)?;
                 self.table(&event.state)?;
                 self.beyond_onset(&event.beyond, &event.state)

@@ -4,6 +4,7 @@ use grasp_lcp::Error;
 use grasp_lcp::load_path::{Onset, Ramp};
 use grasp_lcp::scene::{Question, Setup};
 use grasp_lcp::squeeze::WeakestDirection;
+use grasp_lcp::words::Words;
 use grasp_lcp::{ask::Grasp, grasp::Wrench};
 
 use crate::failure::Failure;
@@ -55,13 +56,18 @@ pub(crate) fn quick<const C: usize>(grasp: &Grasp<C>) -> Grasp<C> {
 pub(crate) fn first<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>) -> Result<First, Error> {
     Ok(match grasp.onset(ramp)? {
         Onset::At(event) => {
-            let who = event
-                .leaving
-                .iter()
-                .map(|leaving| format!("{} {}", leaving.contact.text(), leaving.how.verb()));
+            let mut verbs: Vec<_> = event.leaving.iter().map(|leaving| leaving.how.verb()).collect();
+            verbs.sort_unstable();
+            verbs.dedup();
+            // Points of a soft fingertip leave by the dozen, and are one contact.
+            let who = verbs.into_iter().rev().flat_map(|verb| {
+                let does = |i: usize| {
+                    event.leaving.iter().any(|left| left.contact.index == i && left.how.verb() == verb)
+                };
+                grasp.whole_contacts(does).into_iter().map(move |part| format!("{part} {verb}"))
+            });
             let drives = event.drives.iter().map(|drive| format!("{} gives way", drive.part.text()));
             let mut who: Vec<_> = who.chain(drives).collect();
-            // Points of a soft fingertip leave by the dozen.
             if who.len() > MANY {
                 let others = who.len() - 1;
                 who = vec![format!("{} and {others} others", who[0])];
@@ -97,8 +103,7 @@ pub(crate) fn words<const C: usize>(at: [f64; C], base: &Wrench<C>) -> Vec<Strin
     let load = base.components();
     let mut lines = vec![format!("Force at ({point}) m")];
     if load.iter().any(|x| *x != 0.0) {
-        let load: Vec<_> = load.iter().map(ToString::to_string).collect();
-        lines.push(format!("on top of ({}) N, N m", load.join(", ")));
+        lines.push(format!("on top of {}", Words::default().load(base)));
     } else {
         lines.push("no other load".to_owned());
     }
