@@ -2,6 +2,7 @@
 
 mod everyday;
 mod nothing_near;
+mod nothing_near_in_space;
 mod payload;
 mod seals;
 mod suction;
