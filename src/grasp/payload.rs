@@ -125,6 +125,12 @@ impl Payload<2> {
 }
 
 impl Payload<3> {
+    /// Its moments of inertia about axes through its centre of mass along those of the coordinates, kg m², where these are its principal axes.
+    #[must_use]
+    pub fn inertia(self, axes: impl Into<[f64; 3]>) -> Self {
+        self.of_inertia(axes.into())
+    }
+
     /// Its matrix of inertia about its centre of mass, kg m², row by row.
     #[must_use]
     pub fn inertia_matrix(mut self, rows: impl Into<[[f64; 3]; 3]>) -> Self {

@@ -31,8 +31,8 @@ pub(super) struct WrittenMass<'w> {
 }
 
 impl WrittenMass<'_> {
-    /// What the mass pulls with; nothing without one.
-    pub(super) fn load<const C: usize>(&self) -> Result<Wrench<C>, String> {
+    /// What the mass pulls with, if there is one.
+    pub(super) fn load<const C: usize>(&self) -> Result<Option<Wrench<C>>, String> {
         let Some(mass) = self.mass else {
             let others = [
                 ("inertia", self.inertia.is_some()),
@@ -42,7 +42,7 @@ impl WrittenMass<'_> {
             ];
             return match others.iter().find(|(_, given)| *given) {
                 Some((name, _)) => Err(format!("{name}: of a load with a mass, which is missing")),
-                None => Ok(Wrench::ZERO),
+                None => Ok(None),
             };
         };
         let along = |given: Option<&Few<Given, 3>>, name: &str| part(given, C, name);
@@ -78,7 +78,7 @@ impl WrittenMass<'_> {
         if let Some(inertia) = self.inertia {
             body = body.of_inertia(about_axes(Some(inertia), "inertia")?);
         }
-        body.load(&arm).map_err(|error| error.to_string())
+        body.load(&arm).map(Some).map_err(|error| error.to_string())
     }
 }
 

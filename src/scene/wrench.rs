@@ -108,7 +108,9 @@ impl<'de, const C: usize> Deserialize<'de> for Wrench<C> {
                 accelerated: accelerated.as_ref(),
                 turning: turning.as_ref(),
             };
-            Ok(Self::from_components(&wrench) + carried.load()?)
+            let wrench = Self::from_components(&wrench);
+            // A sum with nothing would lose the sign of a zero.
+            Ok(carried.load()?.map_or(wrench, |pull| wrench + pull))
         })
     }
 }

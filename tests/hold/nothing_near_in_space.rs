@@ -25,7 +25,7 @@ struct Touch {
 /// Three or four fingers around an object, or two rings that face each other; overloaded.
 fn drawn(random: &mut Random, rings: bool) -> Result<(Grasp, Wrench), grasp_lcp::Error> {
     let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
-    let (friction, press) = (between(0.2, 0.8), between(5.0, 40.0));
+    let (friction, press, four) = (between(0.2, 0.8), between(5.0, 40.0), between(0.0, 1.0) < 0.5);
     let mut finger = |angle: f64| {
         let out = Vector3::new(angle.cos(), angle.sin(), between(-0.1, 0.1));
         let askew = Vector3::new(between(-0.1, 0.1), between(-0.1, 0.1), between(-0.1, 0.1));
@@ -40,7 +40,7 @@ fn drawn(random: &mut Random, rings: bool) -> Result<(Grasp, Wrench), grasp_lcp:
         let ring = SoftFingertip::ring(0.008, 6)?;
         ([ring.contacts(&finger(0.0))?, ring.contacts(&finger(0.5 * turn))?].concat(), 2.0)
     } else {
-        let fingers = if between(0.0, 1.0) < 0.5 { 3 } else { 4 };
+        let fingers = if four { 4 } else { 3 };
         ((0..fingers).map(|i| finger(turn * f64::from(i) / f64::from(fingers))).collect(), f64::from(fingers))
     };
     let over = between(1.05, 3.0) * fingers * friction * press;
@@ -115,9 +115,10 @@ fn least(
 
 /// The motion from `at` that the proof speaks of: brought back to its rim, if need be.
 fn within(by: Vector6<f64>, centroid: &Vector3<f64>, reach: f64, angle: f64) -> Vector6<f64> {
-    let turn: Vector3<f64> = by.rows(3, 3).into();
+    let (origin, turning) = (Vector3::new(by[0], by[1], by[2]), Vector3::new(by[3], by[4], by[5]));
+    let turn = turning;
     let turn = if turn.norm() > angle { turn * (angle / turn.norm()) } else { turn };
-    let moved: Vector3<f64> = Vector3::from(by.rows(0, 3)) + Vector3::from(by.rows(3, 3)).cross(centroid);
+    let moved = origin + turning.cross(centroid);
     let moved = if moved.norm() > reach { moved * (reach / moved.norm()) } else { moved };
     let origin = moved - turn.cross(centroid);
     Vector6::new(origin.x, origin.y, origin.z, turn.x, turn.y, turn.z)
