@@ -3,7 +3,7 @@
 
 use grasp_lcp::equilibrium::{ContactAnswer, ContactState, Equilibrium};
 use grasp_lcp::grasp::Hold;
-use nalgebra::{Matrix3, SVector, Vector2, Vector3};
+use nalgebra::{Matrix3, Matrix3x2, SVector, Vector2, Vector3};
 
 use super::{Scene, Spot};
 
@@ -98,6 +98,8 @@ impl Scene<3, 2> {
                 list
             })
             .collect();
+        let at = self.at(leg, fraction);
+        let maps: Vec<_> = self.spots.iter().map(Spot::map::<3>).collect();
         let mut found = Vec::new();
         for mut k in 0..choices.iter().map(Vec::len).product() {
             let does = choices
@@ -108,20 +110,25 @@ impl Scene<3, 2> {
                     own
                 })
                 .collect();
-            found.extend(self.step(leg, fraction, last, does));
+            found.extend(self.step(&at, &maps, last, does));
         }
         found.sort_by(|a, b| last.apart(a).total_cmp(&last.apart(b)));
         found
     }
 
-    /// One step in which each contact does this, if the law allows it.
-    fn step(&self, leg: usize, fraction: f64, last: &Step, does: Vec<Does>) -> Option<Step> {
-        let (load, drives) = self.at(leg, fraction);
-        let (mut stiffness, mut pull) = (Matrix3::zeros(), load);
+    /// One step to this load and these drives in which each contact does this, if the law allows it.
+    fn step(
+        &self,
+        (load, drives): &(Vector3<f64>, Vec<Vector2<f64>>),
+        maps: &[Matrix3x2<f64>],
+        last: &Step,
+        does: Vec<Does>,
+    ) -> Option<Step> {
+        let (mut stiffness, mut pull) = (Matrix3::zeros(), *load);
         // F = force of the springs at twist 0, less slope times twist.
         let mut laws = Vec::new();
         for (i, (spot, does)) in self.spots.iter().zip(&does).enumerate() {
-            let map = spot.map::<3>();
+            let map = maps[i];
             let (n, t) = (map.column(0), map.column(1));
             let kt = if spot.holds_along() { spot.k[1] } else { 0.0 };
             let push = spot.k[0] * drives[i][0];
@@ -151,7 +158,7 @@ impl Scene<3, 2> {
         let most = forces.iter().map(Vector2::norm).fold(load.norm(), f64::max);
         let mut slips = last.slips.clone();
         for (i, (spot, does)) in self.spots.iter().zip(&does).enumerate() {
-            let map = spot.map::<3>();
+            let map = maps[i];
             let stretch = drives[i] - map.transpose() * twist;
             let travel = SLACK * (drives[i].norm() + map.norm() * twist.norm());
             let (n, friction) = (forces[i][0], forces[i][1]);
