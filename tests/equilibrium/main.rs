@@ -1,14 +1,10 @@
 //! The equilibrium of one grasp under one load.
 
-mod any_numbers;
 mod bad_contacts;
 mod bad_fingertips;
 mod bad_questions;
-mod branch_and_bound;
 mod closed_forms;
 mod condition;
-mod exact_equilibria;
-mod exact_states;
 mod foreign_answers;
 mod foreign_vectors;
 mod frames;
