@@ -10,6 +10,7 @@ use super::scaling::Scaling;
 use super::settings::Settings;
 use super::solution::Solution;
 use super::tolerances::{SAME_ENTRY, SAME_POINT, ZERO};
+use super::vertices;
 use nalgebra::{DMatrix, DVector};
 
 /// The largest n for which 2ⁿ bases are tried.
@@ -85,6 +86,21 @@ pub(super) fn all_solutions(lcp: &Lcp, settings: &Settings) -> AllSolutions {
         }
     }
     search.found
+}
+
+/// A solution at a corner of some piece whose block is singular, where linear programming has found none; n is at most [`vertices::MOST_ROWS`].
+pub(super) fn at_corner(lcp: &Lcp, settings: &Settings) -> Option<Solution> {
+    let n = lcp.len();
+    let mut scaling = Scaling::default();
+    scaling.balance(n, lcp.m.as_slice(), lcp.q.as_slice());
+    let found = AllSolutions { solutions: Vec::new(), singular: Vec::new() };
+    let mut search = Search { lcp, settings, scaling, found };
+    (1..1_u32 << n).find_map(|bits| {
+        let alpha: Vec<usize> = (0..n).filter(|i| bits >> i & 1 == 1).collect();
+        principal::solve(lcp, &alpha).is_none().then_some(())?;
+        let _basis = vertices::of_piece(lcp, &alpha).find_map(|basic| search.offer(&alpha, &basic))?;
+        search.found.solutions.pop()
+    })
 }
 
 /// A problem, its balance, and the solutions found so far.

@@ -6,11 +6,14 @@
 use super::enumerate;
 use super::exclusion;
 use super::linear_program;
-use super::outcome::{Outcome, Unsolved};
+use super::outcome::{Certificate, Outcome, Unsolved};
 use super::problem::Lcp;
 use super::settings::Settings;
+use super::solution::Solution;
+use super::vertices;
 use super::workspace::Workspace;
 use crate::numerics::generic;
+use nalgebra::DVector;
 
 /// The covering vectors of other paths have entries 2^e of the balanced unit with e between −3 and
 /// 3, a range of so many octaves.
@@ -25,26 +28,54 @@ impl Workspace {
     /// Climbs the ladder for a prepared problem, until it is solved (`None`) or settled otherwise.
     pub(super) fn climb(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         let first = self.first_path(lcp, settings)?;
-        match &first {
-            infeasible if infeasible.is_infeasible() => return Some(first),
+        match first {
+            Outcome::Infeasible(Certificate { y, .. }) => return Some(self.infeasible(lcp, y)),
+            Outcome::NearlyInfeasible(_) => return Some(self.few_rows(lcp).unwrap_or(first)),
             Outcome::PivotLimit { .. } if settings.max_pivots.is_some() => return Some(first),
             _ => {}
         }
         if settings.prove_infeasible
             && let Some(infeasible) = linear_program::proof(lcp, &self.path.scaling, settings)
         {
-            return Some(infeasible.after(self.path.pivots));
+            return Some(match infeasible {
+                Outcome::Infeasible(Certificate { y, .. }) => self.infeasible(lcp, y),
+                other => self.few_rows(lcp).unwrap_or_else(|| other.after(self.path.pivots)),
+            });
         }
         for attempt in 1..=settings.retries {
             self.retry(lcp, settings, attempt)?;
         }
         if lcp.len() <= settings.enumerate_up_to.min(enumerate::LARGEST) {
             self.take_enumerated(lcp, settings)?;
+            let small = lcp.len() <= vertices::MOST_ROWS;
+            if small
+                && settings.prove_infeasible
+                && let Some(y) = vertices::farkas(lcp, &self.path.scaling)
+            {
+                return Some(self.infeasible(lcp, y));
+            }
             if exclusion::every_basis(lcp, &self.path.scaling, settings) {
                 return Some(Outcome::NoBasis { pivots: self.path.pivots });
             }
+            if small && let Some(solution) = enumerate::at_corner(lcp, settings) {
+                self.take(solution);
+                return None;
+            }
         }
         Some(first.after(self.path.pivots))
+    }
+
+    /// Infeasible, as few rows show, or else this vector.
+    fn infeasible(&self, lcp: &Lcp, y: DVector<f64>) -> Unsolved {
+        self.few_rows(lcp).unwrap_or_else(|| {
+            Outcome::Infeasible(Certificate { y: lcp.plainer(y), pivots: self.path.pivots })
+        })
+    }
+
+    /// Infeasible, as few rows show.
+    fn few_rows(&self, lcp: &Lcp) -> Option<Unsolved> {
+        let y = lcp.few_rows()?;
+        Some(Outcome::Infeasible(Certificate { y, pivots: self.path.pivots }))
     }
 
     /// Follows a path with another covering vector, then one from a basis of one or two z's.
@@ -68,12 +99,16 @@ impl Workspace {
     fn take_enumerated(&mut self, lcp: &Lcp, settings: &Settings) -> Option<()> {
         let all = enumerate::all_solutions(lcp, settings);
         let Some(solution) = all.solutions.into_iter().next() else { return Some(()) };
+        self.take(solution);
+        None
+    }
+
+    fn take(&mut self, solution: Solution) {
         self.point.z = solution.z.as_slice().to_vec();
         self.point.w = solution.w.as_slice().to_vec();
         self.basis = solution.basis;
         self.residuals = Some(solution.residuals);
         self.degenerate = solution.degenerate;
-        None
     }
 }
 

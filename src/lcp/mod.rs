@@ -77,6 +77,7 @@ mod enumerate;
 mod error;
 mod exclusion;
 mod farkas;
+mod few_rows;
 mod given;
 mod kernel;
 mod ladder;
@@ -104,6 +105,7 @@ mod solution;
 mod solve;
 mod tolerances;
 mod verified;
+mod vertices;
 mod workspace;
 #[cfg(feature = "serde")]
 mod written;

@@ -19,11 +19,16 @@ const REFINEMENTS: usize = 2;
 /// block is singular to working precision.
 pub(super) fn solve(lcp: &Lcp, alpha: &[usize]) -> Option<DVector<f64>> {
     let size = alpha.len();
+    let block = DMatrix::from_fn(size, size, |i, j| lcp.m[(alpha[i], alpha[j])]);
+    solve_block(block, &DVector::from_fn(size, |i, _| -lcp.q[alpha[i]]))
+}
+
+/// Solves a square system in the same way.
+pub(super) fn solve_block(mut block: DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {
+    let size = rhs.len();
     if size == 0 {
         return Some(DVector::zeros(0));
     }
-    let mut block = DMatrix::from_fn(size, size, |i, j| lcp.m[(alpha[i], alpha[j])]);
-    let rhs = DVector::from_fn(size, |i, _| -lcp.q[alpha[i]]);
     let mut scaling = Scaling::default();
     // By itself: where the right-hand side took part its zeros and small entries would pull regular blocks away from one.
     scaling.balance(size, block.as_slice(), &vec![0.0; size]);

@@ -20,17 +20,31 @@ fn a_slack_beside_a_positive_unknown_is_seen_whatever_its_size() {
     }
 }
 
-#[test]
-fn an_unknown_below_the_smallest_number_is_not_taken_for_zero() {
-    // z₂ = 2e-202 by row 1, and w₂ = 0 asks for z₀ = 4e-465: no doubles solve this.
+/// z₂ = 2e-202 by row 1. Then w₂ = 0 asks for z₀ = 4e-465, or for z₁ that makes up for a larger one.
+fn with_entry(entry: f64) -> Lcp {
     let rows = [
         [-2e-24, 0.0, -1e118, 1e43],
         [0.0, 0.0, 1e78, 1e59],
-        [-1e114, 1e-111, 2e-149, 0.0],
+        [-1e114, entry, 2e-149, 0.0],
         [1e124, 1e56, 0.0, 2e-85],
     ];
-    let lcp = problem(4, rows.as_flattened(), &[2e-46, -2e-124, 0.0, 2e-81]);
-    let outcome = lcp.solve();
+    problem(4, rows.as_flattened(), &[2e-46, -2e-124, 0.0, 2e-81])
+}
+
+#[test]
+fn an_unknown_below_the_smallest_number_is_not_taken_for_zero() {
+    // No doubles solve this.
+    let outcome = with_entry(0.0).solve();
     assert!(!matches!(outcome, Outcome::Solved(_)), "{outcome}");
     assert!(!outcome.is_infeasible(), "{outcome}");
+}
+
+#[test]
+fn another_basis_without_such_an_unknown_is_found() {
+    let outcome = with_entry(1e-111).solve();
+    let solution = outcome.solution().unwrap_or_else(|| panic!("{outcome}"));
+    for (z, expected) in solution.z.iter().zip([1e-22, 1e203, 2e-202]) {
+        assert!((z / expected - 1.0).abs() < 1e-15, "{z} {expected}");
+    }
+    assert_eq!(solution.z[3], 0.0);
 }

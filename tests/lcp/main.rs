@@ -13,6 +13,7 @@ mod matrix_class;
 mod mixed;
 mod near_singular;
 mod parametric;
+mod plain_proofs;
 mod proof_on_request;
 mod published;
 mod scaling;

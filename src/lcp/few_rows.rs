@@ -1,0 +1,92 @@
+//! Farkas vectors that a reader can follow: few rows, small entries.
+//!
+//! A path or a linear program ends in some vector that proves a contradiction, as a rule one of many. Where a row contradicts itself, or two contradict
+//! each other, that says more, and does not hang on the last digit of an entry.
+
+use super::problem::Lcp;
+use nalgebra::DVector;
+
+/// Pairs of rows are gone through in problems of up to so many rows, vectors made plainer in those of up to so many: n² checks of n² sums.
+const MOST_ROWS: usize = 48;
+/// Entries are rounded to so many binary digits, the fewest first.
+const DIGITS: [i32; 4] = [1, 3, 8, 20];
+
+impl Lcp {
+    /// A Farkas vector of one row, or of two.
+    pub(super) fn few_rows(&self) -> Option<DVector<f64>> {
+        let n = self.len();
+        if let Some(row) = (0..n).find(|row| self.is_hopeless(*row, 1.0, 0..n)) {
+            return Some(DVector::from_fn(n, |i, _| if i == row { 1.0 } else { 0.0 }));
+        }
+        if n > MOST_ROWS {
+            return None;
+        }
+        // One of the two must be negative.
+        let negative = (0..n).filter(|i| self.q[*i] < 0.0);
+        let mut pairs = negative.flat_map(|i| (0..n).filter(move |k| *k != i).map(move |k| (i, k)));
+        pairs.find_map(|(i, k)| self.two_rows(i, k))
+    }
+
+    /// A Farkas vector of these two rows: y_k over y_i lies between bounds, one from each column and from q.
+    fn two_rows(&self, i: usize, k: usize) -> Option<DVector<f64>> {
+        let n = self.len();
+        // A bound as y_i and y_k, so that their products cancel without rounding.
+        let (mut least, mut most) = ((1.0, 0.0), (0.0, 1.0));
+        let ratio = |(y_i, y_k): (f64, f64)| y_k / y_i;
+        for j in 0..=n {
+            let column = |row: usize| if j < n { self.m[(row, j)] } else { self.q[row] };
+            let (a, b) = (column(i), column(k));
+            let bound = (b.abs(), a.abs());
+            if a > 0.0 && b >= 0.0 || a >= 0.0 && b > 0.0 {
+                return None;
+            } else if a > 0.0 && ratio(bound) > ratio(least) {
+                least = bound;
+            } else if b > 0.0 && ratio(bound) < ratio(most) {
+                most = bound;
+            }
+        }
+        let between = match (ratio(least), ratio(most)) {
+            (least, most) if most == f64::INFINITY => 2.0 * if least > 0.0 { least } else { 1.0 },
+            (least, most) if least > 0.0 => (least * most).sqrt(),
+            (_, most) => 0.5 * most,
+        };
+        let of = |(y_i, y_k): (f64, f64)| {
+            DVector::from_fn(n, |row, _| {
+                if row == i {
+                    y_i
+                } else if row == k {
+                    y_k
+                } else {
+                    0.0
+                }
+            })
+        };
+        let rounded = DIGITS.into_iter().map(|digits| of((1.0, rounded(between, digits))));
+        let mut tried = rounded.chain([of((1.0, between)), of(least), of(most)]);
+        tried.find(|y| self.proves_infeasible(y))
+    }
+
+    /// A Farkas vector made plainer: without the entries that it does not need, the others with as few digits as do.
+    pub(super) fn plainer(&self, mut y: DVector<f64>) -> DVector<f64> {
+        if self.len() > MOST_ROWS {
+            return y;
+        }
+        let mut places: Vec<usize> = (0..y.len()).filter(|i| y[*i] != 0.0).collect();
+        places.sort_by(|i, j| y[*i].total_cmp(&y[*j]));
+        for i in places {
+            let entry = std::mem::replace(&mut y[i], 0.0);
+            if !self.proves_infeasible(&y) {
+                y[i] = entry;
+            }
+        }
+        let coarse = DIGITS.into_iter().map(|digits| y.map(|y| rounded(y, digits)));
+        coarse.into_iter().find(|y| self.proves_infeasible(y)).unwrap_or(y)
+    }
+}
+
+/// A number with so many binary digits: what is added and taken away again leaves no others.
+fn rounded(x: f64, digits: i32) -> f64 {
+    let far = x * 2.0_f64.powi(53 - digits);
+    let rounded = (x + far) - far;
+    if rounded.is_finite() { rounded } else { x }
+}

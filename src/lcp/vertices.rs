@@ -1,0 +1,90 @@
+//! Corners of small polyhedra, where linear programming has failed: those of entries many orders of magnitude apart.
+//!
+//! A piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } that is not empty has a corner: some rows vanish there, and as many z are not zero. The
+//! vectors y ≥ 0 with Mᵀy ≤ 0 have corners, too, and where one has qᵀy < 0 it proves that no z ≥ 0 has M z + q ≥ 0. Each corner is a small regular
+//! system, balanced by itself.
+
+use super::farkas::cleaned;
+use super::linear_program::MARGINS;
+use super::principal;
+use super::problem::Lcp;
+use super::scaling::Scaling;
+use nalgebra::{DMatrix, DVector};
+
+/// Corners of problems of up to so many rows are gone through: some thousands.
+pub(super) const MOST_ROWS: usize = 6;
+
+/// The corners of a piece, as values of z_α.
+pub(super) fn of_piece<'a>(lcp: &'a Lcp, alpha: &'a [usize]) -> impl Iterator<Item = DVector<f64>> + 'a {
+    let n = lcp.len();
+    subsets(alpha.len()).filter(|columns| !columns.is_empty()).flat_map(move |columns| {
+        let chosen: Vec<usize> = columns.iter().map(|k| alpha[*k]).collect();
+        let count = columns.len();
+        subsets(n).filter(move |rows| rows.len() == count).filter_map(move |rows| {
+            let block = DMatrix::from_fn(count, count, |i, j| lcp.m[(rows[i], chosen[j])]);
+            let values = peeled(&block, &DVector::from_fn(count, |i, _| -lcp.q[rows[i]]))?;
+            let mut basic = DVector::zeros(alpha.len());
+            for (k, value) in columns.iter().zip(&values) {
+                basic[*k] = *value;
+            }
+            Some(basic)
+        })
+    })
+}
+
+/// A Farkas vector from the corners of { y ≥ 0, Mᵀy ≤ 0 }, by themselves or, so that rounding does not matter, pushed inside.
+pub(super) fn farkas(lcp: &Lcp, scaling: &Scaling) -> Option<DVector<f64>> {
+    let n = lcp.len();
+    let (m, q) = scaling.balanced(&lcp.m, &lcp.q);
+    let load = if q.amax() > 0.0 { q.amax() } else { 1.0 };
+    subsets(n).filter(|rows| !rows.is_empty()).find_map(|rows| {
+        let k = rows.len();
+        // The columns of M, and that of q: one sum fewer vanishes than there are rows.
+        subsets(n + 1).filter(|columns| columns.len() + 1 == k).find_map(|columns| {
+            let column = |j: usize, row: usize| if j < n { m[(row, j)] } else { q[row] / load };
+            MARGINS.into_iter().find_map(|margin| {
+                let system =
+                    DMatrix::from_fn(k, k, |i, r| columns.get(i).map_or(1.0, |j| column(*j, rows[r])));
+                let target = DVector::from_fn(k, |i, _| if i + 1 < k { -margin } else { 1.0 });
+                let corner = system.full_piv_lu().solve(&target)?;
+                let mut y = DVector::zeros(n);
+                for (row, entry) in rows.iter().zip(&corner) {
+                    y[*row] = entry * scaling.row[*row];
+                }
+                cleaned(&y).find(|y| lcp.proves_infeasible(y))
+            })
+        })
+    })
+}
+
+/// The solution of a square system. Rows and columns of one entry are taken out first: they cannot be balanced against the rest, and make it look
+/// singular where it is not.
+fn peeled(block: &DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {
+    let size = rhs.len();
+    let alone = |line: &mut dyn Iterator<Item = f64>| {
+        let mut entries = line.enumerate().filter(|(_, x)| *x != 0.0).map(|(k, _)| k);
+        entries.next().filter(|_| entries.next().is_none())
+    };
+    let row = (0..size).find_map(|i| Some((i, alone(&mut block.row(i).iter().copied())?)));
+    let column = (0..size).find_map(|j| Some((alone(&mut block.column(j).iter().copied())?, j)));
+    let Some((i, j)) = row.or(column) else { return principal::solve_block(block.clone(), rhs) };
+    let rest = block.clone().remove_row(i).remove_column(j);
+    let others = (0..size).filter(|k| *k != j);
+    let (value, x) = if row.is_some() {
+        let value = rhs[i] / block[(i, j)];
+        let left = rhs - block.column(j) * value;
+        (value, peeled(&rest, &left.remove_row(i))?)
+    } else {
+        let x = peeled(&rest, &rhs.clone().remove_row(i))?;
+        let sum: f64 = others.zip(&x).map(|(k, x)| block[(i, k)] * x).sum();
+        ((rhs[i] - sum) / block[(i, j)], x)
+    };
+    value.is_finite().then(|| x.insert_row(j, value))
+}
+
+/// All subsets of 0 … count − 1, those of few elements first.
+fn subsets(count: usize) -> impl Iterator<Item = Vec<usize>> {
+    let mut all: Vec<u32> = (0..1_u32 << count).collect();
+    all.sort_by_key(|bits| bits.count_ones());
+    all.into_iter().map(move |bits| (0..count).filter(|i| bits >> i & 1 == 1).collect())
+}
