@@ -17,8 +17,8 @@ pub enum ContactMode {
 
 /// How far forces r and velocities u = W r + q miss the law, as pure numbers.
 ///
-/// Forces are measured by the force of their contact, velocities by the largest terms of a row of W r + q at it. Neither measure
-/// changes with the units of a contact. A force counts no more than the largest share that it has in the terms of any row.
+/// Forces are measured by the force of their contact, velocities by the largest terms of a row of W r + q at it, contact by contact: one that carries
+/// little beside others must obey the law as they do. Neither measure changes with the units of a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
@@ -31,6 +31,9 @@ pub struct Residuals {
     /// where the law holds.
     pub law: f64,
 }
+
+/// These residuals are accepted by no test.
+const UNUSABLE: Residuals = Residuals { approach: f64::INFINITY, cone: f64::INFINITY, law: f64::INFINITY };
 
 impl Residuals {
     /// Whether all of them are numbers of at most this size.
@@ -55,7 +58,7 @@ pub(super) fn tangent<const C: usize>(v: &SVector<f64, C>) -> SVector<f64, C> {
 }
 
 /// The nearest point of the cone ‖x_T‖ ≤ μ x_N.
-fn projection<const C: usize>(x: &SVector<f64, C>, mu: f64) -> SVector<f64, C> {
+pub(super) fn projection<const C: usize>(x: &SVector<f64, C>, mu: f64) -> SVector<f64, C> {
     let slip = tangent(x);
     let size = slip.norm();
     if size <= mu * x[0] {
@@ -70,53 +73,73 @@ fn projection<const C: usize>(x: &SVector<f64, C>, mu: f64) -> SVector<f64, C> {
     out
 }
 
+/// How far a contact misses the law, with terms of this size in the rows of its velocity. Force and velocity are measured first, so that no square
+/// leaves the range of doubles.
+fn missed<const C: usize>(
+    force: &SVector<f64, C>,
+    velocity: &SVector<f64, C>,
+    size: f64,
+    mu: f64,
+) -> Residuals {
+    let mut out = Residuals { approach: 0.0, cone: 0.0, law: 0.0 };
+    let velocity = if size > 0.0 { velocity / size } else { SVector::zeros() };
+    out.approach = (-velocity[0]).max(0.0);
+    let largest = force.amax();
+    if largest > 0.0 {
+        let force = force / largest;
+        let pressed = force.norm();
+        let mut dilated = velocity;
+        dilated[0] += mu * tangent(&velocity).norm();
+        out.law = (force - projection(&(force - dilated * pressed), mu)).norm() / pressed;
+        out.cone = (force - projection(&force, mu)).norm() / pressed;
+    }
+    out
+}
+
 impl<const C: usize> FrictionProblem<C> {
     /// How well the forces r (C n entries) solve the problem. The residuals are infinite for a vector of another length or with entries
     /// that are not finite.
     #[must_use]
     pub fn residuals(&self, r: &DVector<f64>) -> Residuals {
-        let unusable = Residuals { approach: f64::INFINITY, cone: f64::INFINITY, law: f64::INFINITY };
+        self.missed_by(r).0
+    }
+
+    /// The residuals, and the contact that misses most.
+    pub(super) fn missed_by(&self, r: &DVector<f64>) -> (Residuals, usize) {
         if r.len() != self.q.len() || r.iter().any(|r| !r.is_finite()) {
-            return unusable;
+            return (UNUSABLE, 0);
         }
         let u = self.velocities(r);
         let terms = self.w.abs() * r.abs() + self.q.abs();
         if u.iter().chain(&terms).any(|x| !x.is_finite()) {
-            return unusable;
+            return (UNUSABLE, 0);
         }
-        let mut out = Residuals { approach: 0.0, cone: 0.0, law: 0.0 };
-        for i in 0..self.len() {
-            let (force, velocity, mu) = (part::<C>(r, i), part::<C>(&u, i), self.mu[i]);
-            let size = part::<C>(&terms, i).amax();
-            if size > 0.0 {
-                out.approach = out.approach.max(-velocity[0] / size);
-            }
-            let pressed = force.norm();
-            if pressed == 0.0 {
-                continue;
-            }
-            let mut dilated = velocity;
-            dilated[0] += mu * tangent(&velocity).norm();
-            let rho = if size > 0.0 { pressed / size } else { 1.0 };
-            let missed = (force - projection(&(force - dilated * rho), mu)).norm() / pressed;
-            let share = self.share(i, &force, &terms);
-            let outside = (force - projection(&force, mu)).norm() / pressed;
-            out.cone = out.cone.max(outside.min(share));
-            out.law = out.law.max(missed.min(share));
-        }
-        out
+        self.judged(r, &u, &terms)
     }
 
-    /// The largest share that the force of contact i has in the terms of any row.
-    fn share(&self, i: usize, force: &SVector<f64, C>, terms: &DVector<f64>) -> f64 {
-        let columns = self.w.columns(C * i, C);
-        if columns.iter().all(|w| *w == 0.0) {
-            // No change of the rows can make up for it.
-            return 1.0;
+    /// That of forces, velocities and the sizes of their terms, and the contact that misses most.
+    pub(super) fn judged(
+        &self,
+        r: &DVector<f64>,
+        u: &DVector<f64>,
+        terms: &DVector<f64>,
+    ) -> (Residuals, usize) {
+        let mut out = Residuals { approach: 0.0, cone: 0.0, law: 0.0 };
+        let (mut worst, mut most) = (0, 0.0);
+        for i in 0..self.len() {
+            let (force, velocity, size) = (part(r, i), part(u, i), part::<C>(terms, i).amax());
+            let missed = missed::<C>(&force, &velocity, size, self.mu[i]);
+            if missed.max().is_nan() {
+                return (UNUSABLE, i);
+            }
+            if missed.max() > most {
+                (worst, most) = (i, missed.max());
+            }
+            out.approach = out.approach.max(missed.approach);
+            out.cone = out.cone.max(missed.cone);
+            out.law = out.law.max(missed.law);
         }
-        let share =
-            |(row, a): (usize, &f64)| if *a > 0.0 { (columns.row(row) * force)[0].abs() / a } else { 0.0 };
-        terms.iter().enumerate().map(share).fold(0.0, f64::max)
+        (out, worst)
     }
 
     /// What a contact does, by the side on which r − ρ u lies.

@@ -49,33 +49,58 @@
 //!
 //! # How it is solved
 //!
-//! With a polygon of facets in place of the cone it is a linear complementarity problem ([`FrictionProblem::facets`]; D. E. Stewart and J. C. Trinkle,
-//! Int. J. Numer. Methods Eng. 39, 1996), which Lemke's method solves. In the plane two facets are the cone itself, and the answer is exact. In space
-//! Newton's method goes on from there on the round cone (P. Alart and A. Curnier, Comput. Methods Appl. Mech. Eng. 92, 1991).
-//! Where it does not arrive, the facets are turned to where the contacts slide, and it starts once more.
+//! Contacts that move each other, directly or through others, are an island; each island is a problem by itself.
+//!
+//! A few contacts: with a polygon of facets in place of the cone it is a linear complementarity problem ([`FrictionProblem::facets`]; D. E. Stewart and
+//! J. C. Trinkle, Int. J. Numer. Methods Eng. 39, 1996), which Lemke's method solves. In the plane two facets are the cone itself, and the answer
+//! is exact. In space Newton's method goes on from there on the round cone (P. Alart and A. Curnier, Comput. Methods Appl. Mech. Eng. 92, 1991). Where it does
+//! not arrive, the facets are turned to where the contacts slide, and it starts once more.
+//!
+//! Many contacts, and few where that leads nowhere: sweeps of Gauss–Seidel with exact answers of each contact (M. Jean, Comput. Methods Appl. Mech. Eng. 177,
+//! 1999) find how large the forces are. From there it follows the path û ∘ r = τ through the inside of the cones as τ goes to zero, where no contact
+//! has to decide early what it does (M. Fukushima, Z.-Q. Luo and P. Tseng, SIAM J. Optim. 12, 2001), of a few contacts around the folds that friction makes in
+//! it. Newton's method makes the last steps, held near where it stands because redundant contacts leave forces open. W is taken by blocks: what vanishes in it
+//! costs nothing. [`FrictionProblem::solve_watched`] tells how far it has come, and may be stopped.
 //!
 //! W may be singular, as where contacts are redundant: forces are then one solution of many. W need not be symmetric.
 //!
-//! Whatever is called solved has been checked on the data given, see [`Residuals`]. That there is no solution is
+//! Whatever is called solved has been checked on the data given, each contact beside its own sums, see [`Residuals`]. That there is no solution is
 //! proved by a vector which [`FrictionProblem::proves_infeasible`] checks.
 
-// `problem` is checked input, `law` says how well a pair of force and velocity obeys it.
-// `facets` poses the complementarity problem, `newton` goes to the round cone, `solve` goes from one to the other.
+// `problem` is checked input; `law` says how well forces obey it, `settled` what is called a solution.
+// `solve` says which way a problem goes, `islands` takes it apart.
+// A few contacts: `facets` poses the complementarity problem, `polygons` and `newton` go on to the round cone.
+// Many: `approach` goes by `sweeps` of `one_contact` after the other, the `central_path` (around its `folds`) and `alart_curnier`; both are
+// `equations` by `blocks`, solved by `elimination`.
 // `certificate` proves that there is no solution.
 
+mod alart_curnier;
+mod approach;
+mod blocks;
+mod central_path;
 mod certificate;
+mod elimination;
+mod equations;
 mod error;
 mod facets;
+mod folds;
+mod islands;
 mod law;
 mod newton;
+mod one_contact;
+mod polygons;
 mod problem;
+mod progress;
 mod settings;
+mod settled;
 mod solution;
 mod solve;
+mod sweeps;
 
 pub use error::Error;
 pub use facets::FacetedProblem;
 pub use law::{ContactMode, Residuals};
 pub use problem::{FrictionProblem, PlanarContacts, SpatialContacts};
+pub use progress::Progress;
 pub use settings::Settings;
 pub use solution::Solution;

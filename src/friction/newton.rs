@@ -1,16 +1,8 @@
-//! Newton's method on the round cone, for the piecewise smooth equations of P. Alart and A. Curnier.
-//!
-//! With ζ = r − ρ u a contact is open where ζ_N ≤ 0, sticks where ‖ζ_T‖ ≤ μ ζ_N, and slides otherwise. The law is r = Π(ζ) with
-//!
-//! ```text
-//! open      Π = 0
-//! sticking  Π = ζ
-//! sliding   Π_N = ζ_N,   Π_T = μ ζ_N ζ_T / ‖ζ_T‖
-//! ```
+//! Newton's method on the round cone for a few contacts, from forces that are near: the equations of [`alart_curnier`](super::alart_curnier) as a whole.
 
-use super::law::{ContactMode, tangent};
+use super::alart_curnier::answer;
 use super::problem::{FrictionProblem, part};
-use nalgebra::{DMatrix, DVector, SMatrix, SVector};
+use nalgebra::{DMatrix, DVector, SMatrix};
 
 /// A pivot below this part of the largest one leaves its unknown where it is: forces of redundant contacts are not determined.
 const DEPENDENT: f64 = 1e-12;
@@ -40,7 +32,7 @@ struct Place<const C: usize> {
 pub(super) struct Newton<'a, const C: usize> {
     problem: &'a FrictionProblem<C>,
     /// ρ of each contact: the inverse of the largest entry of its block of W.
-    rho: Vec<f64>,
+    pub(super) rho: Vec<f64>,
 }
 
 impl<'a, const C: usize> Newton<'a, C> {
@@ -79,15 +71,6 @@ impl<'a, const C: usize> Newton<'a, C> {
         (here.r, made)
     }
 
-    /// What each contact does under these forces.
-    pub(super) fn states(&self, r: &DVector<f64>, u: &DVector<f64>) -> Vec<ContactMode> {
-        (0..self.problem.len()).map(|i| self.state(i, &part(r, i), &part(u, i))).collect()
-    }
-
-    fn state(&self, i: usize, force: &SVector<f64, C>, velocity: &SVector<f64, C>) -> ContactMode {
-        FrictionProblem::state(force, velocity, self.problem.mu[i], self.rho[i])
-    }
-
     fn place(&self, r: DVector<f64>) -> Place<C> {
         let u = self.problem.velocities(&r);
         let mut missed = r.clone();
@@ -95,7 +78,7 @@ impl<'a, const C: usize> Newton<'a, C> {
         let (mut size, mut terms) = (0.0, 0.0);
         for (i, rho) in self.rho.iter().enumerate() {
             let (force, velocity) = (part::<C>(&r, i), part::<C>(&u, i));
-            let (answer, change) = self.answer(i, &force, &velocity);
+            let (answer, change) = answer(&(force - velocity * *rho), self.problem.mu[i]);
             let left = force - answer;
             size += left.norm_squared() / rho;
             terms += force.norm_squared() / rho + velocity.norm_squared() * rho;
@@ -103,35 +86,6 @@ impl<'a, const C: usize> Newton<'a, C> {
             changes.push(change);
         }
         Place { r, missed, changes, size: size.sqrt(), terms: terms.sqrt() }
-    }
-
-    /// Π(ζ) of a contact, and how it changes with ζ.
-    fn answer(
-        &self,
-        i: usize,
-        force: &SVector<f64, C>,
-        velocity: &SVector<f64, C>,
-    ) -> (SVector<f64, C>, SMatrix<f64, C, C>) {
-        let tried = force - velocity * self.rho[i];
-        match self.state(i, force, velocity) {
-            ContactMode::Open => (SVector::zeros(), SMatrix::zeros()),
-            ContactMode::Sticking => (tried, SMatrix::identity()),
-            ContactMode::Sliding => {
-                let (mu, slip) = (self.problem.mu[i], tangent(&tried));
-                let length = slip.norm();
-                let mut change = SMatrix::zeros();
-                let mut answer = SVector::zeros();
-                if length > 0.0 {
-                    let along = slip / length;
-                    answer = along * (mu * tried[0]);
-                    change = (SMatrix::identity() - along * along.transpose()) * (mu * tried[0] / length);
-                    change.column_mut(0).copy_from(&(along * mu));
-                    change.row_mut(0).fill(0.0);
-                }
-                (answer[0], change[(0, 0)]) = (tried[0], 1.0);
-                (answer, change)
-            }
-        }
     }
 
     /// The step to where the linearised equations hold, zero in forces that they do not determine.

@@ -15,8 +15,13 @@ pub struct Settings {
     /// How often Newton's method starts again when it did not arrive, each time from half as many facets more, turned to where
     /// contacts slide (default 4).
     pub turns: usize,
-    /// Newton's steps from each start (default 30).
+    /// Newton's steps from each start, and in each round (default 30).
     pub steps: usize,
+    /// How often it sets out anew for many contacts, or where facets have led nowhere: by Gauss–Seidel, the central path and anchored steps (default 4,
+    /// which is the most).
+    pub starts: usize,
+    /// Rounds of anchored steps of each of these starts (default 30). They take most of the time where nothing is found.
+    pub rounds: usize,
     /// Forces are called a solution only if all their [`Residuals`](super::Residuals) are at most this (default 1e-12).
     pub tolerance: f64,
     /// For the complementarity problem. Up to twelve rows, three contacts in the plane, all bases are tried at last.
@@ -26,7 +31,7 @@ pub struct Settings {
 impl Default for Settings {
     fn default() -> Self {
         let lcp = lcp::Settings::default().with_enumerate_up_to(12);
-        Self { facets: 8, turns: 4, steps: 30, tolerance: 1e-12, lcp }
+        Self { facets: 8, turns: 4, steps: 30, starts: 4, rounds: 30, tolerance: 1e-12, lcp }
     }
 }
 

@@ -1,13 +1,25 @@
-//! From the polygon to the round cone.
+//! Which way a problem goes.
 
-use super::facets::{FacetedProblem, Facets};
-use super::law::{ContactMode, tangent};
-use super::newton::Newton;
-use super::problem::{FrictionProblem, part};
-use super::settings::{MOST_FACETS, Settings};
+use super::approach::{Approach, STARTS, Watch};
+use super::blocks::Blocks;
+use super::islands::islands;
+use super::polygons::Polygons;
+use super::problem::FrictionProblem;
+use super::progress::Progress;
+use super::settings::Settings;
 use super::solution::Solution;
 use crate::lcp::{BreakdownCause, Certificate, Outcome};
-use nalgebra::{DVector, SVector};
+use nalgebra::DVector;
+use std::ops::ControlFlow;
+
+/// Up to so many rows of the complementarity problem of a polygon facets come first: Lemke's method takes milliseconds, and in the plane decides.
+const FEW_ROWS: usize = 160;
+/// Up to so many they come last, where nothing else has led to an answer, once: it takes seconds.
+const MANY_ROWS: usize = 600;
+/// A solution of facets is clear of the tolerance below this part of it.
+const CLEAR: f64 = 0.1;
+/// A proof is sought of up to so many contacts: its linear program grows like their cube.
+const MOST_PROVED: usize = 200;
 
 impl<const C: usize> FrictionProblem<C> {
     /// Forces and velocities that obey Coulomb's law, with the default [`Settings`].
@@ -22,167 +34,144 @@ impl<const C: usize> FrictionProblem<C> {
     /// |---|---|
     /// | [`Solved`](Outcome::Solved) | the law holds, to the tolerance of the settings |
     /// | [`Infeasible`](Outcome::Infeasible) | whatever the forces some contacts approach: y has one weight for each contact, see [`Self::proves_infeasible`] |
-    /// | [`NoBasis`](Outcome::NoBasis) | in the plane: each combination of states is excluded without rounding |
+    /// | [`NoBasis`](Outcome::NoBasis) | in the plane: each combination of states of an island is excluded without rounding |
     /// | others | nothing is known. A [`Ray`](crate::lcp::Ray) is that of [`Self::facets`] |
     #[must_use]
     pub fn solve_with(&self, settings: &Settings) -> Outcome<Solution> {
+        self.solve_watched(settings, &mut |_| ControlFlow::Continue(()))
+    }
+
+    /// [`Self::solve_with`], telling how far it has come: it takes seconds for hundreds of contacts. `watch` may end it, by the time that has passed or
+    /// because the forces are good enough; then the outcome is a breakdown, [`Stopped`](BreakdownCause::Stopped), and the best forces are those
+    /// that `watch` was told.
+    ///
+    /// ```
+    /// use grasp_lcp::friction::{Progress, Settings, SpatialContacts};
+    /// use nalgebra::{DMatrix, DVector};
+    /// use std::ops::ControlFlow;
+    ///
+    /// // Forty blocks in a row, each pushed down and against the next.
+    /// let w = DMatrix::from_fn(120, 120, |i, j| [2.0, 0.0, 0.0, -0.5].get(i.abs_diff(j)).copied().unwrap_or(0.0));
+    /// let q = DVector::from_fn(120, |i, _| [-1.0, 0.6, 0.0][i % 3]);
+    /// let problem = SpatialContacts::new(w, q, vec![0.4; 40])?;
+    /// let mut best = f64::INFINITY;
+    /// let outcome = problem.solve_watched(&Settings::default(), &mut |progress: &Progress<'_>| {
+    ///     best = progress.residual;
+    ///     ControlFlow::Continue(())
+    /// });
+    /// assert!(outcome.solution().is_some() && best <= 1e-12);
+    /// # Ok::<(), grasp_lcp::friction::Error>(())
+    /// ```
+    #[must_use]
+    pub fn solve_watched(
+        &self,
+        settings: &Settings,
+        watch: &mut dyn FnMut(&Progress<'_>) -> ControlFlow<()>,
+    ) -> Outcome<Solution> {
         if let Err(cause) = settings.check() {
             return Outcome::Breakdown { pivots: 0, cause };
         }
-        let mut attempt = Attempt {
-            problem: self,
-            newton: Newton::new(self),
-            settings,
-            angles: vec![0.0; self.len()],
-            pivots: 0,
-            steps: 0,
-            least: f64::INFINITY,
-        };
+        let blocks = Blocks::of(self);
+        let islands = islands(&blocks);
+        if let [_, _, ..] = islands[..] {
+            return self.solve_islands(&islands, settings, watch);
+        }
+        let all: Vec<usize> = (0..self.len()).collect();
+        self.solve_island(&blocks, settings, (&all, watch))
+    }
+
+    /// The answer for contacts that are one island, `names` being their numbers.
+    pub(super) fn solve_island<'a>(
+        &'a self,
+        blocks: &'a Blocks<C>,
+        settings: &'a Settings,
+        (names, watch): (&'a [usize], &'a mut Watch<'_>),
+    ) -> Outcome<Solution> {
+        let rho = blocks.scales();
         if (0..self.len()).all(|i| self.q[C * i] >= 0.0) {
-            let solved = attempt.settled(DVector::zeros(self.q.len()));
+            let solved = self.settled(DVector::zeros(self.q.len()), &rho, settings.tolerance);
             return solved
                 .map_or(Outcome::Breakdown { pivots: 0, cause: BreakdownCause::Overflow }, Outcome::Solved);
         }
-        let mut count = settings.facets.clamp(3, MOST_FACETS);
-        let mut first = None;
-        for turn in 0..=if C == 2 { 0 } else { settings.turns } {
-            match attempt.by_facets(count, turn == 0) {
-                Outcome::Solved(solution) => return Outcome::Solved(solution),
-                unsolved => first = first.or(Some(unsolved)),
+        let rows = self.len() * (2 + if C == 2 { 2 } else { settings.facets });
+        let mut polygons = Polygons::new(self, settings);
+        let mut polygon = (rows <= FEW_ROWS).then(|| polygons.solve(settings.turns));
+        let mut approach = Approach::new(self, blocks, settings, (names, watch));
+        match polygon.take_if(|outcome| self.is_known(outcome)) {
+            Some(Outcome::Solved(solution)) if solution.residuals.max() > CLEAR * settings.tolerance => {
+                // Measured otherwise it might miss the tolerance.
+                let r = approach.polished(&solution.r);
+                let polished = self.settled(r, &rho, solution.residuals.max());
+                let (pivots, steps) = (solution.pivots, solution.steps);
+                let better = polished.map(|polished| Solution { pivots, steps, ..polished });
+                return Outcome::Solved(better.unwrap_or(solution));
             }
-            count = (count + count / 2).min(MOST_FACETS);
+            Some(known) => return self.proved(known),
+            None => {}
         }
-        attempt.none(first)
-    }
-}
-
-/// Residuals up to this are rounding.
-const ROUNDING: f64 = 1e-15;
-/// Above it the velocities that the law misses may be this part of the largest of q.
-const KNOWN: f64 = 1e-6;
-/// Below this part of the terms of W r the largest q is lost in them.
-const LOST: f64 = 1e-11;
-
-/// What has been tried so far.
-struct Attempt<'a, const C: usize> {
-    problem: &'a FrictionProblem<C>,
-    newton: Newton<'a, C>,
-    settings: &'a Settings,
-    /// Where the first facet of each contact lies.
-    angles: Vec<f64>,
-    pivots: usize,
-    steps: usize,
-    /// The least residual that Newton's method has reached.
-    least: f64,
-}
-
-impl<const C: usize> Attempt<'_, C> {
-    /// The forces of a polygon, or where Newton's method goes from them. Where the polygon has none it may set out from no force at all.
-    fn by_facets(&mut self, count: usize, from_zero: bool) -> Outcome<Solution> {
-        let Ok(polygon) = self.problem.polygon(Facets::regular(count, &self.angles)) else {
-            return Outcome::Breakdown { pivots: self.pivots, cause: BreakdownCause::Overflow };
-        };
-        let outcome = polygon.lcp.solve_with(&self.settings.lcp).and_then(|solution| {
-            self.pivots += solution.pivots;
-            match polygon.forces(&solution.z) {
-                Ok(forces) => self.goes_on(forces),
-                Err(_) => self.missed(),
+        for start in 0..settings.starts.min(STARTS.len()) {
+            let mut arrived = approach.set_out(start);
+            if start == 0 && !arrived && !approach.best.stopped {
+                if self.len() <= MOST_PROVED
+                    && let Some(y) = self.certificate(&settings.lcp)
+                {
+                    return Outcome::Infeasible(Certificate::new(y, polygons.pivots));
+                }
+                arrived = rows <= FEW_ROWS && approach.around_folds();
             }
-        });
-        if outcome.solution().is_some() || C == 2 || !from_zero {
-            return weighed(outcome, &polygon);
-        }
-        match self.goes_on(DVector::zeros(self.problem.q.len())) {
-            Outcome::Solved(solution) => Outcome::Solved(solution),
-            _ => weighed(outcome, &polygon),
-        }
-    }
-
-    /// These forces if they solve the problem, or where Newton's method goes from them.
-    fn goes_on(&mut self, start: DVector<f64>) -> Outcome<Solution> {
-        self.turn(&start);
-        if let Some(solution) = self.settled(start.clone()) {
-            return Outcome::Solved(solution);
-        }
-        let (r, steps) = self.newton.run(start, self.settings.steps);
-        self.steps += steps;
-        self.least = self.least.min(self.problem.residuals(&r).max());
-        match self.settled(r) {
-            Some(solution) => Outcome::Solved(solution),
-            None => self.missed(),
-        }
-    }
-
-    /// Turns the facets so that one lies along the slip of each contact that slides.
-    fn turn(&mut self, r: &DVector<f64>) {
-        let u = self.problem.velocities(r);
-        for (i, angle) in self.angles.iter_mut().enumerate() {
-            let slip: SVector<f64, C> = tangent(&part(&u, i));
-            if slip.norm() > 0.0 {
-                *angle = (-slip[C - 1]).atan2(-slip[1]);
+            let (best, pivots) = (&approach.best, polygons.pivots);
+            if arrived && let Some(solution) = self.settled(best.r.clone(), &rho, settings.tolerance) {
+                let steps = polygons.steps + best.steps;
+                return Outcome::Solved(Solution { pivots, steps, ..solution });
+            }
+            if best.stopped {
+                let cause = BreakdownCause::Stopped { residual: best.residual, contact: names[best.worst] };
+                return Outcome::Breakdown { pivots, cause };
             }
         }
-    }
-
-    /// These forces as a solution, if they are one.
-    fn settled(&self, mut r: DVector<f64>) -> Option<Solution> {
-        let states = self.newton.states(&r, &self.problem.velocities(&r));
-        // What is left on an open contact is noise.
-        for (i, _) in states.iter().enumerate().filter(|(_, state)| **state == ContactMode::Open) {
-            r.fixed_rows_mut::<C>(C * i).fill(0.0);
-        }
-        let residuals = self.problem.residuals(&r);
-        if !residuals.within(self.settings.tolerance) {
-            return None;
-        }
-        // Beside forces without bound q is lost, and any would do.
-        let terms = (self.problem.w.abs() * r.abs()).amax();
-        if residuals.max() > ROUNDING && residuals.max() * terms > KNOWN * self.problem.q.amax()
-            || terms > 0.0 && self.problem.q.amax() <= LOST * terms
-        {
-            return None;
-        }
-        let u = self.problem.velocities(&r);
-        Some(Solution { r, u, states, residuals, pivots: self.pivots, steps: self.steps })
-    }
-
-    fn missed(&self) -> Outcome<Solution> {
-        Outcome::Breakdown {
-            pivots: self.pivots,
-            cause: BreakdownCause::NoConvergence { residual: self.least },
-        }
-    }
-
-    /// What is known where nothing was found, given what the first polygon said.
-    fn none(self, polygon: Option<Outcome<Solution>>) -> Outcome<Solution> {
-        let problem = self.problem;
-        let told = match &polygon {
-            Some(Outcome::Infeasible(certificate) | Outcome::NearlyInfeasible(certificate)) => {
-                Some(certificate.y.clone())
+        if polygon.is_none() && rows <= MANY_ROWS {
+            let last = polygons.solve(0);
+            if self.is_known(&last) {
+                return self.proved(last);
             }
-            _ => None,
-        };
-        let proof =
-            told.filter(|y| problem.proves_infeasible(y)).or_else(|| problem.certificate(&self.settings.lcp));
-        match (proof, polygon) {
-            (Some(y), _) => Outcome::Infeasible(Certificate::new(y, self.pivots)),
+            polygon = Some(last);
+        }
+        match polygon {
             // In the plane the polygon is the cone.
-            (None, Some(polygon)) if C == 2 => match polygon {
-                Outcome::Infeasible(certificate) => Outcome::NearlyInfeasible(certificate),
-                other => other,
-            },
-            _ => self.missed(),
+            Some(polygon) if C == 2 => self.proved(polygon),
+            _ => {
+                let (residual, worst) = [polygons.least, (approach.best.residual, approach.best.worst)]
+                    .into_iter()
+                    .fold((f64::INFINITY, 0), |least, next| if next.0 < least.0 { next } else { least });
+                let cause = BreakdownCause::NoConvergence { residual, contact: names[worst] };
+                Outcome::Breakdown { pivots: polygons.pivots, cause }
+            }
         }
     }
-}
 
-/// An outcome whose certificate weighs contacts, not the rows of the polygon's problem.
-fn weighed<const C: usize>(outcome: Outcome<Solution>, polygon: &FacetedProblem<C>) -> Outcome<Solution> {
-    let weigh =
-        |certificate: Certificate| Certificate::new(polygon.normals(&certificate.y), certificate.pivots);
-    match outcome {
-        Outcome::Infeasible(certificate) => Outcome::Infeasible(weigh(certificate)),
-        Outcome::NearlyInfeasible(certificate) => Outcome::NearlyInfeasible(weigh(certificate)),
-        other => other,
+    /// Whether what a polygon says is an answer to the problem.
+    fn is_known(&self, polygon: &Outcome<Solution>) -> bool {
+        match polygon {
+            Outcome::Solved(_) => true,
+            Outcome::Infeasible(certificate) | Outcome::NearlyInfeasible(certificate) => {
+                self.proves_infeasible(&certificate.y)
+            }
+            Outcome::NoBasis { .. } => C == 2,
+            _ => false,
+        }
+    }
+
+    /// What a polygon says, as far as it is proved of the problem.
+    fn proved(&self, polygon: Outcome<Solution>) -> Outcome<Solution> {
+        match polygon {
+            Outcome::Infeasible(certificate) | Outcome::NearlyInfeasible(certificate) => {
+                if self.proves_infeasible(&certificate.y) {
+                    Outcome::Infeasible(certificate)
+                } else {
+                    Outcome::NearlyInfeasible(certificate)
+                }
+            }
+            other => other,
+        }
     }
 }

@@ -225,10 +225,20 @@ pub enum BreakdownCause {
     #[error("the final basis is singular")]
     SingularBasis,
     /// Newton's method, where one goes on from the complementarity problem, came no closer than this residual.
-    #[error("Newton's method came no closer than {residual:.1e}")]
+    #[error("Newton's method came no closer than {residual:.1e}, at contact {contact}")]
     NoConvergence {
         /// The least residual that was reached.
         residual: f64,
+        /// The contact that had it.
+        contact: usize,
+    },
+    /// Whoever watched stopped it at this residual.
+    #[error("stopped on request at a residual of {residual:.1e}, at contact {contact}")]
+    Stopped {
+        /// The least residual that was reached.
+        residual: f64,
+        /// The contact that had it.
+        contact: usize,
     },
     /// The final basis was reached, but its point misses the tolerance for these residuals.
     #[error("the point of the final basis misses its tolerance, {0}")]

@@ -2,7 +2,9 @@
 
 mod closed_forms;
 mod invariance;
+mod islands;
 mod malformed;
+mod many;
 mod planar;
 mod proofs;
 mod round;

@@ -1,0 +1,111 @@
+//! The piecewise smooth equations of P. Alart and A. Curnier, by themselves and held near an anchor.
+//!
+//! With ζ = r − ρ u a contact is open where ζ_N ≤ 0, sticks where ‖ζ_T‖ ≤ μ ζ_N, and slides otherwise. The law is r = Π(ζ) with
+//!
+//! ```text
+//! open      Π = 0
+//! sticking  Π = ζ
+//! sliding   Π_N = ζ_N,   Π_T = μ ζ_N ζ_T / ‖ζ_T‖
+//! ```
+//!
+//! (Comput. Methods Appl. Mech. Eng. 92, 1991.) Where contacts are redundant, forces are not determined and Newton's method wanders. Held near an anchor a by
+//! ζ = r − ρ u − δ (r − a), they are; with a moved to each answer and δ made smaller, the answers go to a solution (proximal points, R. T. Rockafellar,
+//! SIAM J. Control Optim. 14, 1976).
+
+use super::blocks::{Block, Blocks};
+use super::equations::{Equations, Place};
+use super::law::tangent;
+use super::problem::{FrictionProblem, part};
+use nalgebra::{DVector, SMatrix, SVector};
+
+/// The least δ of the linear equations, so that they have a solution: half of the digits of what is not determined, none of what is.
+const LEAST: f64 = 1e-12;
+/// What a contact misses is measured by its own force and velocity, but by no less than this part of the largest.
+const FAINTEST: f64 = 1e-6;
+
+/// Π(ζ) of a contact with friction μ, and how it changes with ζ.
+pub(super) fn answer<const C: usize>(
+    tried: &SVector<f64, C>,
+    mu: f64,
+) -> (SVector<f64, C>, SMatrix<f64, C, C>) {
+    let slip = tangent(tried);
+    let length = slip.norm();
+    if tried[0] <= 0.0 {
+        return (SVector::zeros(), SMatrix::zeros());
+    }
+    if length <= mu * tried[0] && mu > 0.0 {
+        return (*tried, SMatrix::identity());
+    }
+    let mut change = SMatrix::zeros();
+    let mut answer = SVector::zeros();
+    if length > 0.0 {
+        let along = slip / length;
+        answer = along * (mu * tried[0]);
+        change = (SMatrix::identity() - along * along.transpose()) * (mu * tried[0] / length);
+        change.column_mut(0).copy_from(&(along * mu));
+        change.row_mut(0).fill(0.0);
+    }
+    (answer[0], change[(0, 0)]) = (tried[0], 1.0);
+    (answer, change)
+}
+
+/// The equations by blocks, held near an anchor.
+pub(super) struct Anchored<'a, const C: usize> {
+    pub(super) problem: &'a FrictionProblem<C>,
+    pub(super) blocks: &'a Blocks<C>,
+    /// ρ of each contact.
+    pub(super) rho: Vec<f64>,
+    pub(super) anchor: DVector<f64>,
+    pub(super) delta: f64,
+    /// What a contact misses counts by the square root of this.
+    pub(super) weight: Vec<f64>,
+}
+
+impl<'a, const C: usize> Anchored<'a, C> {
+    /// Near these forces. What contacts miss counts as energy, or, where `by_contact`, beside their own forces and velocities.
+    pub(super) fn near(
+        problem: &'a FrictionProblem<C>,
+        blocks: &'a Blocks<C>,
+        rho: Vec<f64>,
+        anchor: &DVector<f64>,
+        (delta, by_contact): (f64, bool),
+    ) -> Self {
+        let energy = || rho.iter().map(|rho| 1.0 / rho).collect();
+        let own_sizes = || {
+            let terms = blocks.terms(anchor, &problem.q);
+            let size =
+                |i: usize| part::<C>(anchor, i).norm().max(rho[i] * part::<C>(&terms, i).amax()).powi(2);
+            let largest = (0..rho.len()).map(|i| size(i) / rho[i]).fold(0.0, f64::max);
+            let weight = |i: usize| 1.0 / size(i).max(FAINTEST * FAINTEST * largest * rho[i]);
+            (0..rho.len()).map(weight).collect()
+        };
+        let weight = if by_contact { own_sizes() } else { energy() };
+        Self { problem, blocks, rho, anchor: anchor.clone(), delta, weight }
+    }
+}
+
+impl<const C: usize> Equations<C> for Anchored<'_, C> {
+    fn at(&self, r: DVector<f64>) -> Place<C> {
+        let u = self.blocks.velocities(&r, &self.problem.q);
+        let mut place = Place::new(r);
+        for (i, (rho, weight)) in self.rho.iter().zip(&self.weight).enumerate() {
+            let (force, velocity) = (part::<C>(&place.r, i), part::<C>(&u, i) * *rho);
+            let tried = force - velocity - (force - part::<C>(&self.anchor, i)) * self.delta;
+            let (answer, change) = answer(&tried, self.problem.mu[i]);
+            let missed = force - answer;
+            place.size += missed.norm_squared() * weight;
+            place.terms += (force.norm_squared() + velocity.norm_squared()) * weight;
+            place.push(missed, Block::identity() - change, change * *rho);
+        }
+        (place.size, place.terms) = (place.size.sqrt(), place.terms.sqrt());
+        place
+    }
+
+    fn shift(&self, contact: usize) -> f64 {
+        self.delta.max(LEAST) / self.rho[contact]
+    }
+
+    fn blocks(&self) -> &Blocks<C> {
+        self.blocks
+    }
+}

@@ -1,0 +1,211 @@
+//! The way to the law through the inside of the cones: û ∘ r = τ at each contact, with τ that goes to zero.
+//!
+//! The law is û ⟂ r with r in a cone and û = u + μ ‖u_T‖ n in its dual ([module](super)). In r' = (μ r_N, r_T) and û' = (û_N / μ, û_T) both are the cone
+//! ‖x_T‖ ≤ x_N, and the law is r' = P(r' − ρ û') with the projection P. Smoothed,
+//!
+//! ```text
+//! P(x) = Σ± φ(x_N ± ‖x_T‖) (1, ± x_T / ‖x_T‖) / 2,     φ(λ) = (λ + √(λ² + 4 ρ τ)) / 2
+//! ```
+//!
+//! it holds forces strictly inside (M. Fukushima, Z.-Q. Luo and P. Tseng, SIAM J. Optim. 12, 2001): no contact has to decide early what it does.
+//! Newton's method follows the solutions as τ falls.
+
+use super::blocks::{Block, Blocks};
+use super::equations::{Equations, Patience, Place, descend};
+use super::law::tangent;
+use super::problem::{FrictionProblem, part};
+use nalgebra::{DVector, SVector};
+use std::ops::ControlFlow;
+
+/// A place is on the path if what a contact misses is this part of √τ, in the root of the mean square. Smaller, steps are made that the next τ makes again;
+/// larger, the path is lost on the way.
+const NEAR: f64 = 0.1;
+/// τ falls to this part after a few steps, or after many.
+const FAST: f64 = 0.03;
+const SLOW: f64 = 0.2;
+/// So many steps are few.
+const FEW: usize = 3;
+/// Steps at one τ.
+const STEPS: usize = 50;
+/// Own blocks are larger by this part than W has them, for redundant contacts.
+const SHIFT: f64 = 1e-9;
+/// τ ends at this part of the mean energy of a contact, near the square of rounding.
+const END: f64 = 1e-16;
+/// The path is lost where τ may fall by no more than this factor.
+const LOST: f64 = 0.9;
+/// It is met where τ is no more than this part of the energy.
+const FARTHEST: f64 = 1e3;
+
+/// The smoothed equations at one τ.
+pub(super) struct Smoothed<'a, const C: usize> {
+    pub(super) problem: &'a FrictionProblem<C>,
+    pub(super) blocks: &'a Blocks<C>,
+    /// Those of [`scales`].
+    pub(super) rho: &'a [f64],
+    pub(super) tau: f64,
+}
+
+/// ρ of each contact in the coordinates r', û'.
+pub(super) fn scales<const C: usize>(problem: &FrictionProblem<C>, blocks: &Blocks<C>) -> Vec<f64> {
+    let scale = |i: usize| {
+        let own = blocks.own(i);
+        let mu = if problem.mu[i] > 0.0 { problem.mu[i] } else { 1.0 };
+        let mut size = tangent_block(own).amax().max(own[(0, 0)].abs() / (mu * mu));
+        if size == 0.0 {
+            size = blocks.size(i);
+        }
+        if size > 0.0 { 1.0 / size } else { 1.0 }
+    };
+    (0..problem.len()).map(scale).collect()
+}
+
+fn tangent_block<const C: usize>(own: &Block<C>) -> Block<C> {
+    let mut block = *own;
+    block.row_mut(0).fill(0.0);
+    block.column_mut(0).fill(0.0);
+    block
+}
+
+/// Where the path leads from these forces, beginning with τ as this part of their mean energy, and how many steps it took. `judge` says how good forces are, or that it is enough;
+/// the best on the way are returned.
+pub(super) fn follow<const C: usize>(
+    problem: &FrictionProblem<C>,
+    blocks: &Blocks<C>,
+    order: &[usize],
+    mut r: DVector<f64>,
+    begin: f64,
+    mut judge: impl FnMut(&DVector<f64>) -> ControlFlow<(), f64>,
+) -> (DVector<f64>, usize) {
+    let rho = scales(problem, blocks);
+    let count = problem.len() as f64;
+    let energy = (0..problem.len()).map(|i| part::<C>(&r, i).norm_squared() / rho[i]).sum::<f64>() / count;
+    let ControlFlow::Continue(missing) = judge(&r) else { return (r, 0) };
+    let mut best = (missing, r.clone());
+    // τ falls by this factor from where the path was met.
+    let (mut tau, mut factor, mut made) = (begin * energy, 1.0, 0);
+    while tau * factor > END * energy && (factor < LOST || factor == 1.0) {
+        let smoothed = Smoothed { problem, blocks, rho: &rho, tau: tau * factor };
+        let enough = NEAR * (count * smoothed.tau).sqrt();
+        let patience = Patience { steps: STEPS, enough, rounding: 0.0, shortest: 1e-3, leaps: 0 };
+        let (place, steps) = descend(&smoothed, order, r.clone(), patience);
+        made += steps;
+        let ControlFlow::Continue(missing) = judge(&place.r) else { break };
+        if missing < best.0 {
+            best = (missing, place.r.clone());
+        }
+        let first = factor == 1.0;
+        if place.size <= enough {
+            (r, tau) = (place.r, tau * factor);
+            factor = if first {
+                SLOW
+            } else if steps <= FEW {
+                (factor * factor).max(FAST)
+            } else {
+                factor
+            };
+        } else if first {
+            // The path is met farther inside.
+            tau /= SLOW;
+            if tau > FARTHEST * energy {
+                break;
+            }
+        } else {
+            factor = factor.sqrt();
+        }
+    }
+    (best.1, made)
+}
+
+impl<const C: usize> Equations<C> for Smoothed<'_, C> {
+    fn at(&self, r: DVector<f64>) -> Place<C> {
+        let u = self.blocks.velocities(&r, &self.problem.q);
+        let mut place = Place::new(r);
+        for (i, rho) in self.rho.iter().enumerate() {
+            let (missed, by_force, by_velocity) =
+                contact::<C>(&part(&place.r, i), &part(&u, i), self.problem.mu[i], (*rho, self.tau));
+            place.size += missed.norm_squared() / rho;
+            place.push(missed, by_force, by_velocity);
+        }
+        place.size = place.size.sqrt();
+        place
+    }
+
+    fn shift(&self, contact: usize) -> f64 {
+        SHIFT / self.rho[contact]
+    }
+
+    fn blocks(&self) -> &Blocks<C> {
+        self.blocks
+    }
+}
+
+/// What a contact misses, and how that changes with its force and with its velocity.
+fn contact<const C: usize>(
+    force: &SVector<f64, C>,
+    velocity: &SVector<f64, C>,
+    mu: f64,
+    (rho, tau): (f64, f64),
+) -> (SVector<f64, C>, Block<C>, Block<C>) {
+    let width = rho * tau;
+    if mu == 0.0 {
+        // A cone that is a line.
+        let x = force[0] - rho * velocity[0];
+        let (mut missed, mut by_force, mut by_velocity) = (*force, Block::identity(), Block::zeros());
+        missed[0] -= smoothed(x, width);
+        by_force[(0, 0)] -= slope(x, width);
+        by_velocity[(0, 0)] = rho * slope(x, width);
+        return (missed, by_force, by_velocity);
+    }
+    // ‖u_T‖, smooth where it vanishes.
+    let slip = tangent(velocity);
+    let rounded = (tau / rho).sqrt();
+    let speed = slip.norm().hypot(rounded);
+    let mut dilated = *velocity;
+    dilated[0] += mu * (speed - rounded);
+    let mut dilation = Block::identity();
+    for k in 1..C {
+        dilation[(0, k)] = mu * slip[k] / speed;
+    }
+    let (mut scale, mut inverse) = (Block::identity(), Block::identity());
+    (scale[(0, 0)], inverse[(0, 0)]) = (mu, 1.0 / mu);
+    let scaled = scale * force;
+    let (projected, change) = projection(&(scaled - inverse * dilated * rho), width);
+    (scaled - projected, scale - change * scale, change * inverse * dilation * rho)
+}
+
+/// The smoothed projection onto ‖x_T‖ ≤ x_N, and how it changes.
+fn projection<const C: usize>(x: &SVector<f64, C>, width: f64) -> (SVector<f64, C>, Block<C>) {
+    let slip = tangent(x);
+    let length = slip.norm();
+    let mut along = slip / length;
+    if length == 0.0 {
+        along.fill(0.0);
+        along[1] = 1.0;
+    }
+    let (most, least) = (x[0] + length, x[0] - length);
+    let mean = 0.5 * (slope(most, width) + slope(least, width));
+    let difference = 0.5 * (slope(most, width) - slope(least, width));
+    let around =
+        if most > least { (smoothed(most, width) - smoothed(least, width)) / (most - least) } else { mean };
+    let mut projected = along * (0.5 * (smoothed(most, width) - smoothed(least, width)));
+    projected[0] = 0.5 * (smoothed(most, width) + smoothed(least, width));
+    let ahead = along * along.transpose();
+    let mut change = tangent_block(&((Block::identity() - ahead) * around + ahead * mean));
+    change[(0, 0)] = mean;
+    for k in 1..C {
+        (change[(0, k)], change[(k, 0)]) = (difference * along[k], difference * along[k]);
+    }
+    (projected, change)
+}
+
+/// φ(λ), to the last digit where it is small.
+fn smoothed(x: f64, width: f64) -> f64 {
+    let root = (x * x + 4.0 * width).sqrt();
+    if x >= 0.0 { 0.5 * (x + root) } else { 2.0 * width / (root - x) }
+}
+
+/// How φ changes.
+fn slope(x: f64, width: f64) -> f64 {
+    let root = (x * x + 4.0 * width).sqrt();
+    if x >= 0.0 { 0.5 * (1.0 + x / root) } else { 2.0 * width / (root * (root - x)) }
+}

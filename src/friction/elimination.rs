@@ -1,0 +1,100 @@
+//! Systems of equations in blocks, one row of blocks a contact: eliminated contact by contact, those with few neighbours first.
+//!
+//! Piles and stacks couple each contact with a few others, so that most blocks vanish and stay so. Pivots are blocks on the diagonal: the
+//! equations are those of a matrix that is nearly definite.
+
+use super::blocks::{Block, Blocks};
+use super::problem::part;
+use nalgebra::DVector;
+use std::collections::BTreeSet;
+
+/// Contacts in the order in which they are eliminated: next is one that has the fewest neighbours left (minimum degree).
+pub(super) fn order<const C: usize>(blocks: &Blocks<C>) -> Vec<usize> {
+    let n = blocks.len();
+    let mut near: Vec<BTreeSet<usize>> = vec![BTreeSet::new(); n];
+    for i in 0..n {
+        for (j, _) in blocks.others(i) {
+            near[i].insert(*j);
+            near[*j].insert(i);
+        }
+    }
+    let mut waiting: BTreeSet<(usize, usize)> =
+        near.iter().enumerate().map(|(i, near)| (near.len(), i)).collect();
+    let mut order = Vec::with_capacity(n);
+    while let Some((_, i)) = waiting.pop_first() {
+        order.push(i);
+        let around = std::mem::take(&mut near[i]);
+        for j in &around {
+            waiting.remove(&(near[*j].len(), *j));
+            near[*j].remove(&i);
+            near[*j].extend(around.iter().filter(|k| *k != j));
+            waiting.insert((near[*j].len(), *j));
+        }
+    }
+    order
+}
+
+/// A row of blocks: the contact of each, and the block.
+pub(super) type Row<const C: usize> = Vec<(usize, Block<C>)>;
+
+/// The solution of a system, given its rows by contact and what they shall be. `None` if a pivot is singular.
+pub(super) fn solve<const C: usize>(
+    order: &[usize],
+    rows: &[Row<C>],
+    rhs: &DVector<f64>,
+) -> Option<DVector<f64>> {
+    let n = order.len();
+    let mut place = vec![0; n];
+    for (k, i) in order.iter().enumerate() {
+        place[*i] = k;
+    }
+    // By place in the order: inverse pivots, and the rows right of them.
+    let mut pivots: Vec<Block<C>> = Vec::with_capacity(n);
+    let mut uppers: Vec<Row<C>> = Vec::with_capacity(n);
+    let mut work: Vec<Block<C>> = vec![Block::zeros(); n];
+    let mut there = vec![false; n];
+    let mut x = rhs.clone();
+    for (k, i) in order.iter().enumerate() {
+        for (j, block) in &rows[*i] {
+            work[place[*j]] = *block;
+            there[place[*j]] = true;
+        }
+        let mut value = part::<C>(rhs, *i);
+        for before in 0..k {
+            if !there[before] {
+                continue;
+            }
+            there[before] = false;
+            let factor = work[before] * pivots[before];
+            value -= factor * part::<C>(&x, order[before]);
+            for (j, block) in &uppers[before] {
+                let change = factor * block;
+                if there[*j] {
+                    work[*j] -= change;
+                } else {
+                    work[*j] = -change;
+                    there[*j] = true;
+                }
+            }
+        }
+        there[k] = false;
+        pivots.push(work[k].try_inverse().filter(|p| p.iter().all(|x| x.is_finite()))?);
+        let mut upper = Vec::new();
+        for j in k + 1..n {
+            if std::mem::take(&mut there[j]) {
+                upper.push((j, work[j]));
+            }
+        }
+        uppers.push(upper);
+        x.fixed_rows_mut::<C>(C * i).copy_from(&value);
+    }
+    for k in (0..n).rev() {
+        let i = order[k];
+        let mut value = part::<C>(&x, i);
+        for (j, block) in &uppers[k] {
+            value -= block * part::<C>(&x, order[*j]);
+        }
+        x.fixed_rows_mut::<C>(C * i).copy_from(&(pivots[k] * value));
+    }
+    x.iter().all(|x| x.is_finite()).then_some(x)
+}

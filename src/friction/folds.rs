@@ -1,0 +1,178 @@
+//! The central path of a few contacts, followed around its folds.
+//!
+//! Friction bends the [`central_path`](super::central_path): where contacts wedge, τ must rise again before it falls. Forces and ln τ together are
+//! followed by the length of the path (H. B. Keller, Numerical solution of bifurcation and nonlinear eigenvalue problems, 1977), which passes
+//! through folds as through any other place. It leads from far inside the cones, where there is one solution, to a solution of the problem wherever W is
+//! positive definite, but for paths that cross or run away.
+
+use super::blocks::Blocks;
+use super::central_path::{Smoothed, scales};
+use super::equations::{Equations, Patience, descend};
+use super::problem::{FrictionProblem, part};
+use nalgebra::{DMatrix, DVector};
+
+/// The path is followed as far as τ is this part of the energy of a contact, and from where it is that part.
+const END: f64 = 1e-18;
+const FARTHEST: f64 = 1e6;
+/// Steps along the path, and corrections of each.
+const STEPS: usize = 1000;
+const CORRECTIONS: usize = 6;
+/// Newton's steps to the begin of the path.
+const BEGINNING: usize = 200;
+/// The first step, the longest and the shortest, as part of the forces or of a factor e of τ.
+const FIRST: f64 = 0.1;
+const LONGEST: f64 = 1.0;
+const SHORTEST: f64 = 1e-7;
+/// After a step of few corrections the next is longer by this factor, after one that failed shorter by that.
+const LONGER: f64 = 1.5;
+const SHORTER: f64 = 0.3;
+/// A place is on the path if what is missed is this part of √τ, in the root of the mean square.
+const ON_PATH: f64 = 1e-2;
+/// Two tangents of one path have at least this cosine between them.
+const ONWARD: f64 = 0.7;
+/// How far ln τ is moved to see how the equations change with it.
+const NUDGE: f64 = 1e-5;
+
+/// Where the path ends that begins far inside the cones. `None` if it is lost.
+pub(super) fn around_folds<const C: usize>(
+    problem: &FrictionProblem<C>,
+    blocks: &Blocks<C>,
+) -> Option<DVector<f64>> {
+    let rho = scales(problem, blocks);
+    let path = Path { problem, blocks, rho: &rho };
+    let q = (0..problem.len()).map(|i| part::<C>(&problem.q, i).norm_squared() * rho[i]);
+    let energy = q.sum::<f64>() / problem.len() as f64;
+    let mut x = path.begin(energy)?;
+    let end = (END * energy).ln();
+    let size = x.len() - 1;
+    let mut tangent = DVector::zeros(size + 1);
+    tangent[size] = -1.0;
+    let mut length = FIRST;
+    for _ in 0..STEPS {
+        if x[size] <= end {
+            break;
+        }
+        let measure = path.measure(&x);
+        let ahead = path.tangent(&x, &tangent, &measure)?;
+        while length >= SHORTEST {
+            let next = path.corrected(&x + &ahead * length, &ahead, &measure);
+            let onward = next.and_then(|(next, corrections)| {
+                let then = path.tangent(&next, &ahead, &measure)?;
+                (then.dot(&ahead.component_mul(&measure)) >= ONWARD).then_some((next, corrections))
+            });
+            if let Some((next, corrections)) = onward {
+                x = next;
+                if 2 * corrections <= CORRECTIONS {
+                    length = (LONGER * length).min(LONGEST);
+                }
+                break;
+            }
+            length *= SHORTER;
+        }
+        if length < SHORTEST {
+            return Some(x.rows(0, size).into_owned());
+        }
+        tangent = ahead;
+    }
+    Some(x.rows(0, size).into_owned())
+}
+
+struct Path<'a, const C: usize> {
+    problem: &'a FrictionProblem<C>,
+    blocks: &'a Blocks<C>,
+    rho: &'a [f64],
+}
+
+impl<const C: usize> Path<'_, C> {
+    /// Forces and ln τ on the path, far inside.
+    fn begin(&self, energy: f64) -> Option<DVector<f64>> {
+        let size = self.problem.q.len();
+        let tau = FARTHEST * energy;
+        let mut x = DVector::zeros(size + 1);
+        for i in 0..self.problem.len() {
+            x[C * i] = (tau * self.rho[i]).sqrt();
+        }
+        x[size] = tau.ln();
+        let order: Vec<usize> = (0..self.problem.len()).collect();
+        let far = Smoothed { problem: self.problem, blocks: self.blocks, rho: self.rho, tau };
+        let enough = ON_PATH * (self.problem.len() as f64 * tau).sqrt();
+        let patience = Patience { steps: BEGINNING, enough, rounding: 0.0, shortest: 1e-6, leaps: 0 };
+        let (place, _) = descend(&far, &order, x.rows(0, size).into_owned(), patience);
+        x.rows_mut(0, size).copy_from(&place.r);
+        (place.size <= enough).then_some(x)
+    }
+
+    /// What the equations miss at a place, with the limit below which it is on the path, and how that changes.
+    fn missed(&self, x: &DVector<f64>) -> (DVector<f64>, f64, DMatrix<f64>) {
+        let size = x.len() - 1;
+        let r = x.rows(0, size).into_owned();
+        let at =
+            |log: f64| Smoothed { problem: self.problem, blocks: self.blocks, rho: self.rho, tau: log.exp() };
+        let here = at(x[size]).at(r.clone());
+        let mut change = DMatrix::zeros(size + 1, size + 1);
+        for i in 0..self.problem.len() {
+            let mut put = |j: usize, block| change.fixed_view_mut::<C, C>(C * i, C * j).copy_from(&block);
+            put(i, here.by_force[i] + here.by_velocity[i] * self.blocks.own(i));
+            for (j, w) in self.blocks.others(i) {
+                put(*j, here.by_velocity[i] * w);
+            }
+        }
+        let (more, less) = (at(x[size] + NUDGE).at(r.clone()), at(x[size] - NUDGE).at(r));
+        let by_log = (more.missed - less.missed) / (2.0 * NUDGE);
+        change.view_mut((0, size), (size, 1)).copy_from(&by_log);
+        let mut missed = here.missed.insert_row(size, 0.0);
+        missed[size] = 0.0;
+        let near = here.size / (self.problem.len() as f64 * x[size].exp()).sqrt();
+        (missed, near, change)
+    }
+
+    /// How changes of forces and of ln τ are measured: forces of all contacts beside their size here.
+    fn measure(&self, x: &DVector<f64>) -> DVector<f64> {
+        let size = x.len() - 1;
+        let energy =
+            (0..self.problem.len()).map(|i| x.rows(C * i, C).norm_squared() / self.rho[i]).sum::<f64>();
+        DVector::from_fn(size + 1, |k, _| if k == size { 1.0 } else { 1.0 / (self.rho[k / C] * energy) })
+    }
+
+    /// The direction of the path, on from the one before.
+    fn tangent(
+        &self,
+        x: &DVector<f64>,
+        before: &DVector<f64>,
+        measure: &DVector<f64>,
+    ) -> Option<DVector<f64>> {
+        let size = x.len() - 1;
+        let (_, _, mut change) = self.missed(x);
+        let weighed = before.component_mul(measure);
+        change.row_mut(size).copy_from(&weighed.transpose());
+        let mut rhs = DVector::zeros(size + 1);
+        rhs[size] = 1.0;
+        let tangent = change.lu().solve(&rhs)?;
+        let length = tangent.dot(&tangent.component_mul(measure)).sqrt();
+        let tangent = tangent / length;
+        tangent.iter().all(|x| x.is_finite()).then_some(tangent)
+    }
+
+    /// The place of the path across from this one, and the corrections that it took.
+    fn corrected(
+        &self,
+        mut x: DVector<f64>,
+        ahead: &DVector<f64>,
+        measure: &DVector<f64>,
+    ) -> Option<(DVector<f64>, usize)> {
+        let size = x.len() - 1;
+        let weighed = ahead.component_mul(measure).transpose();
+        for corrections in 0..=CORRECTIONS {
+            let (missed, near, mut change) = self.missed(&x);
+            if near <= ON_PATH {
+                return Some((x, corrections));
+            }
+            change.row_mut(size).copy_from(&weighed);
+            x -= change.lu().solve(&missed)?;
+            if !x.iter().all(|x| x.is_finite()) {
+                return None;
+            }
+        }
+        None
+    }
+}

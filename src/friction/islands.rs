@@ -1,0 +1,109 @@
+//! Contacts that move each other, directly or through others: each such island is a problem by itself.
+
+use super::approach::Watch;
+use super::blocks::Blocks;
+use super::law::ContactMode;
+use super::problem::FrictionProblem;
+use super::settings::Settings;
+use super::solution::Solution;
+use crate::lcp::{BreakdownCause, Certificate, Outcome};
+use nalgebra::{DMatrix, DVector};
+
+/// The islands of a problem, each a list of contacts by index; the first contacts of the islands are in order.
+pub(super) fn islands<const C: usize>(blocks: &Blocks<C>) -> Vec<Vec<usize>> {
+    let n = blocks.len();
+    let mut near = vec![Vec::new(); n];
+    for i in 0..n {
+        for (j, _) in blocks.others(i) {
+            // W need not be symmetric.
+            near[i].push(*j);
+            near[*j].push(i);
+        }
+    }
+    let mut seen = vec![false; n];
+    let mut islands = Vec::new();
+    for first in 0..n {
+        if std::mem::replace(&mut seen[first], true) {
+            continue;
+        }
+        let mut island = vec![first];
+        let mut next = 0;
+        while next < island.len() {
+            for j in &near[island[next]] {
+                if !std::mem::replace(&mut seen[*j], true) {
+                    island.push(*j);
+                }
+            }
+            next += 1;
+        }
+        island.sort_unstable();
+        islands.push(island);
+    }
+    islands
+}
+
+impl<const C: usize> FrictionProblem<C> {
+    /// The problem of some contacts alone.
+    pub(super) fn of_contacts(&self, contacts: &[usize]) -> Self {
+        let component = |k: usize| C * contacts[k / C] + k % C;
+        let size = C * contacts.len();
+        Self {
+            w: DMatrix::from_fn(size, size, |i, j| self.w[(component(i), component(j))]),
+            q: DVector::from_fn(size, |i, _| self.q[component(i)]),
+            mu: contacts.iter().map(|i| self.mu[*i]).collect(),
+        }
+    }
+
+    /// The answers of islands together. What cannot be solved of one cannot be solved of all.
+    pub(super) fn solve_islands(
+        &self,
+        islands: &[Vec<usize>],
+        settings: &Settings,
+        watch: &mut Watch<'_>,
+    ) -> Outcome<Solution> {
+        let n = self.len();
+        let mut r = DVector::zeros(self.q.len());
+        let mut states = vec![ContactMode::Open; n];
+        let (mut pivots, mut steps, mut unsolved) = (0, 0, None);
+        for island in islands {
+            let alone = self.of_contacts(island);
+            match alone.solve_island(&Blocks::of(&alone), settings, (island, watch)) {
+                Outcome::Solved(solution) => {
+                    for (k, i) in island.iter().enumerate() {
+                        r.rows_mut(C * i, C).copy_from(&solution.r.rows(C * k, C));
+                        states[*i] = solution.states[k];
+                    }
+                    (pivots, steps) = (pivots + solution.pivots, steps + solution.steps);
+                }
+                Outcome::Infeasible(certificate) => {
+                    return Outcome::Infeasible(spread(&certificate, island, n));
+                }
+                Outcome::NoBasis { pivots } => return Outcome::NoBasis { pivots },
+                Outcome::NearlyInfeasible(certificate) => {
+                    unsolved = unsolved.or(Some(Outcome::NearlyInfeasible(spread(&certificate, island, n))));
+                }
+                stopped @ Outcome::Breakdown { cause: BreakdownCause::Stopped { .. }, .. } => return stopped,
+                // A ray would be that of another problem.
+                Outcome::Ray(ray) => {
+                    let cause = BreakdownCause::NoConvergence { residual: f64::INFINITY, contact: island[0] };
+                    unsolved = unsolved.or(Some(Outcome::Breakdown { pivots: ray.pivots, cause }));
+                }
+                other => unsolved = unsolved.or(Some(other)),
+            }
+        }
+        if let Some(unsolved) = unsolved {
+            return unsolved;
+        }
+        let (u, residuals) = (self.velocities(&r), self.residuals(&r));
+        Outcome::Solved(Solution { r, u, states, residuals, pivots, steps })
+    }
+}
+
+/// The weights of the contacts of an island among all contacts.
+fn spread(certificate: &Certificate, island: &[usize], n: usize) -> Certificate {
+    let mut y = DVector::zeros(n);
+    for (weight, i) in certificate.y.iter().zip(island) {
+        y[*i] = *weight;
+    }
+    Certificate::new(y, certificate.pivots)
+}

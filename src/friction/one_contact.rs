@@ -1,0 +1,137 @@
+//! Coulomb's law of one contact, solved to the last digit while all other forces stay.
+//!
+//! With u = A r + b a contact with b_N ≥ 0 is open. Otherwise u_N = 0 leaves r_N = −(b_N + A_NTᵀ r_T) / A_NN and u_T = S r_T + c, with
+//!
+//! ```text
+//! S = A_TT − A_TN A_NTᵀ / A_NN,     c = b_T − A_TN b_N / A_NN.
+//! ```
+//!
+//! A slide against its force is u_T = −κ r_T with κ ≥ 0, so r_T(κ) = −(S + κ 1)⁻¹ c. It sticks at κ = 0 if ‖r_T‖ ≤ μ r_N there. Otherwise the
+//! force is on the edge of the cone for some κ: as κ grows r_T vanishes, and r_N goes to −b_N / A_NN > 0.
+
+use super::blocks::Block;
+use super::law::tangent;
+use nalgebra::SVector;
+
+/// Brackets of κ are halved, and met by secants, so many times at most.
+const HALVINGS: usize = 100;
+/// κ is known where its bracket is this part of it.
+const KNOWN: f64 = 4.0 * f64::EPSILON;
+
+/// The force of a contact with own block A and friction μ that others alone move by b. `None` where A does not answer: it is not definite there.
+pub(super) fn answer<const C: usize>(a: &Block<C>, b: &SVector<f64, C>, mu: f64) -> Option<SVector<f64, C>> {
+    if b[0] >= 0.0 {
+        return Some(SVector::zeros());
+    }
+    if a[(0, 0)] <= 0.0 {
+        return None;
+    }
+    let mut pressed = SVector::zeros();
+    pressed[0] = -b[0] / a[(0, 0)];
+    if mu == 0.0 {
+        return Some(pressed);
+    }
+    let slide = Slide::new(a, b);
+    let miss = |r: &SVector<f64, C>| tangent(r).norm() - mu * r[0];
+    let stuck = slide.at(0.0);
+    if let Some(stuck) = stuck.filter(|r| miss(r) <= 0.0) {
+        return Some(stuck);
+    }
+    // Outside of the cone at `least`, within it at `most`.
+    let (mut least, mut most) = (0.0, slide.size);
+    while slide.at(most).is_none_or(|r| miss(&r) > 0.0) {
+        least = most;
+        most *= 16.0;
+        if !most.is_finite() {
+            return None;
+        }
+    }
+    let mut outside = slide.at(least).map(|r| miss(&r));
+    let mut inside = miss(&slide.at(most)?);
+    let mut last = 0;
+    for _ in 0..HALVINGS {
+        if most - least <= KNOWN * most {
+            break;
+        }
+        // The secant, with the end that stays twice pulled to the middle (Illinois); halves where there is none.
+        let secant = outside.map(|outside| least + (most - least) * outside / (outside - inside));
+        let middle = secant.filter(|k| *k > least && *k < most).unwrap_or(0.5 * (least + most));
+        match slide.at(middle) {
+            Some(r) if miss(&r) <= 0.0 => {
+                (most, inside) = (middle, miss(&r));
+                if last == 1 {
+                    outside = outside.map(|x| 0.5 * x);
+                }
+                last = 1;
+            }
+            r => {
+                (least, outside) = (middle, r.map(|r| miss(&r)));
+                if last == -1 {
+                    inside *= 0.5;
+                }
+                last = -1;
+            }
+        }
+    }
+    let mut r = slide.at(most)?;
+    // On the edge, whatever the last digit of κ.
+    let size = tangent(&r).norm();
+    if size > 0.0 {
+        for k in 1..C {
+            r[k] *= mu * r[0] / size;
+        }
+    }
+    r.iter().all(|x| x.is_finite()).then_some(r)
+}
+
+/// The forces that keep a contact from approaching while it slides, as functions of κ.
+struct Slide<const C: usize> {
+    /// S in the tangential rows and columns, and the identity in the normal one.
+    s: Block<C>,
+    c: SVector<f64, C>,
+    /// −b_N / A_NN, and A_NT / A_NN.
+    normal: f64,
+    coupling: SVector<f64, C>,
+    /// The size of S.
+    size: f64,
+}
+
+impl<const C: usize> Slide<C> {
+    fn new(a: &Block<C>, b: &SVector<f64, C>) -> Self {
+        let own = a[(0, 0)];
+        let mut s = *a - a.column(0) * a.row(0) / own;
+        let size = s.amax();
+        s.row_mut(0).fill(0.0);
+        s.column_mut(0).fill(0.0);
+        s[(0, 0)] = 1.0;
+        let c = tangent(&(b - a.column(0) * (b[0] / own)));
+        let coupling = tangent(&(a.row(0).transpose() / own));
+        Self { s, c, normal: -b[0] / own, coupling, size: if size > 0.0 { size } else { own } }
+    }
+
+    /// The force at κ.
+    fn at(&self, kappa: f64) -> Option<SVector<f64, C>> {
+        let mut shifted = self.s;
+        for k in 1..C {
+            shifted[(k, k)] += kappa;
+        }
+        let slip = solved(&shifted, &-self.c)?;
+        let mut r = slip;
+        r[0] = self.normal - self.coupling.dot(&slip);
+        r.iter().all(|x| x.is_finite()).then_some(r)
+    }
+}
+
+/// The solution of the tangential part of a system, by Cramer's rule.
+fn solved<const C: usize>(a: &Block<C>, b: &SVector<f64, C>) -> Option<SVector<f64, C>> {
+    let mut x = SVector::<f64, C>::zeros();
+    if C == 2 {
+        x[1] = b[1] / a[(1, 1)];
+    } else {
+        let (p, q, r, s) = (a[(1, 1)], a[(1, C - 1)], a[(C - 1, 1)], a[(C - 1, C - 1)]);
+        let determinant = p * s - q * r;
+        x[1] = (s * b[1] - q * b[C - 1]) / determinant;
+        x[C - 1] = (p * b[C - 1] - r * b[1]) / determinant;
+    }
+    x.iter().all(|x| x.is_finite()).then_some(x)
+}

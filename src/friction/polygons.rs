@@ -1,0 +1,125 @@
+//! A few contacts: from a polygon to the round cone.
+//!
+//! Lemke's method solves the problem of a polygon, Newton's goes on from its forces. Where it does not arrive, the facets are turned to where the contacts
+//! slide, and there are more of them.
+
+use super::facets::{FacetedProblem, Facets};
+use super::law::tangent;
+use super::newton::Newton;
+use super::problem::{FrictionProblem, part};
+use super::settings::{MOST_FACETS, Settings};
+use super::solution::Solution;
+use crate::lcp::{BreakdownCause, Certificate, Outcome};
+use nalgebra::{DVector, SVector};
+
+/// What has been tried so far.
+pub(super) struct Polygons<'a, const C: usize> {
+    problem: &'a FrictionProblem<C>,
+    newton: Newton<'a, C>,
+    settings: &'a Settings,
+    /// Where the first facet of each contact lies.
+    angles: Vec<f64>,
+    pub(super) pivots: usize,
+    pub(super) steps: usize,
+    /// The least residual that Newton's method has reached, and the contact that had it.
+    pub(super) least: (f64, usize),
+}
+
+impl<'a, const C: usize> Polygons<'a, C> {
+    pub(super) fn new(problem: &'a FrictionProblem<C>, settings: &'a Settings) -> Self {
+        Self {
+            problem,
+            newton: Newton::new(problem),
+            settings,
+            angles: vec![0.0; problem.len()],
+            pivots: 0,
+            steps: 0,
+            least: (f64::INFINITY, 0),
+        }
+    }
+
+    /// A solution, or what the first polygon said. Facets are turned so many times.
+    pub(super) fn solve(&mut self, turns: usize) -> Outcome<Solution> {
+        let mut count = self.settings.facets.clamp(3, MOST_FACETS);
+        let mut first = None;
+        for turn in 0..=if C == 2 { 0 } else { turns } {
+            match self.by_facets(count, turn == 0) {
+                Outcome::Solved(solution) => return Outcome::Solved(solution),
+                unsolved => first = first.or(Some(unsolved)),
+            }
+            count = (count + count / 2).min(MOST_FACETS);
+        }
+        first.unwrap_or_else(|| self.missed())
+    }
+
+    /// The forces of a polygon, or where Newton's method goes from them. Where the polygon has none it may set out from no force at all.
+    fn by_facets(&mut self, count: usize, from_zero: bool) -> Outcome<Solution> {
+        let Ok(polygon) = self.problem.polygon(Facets::regular(count, &self.angles)) else {
+            return Outcome::Breakdown { pivots: self.pivots, cause: BreakdownCause::Overflow };
+        };
+        let outcome = polygon.lcp.solve_with(&self.settings.lcp).and_then(|solution| {
+            self.pivots += solution.pivots;
+            match polygon.forces(&solution.z) {
+                Ok(forces) => self.goes_on(forces),
+                Err(_) => self.missed(),
+            }
+        });
+        if outcome.solution().is_some() || C == 2 || !from_zero {
+            return weighed(outcome, &polygon);
+        }
+        match self.goes_on(DVector::zeros(self.problem.q.len())) {
+            Outcome::Solved(solution) => Outcome::Solved(solution),
+            _ => weighed(outcome, &polygon),
+        }
+    }
+
+    /// These forces if they solve the problem, or where Newton's method goes from them.
+    fn goes_on(&mut self, start: DVector<f64>) -> Outcome<Solution> {
+        self.turn(&start);
+        if let Some(solution) = self.settled(start.clone()) {
+            return Outcome::Solved(solution);
+        }
+        let (r, steps) = self.newton.run(start, self.settings.steps);
+        self.steps += steps;
+        let (residuals, worst) = self.problem.missed_by(&r);
+        if residuals.max() < self.least.0 {
+            self.least = (residuals.max(), worst);
+        }
+        match self.settled(r) {
+            Some(solution) => Outcome::Solved(solution),
+            None => self.missed(),
+        }
+    }
+
+    fn settled(&self, r: DVector<f64>) -> Option<Solution> {
+        let solution = self.problem.settled(r, &self.newton.rho, self.settings.tolerance)?;
+        Some(Solution { pivots: self.pivots, steps: self.steps, ..solution })
+    }
+
+    /// Turns the facets so that one lies along the slip of each contact that slides.
+    fn turn(&mut self, r: &DVector<f64>) {
+        let u = self.problem.velocities(r);
+        for (i, angle) in self.angles.iter_mut().enumerate() {
+            let slip: SVector<f64, C> = tangent(&part(&u, i));
+            if slip.norm() > 0.0 {
+                *angle = (-slip[C - 1]).atan2(-slip[1]);
+            }
+        }
+    }
+
+    fn missed(&self) -> Outcome<Solution> {
+        let (residual, contact) = self.least;
+        Outcome::Breakdown { pivots: self.pivots, cause: BreakdownCause::NoConvergence { residual, contact } }
+    }
+}
+
+/// An outcome whose certificate weighs contacts, not the rows of the polygon's problem.
+fn weighed<const C: usize>(outcome: Outcome<Solution>, polygon: &FacetedProblem<C>) -> Outcome<Solution> {
+    let weigh =
+        |certificate: Certificate| Certificate::new(polygon.normals(&certificate.y), certificate.pivots);
+    match outcome {
+        Outcome::Infeasible(certificate) => Outcome::Infeasible(weigh(certificate)),
+        Outcome::NearlyInfeasible(certificate) => Outcome::NearlyInfeasible(weigh(certificate)),
+        other => other,
+    }
+}

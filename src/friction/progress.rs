@@ -1,0 +1,19 @@
+//! What whoever waits for a large problem is told.
+
+use nalgebra::DVector;
+
+/// How far a solve has come, see [`FrictionProblem::solve_watched`](super::FrictionProblem::solve_watched).
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Progress<'a> {
+    /// The contacts that are being solved, by index: an island, or all of them.
+    pub contacts: &'a [usize],
+    /// The best forces of these contacts so far: of each the normal component, then the tangential ones.
+    pub forces: &'a DVector<f64>,
+    /// The largest of their [`Residuals`](super::Residuals).
+    pub residual: f64,
+    /// The contact that has it, by index.
+    pub worst: usize,
+    /// Newton's steps that were made for these contacts.
+    pub steps: usize,
+}
