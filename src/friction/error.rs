@@ -17,4 +17,22 @@ pub enum Error {
         /// Its friction.
         value: f64,
     },
+    /// A word of a file is not what belongs there.
+    #[error("word {at} of the file is {}, but must be {allowed}", named(word.as_deref()))]
+    Word {
+        /// Its place, counted from 1.
+        at: usize,
+        /// The word; `None` where the file ends.
+        word: Option<String>,
+        /// What belongs there.
+        allowed: &'static str,
+    },
+    /// The masses of a file have no inverse.
+    #[error("M is not square or singular, but must have an inverse")]
+    Masses,
+}
+
+/// A word as a message has it, without the control characters of a file that is no text.
+fn named(word: Option<&str>) -> String {
+    word.map_or("missing".to_owned(), |word| format!("`{}`", word.escape_default()))
 }

@@ -66,8 +66,10 @@
 //!
 //! Whatever is called solved has been checked on the data given, each contact beside its own sums, see [`Residuals`]. That there is no solution is
 //! proved by a vector which [`FrictionProblem::proves_infeasible`] checks.
+//!
+//! [`ReadProblem`] takes the files of Siconos; `python/examples/fclib_to_text.py` makes such files of FCLIB's HDF5.
 
-// `problem` is checked input; `law` says how well forces obey it, `settled` what is called a solution.
+// `problem` is checked input, `siconos` reads it; `law` says how well forces obey it, `settled` what is called a solution.
 // `solve` says which way a problem goes, `islands` takes it apart.
 // A few contacts: `facets` poses the complementarity problem, `polygons` and `newton` go on to the round cone.
 // Many: `approach` goes by `sweeps` of `one_contact` after the other, the `central_path` (around its `folds`) and `alart_curnier`; both are
@@ -93,6 +95,8 @@ mod problem;
 mod progress;
 mod settings;
 mod settled;
+mod siconos;
+mod siconos_matrix;
 mod solution;
 mod solve;
 mod sweeps;
@@ -103,4 +107,5 @@ pub use law::{ContactMode, Residuals};
 pub use problem::{FrictionProblem, PlanarContacts, SpatialContacts};
 pub use progress::Progress;
 pub use settings::Settings;
+pub use siconos::ReadProblem;
 pub use solution::Solution;

@@ -8,3 +8,4 @@ mod many;
 mod planar;
 mod proofs;
 mod round;
+mod siconos;

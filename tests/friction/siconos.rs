@@ -1,0 +1,78 @@
+//! Problems in the three forms that files of Siconos have.
+
+use grasp_lcp::friction::ReadProblem;
+use nalgebra::{DMatrix, DVector};
+
+/// Two contacts in the plane whose W is not symmetric, so that rows and columns are told apart.
+fn expected() -> (DMatrix<f64>, DVector<f64>) {
+    let w = DMatrix::from_row_slice(
+        4,
+        4,
+        &[2.0, 0.5, -1.0, 0.0, 0.25, 3.0, 0.0, 0.0, -1.0, 0.0, 4.0, 0.125, 0.0, 0.0, 0.75, 5.0],
+    );
+    (w, DVector::from_vec(vec![-1.0, 0.5, -2.0, 0.25]))
+}
+
+fn check(text: &str) {
+    let ReadProblem::Planar(problem) = ReadProblem::from_siconos(text).expect("well formed") else {
+        panic!("two components")
+    };
+    let (w, q) = expected();
+    assert_eq!((problem.matrix(), problem.vector(), problem.friction()), (&w, &q, &[0.5, 0.25][..]));
+}
+
+#[test]
+fn a_dense_matrix_goes_down_its_columns() {
+    check(
+        "2\n2\n0\n4\n4\n4\t4\n 2 .25 -1 0\n .5 3 0 0\n -1 0 4 .75\n 0 0 .125 5\n -1 .5 -2 .25\n .5 .25\n1\n",
+    );
+}
+
+#[test]
+fn blocks_go_down_their_columns_too() {
+    let blocks = "0\n2 .25 .5 3\n1\n-1 0 0 0\n2\n-1 0 0 0\n3\n4 .75 .125 5\n";
+    check(&format!(
+        "2\n2\n1\n4\n4\n4\n2\n2\n2 4\n2 4\n3\n4\n0 2 4\n0 1 0 1\n{blocks} -1 .5 -2 .25\n.5 .25\n"
+    ));
+}
+
+#[test]
+fn a_sparse_matrix_is_that_of_csparse() {
+    let head = "CSparse Version 3.1.9, May 4, 2016.  Copyright (c) Timothy A. Davis, 2006-2016\n";
+    let rest = " -1 .5 -2 .25\n.5 .25\n";
+    let columns = "    col 0 : locations 0 to 2\n      0 : 2\n      1 : .25\n      2 : -1\n    col 1 : locations 3 to 4\n      0 : .5\n      1 : 3\n    \
+                   col 2 : locations 5 to 7\n      0 : -1\n      2 : 4\n      3 : .75\n    col 3 : locations 8 to 9\n      2 : .125\n      3 : 5\n";
+    check(&format!("2\n2\n2\n4\n4\n2\n{head}4-by-4, nzmax: 10 nnz: 10, 1-norm: 6\n{columns}{rest}"));
+    let triplets = "0 0 : 2\n1 0 : .25\n2 0 : -1\n0 1 : .5\n1 1 : 3\n0 2 : -1\n2 2 : 4\n3 2 : .75\n2 3 : .125\n3 3 : 5\n";
+    check(&format!("2\n2\n2\n4\n4\n1\n{head}triplet: 4-by-4, nzmax: 10 nnz: 10\n{triplets}{rest}"));
+}
+
+#[test]
+fn messages_name_the_word() {
+    let message = |text: &str| ReadProblem::from_siconos(text).unwrap_err().to_string();
+    assert_eq!(message("4 1 0 4 4"), "word 1 of the file is `4`, but must be a number of components, 2 or 3");
+    assert_eq!(
+        message("3 1 0 3 3 3 3 1 0"),
+        "word 10 of the file is missing, but must be an entry of a matrix"
+    );
+    assert_eq!(
+        message("3 1 7 3 3"),
+        "word 3 of the file is `7`, but must be the form of a matrix: 0 (dense), 1 (in blocks) or 2 (sparse)"
+    );
+    assert_eq!(
+        message("3 2 0 3 3"),
+        "word 4 of the file is `3`, but must be the number of rows or columns that the problem has"
+    );
+    assert_eq!(
+        message("3 1 0 3 3 3 3 1 0 0 0 1 0 0 0 one"),
+        "word 16 of the file is `one`, but must be an entry of a matrix"
+    );
+    // No file of a gigabyte of zeros is made for a number.
+    assert!(message("3 40000 0 120000 120000").contains("a matrix that fits into memory"));
+    for cut in 0..40 {
+        let text =
+            "2 2 1 4 4 4 2 2 2 4 2 4 3 4 0 2 4 0 1 0 1 0 2 .25 .5 3 1 -1 0 0 0 2 -1 0 0 0 3 4 .75 .125 5";
+        let words: Vec<&str> = text.split_whitespace().take(cut).collect();
+        assert!(ReadProblem::from_siconos(&words.join(" ")).is_err());
+    }
+}
