@@ -1,7 +1,7 @@
 """Siconos' own solvers on one of its files: a line each of solver, its relative error, seconds.
 
-``/usr/bin/python3 python/examples/siconos_times.py FILE`` needs Debian's ``python3-siconos``, which has no HDF5; ``fclib_to_text.py`` makes text of such
-files first. The report ``friction_problems`` prints these lines beside the crate's.
+``/usr/bin/python3 python/examples/siconos_times.py FILE`` needs Debian's ``python3-siconos``, which has no HDF5;
+``fclib_to_text.py`` makes text of such files first. The report ``friction_problems`` prints these lines beside the crate's.
 """
 
 from __future__ import annotations
