@@ -9,3 +9,4 @@ mod planar;
 mod proofs;
 mod round;
 mod siconos;
+mod wedged;
