@@ -136,6 +136,14 @@ pub enum Error {
         /// The method that was called.
         method: &'static str,
     },
+    /// One of several bodies is not well posed, or is named and not there.
+    #[error("body {name:?} {fault}")]
+    Body {
+        /// The name that was given.
+        name: String,
+        /// What is wrong with it, and what is allowed.
+        fault: String,
+    },
     /// One number of one joint, tendon or finger is out of range.
     #[error("{what}: {field} is {value}, must be {allowed}")]
     Hand {
@@ -172,8 +180,10 @@ pub enum Error {
         /// What is wanted.
         expected: (usize, usize),
     },
-    /// A question that is answered for contacts with springs of their own, and not for hands.
-    #[error("{question} does not know joints: ask it of a grasp without a hand")]
+    /// A question that is answered for one object and contacts with springs of their own, and not for hands.
+    #[error(
+        "{question} knows neither joints nor several bodies: ask it of one object that no hand with joints holds"
+    )]
     NotForHands {
         /// The method.
         question: &'static str,

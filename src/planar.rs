@@ -19,6 +19,10 @@ pub type Twist = crate::grasp::Twist<2>;
 pub type Payload = crate::grasp::Payload<2>;
 /// How the arm moves; see [`crate::grasp::ArmMotion`].
 pub type ArmMotion = crate::grasp::ArmMotion<2>;
+/// One body of several; see [`crate::grasp::Body`].
+pub type Body = crate::grasp::Body<2>;
+/// Several bodies; see [`crate::grasp::Bodies`].
+pub type Bodies = crate::grasp::Bodies<2>;
 /// What becomes of a load that is put on; see [`crate::hold::Verdict`].
 pub type Verdict = crate::hold::Verdict<2>;
 /// A quantity that is sought, with its loads; see [`crate::need::Need`].

@@ -18,6 +18,10 @@ pub type Twist = crate::grasp::Twist<3>;
 pub type Payload = crate::grasp::Payload<3>;
 /// How the arm moves; see [`crate::grasp::ArmMotion`].
 pub type ArmMotion = crate::grasp::ArmMotion<3>;
+/// One body of several; see [`crate::grasp::Body`].
+pub type Body = crate::grasp::Body<3>;
+/// Several bodies; see [`crate::grasp::Bodies`].
+pub type Bodies = crate::grasp::Bodies<3>;
 /// What becomes of a load that is put on; see [`crate::hold::Verdict`].
 pub type Verdict = crate::hold::Verdict<3>;
 /// A quantity that is sought, with its loads; see [`crate::need::Need`].

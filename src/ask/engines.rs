@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::questions::Questions;
 use crate::error::Error;
-use crate::grasp::{Contact, Engine, Finger, Hand};
+use crate::grasp::{Bodies, Contact, Engine, Finger, Hand};
 use crate::numerics::Fixed;
 
 type Made<const C: usize> = Result<Arc<dyn Questions<C>>, Error>;
@@ -27,8 +27,18 @@ pub(super) fn of_hand<const C: usize>(hand: Hand<C>) -> Made<C> {
     in_the_plane_or_in_space(hand, by_hand::<2>, by_hand::<3>)
 }
 
+/// The engine of several bodies.
+pub(super) fn of_bodies<const C: usize>(bodies: Bodies<C>) -> Made<C> {
+    in_the_plane_or_in_space(bodies, of_several::<2>, of_several::<3>)
+}
+
+fn of_several<const C: usize>(bodies: Bodies<C>) -> Made<C> {
+    let (hand, bodies) = bodies.checked()?;
+    Ok(Arc::new(hand.engine(Some(bodies))?))
+}
+
 fn by_hand<const C: usize>(hand: Hand<C>) -> Made<C> {
-    Ok(Arc::new(hand.engine()?))
+    Ok(Arc::new(hand.engine(None)?))
 }
 
 /// Does one thing in the plane and another in space, for whoever knows the number of axes only by a parameter of its type. So engines are

@@ -11,7 +11,7 @@ use super::sensitivity::Sensitivity;
 use super::statics::Statics;
 use crate::equilibrium::{Outcome, Settings};
 use crate::error::Error;
-use crate::grasp::{Contact, Hand, HandPart, WholeContact, WholeContacts, Wrench};
+use crate::grasp::{Bodies, Contact, Hand, HandPart, WholeContact, WholeContacts, Wrench};
 use crate::hold::Verdict;
 use crate::load_path::Ramp;
 
@@ -258,5 +258,15 @@ impl<const C: usize> Hand<C> {
     /// allowed; [`Error::Contact`] as for [`Grasp::new`].
     pub fn grasp(self) -> Result<Grasp<C>, Error> {
         engines::of_hand(self).map(Grasp::of)
+    }
+}
+
+impl<const C: usize> Bodies<C> {
+    /// The grasp of these bodies. What it answers about "the object" is said of the body that loads act on.
+    ///
+    /// # Errors
+    /// [`Error::Body`] naming the body, and what is wrong with it; others as for [`Hand::grasp`].
+    pub fn grasp(self) -> Result<Grasp<C>, Error> {
+        engines::of_bodies(self).map(Grasp::of)
     }
 }

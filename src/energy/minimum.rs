@@ -185,7 +185,10 @@ impl<D: Size, const C: usize> Engine<D, C> {
             let drives = linkage.drives.iter().zip(&point.forces[self.len()..]);
             stored_energy += drives.map(|(drive, force)| drive.stored(force)).sum::<f64>();
         }
-        let own_work = self.with_vacuum(load).coordinates::<D>().dot(&self.outside_coordinates(&point.twist));
+        let own_work = match self.bodies() {
+            None => self.with_vacuum(load).coordinates::<D>().dot(&self.outside_coordinates(&point.twist)),
+            Some(_) => self.load_unchecked(load).dot(&point.twist),
+        };
         MinimumEnergy {
             load: *load,
             twist: self.outside(&point.twist),

@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, SVector, SymmetricEigen};
 
 use crate::equilibrium::{ContactState, Equilibrium};
 use crate::grasp::{Engine, Motion, grasp_map, of_the_object};
-use crate::numerics::{Size, Square, Vector};
+use crate::numerics::{Any, Size, Square, Vector};
 
 /// An eigenvalue of the Hessian below this part of the largest is zero as far as rounding can tell.
 const ZERO: f64 = 1e-12;
@@ -108,6 +108,23 @@ impl<D: Size, const C: usize> Engine<D, C> {
         (elastic, slips)
     }
 
+    /// What a contact's force does as bodies turn that are not in the coordinates of the object.
+    fn turning_bodies(&self, contact: usize, force: &SVector<f64, C>, geometric: &mut Square<D>) {
+        let Some(bodies) = self.bodies() else { return };
+        let object = of_the_object::<C>();
+        for (body, place) in bodies.places.iter().enumerate() {
+            let sign = bodies.sign(contact, body);
+            if sign == 0.0 || body == bodies.object {
+                continue;
+            }
+            let arm = self.contacts()[contact].point - place.centre;
+            let part = turning_arm::<Any, C>(Any::of(object), &arm, force);
+            for (row, column) in (0..object).flat_map(|row| (0..object).map(move |column| (row, column))) {
+                geometric[(place.first + row, place.first + column)] += sign * part[(row, column)];
+            }
+        }
+    }
+
     /// The same with given arms from the object's point at the origin.
     pub(super) fn stability_with(
         &self,
@@ -128,14 +145,16 @@ impl<D: Size, const C: usize> Engine<D, C> {
                 }
                 _ => site.springs.axes(),
             };
-            let mut map = grasp_map(size, arm, &site.frame);
+            let on_object = self.sign_on_object(i);
+            let mut map = grasp_map(size, arm, &(site.frame * on_object));
             for (k, motion) in self.linkage().map_or(&[][..], |linkage| &linkage.motions[i]) {
                 map.set_row(of_the_object::<C>() + k, &-site.frame.tr_mul(motion));
             }
             for a in 0..holds {
                 add_spring(&mut elastic, &map.column(a), site.springs.force_along(a, 1.0));
             }
-            geometric += &turning_arm(size, arm, force);
+            geometric += &turning_arm(size, arm, &(force * on_object));
+            self.turning_bodies(i, force, &mut geometric);
         }
         // Columns: the twists about the origin that are unit twists in inside coordinates.
         let units = Square::from_columns(size, |k| self.outside_coordinates(&Vector::unit(size, k)));

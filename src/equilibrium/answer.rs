@@ -11,7 +11,7 @@ use super::pad_answer::PadAnswer;
 use super::residuals::Residuals;
 use crate::contact::State;
 use crate::forms::LeftOut;
-use crate::grasp::{Coordinates, Motion, Twist, WholeContact, Wrench};
+use crate::grasp::{BodyMotion, Coordinates, Motion, Twist, WholeContact, Wrench};
 use crate::search::{Doubt, Rung};
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
@@ -61,6 +61,9 @@ pub struct Equilibrium<const C: usize> {
     /// about the centroid of the contact points, with lengths in units of their root mean square distance from it; a joint's displacement
     /// counts times a power of two near the longest motion of its contacts.
     pub twist: Twist<C>,
+    /// Of [several bodies](crate::grasp::Bodies), how each moves; `twist` is then that of the body that loads act on. Empty where there is one.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    pub bodies: Vec<BodyMotion<C>>,
     /// Contact by contact, in the order of the grasp; a soft fingertip of a scene point by point.
     pub contacts: Vec<ContactAnswer<C>>,
     /// Soft fingertips, the points of each together.
@@ -124,8 +127,11 @@ impl<const C: usize> Equilibrium<C> {
     #[must_use]
     pub fn is_beyond_small_motions(&self) -> bool {
         // One angle in the plane, three in space.
-        let rotation = self.twist.components().iter().skip(C);
-        rotation.map(|angle| angle * angle).sum::<f64>().sqrt() > Self::LARGE_ROTATION
+        let turns = |twist: &Twist<C>| {
+            let rotation = twist.components().iter().skip(C);
+            rotation.map(|angle| angle * angle).sum::<f64>().sqrt() > Self::LARGE_ROTATION
+        };
+        turns(&self.twist) || self.bodies.iter().any(|body| turns(&body.twist))
     }
 
     /// This answer as it reads back once it is written.

@@ -28,7 +28,7 @@ impl<const C: usize> fmt::Display for Equilibrium<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
         let residual = Words::with_digits(1).number(self.residuals.worst());
-        write!(f, "the object {}, residual {residual}", self.motion(words))?;
+        write!(f, "{}, residual {residual}", self.told_motions(words).join("; "))?;
         if let Some(caution) = self.caution() {
             write!(f, "; {caution}")?;
         }
@@ -104,6 +104,15 @@ impl<const C: usize> Equilibrium<C> {
     pub fn motion(&self, words: Words) -> String {
         let moved: Vec<_> = self.contacts.iter().map(|contact| contact.body_core).collect();
         words.motion(&self.twist, &moved)
+    }
+
+    /// What the object does, "the object moves 2.8 mm along −y", or each of several bodies.
+    #[must_use]
+    pub fn told_motions(&self, words: Words) -> Vec<String> {
+        if self.bodies.is_empty() {
+            return vec![format!("the object {}", self.motion(words))];
+        }
+        self.bodies.iter().map(|body| words.body_motion(body)).collect()
     }
 
     /// What is to be said beside the answer: that it [is no small motion](Self::is_beyond_small_motions).

@@ -138,7 +138,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         };
         for (i, answer) in answers.iter().enumerate() {
             let point = &self.contacts()[i].point;
-            let moved = displacement_of(point, twist) - self.carried(i, twist).0;
+            let moved = displacement_of(point, twist) * self.sign_on_object(i) - self.carried(i, twist).0;
             let stretch = problem.drives[i] - self.sites()[i].frame.tr_mul(&moved);
             let separated = answer.state == ContactState::Separated;
             let told = Told { force: &answer.force, gap: answer.gap, separated, stretch, slip: slip(i) };
@@ -198,6 +198,9 @@ impl<D: Size, const C: usize> Engine<D, C> {
         if let Some(vacuum) = self.vacuum() {
             from_outside += &vacuum.inside;
         }
+        if let Some(bodies) = self.bodies() {
+            from_outside += self.put_on_each(bodies, &bodies.loads);
+        }
         let mut sums = &linkage.held + &from_outside;
         let mut sizes = linkage.held.map(f64::abs) + from_outside.map(f64::abs);
         let mut add = |k: usize, term: f64| {
@@ -221,18 +224,22 @@ impl<D: Size, const C: usize> Engine<D, C> {
     /// are sums of.
     fn out_of_balance(&self, load: &Wrench<C>, answers: &[ContactAnswer<C>], spring_force: f64) -> f64 {
         let mut sum = load.coordinates::<D>();
+        if let Some(bodies) = self.bodies() {
+            let on_object = bodies.shared(load)[bodies.object] + bodies.loads[bodies.object];
+            sum = on_object.coordinates();
+        }
         let (mut force_size, mut moment_size) = (0.0, 0.0);
         for k in 0..of_the_object::<C>() {
             *(if k < C { &mut force_size } else { &mut moment_size }) += sum[k].abs();
         }
-        for (contact, answer) in self.contacts().iter().zip(answers) {
-            sum += wrench_of::<D, C>(&contact.point, &answer.force_world);
+        for (i, (contact, answer)) in self.contacts().iter().zip(answers).enumerate() {
+            sum += &wrench_of::<D, C>(&contact.point, &answer.force_world) * self.sign_on_object(i);
             force_size += answer.force_world.norm();
             moment_size += contact.point.norm() * answer.force_world.norm();
         }
-        let pulling = self.contacts().iter().zip(self.sites()).filter(|(contact, _)| contact.suction != 0.0);
-        for (contact, site) in pulling {
-            sum += contact.pulled(site);
+        let sites = self.contacts().iter().zip(self.sites()).enumerate();
+        for (i, (contact, site)) in sites.filter(|(_, (contact, _))| contact.suction != 0.0) {
+            sum += &contact.pulled(site) * self.sign_on_object(i);
             force_size += contact.suction;
             moment_size += contact.point.norm() * contact.suction;
         }

@@ -7,9 +7,7 @@ use super::cone::Cone;
 use super::contact_answer::{ContactAnswer, ContactState};
 use crate::contact::{LocalLaw, Mode, State};
 use crate::forms::{LeftOut, Why};
-use crate::grasp::{
-    Contact, Coordinates, Engine, Hold, Stiffness, Twist, Wrench, object_alone, of_the_object,
-};
+use crate::grasp::{Contact, Coordinates, Engine, Hold, Stiffness, Twist, Wrench};
 use crate::numerics::{Size, Vector};
 use crate::object::Problem;
 use crate::search::{Effort, Found, Rung};
@@ -25,8 +23,16 @@ impl<D: Size, const C: usize> Engine<D, C> {
         effort: &Effort,
         cone: Cone,
     ) -> Equilibrium<C> {
+        let with_joints = |i: usize| {
+            let joints = &found.twist - self.body_alone(i, &found.twist);
+            self.sites()[i].map.tr_mul(&joints)
+        };
+        let any = self.linkage().is_some();
         let solved = self.contacts().iter().zip(solved_sites(problem, &found)).enumerate();
-        let contacts: Vec<_> = solved.map(|(i, (contact, solved))| solved.answer(contact, i)).collect();
+        let answer = |(i, (contact, solved)): (usize, (&Contact<C>, SolvedContact<'_, C>))| {
+            solved.answer((contact, i), any.then(|| with_joints(i)))
+        };
+        let contacts: Vec<_> = solved.map(answer).collect();
         let twist = self.outside_coordinates(&found.twist);
         let motions = |list: &[Vector<D>]| list.iter().map(|v| self.motion_outside(v)).collect::<Vec<_>>();
         let drive_forces = found.forces[self.len()..].to_vec();
@@ -41,6 +47,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             load: *load,
             residuals: self.residuals(problem, load, &twist, (&contacts, &found), cone),
             twist: Twist::among(&twist),
+            bodies: self.body_motions(&twist),
             pads: self.pads(&contacts),
             open_cups: self.cups_open(|i| contacts[i].state == ContactState::Separated),
             contacts,
@@ -114,8 +121,6 @@ fn solved_sites<'s, D: Size, const C: usize>(
 ) -> impl Iterator<Item = SolvedContact<'s, C>> {
     let solved = problem.locals().zip(problem.sites).zip(&found.states).zip(&found.forces);
     let history = problem.drives.iter().zip(&problem.slips);
-    let joints = &found.twist - object_alone::<D, C>(&found.twist);
-    let any = problem.size().count() > of_the_object::<C>();
     solved.zip(history).map(move |((((local, site), state), force), (drive, memory))| SolvedContact {
         local,
         frame: &site.frame,
@@ -125,7 +130,6 @@ fn solved_sites<'s, D: Size, const C: usize>(
         drive: *drive,
         memory: *memory,
         moved: site.map.tr_mul(&found.twist),
-        moved_with_joints: any.then(|| site.map.tr_mul(&joints)),
     })
 }
 
@@ -141,8 +145,6 @@ struct SolvedContact<'s, const C: usize> {
     memory: SVector<f64, C>,
     /// Motion of the body's core past that of the finger, as far as joints move it.
     moved: SVector<f64, C>,
-    /// The finger's part in it, which counts against it.
-    moved_with_joints: Option<SVector<f64, C>>,
 }
 
 impl<const C: usize> SolvedContact<'_, C> {
@@ -164,7 +166,12 @@ impl<const C: usize> SolvedContact<'_, C> {
         }
     }
 
-    fn answer(&self, contact: &Contact<C>, index: usize) -> ContactAnswer<C> {
+    /// With the finger's part in its motion, which counts against it.
+    fn answer(
+        &self,
+        (contact, index): (&Contact<C>, usize),
+        moved_with_joints: Option<SVector<f64, C>>,
+    ) -> ContactAnswer<C> {
         let (force, frame) = (self.force, self.frame);
         let (state, slip) = self.state();
         let margin = match state {
@@ -175,7 +182,7 @@ impl<const C: usize> SolvedContact<'_, C> {
         let mut commanded = self.drive + self.memory;
         commanded[0] += contact.clearance;
         let mut body_core = self.moved;
-        if let Some(joints) = self.moved_with_joints {
+        if let Some(joints) = moved_with_joints {
             commanded -= joints;
             body_core -= joints;
         }

@@ -75,6 +75,10 @@ pub struct Contact<const C: usize> {
     pub(crate) hold: Hold,
     /// Which point of a soft fingertip it is, from 0.
     pub(crate) point_of_pad: Option<usize>,
+    /// Of several bodies the one that the normal points into.
+    pub(crate) on: Option<Arc<str>>,
+    /// Of several bodies the one on the other side.
+    pub(crate) against: Option<Arc<str>>,
 }
 
 impl<const C: usize> Contact<C> {
@@ -97,7 +101,24 @@ impl<const C: usize> Contact<C> {
             clearance: 0.0,
             hold: Hold::Unilateral,
             point_of_pad: None,
+            on: None,
+            against: None,
         }
+    }
+
+    /// Of [several bodies](super::Bodies) the one that the normal points into, and that forces and displacements of the contact are told of.
+    #[must_use]
+    pub fn on(mut self, body: impl Into<String>) -> Self {
+        self.on = Some(body.into().into());
+        self
+    }
+
+    /// Of [several bodies](super::Bodies) the one on the other side, in place of the ground or a finger. The body stiffness of a contact is that of the body
+    /// that it is [on](Self::on), the finger stiffness that of this one.
+    #[must_use]
+    pub fn against(mut self, body: impl Into<String>) -> Self {
+        self.against = Some(body.into().into());
+        self
     }
 
     /// A vacuum that pulls the object onto the contact with this force, N, from 0: against the normal, whatever object and finger do.

@@ -2,12 +2,15 @@
 
 use nalgebra::{SMatrix, SVector};
 
+use super::bodies::{PlacedBodies, refuse_sides};
 use super::contact::Contact;
 use super::hand::{Drive, HandPart, Linkage};
 use super::remembered::Remembered;
 use super::rotation::{assert_plane_or_space, of_the_object};
 use super::site::Site;
 use super::vacuum::Vacuum;
+#[cfg(feature = "serde")]
+use super::wrench::Wrench;
 use crate::error::{Error, Field, LARGEST, MODERATE, is_moderate};
 use crate::numerics::{Fixed, Size, cleared_for};
 
@@ -36,16 +39,19 @@ impl<const D: usize, const C: usize> Engine<Fixed<D>, C> {
     /// [`Grasp::new`](crate::ask::Grasp::new).
     pub(crate) fn new(contacts: Vec<Contact<C>>) -> Result<Self, Error> {
         const { assert_plane_or_space::<D, C>() };
-        Self::of(Fixed, contacts)
+        refuse_sides(&contacts)?;
+        Self::of(Fixed, contacts, |_| true)
     }
 }
 
 impl<D: Size, const C: usize> Engine<D, C> {
     /// A grasp by contacts that joints move, in so many coordinates.
     pub(super) fn by_hand(size: D, contacts: Vec<Contact<C>>, linkage: Linkage<D, C>) -> Result<Self, Error> {
-        let mut grasp = Self::of(size, contacts)?;
-        for (site, motions) in grasp.sites.iter_mut().zip(&linkage.motions) {
-            site.move_with(motions, &linkage.lengths);
+        let on_object =
+            |i: usize| linkage.bodies.as_ref().map_or(1.0, |bodies| bodies.sign(i, bodies.object));
+        let mut grasp = Self::of(size, contacts, |i| on_object(i) != 0.0)?;
+        for (i, (site, motions)) in grasp.sites.iter_mut().zip(&linkage.motions).enumerate() {
+            site.move_with(motions, &linkage.lengths, on_object(i));
         }
         grasp.sites.extend(linkage.drives.iter().map(|drive| drive.site(size)));
         grasp.linkage = Some(Box::new(linkage));
@@ -60,7 +66,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         stiffer: impl Fn(usize) -> f64,
     ) -> Result<Self, Error> {
         match &self.linkage {
-            None => Self::of(self.size, contacts),
+            None => Self::of(self.size, contacts, |_| true),
             Some(linkage) => {
                 let mut linkage = linkage.stiffened(stiffer);
                 linkage.press_instead(&self.contacts, &contacts);
@@ -69,11 +75,22 @@ impl<D: Size, const C: usize> Engine<D, C> {
         }
     }
 
-    /// Whether some drive pushes at rest, or a force is held, or a vacuum pulls.
+    /// These bodies with other loads on them.
+    pub(super) fn with_bodies(&self, bodies: PlacedBodies<C>) -> Self {
+        let mut grasp = self.clone();
+        if let Some(linkage) = &mut grasp.linkage {
+            linkage.bodies = Some(Box::new(bodies));
+        }
+        grasp
+    }
+
+    /// Whether some drive pushes at rest, or a force is held, or a vacuum pulls, or a body has a weight.
     #[cfg(feature = "serde")]
     pub(crate) fn presses(&self) -> bool {
         let by_force = self.linkage().is_some_and(|linkage| linkage.held.iter().any(|force| *force != 0.0));
-        by_force || self.vacuum().is_some() || self.drives().iter().any(|drive| drive[0] > 0.0)
+        let by_load =
+            self.bodies().is_some_and(|bodies| bodies.loads.iter().any(|load| *load != Wrench::ZERO));
+        by_force || by_load || self.vacuum().is_some() || self.drives().iter().any(|drive| drive[0] > 0.0)
     }
 
     /// [`Grasp::links`](crate::ask::Grasp::links).
@@ -86,7 +103,8 @@ impl<D: Size, const C: usize> Engine<D, C> {
         self.linkage().map_or(&[], |linkage| &linkage.centres)
     }
 
-    fn of(size: D, contacts: Vec<Contact<C>>) -> Result<Self, Error> {
+    /// A grasp by contacts, about the middle of those that are meant.
+    fn of(size: D, contacts: Vec<Contact<C>>, is_meant: impl Fn(usize) -> bool) -> Result<Self, Error> {
         if contacts.is_empty() {
             return Err(Error::EmptyGrasp);
         }
@@ -94,9 +112,10 @@ impl<D: Size, const C: usize> Engine<D, C> {
             contact.check(index)?;
         }
         let contacts: Vec<_> = contacts.into_iter().map(Contact::resolved).collect();
-        let count = contacts.len() as f64;
-        let origin = contacts.iter().fold(SVector::zeros(), |sum, c| sum + c.point / count);
-        let spread = contacts.iter().map(|c| (c.point - origin).norm_squared() / count).sum::<f64>().sqrt();
+        let meant = || contacts.iter().enumerate().filter(|(i, _)| is_meant(*i)).map(|(_, contact)| contact);
+        let count = meant().count().max(1) as f64;
+        let origin = meant().fold(SVector::zeros(), |sum, c| sum + c.point / count);
+        let spread = meant().map(|c| (c.point - origin).norm_squared() / count).sum::<f64>().sqrt();
         // A single point has no size of its own; then any unit of length does.
         let length = if spread * LARGEST > 1.0 { spread } else { 1.0 };
         let site = |(index, contact)| Site::new(size, (contact, index), (&origin, length));

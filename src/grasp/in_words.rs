@@ -3,9 +3,12 @@
 use nalgebra::SVector;
 
 use super::axis::Rotation;
+use super::bodies::BodyMotion;
 use super::motion::Motion;
+use super::rotation::displacement_of;
 use super::wrench::{Twist, Wrench};
-use crate::words::Words;
+use crate::numerics::Fixed;
+use crate::words::{Words, listed, printable};
 
 /// Turning that shifts points by less than this part of what all of them move by is told beside that; else the object turns about an axis.
 const SEEN: f64 = 0.05;
@@ -41,11 +44,27 @@ impl Words {
     /// the other way round where it hardly turns.
     #[must_use]
     pub fn motion<const C: usize>(self, twist: &Twist<C>, moved: &[SVector<f64, C>]) -> String {
+        if moved.is_empty() {
+            return self.moved(twist, None);
+        }
+        let mean = moved.iter().sum::<SVector<f64, C>>() / moved.len() as f64;
+        self.moved(twist, Some((mean, moved.iter().map(|u| (u - mean).norm()).fold(0.0, f64::max))))
+    }
+
+    /// [`Self::motion`] of one of several bodies, with its name.
+    #[must_use]
+    pub fn body_motion<const C: usize>(self, motion: &BodyMotion<C>) -> String {
+        let (_, omega) = motion.twist.parts();
+        let middle = displacement_of::<Fixed<6>, C>(&motion.centre, &motion.twist.coordinates());
+        let told = self.moved(&motion.twist, Some((middle, omega.size() * motion.reach)));
+        format!("{} {told}", printable(&motion.body))
+    }
+
+    /// With what points move by in the mean, and how far they are from that, where that is known.
+    fn moved<const C: usize>(self, twist: &Twist<C>, points: Option<(SVector<f64, C>, f64)>) -> String {
         let (along, omega) = twist.parts();
-        let mean = moved.iter().sum::<SVector<f64, C>>() / moved.len().max(1) as f64;
-        let mean = if moved.is_empty() { along } else { mean };
-        let spread = moved.iter().map(|u| (u - mean).norm()).fold(0.0, f64::max);
-        let turns = omega.size() > 0.0 && (moved.is_empty() || spread > NOWHERE.max(ROUNDING * mean.norm()));
+        let (mean, spread) = points.unwrap_or((along, 0.0));
+        let turns = omega.size() > 0.0 && (points.is_none() || spread > NOWHERE.max(ROUNDING * mean.norm()));
         let moves = |by: &SVector<f64, C>| {
             if by.norm() <= NOWHERE {
                 return "stays where it is".to_owned();
@@ -55,7 +74,7 @@ impl Words {
         if !turns {
             return moves(&mean);
         }
-        let seen = if moved.is_empty() { along.norm() <= omega.size() } else { spread > SEEN * mean.norm() };
+        let seen = if points.is_none() { along.norm() <= omega.size() } else { spread > SEEN * mean.norm() };
         if !seen {
             return format!("{}, turns {}", moves(&mean), self.about(&omega));
         }
@@ -73,8 +92,31 @@ impl Words {
     /// A motion of which only the direction is meant: "turning about +z through (0, 0.03, 0) m".
     #[must_use]
     pub fn direction_of<const C: usize>(self, motion: &Motion<C>) -> String {
-        let (along, omega) = motion.object.parts();
-        let object = if omega.size() <= ROUNDING * along.norm() {
+        if !motion.bodies.is_empty() {
+            return self.directions_of(&motion.bodies);
+        }
+        let object = self.direction(&motion.object);
+        let moves = motion.joints.iter().any(|x| *x != 0.0);
+        if moves {
+            format!("{object}, with joints by {} rad or m", self.numbers(&motion.joints))
+        } else {
+            object
+        }
+    }
+
+    /// Of several bodies those that move: "wedge moving along −x, block moving along +y".
+    fn directions_of<const C: usize>(self, bodies: &[BodyMotion<C>]) -> String {
+        let fastest = bodies.iter().map(BodyMotion::speed).fold(0.0, f64::max);
+        let moves = bodies.iter().filter(|motion| motion.speed() > SEEN * fastest);
+        let told =
+            |motion: &BodyMotion<C>| format!("{} {}", printable(&motion.body), self.direction(&motion.twist));
+        let told: Vec<_> = moves.map(told).collect();
+        if told.is_empty() { "moving nothing but the hand".to_owned() } else { listed(&told) }
+    }
+
+    fn direction<const C: usize>(self, twist: &Twist<C>) -> String {
+        let (along, omega) = twist.parts();
+        if omega.size() <= ROUNDING * along.norm() {
             if along.norm() > 0.0 {
                 format!("moving along {}", self.along(&along.normalize()))
             } else {
@@ -95,12 +137,6 @@ impl Words {
                 let a_degree = self.length(pitch.norm() / omega.size().to_degrees());
                 format!("{turning} and moving {a_degree} along {} a degree", self.along(&pitch.normalize()))
             }
-        };
-        let moves = motion.joints.iter().any(|x| *x != 0.0);
-        if moves {
-            format!("{object}, with joints by {} rad or m", self.numbers(&motion.joints))
-        } else {
-            object
         }
     }
 

@@ -6,6 +6,7 @@
 
 use crate::numerics::{Size, Vector};
 
+use super::bodies::PlacedBodies;
 use super::engine::Engine;
 use super::motion::Motion;
 use super::rotation::{moved_twist, moved_wrench, of_the_object, planes};
@@ -22,6 +23,14 @@ impl<D: Size, const C: usize> Engine<D, C> {
 
     /// A wrench that was checked before, moved to the centroid and to the inside unit of length.
     pub(crate) fn inside_unchecked(&self, wrench: &Wrench<C>) -> Vector<D> {
+        match self.bodies() {
+            Some(bodies) if bodies.is_shared() => self.put_on_each(bodies, &bodies.shared(wrench)),
+            _ => self.on_object(wrench),
+        }
+    }
+
+    /// A wrench on the body in the coordinates of the object.
+    pub(crate) fn on_object(&self, wrench: &Wrench<C>) -> Vector<D> {
         self.per_length(moved_wrench::<D, C>(&-self.origin, &wrench.coordinates()))
     }
 
@@ -29,6 +38,9 @@ impl<D: Size, const C: usize> Engine<D, C> {
     pub(crate) fn inside_rest(&self, wrench: &Wrench<C>) -> Vector<D> {
         let (w, inside) = (wrench.coordinates::<D>(), self.inside_unchecked(wrench));
         let mut rest = Vector::zeros();
+        if self.bodies().is_some_and(PlacedBodies::is_shared) {
+            return rest;
+        }
         for (k, &(i, j)) in planes::<C>().iter().enumerate() {
             let mut moment = DoubleDouble::new(w[C + k]);
             moment.add_product(-self.origin[i], w[j]);
@@ -46,7 +58,14 @@ impl<D: Size, const C: usize> Engine<D, C> {
 
     /// A wrench as the user sees it, from inside coordinates.
     pub(crate) fn wrench_outside(&self, w: &Vector<D>) -> Wrench<C> {
-        Wrench::among(&moved_wrench::<D, C>(&self.origin, &self.times_length(w.clone())))
+        let outside = self.times_length(w.clone());
+        let on_object = Wrench::among(&moved_wrench::<D, C>(&self.origin, &outside));
+        match self.bodies() {
+            Some(bodies) if bodies.is_shared() => {
+                bodies.others(&outside).fold(on_object, |sum, other| sum + other)
+            }
+            _ => on_object,
+        }
     }
 
     /// All coordinates of a motion inside, from those that the user sees.
@@ -64,7 +83,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let outside = self.outside_coordinates(q);
         let joints = self.linkage().map_or(0, |linkage| linkage.joints.len());
         let joints = (0..joints).map(|joint| outside[of_the_object::<C>() + joint]).collect();
-        Motion { object: Twist::among(&outside), joints }
+        Motion { object: Twist::among(&outside), joints, bodies: self.body_motions(&outside) }
     }
 
     /// All coordinates as the user sees them, those of drives that saturate behind the joints.

@@ -25,6 +25,7 @@
 //! `collision-contacts` in the repository takes contacts from parry and shows all of it.
 
 mod axis;
+mod bodies;
 mod commands;
 mod contact;
 mod contact_springs;
@@ -51,6 +52,7 @@ mod well_posed;
 mod whole_contact;
 mod wrench;
 
+pub use bodies::{Bodies, Body, BodyMotion};
 #[cfg(feature = "serde")]
 pub(crate) use commands::Axes;
 pub use contact::{Contact, Hold};

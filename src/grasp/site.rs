@@ -88,9 +88,21 @@ impl<D: Size, const C: usize> Site<D, C> {
         }
     }
 
-    /// Lets joints move the contact: columns of its Jacobian along the coordinate axes, and the lengths that measure joint displacements.
-    pub(super) fn move_with(&mut self, motions: &[(usize, SVector<f64, C>)], lengths: &Vector<D>) {
+    /// Lets joints move the contact: columns of its Jacobian along the coordinate axes, and the lengths that measure joint displacements. Its force acts on
+    /// the object with this sign, or not at all.
+    pub(super) fn move_with(
+        &mut self,
+        motions: &[(usize, SVector<f64, C>)],
+        lengths: &Vector<D>,
+        on_object: f64,
+    ) {
         let object = of_the_object::<C>();
+        if on_object != 1.0 {
+            for (k, a) in (0..object).flat_map(|k| (0..C).map(move |a| (k, a))) {
+                self.map[(k, a)] *= on_object;
+                self.map_rest[(k, a)] *= on_object;
+            }
+        }
         for (coordinate, motion) in motions {
             let k = object + coordinate;
             for a in 0..C {

@@ -1,9 +1,11 @@
 //! A load is put on from rest, and followed until it is lost.
 
+use nalgebra::SVector;
+
 use crate::contact::{Polygon, WEIGHTLESS};
 use crate::equilibrium::{ContactState, Equilibrium, Outcome};
 use crate::error::{Error, is_moderate};
-use crate::grasp::{Coordinates, Engine, WholeContact, WholeContacts};
+use crate::grasp::{Coordinates, Engine, WholeContact, WholeContacts, Wrench};
 use crate::load_path::{Change, ContactChange, Departure, Event, Leg, Loss, LossKind, Onset, PathEnd, Ramp};
 use crate::numerics::Size;
 use crate::object::Load;
@@ -45,7 +47,11 @@ impl<D: Size, const C: usize> Engine<D, C> {
             (None, Some(PathEnd::Lost(_))) => Holding::Lost,
             (None, Some(PathEnd::NoStart(start))) => match &**start {
                 Outcome::NoEquilibrium(none) => Holding::NoRest(none.clone()),
-                Outcome::Undecided(undecided) => Holding::Undecided { doubt: undecided.doubt },
+                Outcome::Undecided(undecided) => self
+                    .lost_at_rest(&ramp.base, settings)
+                    .map_or(Holding::Undecided { doubt: undecided.doubt }, |lost| Holding::LostAtRest {
+                        lost,
+                    }),
                 Outcome::Equilibrium(_) => Holding::Undecided { doubt: Doubt::Inaccurate },
             },
             (None, Some(PathEnd::Undecided { doubt, .. })) => Holding::Undecided { doubt: *doubt },
@@ -61,6 +67,22 @@ impl<D: Size, const C: usize> Engine<D, C> {
         });
         let state = state.map(Box::new);
         Ok(Verdict { base: ramp.base, load: ramp.direction, holding, first_slip, held_to, lost, state })
+    }
+
+    /// Where the load at rest is lost as it is put on from nothing, and the commands with it.
+    fn lost_at_rest(&self, base: &Wrench<C>, settings: &Settings) -> Option<Box<Lost<C>>> {
+        let growing = self.growing_from_nothing(base);
+        let direction = if growing.is_some() { Wrench::from_components(&[1.0]) } else { *base };
+        let commands: Vec<_> = self.contacts().iter().map(|contact| contact.command).collect();
+        let none = vec![SVector::zeros(); self.len()];
+        let grasp = growing.as_ref().unwrap_or(self).with_commands(&none).ok()?;
+        let leg = Leg::along(&Ramp::load(Wrench::ZERO, direction).with_commands(commands));
+        let mut path = grasp.follow(&Wrench::ZERO, &[leg], settings).ok()?;
+        path.run();
+        let loss = path.end().and_then(PathEnd::loss)?;
+        let lost = grasp.lost(path.place().1, loss, path.state());
+        // Its load is told in the terms of the loads that grew.
+        Some(Box::new(Lost { state: None, ..lost }))
     }
 
     /// Whether something slides under all of the load, or has slid on the way. The slips there do not tell: a contact that was open has one, too.
@@ -169,7 +191,9 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let virtually = [loss.virtual_motion().map(Coordinates::to::<D>), Some(load)];
         let radii = virtually.into_iter().flatten().filter_map(|v| nothing_near(&problem, &at, &v));
         let radius = radii.max_by(f64::total_cmp)?;
-        Some(NothingNear { translation: radius, rotation: radius / self.length() })
+        let lengths = self.bodies().into_iter().flat_map(|bodies| self.rotation_lengths(bodies));
+        let longest = lengths.fold(self.length(), f64::max);
+        Some(NothingNear { translation: radius, rotation: radius / longest })
     }
 }
 

@@ -42,7 +42,7 @@ impl<const C: usize> Verdict<C> {
     pub fn holds(&self) -> Option<bool> {
         match self.holding {
             Holding::Sticks | Holding::Slides { .. } => Some(true),
-            Holding::Loose | Holding::Lost | Holding::NoRest(_) => Some(false),
+            Holding::Loose | Holding::Lost | Holding::NoRest(_) | Holding::LostAtRest { .. } => Some(false),
             Holding::Undecided { .. } => None,
         }
     }
@@ -77,6 +77,11 @@ pub enum Holding<const C: usize> {
     Lost,
     /// The grasp does not even hold the base load.
     NoRest(NoEquilibrium<C>),
+    /// What is there at rest is lost before all of it is on: followed from nothing, where no proof for all of it was found.
+    LostAtRest {
+        /// How, as multiples of what is there at rest.
+        lost: Box<Lost<C>>,
+    },
     /// The path could not be followed that far.
     Undecided {
         /// Why.

@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use crate::grasp::{Contact, Hold, Motion, Twist, WholeContact, WholeContacts, displacement_of};
+use crate::grasp::{BodyMotion, Contact, Hold, Motion, Twist, WholeContact, WholeContacts, displacement_of};
 use crate::numerics::Fixed;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
@@ -54,6 +54,11 @@ pub enum WayOut<const C: usize> {
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         axis: SVector<f64, C>,
     },
+    /// Several bodies move.
+    Apart {
+        /// Those that do, each with its own way.
+        bodies: Vec<BodyWay<C>>,
+    },
     /// The lips of suction cups are open all around: their vacuum is gone.
     LetsGo {
         /// The cups.
@@ -63,6 +68,53 @@ pub enum WayOut<const C: usize> {
     NotKnown,
 }
 
+/// One of several bodies, and how it moves.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub struct BodyWay<const C: usize> {
+    /// Its name.
+    pub body: String,
+    /// Unit direction in which it moves; `None` if it turns.
+    #[cfg_attr(
+        feature = "serde",
+        serde(
+            default,
+            with = "AsComputed::<Option<SVector<f64, C>>>",
+            skip_serializing_if = "Option::is_none"
+        )
+    )]
+    pub direction: Option<SVector<f64, C>>,
+    /// A point that it turns about, in space one of the axis, m; `None` if it moves without turning to speak of.
+    #[cfg_attr(
+        feature = "serde",
+        serde(
+            default,
+            with = "AsComputed::<Option<SVector<f64, C>>>",
+            skip_serializing_if = "Option::is_none"
+        )
+    )]
+    pub centre: Option<SVector<f64, C>>,
+    /// Unit vector along the axis; zero in the plane, and where it does not turn.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
+    pub axis: SVector<f64, C>,
+}
+
+impl<const C: usize> BodyWay<C> {
+    /// With what its contacts move by.
+    fn of(motion: &BodyMotion<C>) -> Self {
+        let (_, omega) = motion.twist.parts();
+        let middle = displacement_of::<Fixed<6>, C>(&motion.centre, &motion.twist.coordinates());
+        let body = motion.body.to_string();
+        if omega.size() * motion.reach <= STAYS * middle.norm() {
+            return Self { body, direction: middle.try_normalize(0.0), centre: None, axis: SVector::zeros() };
+        }
+        let centre = motion.centre + omega.way_to_axis(&middle);
+        Self { body, direction: None, centre: Some(centre), axis: omega.axis() }
+    }
+}
+
 /// How the object leaves with a motion, seen from the contacts that touch.
 pub(super) fn way_out<const C: usize>(
     contacts: &[Contact<C>],
@@ -70,6 +122,11 @@ pub(super) fn way_out<const C: usize>(
     touches: impl Fn(usize) -> bool,
 ) -> WayOut<C> {
     let Some(motion) = motion else { return WayOut::NotKnown };
+    if !motion.bodies.is_empty() {
+        let fastest = motion.bodies.iter().map(BodyMotion::speed).fold(0.0, f64::max);
+        let moves = motion.bodies.iter().filter(|body| body.speed() > STAYS * fastest);
+        return WayOut::Apart { bodies: moves.map(BodyWay::of).collect() };
+    }
     let twist = motion.object.coordinates::<Fixed<6>>();
     let velocity = |point: &SVector<f64, C>| displacement_of::<Fixed<6>, C>(point, &twist);
     let parts = WholeContacts::of(contacts);

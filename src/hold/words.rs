@@ -1,9 +1,12 @@
 //! A verdict in a sentence, as one would say it to a colleague.
 
+use std::borrow::Cow;
 use std::fmt;
 
+use nalgebra::SVector;
+
 use super::verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
-use super::way_out::WayOut;
+use super::way_out::{BodyWay, WayOut};
 use crate::grasp::{WholeContact, Wrench, vacuum_is_gone};
 use crate::words::{TOO_FAR, Words, listed, printable};
 
@@ -52,6 +55,13 @@ impl<const C: usize> fmt::Display for Verdict<C> {
                 None => f.write_str("LOST"),
             },
             Holding::NoRest(none) => write!(f, "DOES NOT HOLD even at rest: {none:.digits$}"),
+            Holding::LostAtRest { lost } => {
+                let factor = words.number(lost.factor);
+                write!(
+                    f,
+                    "DOES NOT HOLD even at rest: of the load there {factor} is held, then {lost:.digits$}"
+                )
+            }
             Holding::Undecided { doubt } => {
                 write!(f, "UNDECIDED beyond {}: {doubt}", self.part(self.held_to, words))
             }
@@ -147,13 +157,14 @@ impl fmt::Display for FirstSlip {
 
 impl<const C: usize> Lost<C> {
     fn verb(&self) -> &'static str {
-        match self.way_out {
+        match &self.way_out {
             WayOut::LiftsOff { .. } => "LIFTS OFF",
             WayOut::SlidesOut { .. } => "SLIPS OUT",
             WayOut::TipsOver { .. } => "TIPS OVER",
             WayOut::TurnsAbout { .. } | WayOut::Turns { .. } => "TURNS OUT",
             WayOut::LetsGo { .. } => "LETS GO",
-            WayOut::NotKnown => "GIVES WAY",
+            WayOut::Apart { bodies } if bodies.iter().all(|body| body.centre.is_none()) => "SLIPS OUT",
+            WayOut::Apart { .. } | WayOut::NotKnown => "GIVES WAY",
         }
     }
 }
@@ -164,7 +175,8 @@ impl<const C: usize> fmt::Display for Lost<C> {
         let digits = Words::of(f).digits();
         write!(f, "{:.digits$}", self.way_out)?;
         if !self.slide.is_empty() {
-            write!(f, ", {}", does(&self.slide, "slides", "slide"))?;
+            let apart = if matches!(self.way_out, WayOut::Apart { .. }) { ";" } else { "," };
+            write!(f, "{apart} {}", does(&self.slide, "slides", "slide"))?;
         }
         if self.is_gross_slip {
             f.write_str(" (gross slip)")?;
@@ -215,7 +227,41 @@ impl<const C: usize> fmt::Display for WayOut<C> {
                 write!(f, "{} m", words.numbers(centre.as_slice()))
             }
             Self::LetsGo { cups } => f.write_str(&vacuum_is_gone(cups)),
+            Self::Apart { bodies } => f.write_str(&told_together(bodies, words)),
             Self::NotKnown => f.write_str("nothing holds on"),
+        }
+    }
+}
+
+/// Bodies that go the same way together: "wedge moves along −x, block and lid turn about (0.1, 0) m".
+fn told_together<const C: usize>(bodies: &[BodyWay<C>], words: Words) -> String {
+    let mut ways: Vec<(String, Vec<Cow<'_, str>>)> = Vec::new();
+    for body in bodies {
+        let (way, name) = (body.way(words), printable(&body.body));
+        match ways.iter_mut().find(|(other, _)| *other == way) {
+            Some((_, names)) => names.push(name),
+            None => ways.push((way, vec![name])),
+        }
+    }
+    let told = |(way, names): &(String, Vec<Cow<'_, str>>)| {
+        let (verb, rest) = way.split_once(' ').unwrap_or((way, ""));
+        let ending = if names.len() == 1 { "s" } else { "" };
+        format!("{} {verb}{ending} {rest}", listed(names))
+    };
+    listed(&ways.iter().map(told).collect::<Vec<_>>())
+}
+
+impl<const C: usize> BodyWay<C> {
+    /// "move along −x", "turn about (0.1, 0) m".
+    fn way(&self, words: Words) -> String {
+        let through = |centre: &SVector<f64, C>| words.numbers(centre.as_slice());
+        match (&self.direction, &self.centre) {
+            (Some(direction), _) => format!("move along {}", words.along(direction)),
+            (None, Some(centre)) if C == 3 => {
+                format!("turn about {} through {} m", words.along(&self.axis), through(centre))
+            }
+            (None, Some(centre)) => format!("turn about {} m", through(centre)),
+            (None, None) => "move somewhere".to_owned(),
         }
     }
 }

@@ -105,7 +105,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let local = Local::new(self, equilibrium)?;
         let (twist, mut forces) = local.derivative(by)?;
         forces.truncate(self.len());
-        let Motion { object: twist, joints } = self.motion_outside(&twist);
+        let Motion { object: twist, joints, .. } = self.motion_outside(&twist);
         Some(Derivative { twist, joints, forces })
     }
 }

@@ -30,6 +30,9 @@ impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Self::load_alone`] of a wrench that was checked before.
     pub(crate) fn load_unchecked(&self, load: &Wrench<C>) -> Vector<D> {
         let mut inside = self.inside_unchecked(load);
+        if let Some(bodies) = self.bodies() {
+            inside += self.put_on_each(bodies, &bodies.loads);
+        }
         if let Some(vacuum) = self.vacuum() {
             inside += &vacuum.inside;
         }

@@ -196,6 +196,7 @@ fn held_briefly<const C: usize>(verdict: &Verdict<C>) -> Brief {
         Holding::Loose => "loose",
         Holding::Lost => "lost",
         Holding::NoRest(_) => "no_rest",
+        Holding::LostAtRest { .. } => "lost_at_rest",
         Holding::Undecided { .. } => "undecided",
     };
     let first = verdict.first_slip.as_ref();

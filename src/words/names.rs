@@ -21,11 +21,19 @@ fn is_control(c: char) -> bool {
     c.is_control() || directs || matches!(c, '\u{2028}' | '\u{2029}' | '\u{feff}' | '\u{fffe}' | '\u{ffff}')
 }
 
-/// Names in a row: "left, right and thumb".
+/// So many names are read; of more, the first ones and how many there are besides.
+const MOST_NAMES: usize = 8;
+const FIRST_NAMES: usize = 6;
+
+/// Names in a row: "left, right and thumb"; of many, "a, b, c, d, e, f and 7 more".
 pub(crate) fn listed<T: fmt::Display>(names: &[T]) -> String {
     match names {
         [] => "nothing".to_owned(),
         [one] => one.to_string(),
+        many if many.len() > MOST_NAMES => {
+            let first: Vec<_> = many[..FIRST_NAMES].iter().map(ToString::to_string).collect();
+            format!("{} and {} more", first.join(", "), many.len() - FIRST_NAMES)
+        }
         [first @ .., last] => {
             let first: Vec<_> = first.iter().map(ToString::to_string).collect();
             format!("{} and {last}", first.join(", "))

@@ -29,7 +29,7 @@ pub(crate) fn table<const C: usize>(
     state.joints.iter().try_for_each(|joint| writeln!(out, "  {joint:.digits$}"))?;
     state.tendons.iter().try_for_each(|tendon| writeln!(out, "  {tendon:.digits$}"))?;
     let residual = Words::with_digits(1).number(state.residuals.worst());
-    writeln!(out, "  the object {}, residual {residual}", state.motion(style.words))?;
+    writeln!(out, "  {}, residual {residual}", state.told_motions(style.words).join("\n  "))?;
     let caution = state.caution().map(str::to_owned);
     state.vacuum_gone().into_iter().chain(caution).try_for_each(|note| writeln!(out, "  CAUTION: {note}"))
 }

@@ -9,7 +9,9 @@ use super::joint::{Joint, JointKind, Limit};
 use super::linkage::{Linkage, Named};
 use super::positive::squares;
 use crate::error::{Error, LARGEST, is_moderate};
+use crate::grasp::bodies::{PlacedBodies, refuse_sides};
 use crate::grasp::engine::Engine;
+use crate::grasp::rotation::of_the_object;
 use crate::numerics::{Any, Size, Vector};
 use crate::words::printable;
 
@@ -20,8 +22,9 @@ impl<const C: usize> Hand<C> {
     /// # Errors
     /// [`Error::EmptyGrasp`] without contacts; [`Error::Hand`] naming joint, tendon or finger, the field and what is
     /// allowed; [`Error::Contact`] as for [`Grasp::new`].
-    pub(crate) fn engine(self) -> Result<Engine<Any, C>, Error> {
-        let (most, used) = (Any::of(self.coordinates()), self.joints());
+    pub(crate) fn engine(self, mut bodies: Option<PlacedBodies<C>>) -> Result<Engine<Any, C>, Error> {
+        let others = bodies.as_ref().map_or(0, |bodies| bodies.names.len() - 1);
+        let (most, used) = (Any::of(self.coordinates() + others * of_the_object::<C>()), self.joints());
         let Self { fingers, tendons } = self;
         let joints: Vec<Joint<C>> = fingers.iter().flat_map(|finger| finger.joints.iter().cloned()).collect();
         let mut assembly = Assembly {
@@ -40,6 +43,11 @@ impl<const C: usize> Hand<C> {
             assembly.add_contacts(finger, number, first)?;
             first += finger.joints.len();
         }
+        if let Some(bodies) = &mut bodies {
+            assembly.add_bodies(bodies)?;
+        } else {
+            refuse_sides(&assembly.contacts)?;
+        }
         assembly.measure()?;
         assembly.add_joint_drives()?;
         let mut first = 0;
@@ -56,7 +64,7 @@ impl<const C: usize> Hand<C> {
         let pressed = assembly.pressed(&fingers)?;
         let commands = assembly.joints.iter().zip(pressed).map(|(joint, more)| joint.command + more);
         let commands = commands.chain(tendons.iter().map(|tendon| tendon.pull)).collect();
-        assembly.grasp(named_tendons, commands)
+        assembly.grasp(named_tendons, commands, bodies)
     }
 }
 
@@ -232,7 +240,12 @@ impl<const C: usize> Assembly<C> {
     }
 
     /// Puts the grasp together.
-    fn grasp(self, tendons: Vec<Named>, commands: Vec<f64>) -> Result<Engine<Any, C>, Error> {
+    fn grasp(
+        self,
+        tendons: Vec<Named>,
+        commands: Vec<f64>,
+        bodies: Option<PlacedBodies<C>>,
+    ) -> Result<Engine<Any, C>, Error> {
         let size = Any::of(Self::OBJECT + self.used);
         let name = |joint: &Joint<C>| Named {
             name: joint.name.clone(),
@@ -248,6 +261,7 @@ impl<const C: usize> Assembly<C> {
             drives: self.drives,
             held: self.held,
             pulled: Vector::zeros(),
+            bodies: bodies.map(Box::new),
             bones: self.bones,
             centres: self.joints.iter().map(|joint| joint.motion.centre()).collect(),
             commands,

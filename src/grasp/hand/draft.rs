@@ -12,19 +12,19 @@ use crate::numerics::{Any, Vector};
 use crate::words::printable;
 
 /// Motion of one contact with the coordinates beside those of the object, along the coordinate axes.
-pub(super) type Columns<const C: usize> = Vec<(usize, SVector<f64, C>)>;
+pub(in crate::grasp) type Columns<const C: usize> = Vec<(usize, SVector<f64, C>)>;
 
 /// A hand on its way to a grasp.
-pub(super) struct Assembly<const C: usize> {
-    pub(super) contacts: Vec<Contact<C>>,
-    pub(super) motions: Vec<Columns<C>>,
+pub(in crate::grasp) struct Assembly<const C: usize> {
+    pub(in crate::grasp) contacts: Vec<Contact<C>>,
+    pub(in crate::grasp) motions: Vec<Columns<C>>,
     /// Those of all fingers, then slides of contacts that are held by a force.
     pub(super) joints: Vec<Joint<C>>,
     /// Coordinates beside those of the object that are in use.
-    pub(super) used: usize,
-    pub(super) lengths: Vector<Any>,
+    pub(in crate::grasp) used: usize,
+    pub(in crate::grasp) lengths: Vector<Any>,
     pub(super) drives: Vec<Drive<Any>>,
-    pub(super) held: Vector<Any>,
+    pub(in crate::grasp) held: Vector<Any>,
     pub(super) bones: Vec<[SVector<f64, C>; 2]>,
     /// With which force each contact is told to press, along its normal and along the coordinate axes.
     pub(super) presses: Vec<(f64, SVector<f64, C>)>,

@@ -7,6 +7,7 @@ use nalgebra::SVector;
 
 use super::drive::{Drive, Owner};
 use super::joint::{JointKind, Limit};
+use crate::grasp::bodies::PlacedBodies;
 use crate::grasp::contact::Contact;
 use crate::grasp::rotation::of_the_object;
 use crate::numerics::{Size, Vector};
@@ -27,6 +28,8 @@ pub(crate) struct Linkage<D: Size, const C: usize> {
     pub(crate) held: Vector<D>,
     /// Torques on joints from outside.
     pub(crate) pulled: Vector<D>,
+    /// The bodies, if there are several.
+    pub(crate) bodies: Option<Box<PlacedBodies<C>>>,
     /// Links, from joint to joint and on to the contacts: only drawn.
     pub(crate) bones: Vec<[SVector<f64, C>; 2]>,
     /// Where the joints that turn are, those of the plane and the axes of space: only drawn.
@@ -128,7 +131,7 @@ impl<D: Size, const C: usize> Linkage<D, C> {
     /// With the forces that hold some contacts in place of those that held them before.
     pub(crate) fn press_instead(&mut self, before: &[Contact<C>], now: &[Contact<C>]) {
         for ((before, now), motions) in before.iter().zip(now).zip(&self.motions) {
-            if let (Some(before), Some(now), [(slide, _)]) = (before.force, now.force, &motions[..]) {
+            if let (Some(before), Some(now), Some((slide, _))) = (before.force, now.force, motions.first()) {
                 let k = of_the_object::<C>() + slide;
                 self.held[k] += (now - before) / self.lengths[k];
                 self.joints[*slide].held += now - before;

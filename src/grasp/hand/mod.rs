@@ -31,6 +31,7 @@ mod linkage;
 mod positive;
 mod tendon;
 
+pub(super) use draft::{Assembly, Columns};
 pub(crate) use drive::{Drive, Owner, Role};
 pub use finger::Finger;
 pub use hand_builder::Hand;

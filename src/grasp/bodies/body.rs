@@ -1,0 +1,77 @@
+//! One body of several.
+
+use std::sync::Arc;
+
+use nalgebra::SVector;
+
+use crate::grasp::rotation::displacement_of;
+use crate::grasp::wrench::{Twist, Wrench};
+use crate::numerics::Fixed;
+#[cfg(feature = "serde")]
+use crate::serial::AsComputed;
+
+/// A body: its name, and what acts on it beside the load of a question.
+///
+/// ```
+/// use grasp_lcp::planar::{Body, Wrench};
+///
+/// // A block of 12 kg, its centre of mass 0.1 m above the origin, that a cable pulls sideways with 5 N.
+/// let block = Body::new("block").mass(12.0, [0.0, 0.1]).load(Wrench::force([5.0, 0.0]));
+/// # let _ = block;
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Body<const C: usize> {
+    pub(super) name: Arc<str>,
+    pub(super) mass: f64,
+    pub(super) centre: SVector<f64, C>,
+    pub(super) load: Wrench<C>,
+}
+
+impl<const C: usize> Body<C> {
+    /// A body without mass and load.
+    pub fn new(name: impl Into<String>) -> Self {
+        Self { name: name.into().into(), mass: 0.0, centre: SVector::zeros(), load: Wrench::ZERO }
+    }
+
+    /// Its mass, kg, and centre of mass, m: what [gravity](super::Bodies::gravity) pulls at, and its share of a load that is
+    /// [shared by mass](super::Bodies::shared_by_mass).
+    #[must_use]
+    pub fn mass(mut self, mass: f64, centre: impl Into<[f64; C]>) -> Self {
+        (self.mass, self.centre) = (mass, SVector::from(centre.into()));
+        self
+    }
+
+    /// A load that is always there beside that of a question, N and N m about the origin of the scene.
+    #[must_use]
+    pub fn load(mut self, load: Wrench<C>) -> Self {
+        self.load = load;
+        self
+    }
+}
+
+/// How a body moves, to first order.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub struct BodyMotion<const C: usize> {
+    /// Its name.
+    pub body: Arc<str>,
+    /// Translation of its point at the origin of the scene (m), and rotation (rad).
+    pub twist: Twist<C>,
+    /// Middle of its contacts, m.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
+    pub centre: SVector<f64, C>,
+    /// Root mean square distance of its contacts from there, m.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
+    pub reach: f64,
+}
+
+impl<const C: usize> BodyMotion<C> {
+    /// What the fastest of its contacts moves by, or a little less.
+    pub(crate) fn speed(&self) -> f64 {
+        let (_, omega) = self.twist.parts();
+        let middle = displacement_of::<Fixed<6>, C>(&self.centre, &self.twist.coordinates());
+        middle.norm().max(omega.size() * self.reach)
+    }
+}

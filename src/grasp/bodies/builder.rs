@@ -1,0 +1,165 @@
+//! Several bodies, and what touches them.
+
+use std::sync::Arc;
+
+use nalgebra::SVector;
+
+use super::body::Body;
+use super::place::{PlacedBodies, Sharing};
+use crate::error::{Error, MODERATE, is_moderate};
+use crate::grasp::contact::Contact;
+use crate::grasp::hand::{Finger, Hand};
+use crate::grasp::rotation::wrench_of;
+use crate::grasp::wrench::Wrench;
+use crate::numerics::Fixed;
+
+/// Several bodies that touch each other, the ground and fingers; [`Bodies::grasp`] makes a grasp of them, which answers as any other.
+///
+/// A contact says which body its normal points into ([`Contact::on`]), and which body is on its other side ([`Contact::against`]); without that it is the
+/// ground, or a finger. A load of a question acts on one body, the first unless [said otherwise](Self::loaded), or on
+/// [all by their mass](Self::shared_by_mass).
+///
+/// ```
+/// use grasp_lcp::planar::{Bodies, Body, Contact, Wrench};
+///
+/// // A box of 10 N on a box of 20 N on a table, μ = 0.3 between them and 0.5 below. The lower one is pulled.
+/// let at = |x: f64, y: f64| Contact::new([x, y], [0.0, 1.0]).series_stiffness(1e5, 1e5);
+/// let boxes = Bodies::new([
+///     Body::new("lower").load(Wrench::force_at([0.0, -20.0], [0.0, 0.1])),
+///     Body::new("upper").load(Wrench::force_at([0.0, -10.0], [0.0, 0.3])),
+/// ])
+/// .contacts([-0.1, 0.1].map(|x| at(x, 0.0).on("lower").friction(0.5)))
+/// .contacts([-0.1, 0.1].map(|x| at(x, 0.2).on("upper").against("lower").friction(0.3)))
+/// .grasp()?;
+/// let verdict = boxes.hold(Wrench::force([20.0, 0.0]))?;
+/// // Both boxes go together: μ (10 + 20) N.
+/// assert!((verdict.lost.expect("slides").factor - 15.0 / 20.0).abs() < 1e-12);
+/// # Ok::<(), grasp_lcp::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bodies<const C: usize> {
+    list: Vec<Body<C>>,
+    hand: Hand<C>,
+    gravity: SVector<f64, C>,
+    loaded: Loaded,
+}
+
+/// What a load of a question acts on.
+#[derive(Debug, Clone, PartialEq)]
+enum Loaded {
+    First,
+    Body(Arc<str>),
+    ByMass,
+}
+
+impl<const C: usize> Bodies<C> {
+    /// These bodies; their names tell them apart.
+    pub fn new(bodies: impl IntoIterator<Item = Body<C>>) -> Self {
+        Self {
+            list: bodies.into_iter().collect(),
+            hand: Hand::new([]),
+            gravity: SVector::zeros(),
+            loaded: Loaded::First,
+        }
+    }
+
+    /// Contacts without joints behind them: with the ground, with fixed fingers, between bodies.
+    #[must_use]
+    pub fn contacts(mut self, contacts: impl IntoIterator<Item = Contact<C>>) -> Self {
+        self.hand = contacts.into_iter().map(Finger::fixed).fold(self.hand, Hand::finger);
+        self
+    }
+
+    /// The hand that holds them, with its tendons, in place of the contacts so far.
+    #[must_use]
+    pub fn held_by(mut self, hand: Hand<C>) -> Self {
+        self.hand = hand;
+        self
+    }
+
+    /// Gravity, m/s²: each body's weight acts at its centre of mass, beside the load of a question.
+    #[must_use]
+    pub fn gravity(mut self, gravity: impl Into<[f64; C]>) -> Self {
+        self.gravity = SVector::from(gravity.into());
+        self
+    }
+
+    /// Loads of a question act on this body.
+    #[must_use]
+    pub fn loaded(mut self, body: impl Into<String>) -> Self {
+        self.loaded = Loaded::Body(body.into().into());
+        self
+    }
+
+    /// Loads of a question act on all bodies, on each with the share of its mass: a force at their centres of mass, and what is left of the moment, too.
+    /// So weights grow and turn together.
+    #[must_use]
+    pub fn shared_by_mass(mut self) -> Self {
+        self.loaded = Loaded::ByMass;
+        self
+    }
+
+    /// The weight of all bodies under this gravity, m/s²: a load for questions that are [shared by mass](Self::shared_by_mass).
+    #[must_use]
+    pub fn weight(&self, gravity: impl Into<[f64; C]>) -> Wrench<C> {
+        let gravity = SVector::from(gravity.into());
+        self.list.iter().fold(Wrench::ZERO, |sum, body| sum + body.weight(&gravity))
+    }
+
+    /// The hand that holds them, and the bodies checked.
+    ///
+    /// # Errors
+    /// [`Error::Body`] naming the body, and what is wrong with it.
+    pub(crate) fn checked(self) -> Result<(Hand<C>, PlacedBodies<C>), Error> {
+        let Self { list: bodies, hand, gravity, loaded } = self;
+        let names: Vec<Arc<str>> = bodies.iter().map(|body| body.name.clone()).collect();
+        let refuse = |name: &Arc<str>, fault: String| Err(Error::Body { name: name.to_string(), fault });
+        if names.is_empty() {
+            return Err(Error::Body { name: String::new(), fault: "no body was given".to_owned() });
+        }
+        for (b, body) in bodies.iter().enumerate() {
+            if names[..b].contains(&body.name) {
+                return refuse(&body.name, "has the name of another body".to_owned());
+            }
+            if !(is_moderate(body.mass) && body.mass >= 0.0) {
+                return refuse(&body.name, format!("has mass {}, must be from 0 to 1e50", body.mass));
+            }
+            if let Some(x) = body.centre.iter().find(|x| !is_moderate(**x)) {
+                return refuse(&body.name, format!("has its centre of mass at {x}, must be {MODERATE}"));
+            }
+            body.load.check("load of a body")?;
+        }
+        if let Some(&value) = gravity.iter().find(|x| !is_moderate(**x)) {
+            return Err(Error::Argument { what: "gravity", value, allowed: MODERATE });
+        }
+        let object = match &loaded {
+            Loaded::First | Loaded::ByMass => 0,
+            Loaded::Body(name) => match names.iter().position(|other| other == name) {
+                Some(body) => body,
+                None => return refuse(name, format!("is to be loaded, and is none of {}", names.join(", "))),
+            },
+        };
+        let mass: f64 = bodies.iter().map(|body| body.mass).sum();
+        if loaded == Loaded::ByMass && mass == 0.0 {
+            return refuse(
+                &names[0],
+                "and all others have no mass by which a load could be shared".to_owned(),
+            );
+        }
+        let sharing = match loaded {
+            Loaded::ByMass => {
+                Sharing::ByParts(bodies.iter().map(|body| (body.mass / mass, body.centre)).collect())
+            }
+            Loaded::First | Loaded::Body(_) => Sharing::OnObject,
+        };
+        let loads = bodies.iter().map(|body| body.load + body.weight(&gravity)).collect();
+        Ok((hand, PlacedBodies::new(names, object, loads, sharing)))
+    }
+}
+
+impl<const C: usize> Body<C> {
+    /// Its weight under this gravity.
+    fn weight(&self, gravity: &SVector<f64, C>) -> Wrench<C> {
+        Wrench::among(&wrench_of::<Fixed<6>, C>(&self.centre, &(gravity * self.mass)))
+    }
+}

@@ -1,0 +1,82 @@
+//! Loads and motions of several bodies, in inside coordinates and as the user sees them.
+
+use super::body::BodyMotion;
+use super::place::{Place, PlacedBodies};
+use crate::grasp::engine::Engine;
+use crate::grasp::rotation::{moved_twist, moved_wrench, object_alone, of_the_object};
+use crate::grasp::wrench::{Twist, Wrench};
+use crate::numerics::{Fixed, Size, Vector};
+
+impl<D: Size, const C: usize> Engine<D, C> {
+    /// The bodies, if there are several.
+    pub(crate) fn bodies(&self) -> Option<&PlacedBodies<C>> {
+        self.linkage()?.bodies.as_deref()
+    }
+
+    /// The sign with which the force of a contact acts on the body in the coordinates of the object.
+    pub(crate) fn sign_on_object(&self, contact: usize) -> f64 {
+        self.bodies().map_or(1.0, |bodies| bodies.sign(contact, bodies.object))
+    }
+
+    /// A load on each body, in inside coordinates.
+    pub(crate) fn put_on_each(&self, bodies: &PlacedBodies<C>, loads: &[Wrench<C>]) -> Vector<D> {
+        let mut inside = Vector::zeros();
+        for (body, (place, load)) in bodies.places.iter().zip(loads).enumerate() {
+            if body == bodies.object {
+                inside += self.on_object(load);
+                continue;
+            }
+            let Some(linkage) = self.linkage() else { continue };
+            let about_centre = moved_wrench::<Fixed<6>, C>(&-place.centre, &load.coordinates());
+            for (k, x) in Wrench::<C>::among(&about_centre).components().iter().enumerate() {
+                inside[place.first + k] = x / linkage.lengths[place.first + k];
+            }
+        }
+        inside
+    }
+
+    /// These bodies under loads that grow from nothing: what is there beside the loads of questions, and this one, for each newton of a question's force along the first
+    /// axis.
+    pub(crate) fn growing_from_nothing(&self, base: &Wrench<C>) -> Option<Self> {
+        let bodies = self.bodies()?;
+        let shared = bodies.shared(base);
+        let loads = bodies.loads.iter().zip(shared).map(|(own, base)| *own + base).collect();
+        Some(self.with_bodies(bodies.growing_together(loads)))
+    }
+
+    /// How each body moves with these coordinates, as the user sees them.
+    pub(crate) fn body_motions(&self, outside: &Vector<D>) -> Vec<BodyMotion<C>> {
+        let Some(bodies) = self.bodies() else { return Vec::new() };
+        let of = |(body, place): (usize, &Place<C>)| {
+            let twist = if body == bodies.object {
+                Twist::among(outside)
+            } else {
+                let own = &outside.as_slice()[place.first..place.first + of_the_object::<C>()];
+                let about_centre = Twist::<C>::from_components(own).coordinates();
+                Twist::among(&moved_twist::<Fixed<6>, C>(&place.centre, &about_centre))
+            };
+            BodyMotion { body: bodies.names[body].clone(), twist, centre: place.centre, reach: place.reach }
+        };
+        bodies.places.iter().enumerate().map(of).collect()
+    }
+
+    /// The lengths that measure rotations of bodies behind the object.
+    pub(crate) fn rotation_lengths(&self, bodies: &PlacedBodies<C>) -> Vec<f64> {
+        let Some(linkage) = self.linkage() else { return Vec::new() };
+        let others = bodies.places.iter().enumerate().filter(|(body, _)| *body != bodies.object);
+        others
+            .flat_map(|(_, place)| (C..of_the_object::<C>()).map(|k| linkage.lengths[place.first + k]))
+            .collect()
+    }
+
+    /// The coordinates of the body that a contact's normal points into, zeros elsewhere.
+    pub(crate) fn body_alone(&self, contact: usize, coordinates: &Vector<D>) -> Vector<D> {
+        let Some(bodies) = self.bodies() else { return object_alone::<D, C>(coordinates) };
+        let Some((on, _)) = bodies.sides.get(contact) else { return coordinates.clone() };
+        let first = bodies.places[*on].first;
+        let mut alone = coordinates.clone();
+        let own = first..first + of_the_object::<C>();
+        alone.iter_mut().enumerate().filter(|(k, _)| !own.contains(k)).for_each(|(_, x)| *x = 0.0);
+        alone
+    }
+}

@@ -1,0 +1,216 @@
+//! Where each body has its coordinates, and which bodies each contact couples.
+
+use std::sync::Arc;
+
+use nalgebra::SVector;
+
+use crate::error::Error;
+use crate::grasp::contact::Contact;
+use crate::grasp::hand::Columns;
+use crate::grasp::rotation::{displacement_of, moved_wrench, of_the_object, wrench_of};
+use crate::grasp::wrench::Wrench;
+use crate::numerics::{Fixed, Size, Vector};
+use crate::words::printable;
+
+/// The coordinates of a body.
+#[derive(Debug, Clone)]
+pub(crate) struct Place<const C: usize> {
+    /// The first of them; zero for the body in the coordinates of the object.
+    pub(crate) first: usize,
+    /// Middle of its contacts, which its rotation is about.
+    pub(crate) centre: SVector<f64, C>,
+    /// Root mean square distance of its contacts from there.
+    pub(crate) reach: f64,
+}
+
+/// How a load of a question is shared among bodies.
+#[derive(Debug, Clone)]
+pub(super) enum Sharing<const C: usize> {
+    /// One body has all of it.
+    OnObject,
+    /// Of each body its part, and where its part of the force acts.
+    ByParts(Vec<(f64, SVector<f64, C>)>),
+    /// These loads, for each newton along the first axis.
+    Together(Vec<Wrench<C>>),
+}
+
+/// Several bodies as the engine knows them.
+#[derive(Debug, Clone)]
+pub(crate) struct PlacedBodies<const C: usize> {
+    pub(crate) names: Vec<Arc<str>>,
+    /// The body in the coordinates of the object.
+    pub(crate) object: usize,
+    /// What acts on each body beside the loads of questions.
+    pub(crate) loads: Vec<Wrench<C>>,
+    pub(super) sharing: Sharing<C>,
+    pub(crate) places: Vec<Place<C>>,
+    /// Of each contact the body that its normal points into, and the one on the other side.
+    pub(crate) sides: Vec<(usize, Option<usize>)>,
+}
+
+impl<const C: usize> PlacedBodies<C> {
+    pub(super) fn new(
+        names: Vec<Arc<str>>,
+        object: usize,
+        loads: Vec<Wrench<C>>,
+        sharing: Sharing<C>,
+    ) -> Self {
+        Self { names, object, loads, sharing, places: Vec::new(), sides: Vec::new() }
+    }
+
+    /// Gives every body its coordinates, from `first` on, and returns those behind them.
+    ///
+    /// # Errors
+    /// [`Error::Body`] if a contact names a body that is not there, or both its sides are one body.
+    pub(crate) fn place(&mut self, contacts: &[Contact<C>], first: usize) -> Result<usize, Error> {
+        let sides = contacts.iter().enumerate().map(|(i, contact)| self.sides_of(contact, i));
+        self.sides = sides.collect::<Result<_, _>>()?;
+        let mut next = first;
+        for body in 0..self.names.len() {
+            let points = || {
+                let touches = |(i, _): &(usize, &Contact<C>)| self.touches(*i, body);
+                contacts.iter().enumerate().filter(touches).map(|(_, contact)| contact.point)
+            };
+            let count = points().count().max(1) as f64;
+            let centre = points().fold(SVector::zeros(), |sum, point| sum + point / count);
+            let reach = points().map(|point| (point - centre).norm_squared() / count).sum::<f64>().sqrt();
+            let is_object = body == self.object;
+            self.places.push(Place { first: if is_object { 0 } else { next }, centre, reach });
+            next += if is_object { 0 } else { of_the_object::<C>() };
+        }
+        Ok(next)
+    }
+
+    fn sides_of(&self, contact: &Contact<C>, index: usize) -> Result<(usize, Option<usize>), Error> {
+        let refuse = |name: &str, fault: String| Error::Body { name: name.to_owned(), fault };
+        let find = |name: &Arc<str>| {
+            self.names.iter().position(|other| other == name).ok_or_else(|| {
+                let names: Vec<_> = self.names.iter().map(|name| printable(name)).collect();
+                let of = contact.label(index);
+                refuse(name, format!("is named by contact {of}, and is none of {}", names.join(", ")))
+            })
+        };
+        let on = match &contact.on {
+            Some(name) => find(name)?,
+            None if self.names.len() == 1 => 0,
+            None => {
+                let fault = format!(
+                    "may be what contact {} is on, or another one: it must be said",
+                    contact.label(index)
+                );
+                return Err(refuse(&self.names[0], fault));
+            }
+        };
+        let against = contact.against.as_ref().map(find).transpose()?;
+        if against == Some(on) {
+            let fault = format!("is on both sides of contact {}", contact.label(index));
+            return Err(refuse(&self.names[on], fault));
+        }
+        Ok((on, against))
+    }
+
+    /// Whether a contact is one of a body.
+    pub(crate) fn touches(&self, contact: usize, body: usize) -> bool {
+        self.sign(contact, body) != 0.0
+    }
+
+    /// The sign with which the force of a contact acts on a body.
+    pub(crate) fn sign(&self, contact: usize, body: usize) -> f64 {
+        match self.sides[contact] {
+            (on, _) if on == body => 1.0,
+            (_, Some(against)) if against == body => -1.0,
+            _ => 0.0,
+        }
+    }
+
+    /// What a contact's finger moves by past its body, for one unit of each coordinate of the bodies that are not in those of the object; coordinates are counted
+    /// from the first behind the object.
+    pub(crate) fn columns(&self, contact: usize, point: &SVector<f64, C>) -> Columns<C> {
+        let object = of_the_object::<C>();
+        let mut columns = Columns::new();
+        for (body, place) in self.places.iter().enumerate() {
+            let sign = -self.sign(contact, body);
+            if sign == 0.0 || body == self.object {
+                continue;
+            }
+            let arm = point - place.centre;
+            for k in 0..object {
+                let mut unit = Vector::<Fixed<6>>::zeros();
+                unit[k] = sign;
+                columns.push((place.first - object + k, displacement_of::<Fixed<6>, C>(&arm, &unit)));
+            }
+        }
+        columns
+    }
+
+    /// What a load of a question puts on each body.
+    pub(crate) fn shared(&self, load: &Wrench<C>) -> Vec<Wrench<C>> {
+        let list = match &self.sharing {
+            Sharing::OnObject => {
+                let on = |body: usize| if body == self.object { *load } else { Wrench::ZERO };
+                return (0..self.names.len()).map(on).collect();
+            }
+            Sharing::Together(loads) => {
+                return loads.iter().map(|of| *of * load.components()[0]).collect();
+            }
+            Sharing::ByParts(list) => list,
+        };
+        // Each has its part of the force at its own centre, and its part of the moment that is then left.
+        let force = load.force_part();
+        let at_centres: Vec<_> =
+            list.iter().map(|(part, centre)| Wrench::force_through(centre, &(force * *part))).collect();
+        let left = at_centres.iter().fold(*load, |left, wrench| left - *wrench).moment_part();
+        at_centres.iter().zip(list).map(|(wrench, (part, _))| *wrench + left * *part).collect()
+    }
+
+    /// The wrenches on all bodies but the one in the coordinates of the object, about the origin.
+    pub(crate) fn others<'a, D: Size>(
+        &'a self,
+        outside: &'a Vector<D>,
+    ) -> impl Iterator<Item = Wrench<C>> + 'a {
+        self.places.iter().enumerate().filter(|(body, _)| *body != self.object).map(|(_, place)| {
+            let own = &outside.as_slice()[place.first..place.first + of_the_object::<C>()];
+            let about_centre = Wrench::<C>::from_components(own).coordinates();
+            Wrench::among(&moved_wrench::<Fixed<6>, C>(&place.centre, &about_centre))
+        })
+    }
+
+    /// Whether loads are shared among the bodies.
+    pub(crate) fn is_shared(&self) -> bool {
+        !matches!(self.sharing, Sharing::OnObject)
+    }
+
+    /// With these loads growing together, and nothing beside them.
+    pub(super) fn growing_together(&self, loads: Vec<Wrench<C>>) -> Self {
+        let none = vec![Wrench::ZERO; loads.len()];
+        Self { loads: none, sharing: Sharing::Together(loads), ..self.clone() }
+    }
+}
+
+impl<const C: usize> Wrench<C> {
+    fn force_part(&self) -> SVector<f64, C> {
+        SVector::from_column_slice(&self.components()[..C])
+    }
+
+    fn moment_part(&self) -> Self {
+        let mut components = self.components().to_vec();
+        components[..C].fill(0.0);
+        Self::from_components(&components)
+    }
+
+    /// A force through a point.
+    pub(super) fn force_through(point: &SVector<f64, C>, force: &SVector<f64, C>) -> Self {
+        Self::among(&wrench_of::<Fixed<6>, C>(point, force))
+    }
+}
+
+/// Without several bodies no contact may name one.
+pub(crate) fn refuse_sides<const C: usize>(contacts: &[Contact<C>]) -> Result<(), Error> {
+    for (i, contact) in contacts.iter().enumerate() {
+        if let Some(name) = contact.on.as_ref().or(contact.against.as_ref()) {
+            let fault = format!("is named by contact {}, and the scene has no bodies", contact.label(i));
+            return Err(Error::Body { name: name.to_string(), fault });
+        }
+    }
+    Ok(())
+}

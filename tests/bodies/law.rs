@@ -1,0 +1,93 @@
+//! Every equilibrium of several bodies satisfies balance of each body and the law of each contact.
+
+use grasp_lcp::ask::Grasp;
+use grasp_lcp::equilibrium::Outcome;
+use grasp_lcp::grasp::Wrench;
+use nalgebra::SVector;
+use proptest::prelude::*;
+
+use super::stacks::{Stack, stack};
+
+/// Solved, held and followed; how much of it could be told.
+fn satisfies<const D: usize, const C: usize>(
+    stack: &Stack<D, C>,
+    loaded: usize,
+) -> Result<(), TestCaseError> {
+    let grasp = stack.grasp(loaded);
+    let mut push = SVector::<f64, D>::zeros();
+    (push[0], push[C - 1]) = (1.5, -1.0);
+    let load = Wrench::from_components(push.as_slice());
+    // Piles of many bodies that do not rest may have no proof of it; what becomes of them is followed below.
+    if let Outcome::Equilibrium(state) = grasp.solve(&load).expect("well posed") {
+        let violation = stack.violation(&state, loaded, &push);
+        prop_assert!(violation < 1e-11, "solve: {violation:e}");
+    }
+    Ok((grasp, push))
+}
+
+/// Held, too, as far as it goes; it is always told what becomes of the load.
+fn satisfies<const D: usize, const C: usize>(
+    stack: &Stack<D, C>,
+    loaded: usize,
+) -> Result<(), TestCaseError> {
+    let (grasp, push) = asked(stack, loaded)?;
+    let load = Wrench::from_components(push.as_slice());
+    let verdict = grasp.hold(load).expect("well posed");
+    prop_assert!(verdict.holds().is_some(), "{verdict}");
+    if let Some(lost) = &verdict.lost
+        && let Some(state) = &lost.state
+        && lost.factor > 0.0
+    {
+        prop_assert_eq!(state.bodies.len(), stack.loads.len());
+        // What slid on the way has a memory, so that balance and cones are judged alone.
+        let at = push * lost.factor;
+        let mut sums = stack.loads.clone();
+        sums[loaded] += at;
+        for (touch, told) in stack.touches.iter().zip(&state.contacts) {
+            let on_body =
+                support::scene::wrench::<D, C>(&touch.datum.point, &(touch.datum.frame() * told.force));
+            sums[touch.on] += on_body;
+            if let Some(against) = touch.against {
+                sums[against] -= on_body;
+            }
+        }
+        let size = state.contacts.iter().fold(at.norm(), |most, told| most.max(told.force.norm()));
+        for (body, sum) in sums.iter().enumerate() {
+            prop_assert!(
+                sum.norm() < 1e-10 * size * (1.0 + stack.loads.len() as f64),
+                "body {body}: {}",
+                sum.norm()
+            );
+        }
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+
+    #[test]
+    fn two_planar_bodies(stack in stack::<3, 2>(2), loaded in 0..2usize) {
+        satisfies(&stack, loaded)?;
+    }
+
+    #[test]
+    fn three_planar_bodies(stack in stack::<3, 2>(3), loaded in 0..3usize) {
+        satisfies(&stack, loaded)?;
+    }
+
+    #[test]
+    fn four_planar_bodies(stack in stack::<3, 2>(4), loaded in 0..4usize) {
+        satisfies(&stack, loaded)?;
+    }
+
+    #[test]
+    fn two_spatial_bodies(stack in stack::<6, 3>(2), loaded in 0..2usize) {
+        satisfies(&stack, loaded)?;
+    }
+
+    #[test]
+    fn four_spatial_bodies(stack in stack::<6, 3>(4), loaded in 0..4usize) {
+        asked(&stack, loaded)?;
+    }
+}
