@@ -15,9 +15,10 @@ use super::palette::{GREY, VERMILION};
 use super::planar_load::{LoadOnPaper, PlanarLoad};
 use super::planar_picture::PlanarPicture;
 use super::sheet::{Place, sheet};
-use super::way_out::MovedOutline;
+use super::way_out::MovedOutlines;
 use super::window::Window;
 use super::words::{lines, short};
+use crate::words::printable;
 
 const SIZE: Place = (860.0, 560.0);
 /// Without sentences below the title.
@@ -45,7 +46,7 @@ pub(super) struct Picture<'a> {
     actuators: Actuators<2>,
     tips: Vec<Tip>,
     load: Option<PlanarLoad>,
-    way_out: Option<MovedOutline>,
+    way_out: Option<MovedOutlines>,
     /// Size of the scene, m.
     span: f64,
     /// m per N.
@@ -63,9 +64,9 @@ struct Tip {
 
 impl<'a> Picture<'a> {
     pub(super) fn new(of: &'a PlanarPicture<'a>) -> Self {
-        let PlanarPicture { grasp, state, outline, .. } = of;
+        let PlanarPicture { grasp, state, outlines, .. } = of;
         let contacts = grasp.contacts();
-        let held = || contacts.iter().map(|contact| contact.point).chain(outline.iter().copied());
+        let held = || contacts.iter().map(|contact| contact.point).chain(outlines.iter().flatten().copied());
         let (low, high) = bounds(held());
         // A single contact has no size of its own.
         let size =
@@ -92,7 +93,7 @@ impl<'a> Picture<'a> {
         let scale = metres_per_newton(&pushes, size((low, high)), most);
         let points = contacts.iter().map(|contact| contact.point);
         let way_out =
-            of.leaving.and_then(|motion| MovedOutline::new(motion, outline, points, size((low, high))));
+            of.leaving.and_then(|motion| MovedOutlines::new(motion, outlines, points, size((low, high))));
         Self { of, actuators: Actuators::of(grasp), tips, load, way_out, span, scale }
     }
 
@@ -148,6 +149,13 @@ impl<'a> Picture<'a> {
                     _ => labels.write(paper, at, &[&tip.of.name], LETTERS),
                 }
             }
+            for body in self.of.state.iter().flat_map(|state| &state.bodies).zip(&self.of.outlines) {
+                let (motion, outline) = body;
+                if outline.len() > 2 {
+                    let middle = outline.iter().sum::<Vector2<f64>>() / outline.len() as f64;
+                    labels.write(paper, axes.place(middle), &[&printable(&motion.body)], LETTERS);
+                }
+            }
             if let Some(load) = &load {
                 load.write(paper, &mut labels, LETTERS);
             }
@@ -167,19 +175,28 @@ impl<'a> Picture<'a> {
 
     /// What has to be inside.
     fn points(&self) -> Vec<Vector2<f64>> {
-        let mut points: Vec<_> =
-            self.of.outline.iter().chain(self.of.grasp.links().iter().flatten()).copied().collect();
+        let mut points: Vec<_> = self
+            .of
+            .outlines
+            .iter()
+            .flatten()
+            .chain(self.of.grasp.links().iter().flatten())
+            .copied()
+            .collect();
         for tip in &self.tips {
             points.extend(self.finger(tip));
             if let Some(does) = &tip.does {
                 points.extend([does.at, does.at + does.force * self.scale]);
+                if self.of.grasp.contacts()[tip.of.contacts.start].against.is_some() {
+                    points.push(does.at - does.force * self.scale);
+                }
                 points.extend(self.cone(tip, does).into_iter().flatten());
             }
         }
         if let Some(load) = &self.load {
             points.extend([load.at, load.at + load.force * self.scale]);
         }
-        points.extend(self.way_out.iter().flat_map(MovedOutline::points));
+        points.extend(self.way_out.iter().flat_map(MovedOutlines::points));
         points
     }
 
@@ -197,8 +214,7 @@ impl<'a> Picture<'a> {
         for at in yielding.filter_map(|(_, at)| at) {
             painting.dot(flat(place(&at)), 8.0, VERMILION, false);
         }
-        let outline = &self.of.outline;
-        if outline.len() > 2 {
+        for outline in self.of.outlines.iter().filter(|outline| outline.len() > 2) {
             painting.area(outline.iter().map(place), GREY.mix(0.12), -3.0);
             for (k, corner) in outline.iter().enumerate() {
                 let next = &outline[(k + 1) % outline.len()];
@@ -209,7 +225,9 @@ impl<'a> Picture<'a> {
 
     fn paint_tip(&self, axes: &EqualScales, painting: &mut Painting, tip: &Tip) {
         let place = |point| axes.place(point);
-        painting.area(self.finger(tip).map(place), PALE.to_rgba(), -2.0);
+        if self.of.grasp.contacts()[tip.of.contacts.start].against.is_none() {
+            painting.area(self.finger(tip).map(place), PALE.to_rgba(), -2.0);
+        }
         let Some(does) = &tip.does else {
             painting.dot(flat(place(tip.middle)), 4.0, GREY, true);
             return;
@@ -222,6 +240,10 @@ impl<'a> Picture<'a> {
             }
         }
         painting.arrow([at, at + force * self.scale].map(|end| flat(place(end))), ink(what), 3.0, 1);
+        if self.of.grasp.contacts()[tip.of.contacts.start].against.is_some() {
+            // The body on the other side feels the opposite.
+            painting.arrow([at, at - force * self.scale].map(|end| flat(place(end))), ink(what), 1.5, 1);
+        }
         for i in tip.of.contacts.clone().filter(|_| tip.of.is_soft()) {
             let point = self.of.grasp.contacts()[i].point;
             let what = self.of.state.map_or("", |state| word(&state.contacts[i]));

@@ -42,7 +42,8 @@ pub struct PlanarPicture<'a> {
     pub(super) grasp: &'a Grasp,
     pub(super) title: &'a str,
     pub(super) says: Vec<&'a str>,
-    pub(super) outline: Vec<Vector2<f64>>,
+    /// Of the object, or of each of several bodies in their order.
+    pub(super) outlines: Vec<Vec<Vector2<f64>>>,
     pub(super) state: Option<&'a Equilibrium>,
     pub(super) load: Option<Wrench>,
     pub(super) leaving: Option<&'a Motion<2>>,
@@ -52,7 +53,7 @@ impl<'a> PlanarPicture<'a> {
     /// A picture of the grasp alone, with its title.
     #[must_use]
     pub fn new(grasp: &'a Grasp, title: &'a str) -> Self {
-        Self { grasp, title, says: Vec::new(), outline: Vec::new(), state: None, load: None, leaving: None }
+        Self { grasp, title, says: Vec::new(), outlines: Vec::new(), state: None, load: None, leaving: None }
     }
 
     /// Adds a sentence below the title, in as many lines as it takes.
@@ -64,8 +65,15 @@ impl<'a> PlanarPicture<'a> {
 
     /// Draws the object.
     #[must_use]
-    pub fn outline(mut self, corners: Outline) -> Self {
-        self.outline = corners.iter().map(|corner| Vector2::from(*corner)).collect();
+    pub fn outline(self, corners: Outline) -> Self {
+        self.outlines([corners])
+    }
+
+    /// Draws each of [several bodies](crate::grasp::Bodies), in their order; an empty list for one that is not drawn.
+    #[must_use]
+    pub fn outlines<'o>(mut self, outlines: impl IntoIterator<Item = Outline<'o>>) -> Self {
+        let points = |corners: Outline| corners.iter().map(|corner| Vector2::from(*corner)).collect();
+        self.outlines = outlines.into_iter().map(points).collect();
         self
     }
 
@@ -109,7 +117,7 @@ impl<'a> PlanarPicture<'a> {
                 "the equilibrium has {given} contacts, the grasp has {expected}"
             )));
         }
-        if !self.outline.iter().flatten().all(|x| x.is_finite()) {
+        if !self.outlines.iter().flatten().flatten().all(|x| x.is_finite()) {
             return Err(PictureError("a corner of the outline is not finite".into()));
         }
         Picture::new(self).draw()

@@ -1,45 +1,54 @@
 //! Where a planar object would be next on its way out.
 
+use std::ops::Range;
+
 use nalgebra::{Point2, Vector2};
 
 use super::painting::{Painting, flat};
 use super::palette::VERMILION;
 use super::sheet::Place;
 use crate::grasp::Motion;
+use crate::planar::Twist;
 
 /// Part of the size of the scene by which the fastest point is moved.
 const FAR: f64 = 0.13;
 /// Arrows at most.
 const ARROWS: usize = 6;
 
-/// Points, and where they would be next.
-pub(super) struct MovedOutline {
+/// Points of the object, or of several bodies, and where they would be next.
+pub(super) struct MovedOutlines {
     from: Vec<Vector2<f64>>,
     to: Vec<Vector2<f64>>,
-    /// The points are the corners of a closed line.
-    is_closed: bool,
+    /// Corners of closed lines among these points.
+    closed: Vec<Range<usize>>,
 }
 
-impl MovedOutline {
-    /// Of an outline, or else of contact points, in a scene of this size; none without a motion.
+impl MovedOutlines {
+    /// Of outlines, or else of contact points, in a scene of this size; none without a motion.
     pub(super) fn new(
         motion: &Motion<2>,
-        outline: &[Vector2<f64>],
+        outlines: &[Vec<Vector2<f64>>],
         contacts: impl Iterator<Item = Vector2<f64>>,
         size: f64,
     ) -> Option<Self> {
-        let is_closed = outline.len() > 2;
-        let from: Vec<_> = if is_closed { outline.to_vec() } else { contacts.collect() };
-        let speed = |p: &Vector2<f64>| Vector2::from(motion.object.displacement_at(*p)).norm();
-        let fastest = from.iter().map(speed).fold(0.0, f64::max);
+        let is_drawn = |outline: &&Vec<_>| outline.len() > 2;
+        let (mut points, mut closed) = (Vec::new(), Vec::new());
+        for (body, outline) in outlines.iter().enumerate().filter(|(_, outline)| is_drawn(outline)) {
+            closed.push(points.len()..points.len() + outline.len());
+            points.extend(outline.iter().map(|corner| (*corner, motion.of_body(body))));
+        }
+        if closed.is_empty() && motion.bodies.is_empty() {
+            points.extend(contacts.map(|point| (point, motion.of_body(0))));
+        }
+        let speed = |(p, twist): &(Vector2<f64>, &Twist)| Vector2::from(twist.displacement_at(*p)).norm();
+        let fastest = points.iter().map(speed).fold(0.0, f64::max);
         let time = FAR * size / fastest;
         if !(time.is_finite() && time > 0.0) {
             return None;
         }
-        let carried = (motion.object * time).exp();
-        let next = |p: &Vector2<f64>| (carried * Point2::from(*p)).coords;
-        let to = from.iter().map(next).collect();
-        Some(Self { from, to, is_closed })
+        let next = |(p, twist): &(Vector2<f64>, &Twist)| ((**twist * time).exp() * Point2::from(*p)).coords;
+        let to = points.iter().map(next).collect();
+        Some(Self { from: points.into_iter().map(|(point, _)| point).collect(), to, closed })
     }
 
     /// Places that have to be in the picture.
@@ -53,9 +62,9 @@ impl MovedOutline {
         painting: &mut Painting,
         place: impl Fn(Vector2<f64>) -> Place,
     ) -> Option<Place> {
-        if self.is_closed {
-            for (k, corner) in self.to.iter().enumerate() {
-                let next = self.to[(k + 1) % self.to.len()];
+        for corners in self.closed.iter().map(|range| &self.to[range.clone()]) {
+            for (k, corner) in corners.iter().enumerate() {
+                let next = corners[(k + 1) % corners.len()];
                 painting.dashed_line([place(*corner), place(next)], VERMILION, 1.5);
             }
         }
