@@ -6,7 +6,7 @@ use grasp_lcp::Error;
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::scene::Setup;
 
-/// What is kept of a grasp: its scene without questions, and the grasp itself unless joints hold it.
+/// What is kept of a grasp: its scene without questions, and the grasp itself unless joints hold it or bodies are several.
 pub(crate) struct Kept<const C: usize> {
     pub(crate) setup: Setup<C>,
     pub(crate) grasp: Option<Grasp<C>>,
@@ -14,7 +14,8 @@ pub(crate) struct Kept<const C: usize> {
 
 impl<const C: usize> Kept<C> {
     pub(crate) fn new(setup: Setup<C>) -> Result<Arc<Self>, Error> {
-        let grasp = if setup.is_held_by_a_hand() { None } else { Some(setup.grasp()?) };
+        let grasp =
+            if setup.is_held_by_a_hand() || !setup.bodies.is_empty() { None } else { Some(setup.grasp()?) };
         Ok(Arc::new(Self { setup, grasp }))
     }
 

@@ -15,6 +15,7 @@ pub struct Motion<const C: usize> {
     pub bodies: Vec<BodyMotion<C>>,
 }
 
+#[cfg(feature = "plot")]
 impl<const C: usize> Motion<C> {
     /// Of one of several bodies, or of the object where there is one.
     pub(crate) fn of_body(&self, body: usize) -> &Twist<C> {

@@ -8,6 +8,7 @@
 //! | Why are there several equilibria, and which one is real? | [`several_equilibria`] |
 //! | What does it mean that Lemke's method ended on a ray? | [`reading_a_ray`] |
 //! | Round cone or polygon, and how many facets? | [`choosing_facets`] |
+//! | How are wedges, vices, stacks and arches said, with more bodies than one? | [`several_bodies`] |
 //! | How is a suction cup said, and when does it let go? | [`suction_cups`] |
 //! | How are joints, tendons, stalled motors and held forces said, and what do they change? | [`hands`] |
 //!
@@ -17,6 +18,7 @@ pub mod choosing_facets;
 pub mod everyday;
 pub mod hands;
 pub mod reading_a_ray;
+pub mod several_bodies;
 pub mod several_equilibria;
 pub mod suction_cups;
 pub mod tour;

@@ -85,6 +85,7 @@ pub struct BodyWay<const C: usize> {
             skip_serializing_if = "Option::is_none"
         )
     )]
+    #[cfg_attr(feature = "schema", schemars(!default))]
     pub direction: Option<SVector<f64, C>>,
     /// A point that it turns about, in space one of the axis, m; `None` if it moves without turning to speak of.
     #[cfg_attr(
@@ -95,6 +96,7 @@ pub struct BodyWay<const C: usize> {
             skip_serializing_if = "Option::is_none"
         )
     )]
+    #[cfg_attr(feature = "schema", schemars(!default))]
     pub centre: Option<SVector<f64, C>>,
     /// Unit vector along the axis; zero in the plane, and where it does not turn.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]

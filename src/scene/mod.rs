@@ -25,6 +25,10 @@
 //! | `contacts` | a list of contacts whose fingers have no joints | none; an error if no finger has one either |
 //! | `fingers` | a list of fingers with joints, see below | none |
 //! | `tendons` | a list of tendons over their joints, see below | none |
+//! | `bodies` | a list of bodies where there are several, see below | one object |
+//! | `gravity` | acceleration on the masses of bodies, m/s², beside the loads of questions | none |
+//! | `loaded` | the name of the body that loads of questions act on | the first |
+//! | `shared_by_mass` | `true`: loads of questions act on all bodies, on each with the share of its mass | `false` |
 //! | `outline` | corners of the object in order, m, a closed line that may go over itself; only drawn | none |
 //! | `questions` | a list of questions | none |
 //! | `settings` | settings for all questions | [`Settings::default`](crate::Settings) |
@@ -35,6 +39,7 @@
 //! | field | value | unit | if left out |
 //! |---|---|---|---|
 //! | `name`, `comment` | texts | | none |
+//! | `on`, `against` | names of bodies: the one that the normal points into, and the one on the other side | | `on` must be said where there are bodies; the ground or a finger is `against` it |
 //! | `point` | where it touches | m | an error |
 //! | `normal` | direction into the object, of any length | | an error |
 //! | `tangent` | direction of the first tangent | | chosen from the normal |
@@ -57,6 +62,16 @@
 //! with sides along the first and the second tangent, in the plane `{"pair":
 //! {"width": …}}` or `{"pad": {"width": …, "strips": …, "pressure": …}}`. Lengths in m; the
 //! pressure is `"uniform"` (if left out), `"parabolic"` or `"hertz"`.
+//!
+//! A body (see [`Bodies`](crate::grasp::Bodies)):
+//!
+//! | field | value | unit | if left out |
+//! |---|---|---|---|
+//! | `name` | what contacts and answers call it | | an error |
+//! | `comment` | a text | | none |
+//! | `mass`, `centre_of_mass` | what `gravity` pulls at | kg, m | 0, the origin |
+//! | `load` | a wrench that is always there | N, N m | none |
+//! | `outline` | corners in order; only drawn | m | none |
 //!
 //! A finger (see [`FingerSetup`](crate::grasp::Finger) for signs):
 //!
@@ -269,6 +284,7 @@ mod schema;
 
 mod answer;
 mod asked;
+mod body;
 mod brief;
 mod carried;
 mod cup;
@@ -302,6 +318,7 @@ mod written;
 mod written_contact;
 
 pub use answer::Answer;
+pub use body::BodySetup;
 pub use brief::Brief;
 pub use cup::Cup;
 #[cfg(feature = "json")]

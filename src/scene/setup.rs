@@ -3,6 +3,7 @@
 use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
 
+use super::body::BodySetup;
 use super::finger::FingerSetup;
 use super::fingertip::Fingertip;
 use super::object;
@@ -10,7 +11,7 @@ use super::question::Question;
 use crate::ask::Grasp;
 use crate::equilibrium::Settings;
 use crate::error::{ContactLabel, Error};
-use crate::grasp::{self, Hand, Tendon};
+use crate::grasp::{self, Bodies, Hand, Tendon};
 use crate::serial::{AsComputed, AxisRow, Given};
 
 /// Contacts, questions and settings: `D` degrees of freedom of the object and `C` axes a contact, 3 and 2 in
@@ -50,6 +51,18 @@ pub struct Setup<const C: usize> {
     /// Tendons over the joints of all fingers.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub tendons: Vec<Tendon>,
+    /// Of several bodies, each; contacts then say which ones they touch. None where there is one object.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub bodies: Vec<BodySetup<C>>,
+    /// Gravity on bodies, m/s², beside the loads of questions.
+    #[serde(with = "AsComputed::<Option<SVector<f64, C>>>", skip_serializing_if = "Option::is_none")]
+    pub gravity: Option<SVector<f64, C>>,
+    /// The body that loads of questions act on; the first if it is not said.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub loaded: Option<String>,
+    /// Loads of questions act on all bodies, on each with the share of its mass.
+    #[serde(skip_serializing_if = "is_false")]
+    pub shared_by_mass: bool,
     /// Corners of the object in order, m. They are only drawn, by the caller.
     #[serde(with = "AsComputed::<Vec<SVector<f64, C>>>", skip_serializing_if = "Vec::is_empty")]
     pub outline: Vec<SVector<f64, C>>,
@@ -60,6 +73,11 @@ pub struct Setup<const C: usize> {
     /// ([`Grasp::onset`]).
     #[serde(skip_serializing_if = "is_default")]
     pub settings: Settings,
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes fields by reference")]
+fn is_false(said: &bool) -> bool {
+    !said
 }
 
 fn is_default(settings: &Settings) -> bool {
@@ -79,6 +97,18 @@ struct Written<const C: usize> {
     /// Tendons over the joints of all fingers.
     #[serde(default)]
     tendons: Vec<Tendon>,
+    /// Of several bodies, each.
+    #[serde(default)]
+    bodies: Vec<BodySetup<C>>,
+    /// Gravity on bodies, m/s².
+    #[serde(default)]
+    gravity: Option<AxisRow<Given, C>>,
+    /// The body that loads of questions act on; the first if left out.
+    #[serde(default)]
+    loaded: Option<String>,
+    /// Whether loads of questions act on all bodies, on each with the share of its mass.
+    #[serde(default)]
+    shared_by_mass: bool,
     /// Corners of the object in order, m; only drawn.
     #[serde(default)]
     outline: Vec<AxisRow<Given, C>>,
@@ -93,13 +123,24 @@ struct Written<const C: usize> {
 impl<'de, const C: usize> Deserialize<'de> for Setup<C> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
         object::read(deserializer, "a setup", |written: Written<C>| {
-            let Written { contacts, fingers, tendons, outline, questions, settings } = written;
-            let outline = outline.into_iter().map(|row| row.0).collect();
-            let setup = Self { contacts, fingers, tendons, outline, questions, settings };
+            let outline = written.outline.into_iter().map(|row| row.0).collect();
+            let setup = Self {
+                contacts: written.contacts,
+                fingers: written.fingers,
+                tendons: written.tendons,
+                bodies: written.bodies,
+                gravity: written.gravity.map(|row| row.0),
+                loaded: written.loaded,
+                shared_by_mass: written.shared_by_mass,
+                outline,
+                questions: written.questions,
+                settings: written.settings,
+            };
+            setup.check_bodies()?;
             if setup.entries().next().is_none() {
                 return Err(Error::EmptyGrasp.to_string());
             }
-            if setup.is_held_by_a_hand() {
+            if setup.is_held_by_a_hand() || !setup.bodies.is_empty() {
                 // Numbers of joints are judged together with what they move.
                 setup.grasp().map(drop).map_err(|error| error.to_string())?;
             }
@@ -126,6 +167,10 @@ impl<const C: usize> Setup<C> {
             contacts: contacts.into_iter().collect(),
             fingers: Vec::new(),
             tendons: Vec::new(),
+            bodies: Vec::new(),
+            gravity: None,
+            loaded: None,
+            shared_by_mass: false,
             outline: Vec::new(),
             questions: Vec::new(),
             settings: Settings::default(),
@@ -186,7 +231,9 @@ impl<const C: usize> Setup<C> {
     /// As for [`Grasp::new`], [`Hand::grasp`] and [`SoftFingertip`](crate::grasp::SoftFingertip), with the index
     /// that the contact has in the scene.
     pub fn grasp(&self) -> Result<Grasp<C>, Error> {
-        let grasp = if self.is_held_by_a_hand() {
+        let grasp = if !self.bodies.is_empty() {
+            self.several_bodies()?.grasp()
+        } else if self.is_held_by_a_hand() {
             self.hand()?.grasp()
         } else {
             let mut points = Vec::with_capacity(self.contacts.len());
@@ -213,6 +260,36 @@ impl<const C: usize> Setup<C> {
             first += finger.contacts.len();
         }
         Ok(self.tendons.iter().cloned().fold(Hand::new(fingers), Hand::tendon))
+    }
+
+    /// The bodies, and the hand that holds them.
+    fn several_bodies(&self) -> Result<Bodies<C>, Error> {
+        let mut bodies = Bodies::new(self.bodies.iter().map(BodySetup::body)).held_by(self.hand()?);
+        if let Some(gravity) = self.gravity {
+            bodies = bodies.gravity(gravity);
+        }
+        if let Some(loaded) = &self.loaded {
+            bodies = bodies.loaded(loaded);
+        }
+        Ok(if self.shared_by_mass { bodies.shared_by_mass() } else { bodies })
+    }
+
+    /// Refuses what is said of bodies where there are none, and two ways to share a load.
+    fn check_bodies(&self) -> Result<(), String> {
+        let said = [("gravity", self.gravity.is_some()), ("loaded", self.loaded.is_some())];
+        let mut said = said.into_iter().chain([("shared_by_mass", self.shared_by_mass)]);
+        if let Some((field, _)) = said.find(|(_, said)| *said && self.bodies.is_empty()) {
+            return Err(format!("{field}: of a scene with bodies alone"));
+        }
+        if self.shared_by_mass && self.loaded.is_some() {
+            return Err(
+                "loaded and shared_by_mass: loads act on one body or on all, give one of them".to_owned()
+            );
+        }
+        if !self.bodies.is_empty() && !self.outline.is_empty() {
+            return Err("outline: of several bodies each has its own".to_owned());
+        }
+        Ok(())
     }
 
     /// The index of a contact in a message is that of the scene, whatever number of points come before it.

@@ -6,6 +6,7 @@ use std::fmt;
 use nalgebra::SVector;
 use serde::Serialize;
 
+use super::fingertip::Fingertip;
 use super::question::Question;
 use super::setup::Setup;
 use super::written::{Scene, Space};
@@ -138,7 +139,7 @@ impl<const C: usize> Setup<C> {
         warnings.extend(self.stiffness_left_out()?);
         for (contact, entry) in self.entries().enumerate() {
             let (point, normal) = (entry.contact.point(), entry.contact.normal);
-            if points_out(&self.outline, &point, &normal) {
+            if points_out(self.outline_around(entry), &point, &normal) {
                 warnings.push(Warning::PointsOut { contact, name: entry.contact.label_text(contact) });
             }
         }
@@ -147,6 +148,12 @@ impl<const C: usize> Setup<C> {
 }
 
 impl<const C: usize> Setup<C> {
+    /// The outline of what a contact's normal points into.
+    fn outline_around(&self, entry: &Fingertip<C>) -> &[SVector<f64, C>] {
+        let Some(on) = &entry.contact.on else { return &self.outline };
+        self.bodies.iter().find(|body| body.name == *on).map_or(&[], |body| &body.outline)
+    }
+
     /// Contacts that press at rest with another force than they are pressed with.
     fn presses_otherwise(&self, grasp: &Grasp<C>) -> Result<Vec<Warning>, Error> {
         if self.entries().all(|entry| entry.contact.press.is_none()) {

@@ -27,6 +27,12 @@ struct Written<const C: usize> {
     /// For the reader of the file.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     comment: Option<String>,
+    /// Of several bodies the one that the normal points into.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    on: Option<Arc<str>>,
+    /// Of several bodies the one on the other side; the ground or a finger if left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    against: Option<Arc<str>>,
     /// Where it touches, m.
     #[serde(with = "AsGiven::<SVector<f64, C>>")]
     point: SVector<f64, C>,
@@ -110,6 +116,8 @@ impl<const C: usize> Serialize for Fingertip<C> {
         Written {
             name: contact.name.clone(),
             comment: self.comment.clone(),
+            on: contact.on.clone(),
+            against: contact.against.clone(),
             point: contact.point,
             normal: contact.normal,
             tangent: contact.tangent.map(AxisRow::new),
@@ -169,6 +177,7 @@ impl<const C: usize> Fingertip<C> {
     fn of_written(written: Written<C>, stiffness: Stiffness<C>) -> Result<Self, String> {
         let mut contact = Contact::new(written.point, written.normal);
         contact.name = written.name;
+        (contact.on, contact.against) = (written.on, written.against);
         contact.tangent = written.tangent.map(|row| row.0);
         contact.stiffness = stiffness;
         contact.friction = written.friction.map_or(0.0, |mu| mu.0);

@@ -8,11 +8,11 @@ use proptest::prelude::*;
 
 use super::stacks::{Stack, stack};
 
-/// Solved, held and followed; how much of it could be told.
-fn satisfies<const D: usize, const C: usize>(
+/// What a stack answers, and the load that was asked.
+fn asked<const D: usize, const C: usize>(
     stack: &Stack<D, C>,
     loaded: usize,
-) -> Result<(), TestCaseError> {
+) -> Result<(Grasp<C>, SVector<f64, D>), TestCaseError> {
     let grasp = stack.grasp(loaded);
     let mut push = SVector::<f64, D>::zeros();
     (push[0], push[C - 1]) = (1.5, -1.0);

@@ -93,7 +93,9 @@ impl<const D: usize, const C: usize> Stack<D, C> {
             }
         }
         // Arms are at most as long as the pile is high.
-        sums.iter().for_each(|sum| check(sum.norm(), force * (1.0 + self.loads.len() as f64)));
+        for sum in &sums {
+            check(sum.norm(), force * (1.0 + self.loads.len() as f64));
+        }
         worst
     }
 }

@@ -1,4 +1,4 @@
-//! The guide's twelve everyday questions are answered as it says, each on a scene of at most twelve lines.
+//! The guide's twelve everyday questions are answered as it says, each on a scene of at most twelve lines, and so are its questions to several bodies.
 
 use std::collections::HashSet;
 
@@ -6,13 +6,13 @@ use crate::{ROOT, dialogues, run, text};
 
 const SCENES: &str = "examples/scenes/everyday/";
 
-#[test]
-fn the_first_line_is_the_one_quoted() {
-    let page = std::fs::read_to_string(format!("{ROOT}/src/guide/everyday.rs")).expect("is there");
+/// The questions of a page and their scenes, all answered as quoted.
+fn answered(page: &str, folder: &str) -> (usize, usize) {
+    let page = std::fs::read_to_string(format!("{ROOT}/src/guide/{page}.rs")).expect("is there");
     let lines: Vec<_> = page.lines().map(|line| line.trim_start_matches("//!").trim_start()).collect();
     let page = lines.join("\n");
     let (mut scenes, mut wrong) = (HashSet::new(), Vec::new());
-    let dialogues = dialogues(&page, SCENES);
+    let dialogues = dialogues(&page, folder);
     for (arguments, told) in &dialogues {
         let output = run(&arguments.iter().map(String::as_str).collect::<Vec<_>>());
         assert!(
@@ -29,7 +29,13 @@ fn the_first_line_is_the_one_quoted() {
         scenes.insert(arguments[1].clone());
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
-    assert_eq!((dialogues.len(), scenes.len()), (12, 12));
+    (dialogues.len(), scenes.len())
+}
+
+#[test]
+fn the_first_line_is_the_one_quoted() {
+    assert_eq!(answered("everyday", SCENES), (12, 12));
+    assert_eq!(answered("several_bodies", "examples/scenes/bodies/"), (6, 6));
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! Scenes and pictures: what is read, what is written, what is drawn.
 
+mod bodies;
 mod carried;
 mod direction_pictures;
 mod format;

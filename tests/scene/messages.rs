@@ -134,12 +134,12 @@ fn what_is_missing_doubled_or_unknown_is_named() {
         (
             "\"friction\"",
             "\"fricton\"",
-            "unknown field `fricton` (`friction`?), must be one of `name`, `comment`, `point`, `normal`, `tangent`, `body_stiffness`, `finger_stiffness`, `series_stiffness`, `stiffness`, `friction`, `command`, `command_world`, `pressed_with`, `force`, `clearance`, `hold`, `soft`, `suction`, `moved_by`",
+            "unknown field `fricton` (`friction`?), must be one of `name`, `comment`, `on`, `against`, `point`, `normal`, `tangent`, `body_stiffness`, `finger_stiffness`, `series_stiffness`, `stiffness`, `friction`, `command`, `command_world`, `pressed_with`, `force`, `clearance`, `hold`, `soft`, `suction`, `moved_by`",
         ),
         (
             "\"settings\"",
             "\"setting\"",
-            "planar.setting: unknown field `setting` (`settings`?), must be one of `contacts`, `fingers`, `tendons`, `outline`, `questions`, `settings`",
+            "planar.setting: unknown field `setting` (`settings`?), must be one of `contacts`, `fingers`, `tendons`, `bodies`, `gravity`, `loaded`, `shared_by_mass`, `outline`, `questions`, `settings`",
         ),
         (
             "\"planar\"",

@@ -35,7 +35,7 @@ fn hold_and_need_obey_the_digits() {
         };
         assert!(held.says.starts_with(&format!("SLIPS OUT at {force}: ")), "{}", held.says);
         assert_eq!(held.says, format!("{:.digits$}", held.verdict));
-        let need = json!({ "need": { "quantity": "squeeze", "demand": "held", "load": { "force": [0, -9.123456789] } } });
+        let need = json!({ "need": { "quantity": "squeeze", "demand": "held", "load": { "force": [0, -9.123_456_789] } } });
         let Answer::Need(needed) = in_digits(need, digits) else { panic!("need was asked") };
         assert_eq!(needed.says, format!("{:.digits$}", needed.needed));
         // What happens with less is a sentence of the answer; it obeys, too.

@@ -3,6 +3,8 @@
 mod charts;
 mod shown;
 
+use grasp_lcp::grasp::Motion;
+use grasp_lcp::nalgebra::Vector2;
 use grasp_lcp::picture::{Chart, PlanarPicture, SpatialPage, View};
 use grasp_lcp::scene::{Scene, Setup, Space};
 
@@ -33,16 +35,23 @@ fn ending(number: usize) -> String {
 /// A picture for each question: of the equilibrium that answers it, or of the grasp alone.
 fn planar(setup: &Setup<2>, pictures: &Pictures<'_>) -> Result<(), Failure> {
     let (grasp, title) = (setup.grasp()?, pictures.title());
-    let outline: Vec<[f64; 2]> = setup.outline.iter().map(|corner| (*corner).into()).collect();
+    let corners = |outline: &Vec<Vector2<f64>>| outline.iter().map(|corner| (*corner).into()).collect();
+    let of_bodies = setup.bodies.iter().map(|body| &body.outline);
+    let outlines: Vec<Vec<[f64; 2]>> = if setup.bodies.is_empty() {
+        vec![corners(&setup.outline)]
+    } else {
+        of_bodies.map(corners).collect()
+    };
+    let outlines = || outlines.iter().map(Vec::as_slice);
     if setup.questions.is_empty() {
-        return pictures.save(".svg", &PlanarPicture::new(&grasp, &title).outline(&outline).to_svg()?);
+        return pictures.save(".svg", &PlanarPicture::new(&grasp, &title).outlines(outlines()).to_svg()?);
     }
     for (index, question) in setup.questions.iter().enumerate() {
         let Some(Shown { label, says, grasp: other, what }) = shown(setup, &grasp, question)?.key() else {
             continue;
         };
         let title = format!("{title}, question {}: {label}", index + 1);
-        let mut picture = PlanarPicture::new(other.as_ref().unwrap_or(&grasp), &title).outline(&outline);
+        let mut picture = PlanarPicture::new(other.as_ref().unwrap_or(&grasp), &title).outlines(outlines());
         for sentence in &says {
             picture = picture.says(sentence);
         }
@@ -65,6 +74,11 @@ fn spatial(setup: &Setup<3>, pictures: &Pictures<'_>) -> Result<(), Failure> {
     if !setup.outline.is_empty() {
         page = page.outline(setup.outline.iter().copied());
     }
+    // Each body goes its own way, which a page does not show: their outlines stay where they were.
+    for body in setup.bodies.iter().filter(|body| !body.outline.is_empty()) {
+        page = page.fixture(body.outline.iter().copied());
+    }
+    let goes = |leaving: Option<Motion<3>>| leaving.filter(|motion| motion.bodies.is_empty());
     let mut stills = Vec::new();
     for (index, question) in setup.questions.iter().enumerate() {
         let answers = shown(setup, &grasp, question)?;
@@ -74,7 +88,7 @@ fn spatial(setup: &Setup<3>, pictures: &Pictures<'_>) -> Result<(), Failure> {
             page = match what {
                 What::State { state, leaving } => {
                     let page = page.frame_of(label, other.as_ref().unwrap_or(&grasp), &state);
-                    page.maybe_leaving(leaving.as_ref())
+                    page.maybe_leaving(goes(leaving).as_ref())
                 }
                 What::Nothing { why, load } => {
                     let page = page.nothing(label, why);

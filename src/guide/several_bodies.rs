@@ -1,0 +1,85 @@
+//! Several bodies: wedges, vices, tongs, parts side by side, stacks on a tray, arches.
+//!
+//! A scene has a list of `bodies`, and each contact says which one its normal points into, `on`, and which one is on the other side, `against`; where that is left
+//! out it is the ground or a finger. Everything else is as with one object: the law of a contact, commands, hands, and all questions. A load of a question acts on
+//! the first body, or on the one that is `loaded`; with `shared_by_mass` it acts on all of them. What is always there, weights say, is the `load` of a body.
+//! The scenes are those of `examples/scenes/bodies`, and the commands are typed there.
+//!
+//! # What does it take to drive a wedge under a machine?
+//!
+//! ```text
+//! $ grasp-lcp hold wedge.json
+//! SLIPS OUT at 1902.12 N of 2000 N: machine moves along +y and wedge moves along −x; floor, incline and wall slide (gross slip). Nothing holds all of it within a kilometre of there
+//! ```
+//!
+//! `W tan(α + 2φ)` with W = 1800 N, α = 8° and tan φ = 0.35: at the limit forces are determined by friction alone, whatever the stiffness.
+//!
+//! # How hard may I pull at a part in a vice?
+//!
+//! ```text
+//! $ grasp-lcp hold vice.json
+//! HOLDS, everything sticks: 1.13398 times this load until the first slip (fixed jaw), 1.2 times until it is lost
+//! ```
+//!
+//! 300 N, twice 0.3 · 500 N. The moving jaw is a body of its own: it runs on its guide as the screw pushes it and turns a little under the pull, so that the jaws share
+//! the pull unevenly, and the fixed one slips first.
+//!
+//! # What do tongs carry?
+//!
+//! ```text
+//! $ grasp-lcp hold tongs.json
+//! SLIPS OUT at 47.8723 N of 60 N: bar moves along −y; left jaw and right jaw slide. Nothing holds all of it within a kilometre of there
+//! ```
+//!
+//! `2 μ P a / (b - μ c)`: the bar hangs on the jaws and so presses them together. A pin is a bonded contact.
+//!
+//! # Do three parts side by side stay in one gripper?
+//!
+//! ```text
+//! $ grasp-lcp hold row.json
+//! HOLDS, everything sticks: 4.72128 times this load until the first slip (joint a–b and joint b–c), 6.79579 times until it is lost
+//! ```
+//!
+//! Only the part in the middle hangs on the joints: 2 · 0.2 · 40 N carry 8.2 times its weight. The parts turn before that, and so it is less.
+//!
+//! # How far may a tray be tilted with a stack on it?
+//!
+//! ```text
+//! $ grasp-lcp need tray.json
+//! TAKES 21.8014° and it is not lost, 19.7989° if friction is 10 % less and the squeeze is 5 % less. With more: it is lost at 21.8014°
+//! ```
+//!
+//! All weights turn together. The stack slides on the tray at tan θ = 0.4, before its upper box slides or tips.
+//!
+//! # Does the arch stand, and with a load on one side?
+//!
+//! ```text
+//! $ grasp-lcp hold arch.json
+//! HOLDS, everything sticks: 1.95623 times this load until the first slip (right foot), 11.9657 times until it is lost
+//! ```
+//!
+//! Joints of masonry are two points each, which open where the thrust leaves the middle third; a hinge is a joint of which one point is open.
+//!
+//! # In Rust
+//!
+//! ```
+//! use grasp_lcp::planar::{Bodies, Body, Contact, Wrench};
+//!
+//! // Two boxes on each other, 20 N and 10 N; the lower one is pulled until it slides under both.
+//! let face = |y: f64, mu: f64| [-0.1, 0.1].map(|x| Contact::new([x, y], [0.0, 1.0]).series_stiffness(1e5, 1e5).friction(mu));
+//! let grasp = Bodies::new([
+//!     Body::new("lower").load(Wrench::force_at([0.0, -20.0], [0.0, 0.1])),
+//!     Body::new("upper").load(Wrench::force_at([0.0, -10.0], [0.0, 0.3])),
+//! ])
+//! .contacts(face(0.0, 0.5).map(|contact| contact.on("lower")))
+//! .contacts(face(0.2, 0.3).map(|contact| contact.on("upper").against("lower")))
+//! .grasp()?;
+//! let verdict = grasp.hold(Wrench::force([20.0, 0.0]))?;
+//! assert!(verdict.to_string().starts_with("SLIPS OUT at 15 N of 20 N: lower and upper move along +x"));
+//! # Ok::<(), grasp_lcp::Error>(())
+//! ```
+//!
+//! # What is not there yet
+//!
+//! Measures of a grasp (force closure, Ferrari and Canny's), the least squeeze over loads and screening are questions to one object. Hundreds of bodies are solved as a
+//! whole, without regard to which of them touch: some hundred contacts take a second. Pages of spatial scenes show bodies where they were.
