@@ -6,7 +6,7 @@ use super::islands::islands;
 use super::polygons::Polygons;
 use super::problem::FrictionProblem;
 use super::progress::Progress;
-use super::settings::Settings;
+use super::settings::{MOST_FACETS, Settings};
 use super::solution::Solution;
 use crate::lcp::{BreakdownCause, Certificate, Outcome};
 use nalgebra::DVector;
@@ -93,7 +93,8 @@ impl<const C: usize> FrictionProblem<C> {
             return solved
                 .map_or(Outcome::Breakdown { pivots: 0, cause: BreakdownCause::Overflow }, Outcome::Solved);
         }
-        let rows = self.len() * (2 + if C == 2 { 2 } else { settings.facets });
+        let facets = if C == 2 { 2 } else { settings.facets.clamp(3, MOST_FACETS) };
+        let rows = self.len() * (2 + facets);
         let mut polygons = Polygons::new(self, settings);
         let mut polygon = (rows <= FEW_ROWS).then(|| polygons.solve(settings.turns));
         let mut approach = Approach::new(self, blocks, settings, (names, watch));
