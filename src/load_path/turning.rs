@@ -259,7 +259,9 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         self.node.reach(&standing);
         // Where something else happens at the same place, that decides whether it sticks.
         if standing.is_empty() {
-            sticks.iter().for_each(|contact| self.node.stick(*contact));
+            for contact in sticks {
+                self.node.stick(contact);
+            }
         }
         self.at_node = leg_done || stops;
         // A maximum at the end of a leg is no end: the next one may go another way.

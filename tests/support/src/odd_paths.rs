@@ -190,9 +190,7 @@ fn pushed(random: &mut Random) -> Result<OddPath<3>, Error> {
     use spatial::{Contact, Grasp, Leg, Wrench};
     let friction = between(random, 0.2, 0.5);
     let foot = |[x, y]: [f64; 2]| {
-        Contact::new([x - 0.05, y - 0.05, 0.0], [0.0, 0.0, 1.0])
-            .series_stiffness(1e6, 1e5)
-            .friction(friction)
+        Contact::new([x - 0.05, y - 0.05, 0.0], [0.0, 0.0, 1.0]).series_stiffness(1e6, 1e5).friction(friction)
     };
     let feet = match random.index(0, 3) {
         0 => [[0.03, 0.03], [0.063_33, 0.043_33], [0.043_33, 0.063_33]],
