@@ -1,6 +1,7 @@
 //! Load programs, followed with the memory of slip.
 
 mod all_at_once;
+mod at_their_edges;
 mod budget;
 mod closed_forms;
 mod cut;
