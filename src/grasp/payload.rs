@@ -95,7 +95,7 @@ impl<const C: usize> Payload<C> {
             // The plane has one axis, about which nothing wobbles.
             None if *alpha == Vector3::zeros() && (C == 2 || *omega == Vector3::zeros()) => Vector3::zeros(),
             None => {
-                let fault = "is missing, must be given where the arm turns: about the centre of mass, kg m², 0 for a body that is small beside its arm";
+                let fault = "is missing, must be given where the arm turns: about the centre of mass, kg m², zero for a body that is small beside its arm";
                 return Err(Error::Question { question: "payload", field: "inertia", fault });
             }
         };

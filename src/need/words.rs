@@ -6,7 +6,7 @@ use super::answer::{Amount, Needed, Press, Quantity};
 use super::question::Demand;
 use crate::words::{TOO_FAR, Words, listed, printable};
 
-/// Forces this close are called one.
+/// Forces and amounts this close are called one.
 const ALIKE: f64 = 1e-6;
 /// More contacts are not told one by one.
 const MANY: usize = 9;
@@ -87,8 +87,12 @@ impl Needed {
                     _ => format!("{} times as much", words.number(safe / does)),
                 };
                 // What does need not be all that lies above or below: less may do where more does not.
-                let is_beyond = if self.quantity.is_least() { *safe < does } else { *safe > does };
-                let beside = if is_beyond { " (of itself: not all beyond it does)" } else { "" };
+                let past = if self.quantity.is_least() { does - safe } else { safe - does };
+                let beside = if past > ALIKE * does.abs() {
+                    " (by itself: not every amount beyond it does)"
+                } else {
+                    ""
+                };
                 write!(f, ", {much} if {}{beside}", listed(&less))
             }
             Some(Amount::None { .. }) => write!(f, ", and no amount does if {}", listed(&less)),

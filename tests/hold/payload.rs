@@ -107,7 +107,7 @@ fn inertia_is_asked_for_where_it_counts() -> Result<(), Error> {
     let refused = body.load(&turning).expect_err("it may wobble");
     assert_eq!(
         refused.to_string(),
-        "payload: inertia is missing, must be given where the arm turns: about the centre of mass, kg m², 0 for a body that is small beside its arm"
+        "payload: inertia is missing, must be given where the arm turns: about the centre of mass, kg m², zero for a body that is small beside its arm"
     );
     let small = body.inertia([0.0; 3]).load(&turning)?;
     assert_eq!(small.about([0.5, 0.0, 0.0]), spatial::Wrench::force([4.5, 0.0, -9.81]));

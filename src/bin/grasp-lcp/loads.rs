@@ -8,7 +8,7 @@ use crate::failure::Failure;
 
 /// Where the arm turns a body of which only the mass is known.
 const INERTIA_IS_MISSING: &str =
-    "--inertia is missing: about the centre of mass, kg m², 0 for a body that is small beside its arm";
+    "--inertia is missing: about the centre of mass, kg m², zero for a body that is small beside its arm";
 
 /// Where a force acts: the origin unless said otherwise.
 pub(crate) fn point<const C: usize>(at: Option<&Numbers>) -> Result<[f64; C], Failure> {
