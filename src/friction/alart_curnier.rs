@@ -12,8 +12,8 @@
 //! ζ = r − ρ u − δ (r − a), they are; with a moved to each answer and δ made smaller, the answers go to a solution (proximal points, R. T. Rockafellar,
 //! SIAM J. Control Optim. 14, 1976).
 
-use super::blocks::{Block, Blocks};
-use super::equations::{Equations, Place};
+use super::blocks::{Blocks, ContactBlock};
+use super::equations::{Equations, Linearisation};
 use super::law::tangent;
 use super::problem::{FrictionProblem, part};
 use nalgebra::{DVector, SMatrix, SVector};
@@ -85,9 +85,9 @@ impl<'a, const C: usize> Anchored<'a, C> {
 }
 
 impl<const C: usize> Equations<C> for Anchored<'_, C> {
-    fn at(&self, r: DVector<f64>) -> Place<C> {
+    fn at(&self, r: DVector<f64>) -> Linearisation<C> {
         let u = self.blocks.velocities(&r, &self.problem.q);
-        let mut place = Place::new(r);
+        let mut place = Linearisation::new(r);
         for (i, (rho, weight)) in self.rho.iter().zip(&self.weight).enumerate() {
             let (force, velocity) = (part::<C>(&place.r, i), part::<C>(&u, i) * *rho);
             let tried = force - velocity - (force - part::<C>(&self.anchor, i)) * self.delta;
@@ -95,7 +95,7 @@ impl<const C: usize> Equations<C> for Anchored<'_, C> {
             let missed = force - answer;
             place.size += missed.norm_squared() * weight;
             place.terms += (force.norm_squared() + velocity.norm_squared()) * weight;
-            place.push(missed, Block::identity() - change, change * *rho);
+            place.push(missed, ContactBlock::identity() - change, change * *rho);
         }
         (place.size, place.terms) = (place.size.sqrt(), place.terms.sqrt());
         place

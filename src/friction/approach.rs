@@ -11,7 +11,7 @@ use super::elimination;
 use super::equations::{Equations, Patience, descend, newton_step};
 use super::folds::around_folds;
 use super::problem::FrictionProblem;
-use super::progress::Progress;
+use super::progress::SolveProgress;
 use super::settings::Settings;
 use super::sweeps::sweep;
 use nalgebra::DVector;
@@ -44,7 +44,7 @@ const FINAL_SWEEPS: usize = 5;
 const SPARE: f64 = 0.01;
 
 /// Who watches, and may stop it.
-pub(super) type Watch<'a> = dyn FnMut(&Progress<'_>) -> ControlFlow<()> + 'a;
+pub(super) type Watcher<'a> = dyn FnMut(&SolveProgress<'_>) -> ControlFlow<()> + 'a;
 
 /// The way, and the best forces on it.
 pub(super) struct Approach<'a, 'w, const C: usize> {
@@ -53,7 +53,7 @@ pub(super) struct Approach<'a, 'w, const C: usize> {
     settings: &'a Settings,
     order: Vec<usize>,
     rho: Vec<f64>,
-    watch: &'a mut Watch<'w>,
+    watch: &'a mut Watcher<'w>,
     /// The contacts by the numbers that the caller knows.
     names: &'a [usize],
     pub(super) best: Best,
@@ -77,7 +77,7 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
         problem: &'a FrictionProblem<C>,
         blocks: &'a Blocks<C>,
         settings: &'a Settings,
-        (names, watch): (&'a [usize], &'a mut Watch<'w>),
+        (names, watch): (&'a [usize], &'a mut Watcher<'w>),
     ) -> Self {
         let r = DVector::zeros(problem.q.len());
         Self {
@@ -209,7 +209,7 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
         if residual < self.best.residual {
             (self.best.r, self.best.residual, self.best.worst) = (tidy, residual, worst);
         }
-        let told = Progress {
+        let told = SolveProgress {
             contacts: self.names,
             forces: &self.best.r,
             residual: self.best.residual,

@@ -6,13 +6,13 @@ use super::problem::{FrictionProblem, part};
 use nalgebra::{DVector, SMatrix, SVector};
 
 /// A block of W: what the force of one contact moves at another.
-pub(super) type Block<const C: usize> = SMatrix<f64, C, C>;
+pub(super) type ContactBlock<const C: usize> = SMatrix<f64, C, C>;
 
 /// The blocks of W that do not vanish.
 #[derive(Debug, Clone)]
 pub(super) struct Blocks<const C: usize> {
-    own: Vec<Block<C>>,
-    others: Vec<Vec<(usize, Block<C>)>>,
+    own: Vec<ContactBlock<C>>,
+    others: Vec<Vec<(usize, ContactBlock<C>)>>,
 }
 
 impl<const C: usize> Blocks<C> {
@@ -38,12 +38,12 @@ impl<const C: usize> Blocks<C> {
     }
 
     /// How a contact moves itself.
-    pub(super) fn own(&self, i: usize) -> &Block<C> {
+    pub(super) fn own(&self, i: usize) -> &ContactBlock<C> {
         &self.own[i]
     }
 
     /// The other contacts that move this one, by index.
-    pub(super) fn others(&self, i: usize) -> &[(usize, Block<C>)] {
+    pub(super) fn others(&self, i: usize) -> &[(usize, ContactBlock<C>)] {
         &self.others[i]
     }
 

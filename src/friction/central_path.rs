@@ -10,8 +10,8 @@
 //! it holds forces strictly inside (M. Fukushima, Z.-Q. Luo and P. Tseng, SIAM J. Optim. 12, 2001): no contact has to decide early what it does.
 //! Newton's method follows the solutions as τ falls.
 
-use super::blocks::{Block, Blocks};
-use super::equations::{Equations, Patience, Place, descend};
+use super::blocks::{Blocks, ContactBlock};
+use super::equations::{Equations, Linearisation, Patience, descend};
 use super::law::tangent;
 use super::problem::{FrictionProblem, part};
 use nalgebra::{DVector, SVector};
@@ -59,7 +59,7 @@ pub(super) fn scales<const C: usize>(problem: &FrictionProblem<C>, blocks: &Bloc
     (0..problem.len()).map(scale).collect()
 }
 
-fn tangent_block<const C: usize>(own: &Block<C>) -> Block<C> {
+fn tangent_block<const C: usize>(own: &ContactBlock<C>) -> ContactBlock<C> {
     let mut block = *own;
     block.row_mut(0).fill(0.0);
     block.column_mut(0).fill(0.0);
@@ -117,9 +117,9 @@ pub(super) fn follow<const C: usize>(
 }
 
 impl<const C: usize> Equations<C> for Smoothed<'_, C> {
-    fn at(&self, r: DVector<f64>) -> Place<C> {
+    fn at(&self, r: DVector<f64>) -> Linearisation<C> {
         let u = self.blocks.velocities(&r, &self.problem.q);
-        let mut place = Place::new(r);
+        let mut place = Linearisation::new(r);
         for (i, rho) in self.rho.iter().enumerate() {
             let (missed, by_force, by_velocity) =
                 contact::<C>(&part(&place.r, i), &part(&u, i), self.problem.mu[i], (*rho, self.tau));
@@ -145,12 +145,13 @@ fn contact<const C: usize>(
     velocity: &SVector<f64, C>,
     mu: f64,
     (rho, tau): (f64, f64),
-) -> (SVector<f64, C>, Block<C>, Block<C>) {
+) -> (SVector<f64, C>, ContactBlock<C>, ContactBlock<C>) {
     let width = rho * tau;
     if mu == 0.0 {
         // A cone that is a line.
         let x = force[0] - rho * velocity[0];
-        let (mut missed, mut by_force, mut by_velocity) = (*force, Block::identity(), Block::zeros());
+        let (mut missed, mut by_force, mut by_velocity) =
+            (*force, ContactBlock::identity(), ContactBlock::zeros());
         missed[0] -= smoothed(x, width);
         by_force[(0, 0)] -= slope(x, width);
         by_velocity[(0, 0)] = rho * slope(x, width);
@@ -162,11 +163,11 @@ fn contact<const C: usize>(
     let speed = slip.norm().hypot(rounded);
     let mut dilated = *velocity;
     dilated[0] += mu * (speed - rounded);
-    let mut dilation = Block::identity();
+    let mut dilation = ContactBlock::identity();
     for k in 1..C {
         dilation[(0, k)] = mu * slip[k] / speed;
     }
-    let (mut scale, mut inverse) = (Block::identity(), Block::identity());
+    let (mut scale, mut inverse) = (ContactBlock::identity(), ContactBlock::identity());
     (scale[(0, 0)], inverse[(0, 0)]) = (mu, 1.0 / mu);
     let scaled = scale * force;
     let (projected, change) = projection(&(scaled - inverse * dilated * rho), width);
@@ -174,7 +175,7 @@ fn contact<const C: usize>(
 }
 
 /// The smoothed projection onto ‖x_T‖ ≤ x_N, and how it changes.
-fn projection<const C: usize>(x: &SVector<f64, C>, width: f64) -> (SVector<f64, C>, Block<C>) {
+fn projection<const C: usize>(x: &SVector<f64, C>, width: f64) -> (SVector<f64, C>, ContactBlock<C>) {
     let slip = tangent(x);
     let length = slip.norm();
     let mut along = slip / length;
@@ -190,7 +191,7 @@ fn projection<const C: usize>(x: &SVector<f64, C>, width: f64) -> (SVector<f64, 
     let mut projected = along * (0.5 * (smoothed(most, width) - smoothed(least, width)));
     projected[0] = 0.5 * (smoothed(most, width) + smoothed(least, width));
     let ahead = along * along.transpose();
-    let mut change = tangent_block(&((Block::identity() - ahead) * around + ahead * mean));
+    let mut change = tangent_block(&((ContactBlock::identity() - ahead) * around + ahead * mean));
     change[(0, 0)] = mean;
     for k in 1..C {
         (change[(0, k)], change[(k, 0)]) = (difference * along[k], difference * along[k]);

@@ -3,7 +3,7 @@
 //! Piles and stacks couple each contact with a few others, so that most blocks vanish and stay so. Pivots are blocks on the diagonal: the
 //! equations are those of a matrix that is nearly definite.
 
-use super::blocks::{Block, Blocks};
+use super::blocks::{Blocks, ContactBlock};
 use super::problem::part;
 use nalgebra::DVector;
 use std::collections::BTreeSet;
@@ -35,12 +35,12 @@ pub(super) fn order<const C: usize>(blocks: &Blocks<C>) -> Vec<usize> {
 }
 
 /// A row of blocks: the contact of each, and the block.
-pub(super) type Row<const C: usize> = Vec<(usize, Block<C>)>;
+pub(super) type SparseRow<const C: usize> = Vec<(usize, ContactBlock<C>)>;
 
 /// The solution of a system, given its rows by contact and what they shall be. `None` if a pivot is singular.
 pub(super) fn solve<const C: usize>(
     order: &[usize],
-    rows: &[Row<C>],
+    rows: &[SparseRow<C>],
     rhs: &DVector<f64>,
 ) -> Option<DVector<f64>> {
     let n = order.len();
@@ -49,9 +49,9 @@ pub(super) fn solve<const C: usize>(
         place[*i] = k;
     }
     // By place in the order: inverse pivots, and the rows right of them.
-    let mut pivots: Vec<Block<C>> = Vec::with_capacity(n);
-    let mut uppers: Vec<Row<C>> = Vec::with_capacity(n);
-    let mut work: Vec<Block<C>> = vec![Block::zeros(); n];
+    let mut pivots: Vec<ContactBlock<C>> = Vec::with_capacity(n);
+    let mut uppers: Vec<SparseRow<C>> = Vec::with_capacity(n);
+    let mut work: Vec<ContactBlock<C>> = vec![ContactBlock::zeros(); n];
     let mut there = vec![false; n];
     let mut x = rhs.clone();
     for (k, i) in order.iter().enumerate() {

@@ -3,7 +3,7 @@
 //! Two families are of this kind: those of [`alart_curnier`](super::alart_curnier) and of the [`central_path`](super::central_path). In each, what a contact
 //! misses depends on its own force and velocity alone, so that the equations are in blocks where W is.
 
-use super::blocks::{Block, Blocks};
+use super::blocks::{Blocks, ContactBlock};
 use super::elimination;
 use nalgebra::{DVector, SVector};
 
@@ -12,20 +12,20 @@ const GAIN: f64 = 0.1;
 
 /// What the forces of a place miss, and how that changes.
 #[derive(Debug, Clone)]
-pub(super) struct Place<const C: usize> {
+pub(super) struct Linearisation<const C: usize> {
     pub(super) r: DVector<f64>,
     /// What each contact misses.
     pub(super) missed: DVector<f64>,
     /// How that changes with the force of the contact, its velocity held.
-    pub(super) by_force: Vec<Block<C>>,
+    pub(super) by_force: Vec<ContactBlock<C>>,
     /// How that changes with its velocity.
-    pub(super) by_velocity: Vec<Block<C>>,
+    pub(super) by_velocity: Vec<ContactBlock<C>>,
     /// How large what is missed is, and the terms that it consists of.
     pub(super) size: f64,
     pub(super) terms: f64,
 }
 
-impl<const C: usize> Place<C> {
+impl<const C: usize> Linearisation<C> {
     pub(super) fn new(r: DVector<f64>) -> Self {
         let (missed, n) = (DVector::zeros(r.len()), r.len() / C);
         Self {
@@ -39,7 +39,12 @@ impl<const C: usize> Place<C> {
     }
 
     /// Adds what the next contact misses.
-    pub(super) fn push(&mut self, missed: SVector<f64, C>, by_force: Block<C>, by_velocity: Block<C>) {
+    pub(super) fn push(
+        &mut self,
+        missed: SVector<f64, C>,
+        by_force: ContactBlock<C>,
+        by_velocity: ContactBlock<C>,
+    ) {
         self.missed.fixed_rows_mut::<C>(C * self.by_force.len()).copy_from(&missed);
         self.by_force.push(by_force);
         self.by_velocity.push(by_velocity);
@@ -49,7 +54,7 @@ impl<const C: usize> Place<C> {
 /// Equations for the forces of all contacts.
 pub(super) trait Equations<const C: usize> {
     /// Where these forces are.
-    fn at(&self, r: DVector<f64>) -> Place<C>;
+    fn at(&self, r: DVector<f64>) -> Linearisation<C>;
 
     /// What is added to the own block of a contact so that the equations of redundant contacts have a solution.
     fn shift(&self, contact: usize) -> f64;
@@ -77,7 +82,7 @@ pub(super) fn descend<const C: usize>(
     order: &[usize],
     r: DVector<f64>,
     mut patience: Patience,
-) -> (Place<C>, usize) {
+) -> (Linearisation<C>, usize) {
     let mut here = equations.at(r);
     let mut made = 0;
     while made < patience.steps && here.size > patience.enough.max(patience.rounding * here.terms) {
@@ -108,12 +113,12 @@ pub(super) fn descend<const C: usize>(
 pub(super) fn newton_step<const C: usize>(
     equations: &impl Equations<C>,
     order: &[usize],
-    here: &Place<C>,
+    here: &Linearisation<C>,
 ) -> Option<DVector<f64>> {
     let blocks = equations.blocks();
     let row = |i: usize| {
         let (by_force, by_velocity) = (here.by_force[i], here.by_velocity[i]);
-        let own = blocks.own(i) + Block::identity() * equations.shift(i);
+        let own = blocks.own(i) + ContactBlock::identity() * equations.shift(i);
         let mut row = vec![(i, by_force + by_velocity * own)];
         // An open contact sees no other.
         if by_velocity.iter().any(|x| *x != 0.0) {
@@ -121,6 +126,6 @@ pub(super) fn newton_step<const C: usize>(
         }
         row
     };
-    let rows: Vec<elimination::Row<C>> = (0..blocks.len()).map(row).collect();
+    let rows: Vec<elimination::SparseRow<C>> = (0..blocks.len()).map(row).collect();
     elimination::solve(order, &rows, &-&here.missed)
 }

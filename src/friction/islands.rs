@@ -1,6 +1,6 @@
 //! Contacts that move each other, directly or through others: each such island is a problem by itself.
 
-use super::approach::Watch;
+use super::approach::Watcher;
 use super::blocks::Blocks;
 use super::law::ContactMode;
 use super::problem::FrictionProblem;
@@ -59,7 +59,7 @@ impl<const C: usize> FrictionProblem<C> {
         &self,
         islands: &[Vec<usize>],
         settings: &Settings,
-        watch: &mut Watch<'_>,
+        watch: &mut Watcher<'_>,
     ) -> Outcome<Solution> {
         let n = self.len();
         let mut r = DVector::zeros(self.q.len());

@@ -105,7 +105,7 @@ pub use error::Error;
 pub use facets::FacetedProblem;
 pub use law::{ContactMode, Residuals};
 pub use problem::{FrictionProblem, PlanarContacts, SpatialContacts};
-pub use progress::Progress;
+pub use progress::SolveProgress;
 pub use settings::Settings;
 pub use siconos::ReadProblem;
 pub use solution::Solution;

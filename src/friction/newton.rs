@@ -17,7 +17,7 @@ const NEARLY: f64 = 1e-12;
 
 /// A place on the way: forces, and what the law misses there.
 #[derive(Debug, Clone)]
-struct Place<const C: usize> {
+struct Iterate<const C: usize> {
     r: DVector<f64>,
     /// r − Π(ζ).
     missed: DVector<f64>,
@@ -71,7 +71,7 @@ impl<'a, const C: usize> Newton<'a, C> {
         (here.r, made)
     }
 
-    fn place(&self, r: DVector<f64>) -> Place<C> {
+    fn place(&self, r: DVector<f64>) -> Iterate<C> {
         let u = self.problem.velocities(&r);
         let mut missed = r.clone();
         let mut changes = Vec::with_capacity(self.problem.len());
@@ -85,11 +85,11 @@ impl<'a, const C: usize> Newton<'a, C> {
             missed.fixed_rows_mut::<C>(C * i).copy_from(&left);
             changes.push(change);
         }
-        Place { r, missed, changes, size: size.sqrt(), terms: terms.sqrt() }
+        Iterate { r, missed, changes, size: size.sqrt(), terms: terms.sqrt() }
     }
 
     /// The step to where the linearised equations hold, zero in forces that they do not determine.
-    fn step(&self, here: &Place<C>) -> Option<DVector<f64>> {
+    fn step(&self, here: &Iterate<C>) -> Option<DVector<f64>> {
         let size = here.r.len();
         let mut jacobian = DMatrix::zeros(size, size);
         for (i, change) in here.changes.iter().enumerate() {

@@ -9,7 +9,7 @@
 //! A slide against its force is u_T = −κ r_T with κ ≥ 0, so r_T(κ) = −(S + κ 1)⁻¹ c. It sticks at κ = 0 if ‖r_T‖ ≤ μ r_N there. Otherwise the
 //! force is on the edge of the cone for some κ: as κ grows r_T vanishes, and r_N goes to −b_N / A_NN > 0.
 
-use super::blocks::Block;
+use super::blocks::ContactBlock;
 use super::law::tangent;
 use nalgebra::SVector;
 
@@ -19,7 +19,11 @@ const HALVINGS: usize = 100;
 const KNOWN: f64 = 4.0 * f64::EPSILON;
 
 /// The force of a contact with own block A and friction μ that others alone move by b. `None` where A does not answer: it is not definite there.
-pub(super) fn answer<const C: usize>(a: &Block<C>, b: &SVector<f64, C>, mu: f64) -> Option<SVector<f64, C>> {
+pub(super) fn answer<const C: usize>(
+    a: &ContactBlock<C>,
+    b: &SVector<f64, C>,
+    mu: f64,
+) -> Option<SVector<f64, C>> {
     if b[0] >= 0.0 {
         return Some(SVector::zeros());
     }
@@ -87,7 +91,7 @@ pub(super) fn answer<const C: usize>(a: &Block<C>, b: &SVector<f64, C>, mu: f64)
 /// The forces that keep a contact from approaching while it slides, as functions of κ.
 struct Slide<const C: usize> {
     /// S in the tangential rows and columns, and the identity in the normal one.
-    s: Block<C>,
+    s: ContactBlock<C>,
     c: SVector<f64, C>,
     /// −b_N / A_NN, and A_NT / A_NN.
     normal: f64,
@@ -97,7 +101,7 @@ struct Slide<const C: usize> {
 }
 
 impl<const C: usize> Slide<C> {
-    fn new(a: &Block<C>, b: &SVector<f64, C>) -> Self {
+    fn new(a: &ContactBlock<C>, b: &SVector<f64, C>) -> Self {
         let own = a[(0, 0)];
         let mut s = *a - a.column(0) * a.row(0) / own;
         let size = s.amax();
@@ -123,7 +127,7 @@ impl<const C: usize> Slide<C> {
 }
 
 /// The solution of the tangential part of a system, by Cramer's rule.
-fn solved<const C: usize>(a: &Block<C>, b: &SVector<f64, C>) -> Option<SVector<f64, C>> {
+fn solved<const C: usize>(a: &ContactBlock<C>, b: &SVector<f64, C>) -> Option<SVector<f64, C>> {
     let mut x = SVector::<f64, C>::zeros();
     if C == 2 {
         x[1] = b[1] / a[(1, 1)];

@@ -5,7 +5,7 @@ use nalgebra::DVector;
 /// How far a solve has come, see [`FrictionProblem::solve_watched`](super::FrictionProblem::solve_watched).
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
-pub struct Progress<'a> {
+pub struct SolveProgress<'a> {
     /// The contacts that are being solved, by index: an island, or all of them.
     pub contacts: &'a [usize],
     /// The best forces of these contacts so far: of each the normal component, then the tangential ones.

@@ -2,7 +2,7 @@
 
 use super::error::Error;
 use super::problem::{FrictionProblem, PlanarContacts, SpatialContacts};
-use super::siconos_matrix::{Words, matrix};
+use super::siconos_matrix::{Tokens, matrix};
 use nalgebra::{DMatrix, DVector};
 
 /// A problem from a file that says by itself how many components its contacts have.
@@ -57,10 +57,10 @@ impl ReadProblem {
 
     fn read(
         text: &str,
-        planar: impl FnOnce(&mut Words<'_>) -> Result<PlanarContacts, Error>,
-        spatial: impl FnOnce(&mut Words<'_>) -> Result<SpatialContacts, Error>,
+        planar: impl FnOnce(&mut Tokens<'_>) -> Result<PlanarContacts, Error>,
+        spatial: impl FnOnce(&mut Tokens<'_>) -> Result<SpatialContacts, Error>,
     ) -> Result<Self, Error> {
-        let words = &mut Words::of(text);
+        let words = &mut Tokens::of(text);
         let components: usize = words.number(COMPONENTS)?;
         match components {
             2 => planar(words).map(Self::Planar),
@@ -72,7 +72,7 @@ impl ReadProblem {
 
 const COMPONENTS: &str = "a number of components, 2 or 3";
 
-fn local<const C: usize>(words: &mut Words<'_>) -> Result<FrictionProblem<C>, Error> {
+fn local<const C: usize>(words: &mut Tokens<'_>) -> Result<FrictionProblem<C>, Error> {
     let n: usize = words.number("a number of contacts")?;
     let size = n.saturating_mul(C);
     let w = matrix(words, Some(size), Some(size))?;
@@ -80,7 +80,7 @@ fn local<const C: usize>(words: &mut Words<'_>) -> Result<FrictionProblem<C>, Er
     FrictionProblem::new(w, q, words.entries(n, "the friction of a contact")?)
 }
 
-fn global<const C: usize>(words: &mut Words<'_>) -> Result<FrictionProblem<C>, Error> {
+fn global<const C: usize>(words: &mut Tokens<'_>) -> Result<FrictionProblem<C>, Error> {
     let n: usize = words.number("a number of contacts")?;
     let size = n.saturating_mul(C);
     let masses = matrix(words, None, None)?;

@@ -18,7 +18,7 @@ const ENTRY: &str = "an entry of a matrix";
 
 /// The next matrix, of so many rows or of any number, and of so many columns.
 pub(super) fn matrix(
-    words: &mut Words<'_>,
+    words: &mut Tokens<'_>,
     rows: Option<usize>,
     columns: Option<usize>,
 ) -> Result<DMatrix<f64>, Error> {
@@ -26,7 +26,7 @@ pub(super) fn matrix(
     if form > 2 {
         return Err(words.wrong(form.to_string(), FORMS));
     }
-    let count = |words: &mut Words<'_>, must: Option<usize>| match must {
+    let count = |words: &mut Tokens<'_>, must: Option<usize>| match must {
         Some(must) => {
             words.exactly(must, "the number of rows or columns that the problem has").map(|()| must)
         }
@@ -46,14 +46,14 @@ pub(super) fn matrix(
     }
 }
 
-fn dense(words: &mut Words<'_>, rows: usize, columns: usize) -> Result<DMatrix<f64>, Error> {
+fn dense(words: &mut Tokens<'_>, rows: usize, columns: usize) -> Result<DMatrix<f64>, Error> {
     for count in [rows, columns] {
         words.exactly(count, "the number of rows or columns once more")?;
     }
     Ok(DMatrix::from_vec(rows, columns, words.entries(rows * columns, ENTRY)?))
 }
 
-fn in_blocks(words: &mut Words<'_>, rows: usize, columns: usize) -> Result<DMatrix<f64>, Error> {
+fn in_blocks(words: &mut Tokens<'_>, rows: usize, columns: usize) -> Result<DMatrix<f64>, Error> {
     let count: usize = words.number("the number of blocks")?;
     let down: usize = words.number("the number of rows of blocks")?;
     let across: usize = words.number("the number of columns of blocks")?;
@@ -102,7 +102,7 @@ fn in_blocks(words: &mut Words<'_>, rows: usize, columns: usize) -> Result<DMatr
     Ok(w)
 }
 
-fn sparse(words: &mut Words<'_>, rows: usize, columns: usize) -> Result<DMatrix<f64>, Error> {
+fn sparse(words: &mut Tokens<'_>, rows: usize, columns: usize) -> Result<DMatrix<f64>, Error> {
     // Where it came from, the version of CSparse, how large it is.
     while words.word("nnz:, the number of entries of the matrix")? != "nnz:" {}
     let word = words.word("the number of entries of the matrix")?;
@@ -138,12 +138,12 @@ fn sparse(words: &mut Words<'_>, rows: usize, columns: usize) -> Result<DMatrix<
 }
 
 /// The words of a text, counted.
-pub(super) struct Words<'a> {
+pub(super) struct Tokens<'a> {
     rest: SplitWhitespace<'a>,
     read: usize,
 }
 
-impl<'a> Words<'a> {
+impl<'a> Tokens<'a> {
     pub(super) fn of(text: &'a str) -> Self {
         Self { rest: text.split_whitespace(), read: 0 }
     }

@@ -1,11 +1,11 @@
 //! Which way a problem goes.
 
-use super::approach::{Approach, STARTS, Watch};
+use super::approach::{Approach, STARTS, Watcher};
 use super::blocks::Blocks;
 use super::islands::islands;
 use super::polygons::Polygons;
 use super::problem::FrictionProblem;
-use super::progress::Progress;
+use super::progress::SolveProgress;
 use super::settings::{MOST_FACETS, Settings};
 use super::solution::Solution;
 use crate::lcp::{BreakdownCause, Certificate, Outcome};
@@ -46,7 +46,7 @@ impl<const C: usize> FrictionProblem<C> {
     /// that `watch` was told.
     ///
     /// ```
-    /// use grasp_lcp::friction::{Progress, Settings, SpatialContacts};
+    /// use grasp_lcp::friction::{SolveProgress, Settings, SpatialContacts};
     /// use nalgebra::{DMatrix, DVector};
     /// use std::ops::ControlFlow;
     ///
@@ -55,7 +55,7 @@ impl<const C: usize> FrictionProblem<C> {
     /// let q = DVector::from_fn(120, |i, _| [-1.0, 0.6, 0.0][i % 3]);
     /// let problem = SpatialContacts::new(w, q, vec![0.4; 40])?;
     /// let mut best = f64::INFINITY;
-    /// let outcome = problem.solve_watched(&Settings::default(), &mut |progress: &Progress<'_>| {
+    /// let outcome = problem.solve_watched(&Settings::default(), &mut |progress: &SolveProgress<'_>| {
     ///     best = progress.residual;
     ///     ControlFlow::Continue(())
     /// });
@@ -66,7 +66,7 @@ impl<const C: usize> FrictionProblem<C> {
     pub fn solve_watched(
         &self,
         settings: &Settings,
-        watch: &mut dyn FnMut(&Progress<'_>) -> ControlFlow<()>,
+        watch: &mut dyn FnMut(&SolveProgress<'_>) -> ControlFlow<()>,
     ) -> Outcome<Solution> {
         if let Err(cause) = settings.check() {
             return Outcome::Breakdown { pivots: 0, cause };
@@ -85,7 +85,7 @@ impl<const C: usize> FrictionProblem<C> {
         &'a self,
         blocks: &'a Blocks<C>,
         settings: &'a Settings,
-        (names, watch): (&'a [usize], &'a mut Watch<'_>),
+        (names, watch): (&'a [usize], &'a mut Watcher<'_>),
     ) -> Outcome<Solution> {
         let rho = blocks.scales();
         if (0..self.len()).all(|i| self.q[C * i] >= 0.0) {

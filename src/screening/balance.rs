@@ -9,7 +9,7 @@ use super::lanes::{Lanes, dot};
 
 /// Stiffness of the object about the centroid of its contacts, in factors.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Body<const D: usize, const C: usize, const N: usize, const L: usize> {
+pub(super) struct RigidBody<const D: usize, const C: usize, const N: usize, const L: usize> {
     pub(super) fingers: [LaneFinger<C, L>; N],
     centre: [Lanes<L>; C],
     pub(super) arms: [[Lanes<L>; C]; N],
@@ -18,7 +18,7 @@ pub(super) struct Body<const D: usize, const C: usize, const N: usize, const L: 
     factors: LaneFactors<D, L>,
 }
 
-impl<const D: usize, const C: usize, const N: usize, const L: usize> Body<D, C, N, L> {
+impl<const D: usize, const C: usize, const N: usize, const L: usize> RigidBody<D, C, N, L> {
     #[inline(always)]
     pub(super) fn new(block: &Block<C, N, L>) -> Self {
         let share = Lanes::all(1.0 / N as f64);

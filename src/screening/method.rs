@@ -94,7 +94,7 @@ fn sizes<const C: usize, const N: usize>(scene: &Block<C, N, 1>) -> Sizes<1> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::balance::Body;
+    use super::super::balance::RigidBody;
     use super::super::forces::{Forces, ON_THE_EDGE};
     use super::super::sticking;
     use super::*;
@@ -152,7 +152,7 @@ mod tests {
                 continue;
             }
             count += 1;
-            let (triangle, body) = (Triangle::new(&compliant), Body::<6, 3, 3, 1>::new(&stiff));
+            let (triangle, body) = (Triangle::new(&compliant), RigidBody::<6, 3, 3, 1>::new(&stiff));
             let loaded = off(&triangle.load(&compliant, &load), &sticking::load(&body, &load), 1.0);
             let squeezed = sticking::squeeze(&body, &stiff.pressed, &stiff.sheared);
             let commanded = off(&triangle.squeeze(&compliant), &squeezed, ROUNDING / ON_THE_EDGE);

@@ -1,6 +1,6 @@
 //! What is known of a scene before any load acts.
 
-use super::balance::Body;
+use super::balance::RigidBody;
 use super::block::Block;
 use super::forces::Forces;
 use super::lanes::Lanes;
@@ -19,7 +19,7 @@ pub(super) enum Prepared<const D: usize, const C: usize, const N: usize, const L
     /// Along the edges of a triangle.
     Triangle(Triangle<C, N, L>),
     /// By the factors of the stiffness of the object.
-    Body(Body<D, C, N, L>),
+    RigidBody(RigidBody<D, C, N, L>),
 }
 
 impl<const D: usize, const C: usize, const N: usize, const L: usize> Prepared<D, C, N, L> {
@@ -30,7 +30,7 @@ impl<const D: usize, const C: usize, const N: usize, const L: usize> Prepared<D,
         match way {
             Method::Edges if C == 2 && N == 2 => Self::Pair(Pair::new(block)),
             Method::Edges if C == 3 && N == 3 => Self::Triangle(Triangle::new(block)),
-            _ => Self::Body(Body::new(block)),
+            _ => Self::RigidBody(RigidBody::new(block)),
         }
     }
 
@@ -40,7 +40,7 @@ impl<const D: usize, const C: usize, const N: usize, const L: usize> Prepared<D,
         match self {
             Self::Pair(pair) => pair.squeeze(),
             Self::Triangle(triangle) => triangle.squeeze(block),
-            Self::Body(body) => sticking::squeeze(body, &block.pressed, &block.sheared),
+            Self::RigidBody(body) => sticking::squeeze(body, &block.pressed, &block.sheared),
         }
     }
 
@@ -54,7 +54,7 @@ impl<const D: usize, const C: usize, const N: usize, const L: usize> Prepared<D,
         match self {
             Self::Pair(pair) => pair.squeeze_by(block, (pressed, &sheared[0])),
             Self::Triangle(triangle) => triangle.squeeze_by(block, (pressed, sheared)),
-            Self::Body(body) => sticking::squeeze(body, pressed, sheared),
+            Self::RigidBody(body) => sticking::squeeze(body, pressed, sheared),
         }
     }
 
@@ -68,7 +68,7 @@ impl<const D: usize, const C: usize, const N: usize, const L: usize> Prepared<D,
         match self {
             Self::Pair(pair) => pair.load(&lanes),
             Self::Triangle(triangle) => triangle.load(block, &lanes),
-            Self::Body(body) => sticking::load(body, &lanes),
+            Self::RigidBody(body) => sticking::load(body, &lanes),
         }
     }
 }

@@ -6,7 +6,7 @@
 //! load is solved for again. Forces that obey both the balance and the springs are right, however
 //! little T is known.
 
-use super::balance::Body;
+use super::balance::RigidBody;
 use super::finger::{Force, displacement, stretched};
 use super::forces::{Forces, ON_THE_EDGE};
 use super::lanes::Lanes;
@@ -35,7 +35,7 @@ struct Pulled<const D: usize, const C: usize, const N: usize, const L: usize> {
 /// Forces that the commands of the fingers alone bring about.
 #[inline(always)]
 pub(super) fn squeeze<const D: usize, const C: usize, const N: usize, const L: usize>(
-    body: &Body<D, C, N, L>,
+    body: &RigidBody<D, C, N, L>,
     pressed: &[Lanes<L>; N],
     sheared: &[[Lanes<L>; N]; C],
 ) -> Forces<C, N, L> {
@@ -54,7 +54,7 @@ pub(super) fn squeeze<const D: usize, const C: usize, const N: usize, const L: u
 /// Forces that a load alone brings about, the fingers at rest.
 #[inline(always)]
 pub(super) fn load<const D: usize, const C: usize, const N: usize, const L: usize>(
-    body: &Body<D, C, N, L>,
+    body: &RigidBody<D, C, N, L>,
     load: &[Lanes<L>; D],
 ) -> Forces<C, N, L> {
     sticking(body, &Pulled { commands: None, load: body.carried(load), rounding: Lanes::all(ROUNDING) })
@@ -62,7 +62,7 @@ pub(super) fn load<const D: usize, const C: usize, const N: usize, const L: usiz
 
 #[inline(always)]
 fn sticking<const D: usize, const C: usize, const N: usize, const L: usize>(
-    body: &Body<D, C, N, L>,
+    body: &RigidBody<D, C, N, L>,
     pulled: &Pulled<D, C, N, L>,
 ) -> Forces<C, N, L> {
     let zero = Lanes::ZERO;
@@ -114,7 +114,7 @@ fn sticking<const D: usize, const C: usize, const N: usize, const L: usize>(
 /// contacts or more, so that the second stiffest of them sets the measure.
 #[inline(always)]
 fn with_rounding<const D: usize, const C: usize, const N: usize, const L: usize>(
-    body: &Body<D, C, N, L>,
+    body: &RigidBody<D, C, N, L>,
     pulled: &Pulled<D, C, N, L>,
     contacts: &[Force<C, L>; N],
     moved: &[Lanes<L>; D],

@@ -1,6 +1,6 @@
 //! Many contacts: towers of blocks whose forces are known, and problems where contacts are redundant.
 
-use grasp_lcp::friction::{ContactMode, FrictionProblem, Progress, Settings, SpatialContacts};
+use grasp_lcp::friction::{ContactMode, FrictionProblem, Settings, SolveProgress, SpatialContacts};
 use grasp_lcp::lcp::{BreakdownCause, Outcome};
 use nalgebra::{DMatrix, DVector};
 use std::ops::ControlFlow;
@@ -160,7 +160,7 @@ fn whoever_watches_may_stop() {
     let mut random = Random(96);
     let problem = pile(&mut random, 8, 60);
     let (mut told, mut least) = (0, f64::INFINITY);
-    let outcome = problem.solve_watched(&Settings::default(), &mut |progress: &Progress<'_>| {
+    let outcome = problem.solve_watched(&Settings::default(), &mut |progress: &SolveProgress<'_>| {
         told += 1;
         assert!(progress.residual <= least && progress.contacts.contains(&progress.worst));
         assert_eq!(progress.forces.len(), 3 * progress.contacts.len());

@@ -1,7 +1,7 @@
 //! Loads and motions of several bodies, in inside coordinates and as the user sees them.
 
 use super::body::BodyMotion;
-use super::place::{Place, PlacedBodies};
+use super::place::{BodyPlace, PlacedBodies};
 use crate::grasp::engine::Engine;
 use crate::grasp::rotation::{moved_twist, moved_wrench, object_alone, of_the_object};
 use crate::grasp::wrench::{Twist, Wrench};
@@ -47,7 +47,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
     /// How each body moves with these coordinates, as the user sees them.
     pub(crate) fn body_motions(&self, outside: &Vector<D>) -> Vec<BodyMotion<C>> {
         let Some(bodies) = self.bodies() else { return Vec::new() };
-        let of = |(body, place): (usize, &Place<C>)| {
+        let of = |(body, place): (usize, &BodyPlace<C>)| {
             let twist = if body == bodies.object {
                 Twist::among(outside)
             } else {

@@ -14,7 +14,7 @@ use crate::words::printable;
 
 /// The coordinates of a body.
 #[derive(Debug, Clone)]
-pub(crate) struct Place<const C: usize> {
+pub(crate) struct BodyPlace<const C: usize> {
     /// The first of them; zero for the body in the coordinates of the object.
     pub(crate) first: usize,
     /// Middle of its contacts, which its rotation is about.
@@ -43,7 +43,7 @@ pub(crate) struct PlacedBodies<const C: usize> {
     /// What acts on each body beside the loads of questions.
     pub(crate) loads: Vec<Wrench<C>>,
     pub(super) sharing: Sharing<C>,
-    pub(crate) places: Vec<Place<C>>,
+    pub(crate) places: Vec<BodyPlace<C>>,
     /// Of each contact the body that its normal points into, and the one on the other side.
     pub(crate) sides: Vec<(usize, Option<usize>)>,
 }
@@ -75,7 +75,7 @@ impl<const C: usize> PlacedBodies<C> {
             let centre = points().fold(SVector::zeros(), |sum, point| sum + point / count);
             let reach = points().map(|point| (point - centre).norm_squared() / count).sum::<f64>().sqrt();
             let is_object = body == self.object;
-            self.places.push(Place { first: if is_object { 0 } else { next }, centre, reach });
+            self.places.push(BodyPlace { first: if is_object { 0 } else { next }, centre, reach });
             next += if is_object { 0 } else { of_the_object::<C>() };
         }
         Ok(next)
