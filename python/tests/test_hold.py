@@ -38,7 +38,8 @@ def test_how_far_a_weight_may_be_tilted() -> None:
     needed = grasp.need("angle", turn={"weight": [0, -7.5]})
     at = (3.75 * math.cos(needed.amount or 0.0), 3.75 * math.sin(needed.amount or 0.0))
     assert at[0] + 0.5 * at[1] == pytest.approx(4.0, rel=1e-11)
-    assert needed.amount == pytest.approx(grasp.turn(weight=[0, -7.5]).angle, rel=1e-11)
+    # The one is halved towards as a verdict, the other is the root of a margin.
+    assert needed.amount == pytest.approx(grasp.turn(weight=[0, -7.5]).angle, rel=1e-9)
     assert str(needed).startswith("TAKES ")
     with pytest.raises(TypeError, match="turn: list given, must be a mapping"):
         grasp.need("angle", turn=[0, -7.5])

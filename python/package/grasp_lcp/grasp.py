@@ -301,9 +301,11 @@ class Grasp:
             asked["loads"] = [
                 wrench_json(f"loads[{k}]", each, self.axes) for k, each in enumerate(listed("loads", loads, "a list of loads"))
             ]
-        for name, given in (("any_force", any_force), ("at", at), ("contact", self._numbered(contact))):
+        for name, given in (("any_force", any_force), ("at", at)):
             if given is not None:
                 asked[name] = plain(name, given)
+        if contact is not None:
+            asked["contact"] = self._numbered(contact)
         if turn is not None:
             if not isinstance(turn, Mapping):
                 raise TypeError(f"turn: {type(turn).__name__} given, must be a mapping with the words of Grasp.turn, such as weight")
