@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::answer::Equilibrium;
 use super::cone::Cone;
 use crate::contact::{Polygon, PolygonCone, State};
-use crate::grasp::{Engine, Wrench, wrench_of};
+use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Draw, Size, Vector};
 use crate::object::{Load, Piece, PieceState, PreciseTwist, Problem};
 use crate::search::Rung;
@@ -116,6 +116,11 @@ impl<D: Size, const C: usize> Variation<D, C> {
             load: grasp.inside_unchecked(&Wrench::among(&load)),
             dragged: vec![SVector::zeros(); n],
         };
+        if let Some(bodies) = grasp.bodies() {
+            let own = bodies.loads.iter().map(|load| load.coordinates::<D>().map(|w| w * signs.sign()));
+            let own: Vec<_> = own.map(|load| Wrench::among(&load)).collect();
+            variation.load += grasp.put_on_each(bodies, &own);
+        }
         for (i, site) in problem.sites.iter().enumerate() {
             let (force, drive) = (&at.forces[i], &problem.drives[i]);
             if states[i].slides() {
@@ -126,18 +131,19 @@ impl<D: Size, const C: usize> Variation<D, C> {
             }
             variation.load += &site.map * variation.dragged[i];
             // The digits of a point count from the origin it is given in, not from its neighbours.
-            let point = grasp.contacts().get(i).map_or_else(SVector::zeros, |contact| {
-                contact.point.map(|x| x * signs.sign()) / grasp.length()
-            });
+            let point = grasp
+                .contacts()
+                .get(i)
+                .map_or_else(SVector::zeros, |contact| contact.point.map(|x| x * signs.sign()));
             let give = site.springs.give(force);
             for a in 0..site.springs.axes() {
                 let axis = site.frame.column(a).into_owned();
-                let moved = wrench_of::<D, C>(&point, &axis);
+                let moved = grasp.moments_of(i, &point, &axis);
                 let stretch = &mut variation.stretches[i][a];
                 *stretch = drive[a] * signs.sign() + give[a] * signs.sign();
                 for k in 0..site.map.size().count() {
                     let turned = site.map[(k, a)] * signs.sign();
-                    let entry = if k < C { turned } else { turned + moved[k] };
+                    let entry = turned + moved[k];
                     *stretch += entry * at.twist[k];
                     variation.load[k] += entry * force[a];
                 }

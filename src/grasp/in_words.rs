@@ -5,9 +5,7 @@ use nalgebra::SVector;
 use super::axis::Rotation;
 use super::bodies::BodyMotion;
 use super::motion::Motion;
-use super::rotation::displacement_of;
 use super::wrench::{Twist, Wrench};
-use crate::numerics::Fixed;
 use crate::words::{Words, listed, printable};
 
 /// Turning that shifts points by less than this part of what all of them move by is told beside that; else the object turns about an axis.
@@ -54,9 +52,7 @@ impl Words {
     /// [`Self::motion`] of one of several bodies, with its name.
     #[must_use]
     pub fn body_motion<const C: usize>(self, motion: &BodyMotion<C>) -> String {
-        let (_, omega) = motion.twist.parts();
-        let middle = displacement_of::<Fixed<6>, C>(&motion.centre, &motion.twist.coordinates());
-        let told = self.moved(&motion.twist, Some((middle, omega.size() * motion.reach)));
+        let told = self.moved(&motion.twist, Some((motion.middle_moves(), motion.turning_moves())));
         format!("{} {told}", printable(&motion.body))
     }
 

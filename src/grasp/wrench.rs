@@ -155,6 +155,11 @@ vector_like!(Wrench);
 vector_like!(Twist);
 
 impl<const C: usize> Wrench<C> {
+    /// A force through a point.
+    pub(crate) fn force_through(point: &SVector<f64, C>, force: &SVector<f64, C>) -> Self {
+        Self::among(&wrench_of::<Fixed<6>, C>(point, force))
+    }
+
     /// Refuses components that are not finite or too large; `what` names the wrench in the message.
     pub(crate) fn check(&self, what: &'static str) -> Result<(), Error> {
         match self.components().iter().position(|x| !is_moderate(*x)) {

@@ -49,8 +49,8 @@ impl<D: Size, const C: usize> Engine<D, C> {
                 Outcome::NoEquilibrium(none) => Holding::NoRest(none.clone()),
                 Outcome::Undecided(undecided) => self
                     .lost_at_rest(&ramp.base, settings)
-                    .map_or(Holding::Undecided { doubt: undecided.doubt }, |lost| Holding::LostAtRest {
-                        lost,
+                    .map_or(Holding::Undecided { doubt: undecided.doubt }, |at_rest| Holding::LostAtRest {
+                        at_rest,
                     }),
                 Outcome::Equilibrium(_) => Holding::Undecided { doubt: Doubt::Inaccurate },
             },

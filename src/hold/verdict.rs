@@ -80,7 +80,7 @@ pub enum Holding<const C: usize> {
     /// What is there at rest is lost before all of it is on: followed from nothing, where no proof for all of it was found.
     LostAtRest {
         /// How, as multiples of what is there at rest.
-        lost: Box<Lost<C>>,
+        at_rest: Box<Lost<C>>,
     },
     /// The path could not be followed that far.
     Undecided {

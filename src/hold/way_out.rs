@@ -68,7 +68,7 @@ pub enum WayOut<const C: usize> {
     NotKnown,
 }
 
-/// One of several bodies, and how it moves.
+/// One of several bodies, and how it moves: [`WayOut::SlidesOut`] or [`WayOut::Turns`].
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -76,45 +76,25 @@ pub enum WayOut<const C: usize> {
 pub struct BodyWay<const C: usize> {
     /// Its name.
     pub body: String,
-    /// Unit direction in which it moves; `None` if it turns.
-    #[cfg_attr(
-        feature = "serde",
-        serde(
-            default,
-            with = "AsComputed::<Option<SVector<f64, C>>>",
-            skip_serializing_if = "Option::is_none"
-        )
-    )]
-    #[cfg_attr(feature = "schema", schemars(!default))]
-    pub direction: Option<SVector<f64, C>>,
-    /// A point that it turns about, in space one of the axis, m; `None` if it moves without turning to speak of.
-    #[cfg_attr(
-        feature = "serde",
-        serde(
-            default,
-            with = "AsComputed::<Option<SVector<f64, C>>>",
-            skip_serializing_if = "Option::is_none"
-        )
-    )]
-    #[cfg_attr(feature = "schema", schemars(!default))]
-    pub centre: Option<SVector<f64, C>>,
-    /// Unit vector along the axis; zero in the plane, and where it does not turn.
-    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
-    pub axis: SVector<f64, C>,
+    /// How it moves.
+    #[cfg_attr(feature = "serde", serde(flatten))]
+    pub way: WayOut<C>,
 }
 
 impl<const C: usize> BodyWay<C> {
-    /// With what its contacts move by.
     fn of(motion: &BodyMotion<C>) -> Self {
-        let (_, omega) = motion.twist.parts();
-        let middle = displacement_of::<Fixed<6>, C>(&motion.centre, &motion.twist.coordinates());
-        let body = motion.body.to_string();
-        if omega.size() * motion.reach <= STAYS * middle.norm() {
-            return Self { body, direction: middle.try_normalize(0.0), centre: None, axis: SVector::zeros() };
-        }
-        let centre = motion.centre + omega.way_to_axis(&middle);
-        Self { body, direction: None, centre: Some(centre), axis: omega.axis() }
+        let middle = motion.middle_moves();
+        let way = slides_out(&middle, motion.turning_moves())
+            .unwrap_or_else(|| turns(&motion.twist, &motion.centre, &middle));
+        Self { body: motion.body.to_string(), way }
     }
+}
+
+/// A motion along which turning moves nothing to speak of beside this.
+fn slides_out<const C: usize>(along: &SVector<f64, C>, spin: f64) -> Option<WayOut<C>> {
+    let direction = || along.try_normalize(0.0);
+    (spin <= STAYS * along.norm())
+        .then(|| direction().map_or(WayOut::NotKnown, |direction| WayOut::SlidesOut { direction }))
 }
 
 /// How the object leaves with a motion, seen from the contacts that touch.
@@ -153,10 +133,8 @@ pub(super) fn way_out<const C: usize>(
     if !touching.is_empty() && touching.iter().all(opens) {
         return WayOut::LiftsOff { direction: along.try_normalize(0.0).unwrap_or_else(SVector::zeros) };
     }
-    if spin <= STAYS * along.norm() {
-        return along
-            .try_normalize(0.0)
-            .map_or(WayOut::NotKnown, |direction| WayOut::SlidesOut { direction });
+    if let Some(way) = slides_out(&along, spin) {
+        return way;
     }
     let about: Vec<_> = touching.into_iter().filter(stays).collect();
     if about.is_empty() {

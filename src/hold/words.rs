@@ -3,8 +3,6 @@
 use std::borrow::Cow;
 use std::fmt;
 
-use nalgebra::SVector;
-
 use super::verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
 use super::way_out::{BodyWay, WayOut};
 use crate::grasp::{WholeContact, Wrench, vacuum_is_gone};
@@ -55,7 +53,7 @@ impl<const C: usize> fmt::Display for Verdict<C> {
                 None => f.write_str("LOST"),
             },
             Holding::NoRest(none) => write!(f, "DOES NOT HOLD even at rest: {none:.digits$}"),
-            Holding::LostAtRest { lost } => {
+            Holding::LostAtRest { at_rest: lost } => {
                 let factor = words.number(lost.factor);
                 write!(
                     f,
@@ -163,7 +161,11 @@ impl<const C: usize> Lost<C> {
             WayOut::TipsOver { .. } => "TIPS OVER",
             WayOut::TurnsAbout { .. } | WayOut::Turns { .. } => "TURNS OUT",
             WayOut::LetsGo { .. } => "LETS GO",
-            WayOut::Apart { bodies } if bodies.iter().all(|body| body.centre.is_none()) => "SLIPS OUT",
+            WayOut::Apart { bodies }
+                if bodies.iter().all(|body| matches!(body.way, WayOut::SlidesOut { .. })) =>
+            {
+                "SLIPS OUT"
+            }
             WayOut::Apart { .. } | WayOut::NotKnown => "GIVES WAY",
         }
     }
@@ -209,8 +211,8 @@ impl<const C: usize> fmt::Display for WayOut<C> {
             Self::LiftsOff { direction } => {
                 write!(f, "the object lifts off along {}", words.along(direction))
             }
-            Self::SlidesOut { direction } => {
-                write!(f, "the object moves along {}", words.along(direction))
+            Self::SlidesOut { .. } | Self::Turns { .. } => {
+                write!(f, "the object {}", self.goes(words, false))
             }
             Self::TipsOver { about, opens } => {
                 write!(f, "the object tips over about {}, {}", listed(about), does(opens, "opens", "open"))
@@ -219,13 +221,6 @@ impl<const C: usize> fmt::Display for WayOut<C> {
                 write!(f, "the object spins about the line {}–{}", about[0].text(), about[1].text())
             }
             Self::TurnsAbout { about } => write!(f, "the object turns about {}", listed(about)),
-            Self::Turns { centre, axis } => {
-                f.write_str("the object turns about ")?;
-                if C == 3 {
-                    write!(f, "{} through ", words.along(axis))?;
-                }
-                write!(f, "{} m", words.numbers(centre.as_slice()))
-            }
             Self::LetsGo { cups } => f.write_str(&vacuum_is_gone(cups)),
             Self::Apart { bodies } => f.write_str(&told_together(bodies, words)),
             Self::NotKnown => f.write_str("nothing holds on"),
@@ -235,33 +230,35 @@ impl<const C: usize> fmt::Display for WayOut<C> {
 
 /// Bodies that go the same way together: "wedge moves along −x, block and lid turn about (0.1, 0) m".
 fn told_together<const C: usize>(bodies: &[BodyWay<C>], words: Words) -> String {
-    let mut ways: Vec<(String, Vec<Cow<'_, str>>)> = Vec::new();
-    for body in bodies {
-        let (way, name) = (body.way(words), printable(&body.body));
-        match ways.iter_mut().find(|(other, _)| *other == way) {
-            Some((_, names)) => names.push(name),
-            None => ways.push((way, vec![name])),
+    let mut ways: Vec<(String, &WayOut<C>, Vec<Cow<'_, str>>)> = Vec::new();
+    for BodyWay { body, way } in bodies {
+        let (told, name) = (way.goes(words, false), printable(body));
+        match ways.iter_mut().find(|(other, ..)| *other == told) {
+            Some((.., names)) => names.push(name),
+            None => ways.push((told, way, vec![name])),
         }
     }
-    let told = |(way, names): &(String, Vec<Cow<'_, str>>)| {
-        let (verb, rest) = way.split_once(' ').unwrap_or((way, ""));
-        let ending = if names.len() == 1 { "s" } else { "" };
-        format!("{} {verb}{ending} {rest}", listed(names))
+    let told = |(one, way, names): &(String, &WayOut<C>, Vec<_>)| {
+        if names.len() == 1 {
+            format!("{} {one}", names[0])
+        } else {
+            format!("{} {}", listed(names), way.goes(words, true))
+        }
     };
     listed(&ways.iter().map(told).collect::<Vec<_>>())
 }
 
-impl<const C: usize> BodyWay<C> {
-    /// "move along −x", "turn about (0.1, 0) m".
-    fn way(&self, words: Words) -> String {
-        let through = |centre: &SVector<f64, C>| words.numbers(centre.as_slice());
-        match (&self.direction, &self.centre) {
-            (Some(direction), _) => format!("move along {}", words.along(direction)),
-            (None, Some(centre)) if C == 3 => {
-                format!("turn about {} through {} m", words.along(&self.axis), through(centre))
+impl<const C: usize> WayOut<C> {
+    /// What one body does that slides or turns, or several: "moves along −x", "turn about (0.1, 0) m".
+    fn goes(&self, words: Words, are_several: bool) -> String {
+        let ending = if are_several { "" } else { "s" };
+        match self {
+            Self::SlidesOut { direction } => format!("move{ending} along {}", words.along(direction)),
+            Self::Turns { centre, axis } => {
+                let axis = if C == 3 { format!("{} through ", words.along(axis)) } else { String::new() };
+                format!("turn{ending} about {axis}{} m", words.numbers(centre.as_slice()))
             }
-            (None, Some(centre)) => format!("turn about {} m", through(centre)),
-            (None, None) => "move somewhere".to_owned(),
+            _ => format!("move{ending}"),
         }
     }
 }

@@ -3,8 +3,8 @@
 use nalgebra::SVector;
 
 use crate::contact::{Edges, LocalLaw, Polygon, ZERO_SLACK};
-use crate::grasp::{Engine, Motion, Wrench, wrench_of};
-use crate::numerics::{Fixed, Harmonic, Size, Vector};
+use crate::grasp::{Engine, Motion, Wrench};
+use crate::numerics::{Harmonic, Size, Vector};
 use crate::object::{Load, Piece, Problem};
 use crate::search::Settings;
 
@@ -102,7 +102,7 @@ impl<'g, D: Size, const C: usize> Sticking<'g, D, C> {
 
 /// A force at a point.
 pub(super) fn push<const C: usize>(point: &[f64; C], force: &[f64; C]) -> Wrench<C> {
-    Wrench::among(&wrench_of::<Fixed<6>, C>(&SVector::from(*point), &SVector::from(*force)))
+    Wrench::force_through(&SVector::from(*point), &SVector::from(*force))
 }
 
 /// The row `(limit, -cos φ, -sin φ)` of a round cone.

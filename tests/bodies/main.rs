@@ -1,7 +1,10 @@
 //! Several bodies that touch each other.
 
+mod arches;
+mod at_rest;
 mod closed_forms;
 mod enumerated;
+mod everyday;
 mod invariance;
 mod law;
 mod loads;

@@ -4,6 +4,7 @@ use grasp_lcp::friction::{ContactMode, FrictionProblem, Settings, SolveProgress,
 use grasp_lcp::lcp::{BreakdownCause, Outcome};
 use nalgebra::{DMatrix, DVector};
 use std::ops::ControlFlow;
+use support::coulomb::missed_law;
 use support::splitmix::Random;
 
 /// A tower of point masses, one on another, each pushed sideways by its own force: contact i carries the weight above it, and what is pushed above it, as
@@ -82,26 +83,6 @@ fn pile(random: &mut Random, bodies: usize, contacts: usize) -> SpatialContacts 
     SpatialContacts::new(&h * inverse * h.transpose(), h * v, mu).expect("finite")
 }
 
-/// Coulomb's law in the form of de Saxcé, at each contact beside its own sums.
-fn missed<const C: usize>(problem: &FrictionProblem<C>, r: &DVector<f64>) -> f64 {
-    let u = problem.matrix() * r + problem.vector();
-    let terms = problem.matrix().abs() * r.abs() + problem.vector().abs();
-    let mut worst: f64 = 0.0;
-    for (i, mu) in problem.friction().iter().enumerate() {
-        let (force, velocity) = (r.rows(C * i, C), u.rows(C * i, C));
-        let size = terms.rows(C * i, C).amax();
-        let slip = velocity.rows(1, C - 1).norm();
-        worst = worst.max(-velocity[0] / size);
-        if force.norm() > 0.0 {
-            let friction = force.rows(1, C - 1).norm();
-            worst = worst.max((friction - mu * force[0]) / force.norm());
-            let power = force.dot(&velocity) + mu * slip * force[0];
-            worst = worst.max(power.abs() / (force.norm() * size));
-        }
-    }
-    worst
-}
-
 #[test]
 fn piles_of_redundant_contacts_are_solved() {
     let mut random = Random(93);
@@ -111,7 +92,7 @@ fn piles_of_redundant_contacts_are_solved() {
             let problem = pile(&mut random, bodies, contacts);
             match problem.solve() {
                 Outcome::Solved(solution) => {
-                    assert!(solution.residuals.max() <= 1e-12 && missed(&problem, &solution.r) <= 2e-12);
+                    assert!(solution.residuals.max() <= 1e-12 && missed_law(&problem, &solution.r) <= 2e-12);
                 }
                 Outcome::Infeasible(certificate) => assert!(problem.proves_infeasible(&certificate.y)),
                 other => {
@@ -140,7 +121,7 @@ fn unequal_masses<const C: usize>(seed: u64, count: usize) {
         let problem = FrictionProblem::<C>::new(w, q, mu).expect("finite");
         let outcome = problem.solve();
         let Outcome::Solved(solution) = outcome else { panic!("{trial}: {outcome}") };
-        assert!(missed(&problem, &solution.r) <= 1e-12, "{trial} {}", missed(&problem, &solution.r));
+        assert!(missed_law(&problem, &solution.r) <= 1e-12, "{trial} {}", missed_law(&problem, &solution.r));
     }
 }
 

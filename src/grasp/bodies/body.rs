@@ -68,10 +68,18 @@ pub struct BodyMotion<const C: usize> {
 }
 
 impl<const C: usize> BodyMotion<C> {
+    /// What the middle of its contacts moves by.
+    pub(crate) fn middle_moves(&self) -> SVector<f64, C> {
+        displacement_of::<Fixed<6>, C>(&self.centre, &self.twist.coordinates())
+    }
+
+    /// What its contacts move by past their middle.
+    pub(crate) fn turning_moves(&self) -> f64 {
+        self.twist.parts().1.size() * self.reach
+    }
+
     /// What the fastest of its contacts moves by, or a little less.
     pub(crate) fn speed(&self) -> f64 {
-        let (_, omega) = self.twist.parts();
-        let middle = displacement_of::<Fixed<6>, C>(&self.centre, &self.twist.coordinates());
-        middle.norm().max(omega.size() * self.reach)
+        self.middle_moves().norm().max(self.turning_moves())
     }
 }

@@ -9,9 +9,7 @@ use super::place::{PlacedBodies, Sharing};
 use crate::error::{Error, MODERATE, is_moderate};
 use crate::grasp::contact::Contact;
 use crate::grasp::hand::{Finger, Hand};
-use crate::grasp::rotation::wrench_of;
 use crate::grasp::wrench::Wrench;
-use crate::numerics::Fixed;
 
 /// Several bodies that touch each other, the ground and fingers; [`Bodies::grasp`] makes a grasp of them, which answers as any other.
 ///
@@ -160,6 +158,6 @@ impl<const C: usize> Bodies<C> {
 impl<const C: usize> Body<C> {
     /// Its weight under this gravity.
     fn weight(&self, gravity: &SVector<f64, C>) -> Wrench<C> {
-        Wrench::among(&wrench_of::<Fixed<6>, C>(&self.centre, &(gravity * self.mass)))
+        Wrench::force_through(&self.centre, &(gravity * self.mass))
     }
 }

@@ -1,9 +1,11 @@
 //! Loads and motions of several bodies, in inside coordinates and as the user sees them.
 
+use nalgebra::SVector;
+
 use super::body::BodyMotion;
 use super::place::{BodyPlace, PlacedBodies};
 use crate::grasp::engine::Engine;
-use crate::grasp::rotation::{moved_twist, moved_wrench, object_alone, of_the_object};
+use crate::grasp::rotation::{moved_twist, moved_wrench, object_alone, of_the_object, wrench_of};
 use crate::grasp::wrench::{Twist, Wrench};
 use crate::numerics::{Fixed, Size, Vector};
 
@@ -33,6 +35,37 @@ impl<D: Size, const C: usize> Engine<D, C> {
             }
         }
         inside
+    }
+
+    /// Moments about the origin of a force that a contact has at this point, in inside coordinates: what a rotation feels of the digits of the point. The force
+    /// itself is left out.
+    pub(crate) fn moments_of(
+        &self,
+        contact: usize,
+        point: &SVector<f64, C>,
+        force: &SVector<f64, C>,
+    ) -> Vector<D> {
+        let object = of_the_object::<C>();
+        if contact >= self.len() {
+            // A drive acts on no body.
+            return Vector::zeros();
+        }
+        let in_unit = wrench_of::<Fixed<6>, C>(&(point / self.length()), force);
+        let mut moments = Vector::zeros();
+        let Some((bodies, linkage)) = self.bodies().zip(self.linkage()) else {
+            (C..object).for_each(|k| moments[k] = in_unit[k]);
+            return moments;
+        };
+        let about_origin = wrench_of::<Fixed<6>, C>(point, force);
+        for (body, place) in bodies.places.iter().enumerate() {
+            let sign = bodies.sign(contact, body);
+            for k in C..object {
+                let (row, is_object) = (place.first + k, body == bodies.object);
+                let moment = if is_object { in_unit[k] } else { about_origin[k] / linkage.lengths[row] };
+                moments[row] += sign * moment;
+            }
+        }
+        moments
     }
 
     /// These bodies under loads that grow from nothing: what is there beside the loads of questions, and this one, for each newton of a question's force along the first

@@ -7,7 +7,7 @@ use nalgebra::SVector;
 use crate::error::Error;
 use crate::grasp::contact::Contact;
 use crate::grasp::hand::Columns;
-use crate::grasp::rotation::{displacement_of, moved_wrench, of_the_object, wrench_of};
+use crate::grasp::rotation::{displacement_of, moved_wrench, of_the_object};
 use crate::grasp::wrench::Wrench;
 use crate::numerics::{Fixed, Size, Vector};
 use crate::words::printable;
@@ -156,10 +156,10 @@ impl<const C: usize> PlacedBodies<C> {
             Sharing::ByParts(list) => list,
         };
         // Each has its part of the force at its own centre, and its part of the moment that is then left.
-        let force = load.force_part();
+        let force = SVector::<f64, C>::from_column_slice(&load.components()[..C]);
         let at_centres: Vec<_> =
             list.iter().map(|(part, centre)| Wrench::force_through(centre, &(force * *part))).collect();
-        let left = at_centres.iter().fold(*load, |left, wrench| left - *wrench).moment_part();
+        let left = at_centres.iter().fold(*load, |left, wrench| left - *wrench);
         at_centres.iter().zip(list).map(|(wrench, (part, _))| *wrench + left * *part).collect()
     }
 
@@ -184,23 +184,6 @@ impl<const C: usize> PlacedBodies<C> {
     pub(super) fn growing_together(&self, loads: Vec<Wrench<C>>) -> Self {
         let none = vec![Wrench::ZERO; loads.len()];
         Self { loads: none, sharing: Sharing::Together(loads), ..self.clone() }
-    }
-}
-
-impl<const C: usize> Wrench<C> {
-    fn force_part(&self) -> SVector<f64, C> {
-        SVector::from_column_slice(&self.components()[..C])
-    }
-
-    fn moment_part(&self) -> Self {
-        let mut components = self.components().to_vec();
-        components[..C].fill(0.0);
-        Self::from_components(&components)
-    }
-
-    /// A force through a point.
-    pub(super) fn force_through(point: &SVector<f64, C>, force: &SVector<f64, C>) -> Self {
-        Self::among(&wrench_of::<Fixed<6>, C>(point, force))
     }
 }
 

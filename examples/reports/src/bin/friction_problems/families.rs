@@ -4,6 +4,7 @@ use super::{median, timed};
 use grasp_lcp::friction::FrictionProblem;
 use grasp_lcp::lcp::Outcome;
 use nalgebra::{DMatrix, DVector};
+use support::coulomb::missed_law;
 use support::splitmix::Random;
 
 const FAMILIES: [(&str, Family); 5] = [
@@ -42,7 +43,7 @@ fn row<const C: usize>(name: &str, family: Family, each: usize) {
         let (time, outcome) = timed(|| problem.solve());
         times.push(time);
         match outcome {
-            Outcome::Solved(solution) => worst = worst.max(law(&problem, &solution.r)),
+            Outcome::Solved(solution) => worst = worst.max(missed_law(&problem, &solution.r)),
             _ => missed += 1,
         }
     }
@@ -50,24 +51,6 @@ fn row<const C: usize>(name: &str, family: Family, each: usize) {
     let longest = times.iter().copied().fold(0.0, f64::max);
     let name = format!("{name}, {space}");
     println!("{name:<54}{missed:>8}{worst:>12.1e}{:>12.3}{longest:>12.1}", median(&mut times));
-}
-
-/// How far Coulomb's law is missed: no approach, forces in their cones, and slips against them, as r·û = 0.
-fn law<const C: usize>(problem: &FrictionProblem<C>, r: &DVector<f64>) -> f64 {
-    let u = problem.matrix() * r + problem.vector();
-    let terms = problem.matrix().abs() * r.abs() + problem.vector().abs();
-    let mut worst: f64 = 0.0;
-    for (i, mu) in problem.friction().iter().enumerate() {
-        let (force, velocity) = (r.rows(C * i, C), u.rows(C * i, C));
-        let size = terms.rows(C * i, C).amax();
-        worst = worst.max(-velocity[0] / size);
-        if force.norm() > 0.0 {
-            worst = worst.max((force.rows(1, C - 1).norm() - mu * force[0]) / force.norm());
-            let power = force.dot(&velocity) + mu * velocity.rows(1, C - 1).norm() * force[0];
-            worst = worst.max(power.abs() / (force.norm() * size));
-        }
-    }
-    worst
 }
 
 fn normal(random: &mut Random, rows: usize, columns: usize) -> DMatrix<f64> {

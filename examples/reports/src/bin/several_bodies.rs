@@ -1,0 +1,87 @@
+//! Several bodies: are everyday piles decided, how long do walls take, and how thick must an arch be?
+//!
+//! `cargo run --release -p reports --bin several_bodies [piles of each kind [rows of bricks]]` (400 and 6 unless you say otherwise)
+
+use grasp_lcp::planar::Wrench;
+use support::best_time::once;
+use support::piles::{Arch, boxes, wall};
+use support::splitmix::Random;
+
+type Failure = Box<dyn std::error::Error>;
+
+fn main() -> Result<(), Failure> {
+    let mut numbers = std::env::args().skip(1).map(|text| text.parse::<usize>());
+    let (each, rows) = (numbers.next().transpose()?.unwrap_or(400), numbers.next().transpose()?.unwrap_or(6));
+    piles(each)?;
+    walls(rows)?;
+    arches()
+}
+
+/// Boxes on a table, the last pushed, and pulled upwards by two fingers.
+fn piles(each: usize) -> Result<(), Failure> {
+    println!("{each} piles of each kind; of those in which boxes stand on each other at all:\n");
+    println!(
+        "{:<28}{:>8}{:>8}{:>12}{:>12}{:>12}",
+        "", "asked", "hold", "undecided", "median ms", "longest ms"
+    );
+    let mut random = Random(2026);
+    for (count, fingers) in [(2, false), (2, true), (4, false), (4, true), (8, false)] {
+        let (mut held, mut undecided, mut times) = (0, 0, Vec::new());
+        for (bodies, load) in (0..each).filter_map(|_| boxes(&mut random, count, fingers)) {
+            let grasp = bodies.grasp()?;
+            let (verdict, time) = once(|| Ok(grasp.hold(load)?))?;
+            let holds = verdict.holds();
+            times.push(1e3 * time);
+            held += usize::from(holds == Some(true));
+            undecided += usize::from(holds.is_none());
+        }
+        times.sort_by(f64::total_cmp);
+        let (Some(median), Some(longest)) = (times.get(times.len() / 2), times.last()) else { continue };
+        let name = format!("{count} boxes{}", if fingers { ", two fingers" } else { "" });
+        println!("{name:<28}{:>8}{held:>8}{undecided:>12}{median:>12.3}{longest:>12.1}", times.len());
+    }
+    Ok(())
+}
+
+/// Walls that stand, and are pushed at the top.
+fn walls(rows: usize) -> Result<(), Failure> {
+    println!(
+        "\n{:<12}{:>10}{:>12}{:>12}   the first brick at the top pushed with 5 N",
+        "bricks", "contacts", "solve ms", "hold ms"
+    );
+    for rows in (3..=rows).step_by(3) {
+        let grasp = wall(rows).grasp()?;
+        let push = Wrench::force_at([5.0, 0.0], [0.5, 0.5 * rows as f64 - 0.1]);
+        let (rests, solving) = once(|| Ok(grasp.solve(&Wrench::ZERO)?))?;
+        let (verdict, holding) = once(|| Ok(grasp.hold(push)?))?;
+        let stands = rests.equilibrium().is_some();
+        let [solved, held] = [solving, holding].map(|time| 1e3 * time);
+        let says = match (stands, verdict.holds()) {
+            (false, _) => "does not stand",
+            (true, Some(true)) => "holds",
+            (true, Some(false)) => "does not hold",
+            (true, None) => "undecided",
+        };
+        println!("{:<12}{:>10}{solved:>12.1}{held:>12.1}   {says}", rows * rows, grasp.len());
+    }
+    Ok(())
+}
+
+/// Semicircular arches under their own weight, with friction that never fails: thickness over mean radius, by the line of thrust and by equilibria.
+fn arches() -> Result<(), Failure> {
+    println!(
+        "\n{:<12}{:>20}{:>20}   (Milankovitch: 0.1075 for many stones)",
+        "stones", "line of thrust", "equilibria"
+    );
+    for stones in [5, 8, 13, 21] {
+        let (mut falls, mut stands) = (0.0, 0.3);
+        while stands - falls > 1e-9 {
+            let thickness = 0.5 * (falls + stands);
+            let outcome = Arch { stones, thickness }.bodies(10.0).grasp()?.solve(&Wrench::ZERO)?;
+            *(if outcome.equilibrium().is_some() { &mut stands } else { &mut falls }) = thickness;
+        }
+        println!("{stones:<12}{:>20.9}{stands:>20.9}", Arch::least_thickness(stones));
+    }
+    println!("{:<12}{:>20.9}", 400, Arch::least_thickness(400));
+    Ok(())
+}

@@ -1,0 +1,42 @@
+//! What is lost already at rest, where no proof was found for it: told as the part of it that is held.
+
+use grasp_lcp::equilibrium::Outcome;
+use grasp_lcp::hold::{Holding, Verdict};
+use grasp_lcp::planar::Wrench;
+use proptest::prelude::Strategy;
+use proptest::strategy::ValueTree;
+use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+
+use super::stacks::{Stack, stack};
+
+/// With so many times its loads, and its finger pressed so many times as far.
+fn times(stack: &Stack<3, 2>, part: f64) -> Stack<3, 2> {
+    let mut less = stack.clone();
+    less.loads.iter_mut().for_each(|load| *load *= part);
+    less.touches.iter_mut().for_each(|touch| touch.datum.command *= part);
+    less
+}
+
+/// Piles of four bodies with sloped faces, the same every time.
+#[test]
+fn what_is_held_of_it_is_told() {
+    let rng = TestRng::deterministic_rng(RngAlgorithm::ChaCha);
+    let mut runner = TestRunner::new_with_rng(Config::default(), rng);
+    let mut told = 0;
+    for _ in 0..200 {
+        let stack = stack::<3, 2>(4).new_tree(&mut runner).expect("a stack").current();
+        let verdict = stack.grasp(0).hold(Wrench::force([1.5, -1.0])).expect("well posed");
+        let Holding::LostAtRest { at_rest } = &verdict.holding else { continue };
+        told += 1;
+        assert_eq!((verdict.holds(), verdict.held_to), (Some(false), 0.0));
+        assert!((0.0..1.0).contains(&at_rest.factor));
+        let says = verdict.to_string();
+        assert!(says.starts_with("DOES NOT HOLD even at rest: of the load there "), "{says}");
+        let before = times(&stack, 0.999 * at_rest.factor).grasp(0).solve(&Wrench::ZERO).expect("well posed");
+        assert!(matches!(before, Outcome::Equilibrium(_)), "{before}");
+        let written = serde_json::to_string(&verdict).expect("written");
+        let read: Verdict<2> = serde_json::from_str(&written).expect("reads back");
+        assert_eq!(serde_json::to_string(&read).expect("written"), written);
+    }
+    assert!(told >= 3, "{told}");
+}

@@ -1,0 +1,23 @@
+//! Everyday piles of boxes on a table, with fingers and without: none is undecided.
+
+use support::piles::boxes;
+use support::splitmix::Random;
+
+#[test]
+fn piles_of_boxes_are_decided() {
+    let mut random = Random(44);
+    let (mut asked, mut held) = (0, 0);
+    for (count, fingers, each) in
+        [(2, false, 600), (2, true, 600), (4, false, 400), (4, true, 400), (8, false, 200)]
+    {
+        for number in 0..each {
+            let Some((bodies, load)) = boxes(&mut random, count, fingers) else { continue };
+            let verdict = bodies.grasp().expect("well posed").hold(load).expect("well posed");
+            let holds =
+                verdict.holds().unwrap_or_else(|| panic!("{count} boxes, {fingers}, {number}: {verdict}"));
+            held += usize::from(holds);
+            asked += 1;
+        }
+    }
+    assert!(asked >= 2000 && held > 700 && held < asked - 300, "{held} of {asked}");
+}

@@ -1,0 +1,160 @@
+//! Everyday piles of several planar bodies: boxes on a table, walls of bricks, arches of stones; and when an arch stands.
+
+use std::f64::consts::PI;
+
+use grasp_lcp::planar::{Bodies, Body, Contact, Wrench};
+
+use super::splitmix::Random;
+
+const GRAVITY: [f64; 2] = [0.0, -9.81];
+
+/// Boxes of random size, mass and friction on each other, and a push at the last. If there are fingers two of them press the last, and pull it upwards, too. `None`
+/// if one box hardly stands on another.
+pub fn boxes(random: &mut Random, count: usize, fingers: bool) -> Option<(Bodies, Wrench)> {
+    let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
+    let name = |k: usize| format!("box {k}");
+    let (mut bodies, mut contacts) = (Vec::new(), Vec::new());
+    let ([mut left, mut right], mut height) = ([-0.5, 0.5], 0.0);
+    for k in 0..count {
+        let (wide, high) = (between(0.1, 0.3), between(0.05, 0.2));
+        let middle = if k == 0 { 0.0 } else { 0.25 * (left + right) + 0.5 * between(left, right) };
+        let own = [middle - 0.5 * wide, middle + 0.5 * wide];
+        let face = [own[0].max(left), own[1].min(right)];
+        if face[1] - face[0] < 0.02 {
+            return None;
+        }
+        bodies.push(Body::new(name(k)).mass(between(0.1, 3.0), [middle, height + 0.5 * high]));
+        let (friction, stiffness) = (between(0.2, 0.9), 10_f64.powf(between(4.0, 6.0)));
+        contacts.extend(face.map(|x| {
+            let edge = Contact::new([x, height], [0.0, 1.0]).series_stiffness(stiffness, 0.8 * stiffness);
+            let edge = edge.friction(friction).on(name(k));
+            if k == 0 { edge } else { edge.against(name(k - 1)) }
+        }));
+        ([left, right], height) = (own, height + high);
+        if fingers && k + 1 == count {
+            let (force, friction) = (between(2.0, 30.0), between(0.2, 0.9));
+            contacts.extend([(left, 1.0), (right, -1.0)].map(|(x, normal)| {
+                let finger = Contact::new([x, height - 0.5 * high], [normal, 0.0]).series_stiffness(1e4, 8e3);
+                finger.friction(friction).pressed_with(force).on(name(k))
+            }));
+        }
+    }
+    let (push, up) = (between(0.5, 20.0), if fingers { between(0.0, 1.0) } else { 0.0 });
+    let load = Wrench::force_at([push * (1.0 - up), push * up], [0.0, height - 0.03]);
+    Some((Bodies::new(bodies).contacts(contacts).gravity(GRAVITY).loaded(name(count - 1)), load))
+}
+
+/// A wall of so many rows of as many bricks of 2 kg, 1 m by 0.5 m, every other row half a brick along, on whose first brick at the top loads act; half bricks of
+/// ground hold what overhangs.
+pub fn wall(rows: usize) -> Bodies {
+    let name = |row: usize, column: usize| format!("brick {row}.{column}");
+    let (mut bodies, mut contacts) = (Vec::new(), Vec::new());
+    for (row, column) in (0..rows).flat_map(|row| (0..rows).map(move |column| (row, column))) {
+        // Halves of bricks are counted from the left.
+        let (first, height) = (2 * column + row % 2, 0.5 * row as f64);
+        bodies.push(Body::new(name(row, column)).mass(2.0, [0.5 * first as f64 + 0.5, height + 0.25]));
+        for half in [first, first + 1] {
+            let points = [0.02, 0.48].map(|x| {
+                let point = Contact::new([0.5 * half as f64 + x, height], [0.0, 1.0]);
+                point.series_stiffness(1e6, 8e5).friction(0.6).on(name(row, column))
+            });
+            let below = row.checked_sub(1).and_then(|below| Some((below, half.checked_sub(below % 2)? / 2)));
+            let on = below.filter(|(_, column)| *column < rows);
+            contacts.extend(points.map(|point| match on {
+                Some((row, column)) => point.against(name(row, column)),
+                None => point,
+            }));
+        }
+    }
+    Bodies::new(bodies).contacts(contacts).gravity(GRAVITY).loaded(name(rows - 1, 0))
+}
+
+/// A semicircular arch.
+#[derive(Debug, Clone, Copy)]
+pub struct Arch {
+    /// Stones of equal angle, with radial joints.
+    pub stones: usize,
+    /// Thickness over the mean radius, which is 1 m.
+    pub thickness: f64,
+}
+
+impl Arch {
+    /// The middle of a joint, counted from the left foot, and the direction across it.
+    fn joint(&self, k: usize) -> ([f64; 2], [f64; 2]) {
+        let (sin, cos) = (PI * (1.0 - k as f64 / self.stones as f64)).sin_cos();
+        ([cos, sin], [sin, -cos])
+    }
+
+    /// Where a stone's weight acts, and how heavy it is: 1000 N for each square metre.
+    fn weight(&self, stone: usize) -> ([f64; 2], f64) {
+        let [outer, inner] = [1.0 + 0.5 * self.thickness, 1.0 - 0.5 * self.thickness];
+        let half = 0.5 * PI / self.stones as f64;
+        let area = half * (outer * outer - inner * inner);
+        let radius =
+            2.0 / 3.0 * (outer.powi(3) - inner.powi(3)) / (outer * outer - inner * inner) * half.sin() / half;
+        let (sin, cos) = (PI * (1.0 - (stone as f64 + 0.5) / self.stones as f64)).sin_cos();
+        ([radius * cos, radius * sin], 1000.0 * area)
+    }
+
+    /// Its stones, with two points at the edges of each joint.
+    pub fn bodies(&self, friction: f64) -> Bodies {
+        let name = |stone: usize| format!("stone {}", stone + 1);
+        let body = |stone: usize| {
+            let (at, weight) = self.weight(stone);
+            Body::new(name(stone)).load(Wrench::force_at([0.0, -weight], at))
+        };
+        let points = |k: usize| {
+            let ([x, y], [nx, ny]) = self.joint(k);
+            // The last joint is told from the other side, as the ground has no name.
+            let (on, sign) = if k < self.stones { (k, 1.0) } else { (k - 1, -1.0) };
+            [-0.5, 0.5].map(|part| {
+                let radius = 1.0 + part * self.thickness;
+                let point =
+                    Contact::new([radius * x, radius * y], [sign * nx, sign * ny]).series_stiffness(1e8, 1e8);
+                let point = point.friction(friction).on(name(on));
+                if (1..self.stones).contains(&k) { point.against(name(k - 1)) } else { point }
+            })
+        };
+        Bodies::new((0..self.stones).map(body)).contacts((0..=self.stones).flat_map(points))
+    }
+
+    /// Whether some line of thrust stays within the stones, with friction that never fails: with its thrust H, how much of the thickness is left over at the joint that
+    /// leaves least, over the thrust there. Of a symmetric arch a symmetric line does if any does, and it has two unknowns: H, and the moment at the feet.
+    pub fn stands(&self) -> bool {
+        let weights: Vec<_> = (0..self.stones).map(|stone| self.weight(stone)).collect();
+        let upwards = 0.5 * weights.iter().map(|(_, weight)| weight).sum::<f64>();
+        let (foot, _) = self.joint(0);
+        // Moments at the foot between which the line stays within all joints, at a thrust.
+        let room = |thrust: f64| {
+            let (mut least, mut most) = (f64::NEG_INFINITY, f64::INFINITY);
+            for k in 0..=self.stones {
+                let ([x, y], [nx, ny]) = self.joint(k);
+                let carried = &weights[..k];
+                let shear = upwards - carried.iter().map(|(_, weight)| weight).sum::<f64>();
+                let moment = (foot[0] - x) * upwards
+                    - (foot[1] - y) * thrust
+                    - carried.iter().map(|(at, weight)| (at[0] - x) * weight).sum::<f64>();
+                let reach = 0.5 * self.thickness * (thrust * nx + shear * ny);
+                (least, most) = (least.max(-reach - moment), most.min(reach - moment));
+            }
+            most - least
+        };
+        // The room is a concave function of the thrust.
+        let (mut low, mut high) = (0.0, 10.0 * upwards);
+        for _ in 0..200 {
+            let [a, b] = [low + (high - low) / 3.0, high - (high - low) / 3.0];
+            if room(a) < room(b) { low = a } else { high = b }
+        }
+        room(0.5 * (low + high)) >= 0.0
+    }
+
+    /// The least thickness at which an arch of so many stones stands.
+    pub fn least_thickness(stones: usize) -> f64 {
+        let (mut falls, mut stands) = (0.0, 1.0);
+        while stands - falls > 1e-12 {
+            let thickness = 0.5 * (falls + stands);
+            *(if (Self { stones, thickness }).stands() { &mut stands } else { &mut falls }) = thickness;
+        }
+        stands
+    }
+}
