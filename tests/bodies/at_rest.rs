@@ -7,7 +7,7 @@ use proptest::prelude::Strategy;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 
-use super::stacks::{Stack, stack};
+use support::stacks::{Stack, stack};
 
 /// With so many times its loads, and its finger pressed so many times as far.
 fn times(stack: &Stack<3, 2>, part: f64) -> Stack<3, 2> {

@@ -6,14 +6,14 @@ use grasp_lcp::planar::{Bodies, Body, Contact, Grasp};
 use nalgebra::{SVector, Vector2, Vector3};
 use proptest::prelude::*;
 
-use super::stacks::{Stack, Touch, grasp, name, stack};
+use support::stacks::{Stack, Touch, grasp, name, stack};
 
 fn state<const C: usize>(outcome: Outcome<C>) -> Option<Equilibrium<C>> {
     if let Outcome::Equilibrium(state) = outcome { Some(*state) } else { None }
 }
 
 fn close<const C: usize>(a: &SVector<f64, C>, b: &SVector<f64, C>, size: f64) -> bool {
-    (a - b).norm() <= 1e-9 * size
+    (a - b).norm() <= 1e-11 * size
 }
 
 /// The same forces contact by contact, and the same motions body by body.
@@ -57,7 +57,7 @@ proptest! {
                     prop_assert_eq!(&a.body, &b.body);
                     let (a, b) = (a.twist.to_vector(), b.twist.to_vector());
                     // Several equilibria may have the same forces where what slides leaves a motion free.
-                    prop_assert!(!asked.free_motions.is_empty() || (a - b).norm() <= 1e-8 * (1e-6 + a.norm()));
+                    prop_assert!(!asked.free_motions.is_empty() || (a - b).norm() <= 1e-10 * (1e-6 + a.norm()));
                 }
             }
         }

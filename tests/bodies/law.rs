@@ -6,7 +6,7 @@ use grasp_lcp::grasp::Wrench;
 use nalgebra::SVector;
 use proptest::prelude::*;
 
-use super::stacks::{Stack, stack};
+use support::stacks::{Stack, stack};
 
 /// What a stack answers, and the load that was asked.
 fn asked<const D: usize, const C: usize>(
@@ -20,7 +20,7 @@ fn asked<const D: usize, const C: usize>(
     // Piles of many bodies that do not rest may have no proof of it; what becomes of them is followed below.
     if let Outcome::Equilibrium(state) = grasp.solve(&load).expect("well posed") {
         let violation = stack.violation(&state, loaded, &push);
-        prop_assert!(violation < 1e-11, "solve: {violation:e}");
+        prop_assert!(violation < 1e-12, "solve: {violation:e}");
     }
     Ok((grasp, push))
 }
@@ -54,7 +54,7 @@ fn satisfies<const D: usize, const C: usize>(
         let size = state.contacts.iter().fold(at.norm(), |most, told| most.max(told.force.norm()));
         for (body, sum) in sums.iter().enumerate() {
             prop_assert!(
-                sum.norm() < 1e-10 * size * (1.0 + stack.loads.len() as f64),
+                sum.norm() < 1e-12 * size * (1.0 + stack.loads.len() as f64),
                 "body {body}: {}",
                 sum.norm()
             );

@@ -9,4 +9,3 @@ mod invariance;
 mod law;
 mod loads;
 mod malformed;
-mod stacks;

@@ -32,12 +32,14 @@ pub mod random;
 pub mod scene;
 pub mod soft_tips;
 pub mod splitmix;
+pub mod stacks;
 pub mod sticking;
 pub mod svg;
 pub mod tractrix;
 pub mod transform;
 pub mod truth;
 mod truth_equations;
+pub mod two_bodies;
 
 pub use close::relatively_close;
 

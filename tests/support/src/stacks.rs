@@ -1,35 +1,40 @@
 //! Random bodies on top of each other, and the conditions of an equilibrium recomputed from their data alone.
 
+use super::scene::{self, Datum};
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::{ContactState, Equilibrium};
 use grasp_lcp::grasp::{Bodies, Body, Wrench};
 use nalgebra::SVector;
 use proptest::prelude::*;
-use support::scene::{self, Datum};
 
 /// A contact, the body that its normal points into, and the one on the other side.
 #[derive(Debug, Clone)]
-pub(crate) struct Touch<const C: usize> {
-    pub(crate) datum: Datum<C>,
-    pub(crate) on: usize,
-    pub(crate) against: Option<usize>,
+pub struct Touch<const C: usize> {
+    /// Its data.
+    pub datum: Datum<C>,
+    /// The body that its normal points into.
+    pub on: usize,
+    /// The one on the other side; none is the ground.
+    pub against: Option<usize>,
 }
 
 /// Bodies in a pile, each with its own load, and a finger on the last.
 #[derive(Debug, Clone)]
-pub(crate) struct Stack<const D: usize, const C: usize> {
-    pub(crate) touches: Vec<Touch<C>>,
+pub struct Stack<const D: usize, const C: usize> {
+    /// All contacts.
+    pub touches: Vec<Touch<C>>,
     /// Of each body, force and moment about the origin.
-    pub(crate) loads: Vec<SVector<f64, D>>,
+    pub loads: Vec<SVector<f64, D>>,
 }
 
-pub(crate) fn name(body: usize) -> String {
+/// What a body is called.
+pub fn name(body: usize) -> String {
     format!("body {body}")
 }
 
 impl<const D: usize, const C: usize> Stack<D, C> {
     /// With loads of questions on this body.
-    pub(crate) fn bodies(&self, loaded: usize) -> Bodies<C> {
+    pub fn bodies(&self, loaded: usize) -> Bodies<C> {
         let contact = |touch: &Touch<C>| {
             let contact = touch.datum.contact().on(name(touch.on));
             touch.against.map_or(contact.clone(), |body| contact.against(name(body)))
@@ -42,12 +47,13 @@ impl<const D: usize, const C: usize> Stack<D, C> {
             .loaded(name(loaded))
     }
 
-    pub(crate) fn grasp(&self, loaded: usize) -> Grasp<C> {
+    /// For the library, with loads of questions on this body.
+    pub fn grasp(&self, loaded: usize) -> Grasp<C> {
         grasp(self.bodies(loaded))
     }
 
     /// The worst violation of any condition, relative to the largest force or displacement; `load` acts on body `loaded` beside its own.
-    pub(crate) fn violation(&self, answer: &Equilibrium<C>, loaded: usize, load: &SVector<f64, D>) -> f64 {
+    pub fn violation(&self, answer: &Equilibrium<C>, loaded: usize, load: &SVector<f64, D>) -> f64 {
         let twist =
             |body: usize| SVector::<f64, D>::from_column_slice(answer.bodies[body].twist.components());
         let (mut force, mut motion) = (load.norm(), 0.0_f64);
@@ -101,7 +107,7 @@ impl<const D: usize, const C: usize> Stack<D, C> {
 }
 
 /// The grasp of well-posed bodies.
-pub(crate) fn grasp<const C: usize>(bodies: Bodies<C>) -> Grasp<C> {
+pub fn grasp<const C: usize>(bodies: Bodies<C>) -> Grasp<C> {
     bodies.grasp().expect("well posed")
 }
 
@@ -129,7 +135,7 @@ fn face<const C: usize>(below: usize, bends: &[f64], friction: f64) -> Vec<Touch
 }
 
 /// Piles of so many bodies: weights, faces that are nearly level, and a finger that presses down on the last.
-pub(crate) fn stack<const D: usize, const C: usize>(bodies: usize) -> impl Strategy<Value = Stack<D, C>> {
+pub fn stack<const D: usize, const C: usize>(bodies: usize) -> impl Strategy<Value = Stack<D, C>> {
     let numbers = prop::collection::vec(-1.0..1.0f64, bodies * 16 + 8);
     let frictions = prop::collection::vec(prop_oneof![1 => Just(0.0), 6 => 0.1..0.9f64], bodies + 1);
     (numbers, frictions).prop_map(move |(numbers, frictions)| {
