@@ -118,8 +118,8 @@ impl Arch {
         Bodies::new((0..self.stones).map(body)).contacts((0..=self.stones).flat_map(points))
     }
 
-    /// Whether some line of thrust stays within the stones, with friction that never fails: with its thrust H, how much of the thickness is left over at the joint that
-    /// leaves least, over the thrust there. Of a symmetric arch a symmetric line does if any does, and it has two unknowns: H, and the moment at the feet.
+    /// Whether some line of thrust stays within the stones, with friction that never fails. If any does, a symmetric one does; it has two unknowns, the thrust and the
+    /// moment at the feet.
     pub fn stands(&self) -> bool {
         let weights: Vec<_> = (0..self.stones).map(|stone| self.weight(stone)).collect();
         let upwards = 0.5 * weights.iter().map(|(_, weight)| weight).sum::<f64>();
