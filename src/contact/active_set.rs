@@ -11,6 +11,11 @@ use super::state::{Mode, State};
 use super::tangential::tangential;
 use super::tolerances::{WEIGHTLESS, ZERO_SLACK};
 
+/// Where a slip comes to its end the margin and its rate are zero up to the error of the steps.
+const TANGENT: f64 = 1e-9;
+/// A force that changes across its direction by less than this part goes straight out or in.
+const TURNED: f64 = 1e-6;
+
 /// What one contact stands on.
 #[derive(Debug, Clone)]
 pub(crate) struct ActiveSet<const C: usize> {
@@ -91,6 +96,19 @@ impl<const C: usize> LocalLaw<'_, C> {
         ActiveSet { apex, facets: if on_the_edge { vec![friction.normalize()] } else { Vec::new() } }
     }
 
+    /// How a sticking contact with this force may as well slide, since it stands on an edge of its cone.
+    pub(crate) fn on_its_edge(&self, line: &Line<C>) -> Option<State<C>> {
+        let ActiveSet { facets, apex } = self.stand(line);
+        if apex || facets.is_empty() {
+            return None;
+        }
+        if self.on_round_cone {
+            return Some(State::sliding_along(&facets[0]));
+        }
+        let numbers = (0_u16..).zip(self.facets()).filter(|(_, h)| facets.contains(h)).map(|(j, _)| j);
+        Some(self.slipping_state(&numbers.collect::<Vec<_>>()).into())
+    }
+
     /// Forgets what the contact moves away from.
     pub(crate) fn leave(&self, stand: &mut ActiveSet<C>, state: &State<C>, line: &Line<C>, gap: &GapLine) {
         let falls_short = |margin_rate: f64, weight: f64| margin_rate <= ZERO_SLACK * line.rate_size * weight;
@@ -148,6 +166,21 @@ impl<const C: usize> LocalLaw<'_, C> {
         let across = (tangential(rate) - p * p.dot(rate)).norm();
         cone.facet_margin(rate, p).abs() <= ZERO_SLACK * size * cone.round_weight()
             && across > ZERO_SLACK * size
+    }
+
+    /// Whether a contact that sticks on the edge of the round cone goes along a tangent of it: a straight line, which leads outside.
+    pub(crate) fn leaves_by_a_tangent(&self, line: &Line<C>) -> bool {
+        let (friction, cone) = (tangential(&line.force), self.cone());
+        if !self.on_round_cone || !self.may_slide() || friction.norm() == 0.0 {
+            return false;
+        }
+        let (p, weight) = (friction.normalize(), cone.round_weight());
+        let rate = tangential(&line.rate);
+        let across = (rate - p * p.dot(&rate)).norm();
+        let on_the_edge = cone.round_margin(&line.force) <= TANGENT * line.force_size * weight;
+        on_the_edge
+            && cone.facet_margin(&line.rate, &p) <= TANGENT * line.rate_size * weight
+            && across > TURNED * line.rate_size * weight
     }
 
     /// A state of the rates, whose facets count among those of its edge, among the facets of the whole law; on the round cone the

@@ -8,7 +8,9 @@ use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Size, Vector};
 use crate::object::Problem;
-use crate::search::{Doubt, Effort, Found, Rung, Settings, Settled, combinations, search, settle};
+use crate::search::{
+    Doubt, Effort, Found, Rung, Settings, Settled, combinations, on_the_whole_line, search, settle,
+};
 
 /// No answer with a larger residual is called an equilibrium. Usual ones are below 1e-15; only scenes whose numbers lie apart by
 /// more than the working precision come near this.
@@ -22,7 +24,10 @@ impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Grasp::solve`](crate::ask::Grasp::solve).
     pub(crate) fn solve(&self, load: &Wrench<C>, settings: &Settings) -> Result<Outcome<C>, Error> {
         let problem = self.problem_under(load, settings)?;
-        let (settled, effort) = settle(&problem, settings);
+        let (mut settled, effort) = settle(&problem, settings);
+        if let Settled::Found(found, rule) = settled {
+            settled = Settled::Found(on_the_whole_line(&problem, found), rule);
+        }
         Ok(self.outcome(&problem, load, settled, &effort, Cone::of::<C>(settings)))
     }
 

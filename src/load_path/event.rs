@@ -25,13 +25,14 @@ pub struct Event<const C: usize> {
     pub fraction: f64,
     /// The load there.
     pub load: Wrench<C>,
-    /// What changes, contact by contact; empty where only a motion has become free. Symmetric grasps change several at once.
+    /// What changes, contact by contact; empty where only a motion has become free, and where a leg begins as contacts are but could go on
+    /// otherwise as well. Symmetric grasps change several at once.
     pub changes: Vec<ContactChange<C>>,
     /// What changes in the hand, if one holds the object: drives of joints and tendons that yield, hold, slacken or tighten.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub drives: Vec<PartChange>,
     /// Unit motions that nothing resists from here on: the twist is known up to them, the path goes on without moving
-    /// along them.
+    /// along them, unless a contact that touches without force pushes the object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub free_motions: Vec<Motion<C>>,
     /// Other ways in which the contacts on an edge could go on. The continuation is unique if this is `Some(0)`, which a P-matrix of the

@@ -16,6 +16,7 @@ use super::arc::{Arc, Direction};
 use super::energy::LegEnergy;
 use super::relaxation::Relaxation;
 use super::segment::{Here, Segment};
+use super::watch::is_vanishing;
 use crate::contact::{State, Tangent, tangential, tangential_norm};
 use crate::numerics::{Size, Stepped, Vector, explicit_step, implicit_step};
 use crate::object::{PieceState, largest_force};
@@ -32,6 +33,8 @@ const LOOSER: [f64; 4] = [1.0, 10.0, 100.0, 1000.0];
 const UNPUSHED: f64 = 1e-9;
 /// A slip against the friction force by this part of the displacements of the contact is rounding.
 const BACKWARDS: f64 = 1e-13;
+/// The error of a friction force that vanishes is this part of it at most, for each part of the largest force that others may have: it keeps its direction.
+const OF_ITSELF: f64 = 1e-6;
 /// Works and their turnover are integrated along with the rest.
 const WORKS: usize = 4;
 
@@ -85,6 +88,8 @@ pub(super) struct Flow<'s, 'g, D: Size, const C: usize> {
     here: &'s Here<D, C>,
     /// Friction forces of the sliding contacts at the start.
     begin: Vec<SVector<f64, C>>,
+    /// Which of them lose their normal force: their slip is not known any more.
+    vanishing: Vec<bool>,
     /// The largest force, N, and the largest displacement, m, at the start.
     sizes: [f64; 2],
 }
@@ -139,7 +144,8 @@ impl<'s, 'g, D: Size, const C: usize> Flow<'s, 'g, D, C> {
             states[i].slide().map_or_else(SVector::zeros, |slide| slide.direction * size)
         };
         let begin = arc.sliding.iter().map(friction).collect();
-        Self { arc, from, here, begin, sizes }
+        let vanishing = arc.sliding.iter().map(|&i| is_vanishing(&here.lines[i])).collect();
+        Self { arc, from, here, begin, vanishing, sizes }
     }
 
     /// The direction of the path at the start.
@@ -193,16 +199,24 @@ impl<'s, 'g, D: Size, const C: usize> Flow<'s, 'g, D, C> {
         let mut frictions: Vec<_> = self.frictions(&y).collect();
         let tangents = self.arc.tangents(frictions.iter().copied());
         let way = self.arc.direction(&tangents, factor, &self.onward())?;
-        let stays = (factor - goal.factor).abs() <= goal.near;
-        let (at, to) = if stays {
-            // The rest of the way along the tangent, which the friction forces go as well.
-            let rest = (goal.factor - factor) / way.factor;
-            for ((&i, tangent), friction) in self.arc.sliding.iter().zip(&tangents).zip(&mut frictions) {
-                *friction += tangential(&self.arc.rates(i, tangent, &way)[1]) * rest;
-            }
-            self.arc.balanced(twist + &way.twist * rest, goal.factor, &Direction::onward(), &frictions)?
+        let stays = |factor: f64| (factor - goal.factor).abs() <= goal.near;
+        // The correction onto the cones may come near the goal, too.
+        let arrived = if stays(factor) {
+            None
         } else {
-            self.arc.balanced(twist, factor, &way, &frictions)?
+            Some(self.arc.balanced(twist.clone(), factor, &way, &frictions)?)
+        };
+        let (twist, factor) = arrived.as_ref().map_or((twist, factor), |(at, to)| (at.twist.clone(), *to));
+        let (at, to) = match arrived {
+            Some(arrived) if !stays(factor) => arrived,
+            _ => {
+                // The rest of the way along the tangent, which the friction forces go as well.
+                let rest = (goal.factor - factor) / way.factor;
+                for ((&i, tangent), friction) in self.arc.sliding.iter().zip(&tangents).zip(&mut frictions) {
+                    *friction += tangential(&self.arc.rates(i, tangent, &way)[1]) * rest;
+                }
+                self.arc.balanced(twist + &way.twist * rest, goal.factor, &Direction::onward(), &frictions)?
+            }
         };
         let rate = PieceState { forces: self.arc.force_rates(&tangents, &way), twist: way.twist };
         let [finger_work, dissipated, load_work, turnover] = std::array::from_fn(|k| y[works + k]);
@@ -239,15 +253,17 @@ impl<'s, 'g, D: Size, const C: usize> Flow<'s, 'g, D, C> {
         out[load - count..load].iter_mut().enumerate().for_each(|(k, out)| *out = way.twist[k]);
         out[load] = way.factor;
         let [mut heat, mut turnover, mut backwards] = [0.0, 0.0, 0.0_f64];
-        let own = out.chunks_exact_mut(C - 1).zip(&self.arc.sliding).zip(&tangents);
-        for (((out, &i), tangent), friction) in own.zip(self.frictions(y)) {
+        let own = out.chunks_exact_mut(C - 1).zip(&self.arc.sliding).zip(&self.vanishing).zip(&tangents);
+        for ((((out, &i), &vanishes), tangent), friction) in own.zip(self.frictions(y)) {
             let [stretch, force] = self.arc.rates(i, tangent, &way);
             out.copy_from_slice(&force.as_slice()[1..]);
             let site = &self.arc.sites()[i];
             let dissipated = friction.dot(&site.springs.slip(&stretch, &force));
             let rounding =
                 BACKWARDS * friction.norm() * site.span(&(segment.change[i] * way.factor), &way.twist);
-            backwards = backwards.max(-dissipated - rounding);
+            if !vanishes {
+                backwards = backwards.max(-dissipated - rounding);
+            }
             heat += dissipated;
             turnover += dissipated.abs();
         }
@@ -297,8 +313,13 @@ impl<'s, 'g, D: Size, const C: usize> Flow<'s, 'g, D, C> {
         let (of_frictions, others) = error.split_at(self.arc.sliding.len() * (C - 1));
         let norm = |part: &[f64]| part.iter().map(|e| e * e).sum::<f64>().sqrt();
         let of_forces = of_frictions.chunks_exact(C - 1).map(norm).fold(0.0, f64::max);
+        let with_sizes = of_frictions.chunks_exact(C - 1).zip(&self.begin).zip(&self.vanishing);
+        let vanishing = with_sizes.filter(|(_, vanishes)| **vanishes).map(|(of_one, _)| of_one);
+        let of_itself =
+            |(error, friction): (&[f64], &SVector<f64, C>)| OF_ITSELF * norm(error) / friction.norm();
+        let of_themselves = vanishing.map(of_itself).fold(0.0, f64::max);
         let of_load = others[count].abs() * self.arc.load_rate(self.from);
-        (norm(&others[..count]) / travel).max(of_forces / force).max(of_load / force)
+        (norm(&others[..count]) / travel).max(of_forces / force).max(of_load / force).max(of_themselves)
     }
 
     /// The step from the start to a factor on the way, which is as long as `most` at most.

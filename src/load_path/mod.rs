@@ -43,6 +43,7 @@
 //! Positions and normals ([`onset_gradients_by_geometry`](crate::ask::Sensitivity::onset_gradients_by_geometry)) change the grasp maps: `-K_i dG_iᵀq` and `dG_i F_i` come in.
 
 mod arc;
+mod arclength;
 mod beyond;
 mod contacts_and_drives;
 mod crossing;
@@ -71,6 +72,7 @@ mod patch;
 mod path;
 mod path_state;
 mod pieces;
+mod pushed;
 mod questions;
 mod ramp;
 mod relaxation;

@@ -46,6 +46,8 @@ pub(super) struct Node<D: Size, const C: usize> {
     pub(super) holds: Vec<bool>,
     /// A contact slides from the apex of its cone on: it has a direction, and no friction force yet.
     pub(super) sets_out: bool,
+    /// Contacts whose slip has come to its end here.
+    pub(super) stopped: Vec<usize>,
     pub(super) at: PieceState<D, C>,
     /// The factor whose rates decide: here, or a little ahead while the load turns.
     pub(super) ahead: f64,
@@ -93,6 +95,16 @@ impl<D: Size, const C: usize> Node<D, C> {
         let changes = self.take_over(segment, factor, &rates, &found);
         let look = self.look(segment, factor, Some(&found.twist));
         let here = look.map_err(|_| journey.undecided(factor, Doubt::Inaccurate))?;
+        if self.neither_slides_nor_sticks(segment, &here).is_some() {
+            let motion = (here.twist_rate.norm() > 0.0).then(|| here.twist_rate.normalize());
+            return Err(PathEnd::Lost(Box::new(journey.loss(
+                factor,
+                LossKind::Corner,
+                std::mem::take(&mut self.stopped),
+                motion.as_ref(),
+            ))));
+        }
+        self.stopped.clear();
         for (i, stand) in self.stands.iter_mut().enumerate() {
             segment.problem.local(i).leave(stand, &self.states[i], &here.lines[i], &here.gaps[i]);
         }

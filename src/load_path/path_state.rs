@@ -13,6 +13,9 @@ use crate::numerics::{Size, Vector};
 use crate::object::{PieceState, least_spring_force};
 use crate::search::Found;
 
+/// Where steps die out events follow each other ever faster: a margin below this part of its size is used up.
+const GATHERED: f64 = 1e-8;
+
 /// So many roundings of a displacement come together in a force at rest.
 const NO_FORCE_AT_REST: f64 = 16.0 * f64::EPSILON;
 
@@ -36,6 +39,7 @@ impl<D: Size, const C: usize> Node<D, C> {
             stands: vec![ActiveSet::NOWHERE; n],
             holds: vec![false; n],
             sets_out: false,
+            stopped: Vec::new(),
             at: PieceState { forces: found.forces, twist: found.twist },
             ahead: 0.0,
         };
@@ -119,7 +123,9 @@ impl<D: Size, const C: usize> Node<D, C> {
         segment.largest = segment.largest.max(here.sizes[0]);
         for (i, (line, force)) in here.lines.iter().zip(&there.forces).enumerate() {
             let closed = !self.states[i].is_open();
-            if closed && line.force.norm() > 0.0 && ActiveSet::is_weightless(force, line.force_size) {
+            // What set out from there has not come away yet, either.
+            let comes_there = line.force.norm() > 0.0 || self.states[i].slides();
+            if closed && comes_there && ActiveSet::is_weightless(force, line.force_size) {
                 self.stands[i].apex = true;
             }
             let infinite = segment.problem.local(i).never_slides();
@@ -158,5 +164,43 @@ impl<D: Size, const C: usize> Node<D, C> {
     /// What slid no more does: inside its cone from here on.
     pub(super) fn stick(&mut self, contact: usize) {
         self.stands[contact] = ActiveSet::NOWHERE;
+        self.stopped.push(contact);
+    }
+
+    /// A contact that has stopped here and, sticking, goes along a tangent of its cone out of it. Where everything else goes straight it can neither
+    /// slide on nor stick: to slide on it would slip against friction.
+    pub(super) fn neither_slides_nor_sticks(
+        &self,
+        segment: &Segment<'_, D, C>,
+        here: &Here<D, C>,
+    ) -> Option<usize> {
+        let leaves = |i: &&usize| {
+            self.states[**i].is_sticking() && segment.problem.local(**i).leaves_by_a_tangent(&here.lines[**i])
+        };
+        let straight = matches!(segment.course, Trajectory::Straight { .. }) && !self.turns();
+        self.stopped.iter().find(leaves).copied().filter(|_| straight)
+    }
+
+    /// Where steps die out: what is near an edge stands on it, all that would happen within the error of steps at one place. How far from there it was at
+    /// most, of its size; `None` if there is nothing to decide. While the load turns, what slides was decided ahead, and would be once more.
+    pub(super) fn gather(&mut self, segment: &Segment<'_, D, C>, here: &Here<D, C>) -> Option<f64> {
+        let mut apart: Option<f64> = None;
+        for (i, (line, gap)) in here.lines.iter().zip(&here.gaps).enumerate() {
+            let (local, stand) = (segment.problem.local(i), &mut self.stands[i]);
+            if self.states[i].is_open() && local.may_open() && gap.gap <= GATHERED * gap.size {
+                stand.apex = true;
+                apart = Some(apart.unwrap_or(0.0).max(gap.gap / gap.size));
+            } else if self.states[i].is_sticking() && local.may_slide() {
+                let (friction, size) =
+                    (tangential(&line.force), line.force_size * local.cone().round_weight());
+                let margin = local.cone().round_margin(&line.force) / size;
+                if margin <= GATHERED && friction.norm() > GATHERED * size {
+                    stand.facets = vec![friction.normalize()];
+                    apart = Some(apart.unwrap_or(0.0).max(margin));
+                }
+            }
+        }
+        let slides = matches!(segment.course, Trajectory::Straight { .. }) && self.turns();
+        apart.or(slides.then_some(0.0))
     }
 }

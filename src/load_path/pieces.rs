@@ -43,8 +43,10 @@ pub(crate) struct Pieces<'g, D: Size, const C: usize> {
     pub(super) energy: Vec<LegEnergy>,
     pub(super) stalls: usize,
     pub(super) pace: Pace,
+    /// Where events that follow each other ever faster were last taken as one; not a number before that.
+    pub(super) gathered: f64,
     /// Sum of the estimated errors of the steps along sliding arcs.
-    step_error: f64,
+    pub(super) step_error: f64,
 }
 
 impl<D: Size, const C: usize> Engine<D, C> {
@@ -66,6 +68,7 @@ impl<'g, D: Size, const C: usize> Follower<'g, D, C> for Pieces<'g, D, C> {
         self.segment = journey.segment(std::mem::take(&mut self.segment.problem.slips));
         self.factor = 0.0;
         self.pace = Pace::new();
+        self.gathered = f64::NAN;
         self.energy.push(LegEnergy::default());
         self.at_node = true;
         Ok(())
@@ -141,6 +144,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
             energy: Vec::new(),
             stalls: 0,
             pace: Pace::new(),
+            gathered: f64::NAN,
             step_error: 0.0,
         })
     }
@@ -164,13 +168,16 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         self.here = Some(onward.here);
         self.pace = self.pace.at_node();
         let (changes, drives) = grasp.contacts_and_drives(onward.changes);
-        if changes.is_empty() && drives.is_empty() && !(set_free && before.is_some()) {
+        // Where a leg begins contacts may go on as before, or otherwise as well: that is told, too.
+        let branches = self.factor == 0.0 && onward.other_continuations.is_some_and(|others| others > 0);
+        if changes.is_empty() && drives.is_empty() && !(set_free && before.is_some()) && !branches {
             return Ok(None);
         }
         let Some(state) = before.or_else(|| self.present_state(journey)) else { return Ok(None) };
         // Where all forces vanish together what is left of them is no yardstick for their residuals.
         let largest = state.contacts.iter().map(|contact| contact.force.norm()).fold(0.0, f64::max);
-        let carries = largest > WEIGHTLESS * self.segment.largest;
+        let carries = largest > WEIGHTLESS * self.segment.largest
+            && self.node.at.forces.iter().any(|force| force.norm() > 0.0);
         if carries && state.residuals.worst() > ACCURATE {
             return Err(journey.undecided(self.factor, Doubt::Inaccurate));
         }
@@ -190,7 +197,12 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
     fn present_state(&self, journey: &Journey<'g, D, C>) -> Option<Equilibrium<C>> {
         let here = match &self.here {
             Some(here) => here.clone(),
-            None => self.node.look(&self.segment, self.factor, None).ok()?,
+            // Where no rates lead on it stands still.
+            None => self
+                .node
+                .look(&self.segment, self.factor, None)
+                .ok()
+                .or_else(|| self.node.look(&self.segment.at_rest(self.factor), self.factor, None).ok())?,
         };
         let there = self.state_after(&here, 0.0);
         self.state_on(&self.stretch(journey, here, self.factor, there), self.factor)

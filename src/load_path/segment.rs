@@ -12,9 +12,6 @@ use crate::grasp::Engine;
 use crate::numerics::{Size, Vector, cleared_for};
 use crate::object::{Piece, PieceState, Problem, largest_force};
 
-/// A motion slower than this part of the fastest is rounding.
-const UNFELT: f64 = 1e-12;
-
 /// Load and drives at factor 0 and their rates, with the slip of the contacts so far.
 #[derive(Debug, Clone)]
 pub(super) struct Segment<'g, D: Size, const C: usize> {
@@ -198,40 +195,6 @@ impl<'g, D: Size, const C: usize> Segment<'g, D, C> {
         Some(if let Some(near) = near { self.nearest(piece, at, near) } else { at })
     }
 
-    /// Rates of a piece, with the motions that it leaves free as fast as those of these rates.
-    pub(super) fn pushed_along(
-        &self,
-        piece: &Piece<D, C>,
-        rate: PieceState<D, C>,
-        pushed: Option<&Vector<D>>,
-    ) -> PieceState<D, C> {
-        let Some(pushed) = pushed else { return rate };
-        let apart = pushed - &rate.twist;
-        let felt = |v: &Vector<D>| v.dot(&apart).abs() > UNFELT * pushed.norm();
-        let moves = piece.free_motions().iter().any(felt) || piece.neutral_motions().iter().any(felt);
-        if moves { self.nearest(piece, rate, pushed) } else { rate }
-    }
-
-    /// Of all states or rates of a piece that leaves motions free that with the twist nearest to this one.
-    pub(super) fn nearest(
-        &self,
-        piece: &Piece<D, C>,
-        PieceState { mut forces, mut twist }: PieceState<D, C>,
-        near: &Vector<D>,
-    ) -> PieceState<D, C> {
-        for v in piece.free_motions() {
-            twist += v * v.dot(&(near - &twist));
-        }
-        for v in &piece.neutral_motions() {
-            let shift = v * v.dot(&(near - &twist));
-            twist += &shift;
-            for (f, change) in forces.iter_mut().zip(piece.forces_along(&self.problem, &shift)) {
-                *f += change;
-            }
-        }
-        PieceState { forces, twist }
-    }
-
     /// How far it is from a state, in steps along a straight piece, to where a contact reaches an edge.
     pub(super) fn way_to(
         &self,
@@ -261,6 +224,13 @@ impl<'g, D: Size, const C: usize> Segment<'g, D, C> {
     pub(super) fn drives_into(&self, factor: f64, drives: &mut Vec<SVector<f64, C>>) {
         cleared_for(drives, self.change.len());
         drives.extend(self.problem.drives.iter().zip(&self.change).map(|(a, da)| a + da * factor));
+    }
+
+    /// Commands and load that stay as they are at a factor.
+    pub(super) fn at_rest(&self, factor: f64) -> Self {
+        let change = vec![SVector::zeros(); self.change.len()];
+        let course = Trajectory::Straight { from: self.course.at(factor), rate: Vector::zeros() };
+        Segment { problem: self.problem_at(factor), change, course, ..self.clone() }
     }
 
     /// The local problem at a factor.

@@ -3,7 +3,7 @@
 
 use nalgebra::SVector;
 
-use super::flow::{Flow, Rule};
+use super::flow::{Flow, Rule, StepGoal};
 use super::segment::{Here, Segment};
 use super::trajectory::Trajectory;
 use crate::contact::{Line, State};
@@ -12,6 +12,11 @@ use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Size, Vector};
 use crate::object::{PieceState, Problem};
 use crate::search::{Effort, Found, Rung};
+
+/// Of a step of which a part cannot be made at once: each is half as long as the one before.
+const MOST_PARTS: usize = 60;
+/// Loads that are less than this part of the leg apart are one, up to the rounding of balance.
+const ONE_LOAD: f64 = 1e-15;
 
 /// What is needed to tell the state at any fraction on the way.
 #[derive(Debug)]
@@ -92,12 +97,9 @@ impl<'g, D: Size, const C: usize> Stretch<'g, D, C> {
         let at = if fraction >= self.to {
             self.there.clone()
         } else if fraction <= self.from {
-            let forces = self.here.lines.iter().map(|line| line.force).collect();
-            PieceState { forces, twist: self.here.twist.clone() }
+            start_of(&self.here)
         } else {
-            let flow = Flow::new(&segment, &self.states, self.from, &self.here, bend.unit);
-            let r = flow.reach_factor(fraction, bend.length, bend.rule);
-            r?.at()
+            self.part_of_a_step(bend, &segment, fraction)?
         };
         let state = |(state, force): (&State<C>, &SVector<f64, C>)| {
             if state.slides() { State::sliding_along(force) } else { *state }
@@ -121,6 +123,39 @@ impl<'g, D: Size, const C: usize> Stretch<'g, D, C> {
         Some(self.equilibrium(grasp, cone, fraction, &problem, found))
     }
 
+    /// The state at a fraction within the step. Where a part of it cannot be made at once, rounding being in the way, in shorter ones one after the other.
+    fn part_of_a_step(
+        &self,
+        bend: &Bend,
+        segment: &Segment<'g, D, C>,
+        fraction: f64,
+    ) -> Option<PieceState<D, C>> {
+        let (mut from, mut here, mut states) = (self.from, self.here.clone(), self.states.clone());
+        let mut length = bend.length;
+        for _ in 0..MOST_PARTS {
+            let flow = Flow::new(segment, &states, from, &here, bend.unit);
+            if let Some(reached) = flow.reach_factor(fraction, length, bend.rule) {
+                return Some(reached.at());
+            }
+            length *= 0.5;
+            let part = flow.reach(length, StepGoal::after(fraction, 0), bend.rule);
+            if let Some(reached) = part.filter(|reached| reached.to <= fraction) {
+                let slid = |(state, line): (&State<C>, &Line<C>)| {
+                    if state.slides() { State::sliding_along(&line.force) } else { *state }
+                };
+                states = states.iter().zip(&reached.here.lines).map(slid).collect();
+                (from, here) = (reached.to, reached.here);
+                if from == fraction {
+                    return Some(start_of(&here));
+                }
+            }
+        }
+        // Where the object moves on under what is the same load up to rounding, any place on the way is as good.
+        let (to_the_start, to_the_end) = (fraction - self.from, self.to - fraction);
+        let near = to_the_start.min(to_the_end) <= ONE_LOAD;
+        near.then(|| if to_the_start < to_the_end { start_of(&self.here) } else { self.there.clone() })
+    }
+
     fn segment(&self, grasp: &'g Engine<D, C>, cone: Cone) -> Segment<'g, D, C> {
         let (problem, change) = (self.problem.clone(), self.change.clone());
         Segment { grasp, cone, problem, change, course: self.course.clone(), largest: 0.0 }
@@ -137,4 +172,9 @@ impl<'g, D: Size, const C: usize> Stretch<'g, D, C> {
         let load = self.load.at(fraction);
         grasp.equilibrium(problem, &load, found, Rung::LoadPath, &Effort::default(), cone)
     }
+}
+
+/// Where a step begins.
+fn start_of<D: Size, const C: usize>(here: &Here<D, C>) -> PieceState<D, C> {
+    PieceState { forces: here.lines.iter().map(|line| line.force).collect(), twist: here.twist.clone() }
 }

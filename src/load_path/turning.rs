@@ -11,8 +11,6 @@
 //!
 //! found by making the last step again until it ends there, see [`super::crossing`].
 
-use std::f64::consts::FRAC_PI_2;
-
 use nalgebra::SVector;
 
 use super::crossing::StepEnd;
@@ -23,7 +21,7 @@ use super::journey::Journey;
 use super::pieces::Pieces;
 use super::segment::Here;
 use super::trajectory::Trajectory;
-use super::watch::{Watched, watch};
+use super::watch::{Watch, Watched, watch};
 use crate::contact::{ActiveSet, Exit, Line, Mode, State, ZERO_SLACK, tangential};
 use crate::numerics::Size;
 use crate::search::Doubt;
@@ -41,12 +39,12 @@ const STANDS_STILL: f64 = 1e-10;
 const ALL_BUT_GONE: f64 = 1e-10;
 /// From an apex on the first step is this part of the way on which forces change by as much as they are: they turn by its square.
 const SETTING_OUT: f64 = 1e-6;
-/// The object moves no more than so many times as far as the softest spring gives: what counts in arclength as much as the whole leg.
-const MOST_AMPLIFIED: f64 = 1e6;
 /// Where forces would double on this part of the way they are none.
 const NO_WAY: f64 = 1e-12;
 /// A step leaves this part of the way to where a sliding contact loses its normal force: its direction may turn ever faster.
 const APPROACH: f64 = 0.5;
+/// Events are gathered at places this part of the leg apart: nearer ones are the same once more.
+const GATHERED_AGAIN: f64 = 1e-9;
 /// Steps shorter than this part of the way gone are none: the arc ends here.
 const SHORTEST: f64 = 1e-13;
 
@@ -85,7 +83,12 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
             if self.node.let_go(&here) {
                 self.at_node = true;
             } else if !self.pace.loosen(1.0 - self.factor) {
-                return Err(journey.undecided(self.factor, Doubt::Inaccurate));
+                let gathered = if self.may_gather() { self.node.gather(&self.segment, &here) } else { None };
+                let Some(apart) = gathered else {
+                    return Err(journey.undecided(self.factor, Doubt::Inaccurate));
+                };
+                self.step_error += apart;
+                (self.at_node, self.gathered) = (true, self.factor);
             }
             return Ok(false);
         }
@@ -95,40 +98,27 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
             self.pace.refuse(length, missed);
             return Ok(false);
         };
-        let start = watch(&self.segment, &self.node.states, (self.factor, &here));
-        let end = match Self::first_crossing(&start, &end) {
-            None => Some(end).filter(|end| !end.reached.backwards),
-            Some(contact) => self.locate(&here, &start, end, contact),
-        };
-        let Some(end) = end else {
+        let backwards = end.reached.backwards;
+        let end = self.up_to_a_crossing(&here, end);
+        let Some(end) = end.filter(|end| end.located.is_some() || !backwards) else {
             self.pace.refuse(length, f64::INFINITY);
             return Ok(false);
         };
         self.arrive_at(journey, &here, &end)
     }
 
-    /// How far the object moves for one unit of the factor to begin with; while the load turns, at a place where it moves fast.
-    fn displacement_rate(&self, here: &Here<D, C>) -> f64 {
-        let mut size = here.twist_rate.norm();
-        if let Trajectory::Turn { angle, .. } = self.segment.course {
-            let later = self.segment.course.rate_at(self.factor + FRAC_PI_2 / angle);
-            let at_rest = vec![SVector::zeros(); self.node.states.len()];
-            if let Ok(rate) = here.piece.solve(self.segment.grasp.sites(), &at_rest, &later) {
-                size = size.hypot(rate.twist.norm());
-            }
+    /// A step as it is, or made again up to the first condition that it breaks.
+    fn up_to_a_crossing(&self, here: &Here<D, C>, end: StepEnd<D, C>) -> Option<StepEnd<D, C>> {
+        let start = watch(&self.segment, &self.node.states, (self.factor, here));
+        match Self::first_crossing(&start, &end) {
+            None => Some(end),
+            Some(condition) => self.locate(here, &start, end, condition),
         }
-        // Beside a limit load hardly anything resists a motion, and a displacement beyond all bounds would be no measure of any other.
-        let size = size.min(MOST_AMPLIFIED * self.springs_give(here));
-        if size > 0.0 { size } else { 1.0 }
     }
 
-    /// How far the softest spring gives under all forces that there are or that come for one unit of the factor.
-    fn springs_give(&self, here: &Here<D, C>) -> f64 {
-        let sites = self.segment.grasp.sites();
-        let softest = sites.iter().map(|site| site.springs.softest()).fold(f64::INFINITY, f64::min);
-        let drives = self.segment.change.iter().map(SVector::norm).fold(0.0, f64::max);
-        let load = self.segment.course.rate_at(self.factor).norm();
-        (here.sizes[0] + load) / softest + drives
+    /// Whether there has been a way since events were last gathered at one place.
+    fn may_gather(&self) -> bool {
+        self.gathered.is_nan() || (self.factor - self.gathered).abs() > GATHERED_AGAIN
     }
 
     /// The length on which the load turns as far as one step may: a condition may be broken and hold again on a longer one.
@@ -226,7 +216,9 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         self.pace.accept(end.length, end.reached.error / tolerance, end.located.is_some());
         let to = end.reached.to;
         let leg_done = to >= 1.0;
-        let tops = end.located.is_some_and(|k| end.watches[k].what == Watched::Growth);
+        // At the top what slides for the load alone stops together with it.
+        let grows = |watch: &Watch| watch.what == Watched::Growth && watch.is_met();
+        let tops = end.located.is_some() && end.watches.iter().any(grows);
         let there = end.reached.here.clone();
         let mut standing: PathState<C> = Vec::new();
         let (mut sticks, mut stops) = (Vec::new(), false);
@@ -255,19 +247,30 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
             self.node.states[i].slides() && ActiveSet::is_weightless(force, size)
         };
         stops |= !standing.is_empty() || !sticks.is_empty() || (0..self.node.states.len()).any(weightless);
+        let idle = self.stands_still(here, &sticks);
         self.take(journey, here, (end.length, end.rule), &end.reached);
         self.node.reach(&standing);
-        // Where something else happens at the same place, that decides whether it sticks.
-        if standing.is_empty() {
-            for contact in sticks {
-                self.node.stick(contact);
-            }
+        // What has stood still all the way is for whatever else happens here to decide.
+        for contact in sticks.iter().filter(|contact| standing.is_empty() || !idle.contains(contact)) {
+            self.node.stick(*contact);
         }
         self.at_node = leg_done || stops;
         // A maximum at the end of a leg is no end: the next one may go another way.
         let lost = (tops && !leg_done).then(|| self.lost(journey, LossKind::Fold, &there));
         self.here = Some(there);
         lost.map_or(Ok(leg_done), Err)
+    }
+
+    /// Which of these contacts have not slipped since the step began, either.
+    fn stands_still(&self, here: &Here<D, C>, contacts: &[usize]) -> Vec<usize> {
+        if contacts.is_empty() {
+            return Vec::new();
+        }
+        let start = watch(&self.segment, &self.node.states, (self.factor, here));
+        let met = |contact: &usize| {
+            start.iter().any(|watch| watch.what == Watched::Contact(*contact) && watch.is_met())
+        };
+        contacts.iter().copied().filter(met).collect()
     }
 
     /// The end of an arc; the motion is that along it.

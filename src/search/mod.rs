@@ -12,6 +12,7 @@
 //! | `candidate` | a proposal solved and checked |
 //! | `round_pieces`, `polish` | to the round cone, from the trial or from a polygon's answer |
 //! | `enumerate` | every combination of states |
+//! | `whole_line` | a twist that is one end of an interval |
 //! | `tree`, `relaxed` | on the round cone: branch and bound over what contacts do |
 
 mod answer;
@@ -28,6 +29,7 @@ mod scene;
 mod settings;
 mod touching;
 mod tree;
+mod whole_line;
 #[cfg(test)]
 mod yields_or_moves;
 
@@ -41,3 +43,4 @@ pub(crate) use ladder::settle;
 pub(crate) use polish::{polish, solution_near};
 pub(crate) use proposals::dense_is_affordable;
 pub(crate) use tree::refute;
+pub(crate) use whole_line::on_the_whole_line;

@@ -23,3 +23,4 @@ mod small_motions;
 mod soft_fingertip;
 mod soft_fingertip_torsion;
 mod valid;
+mod whole_line;

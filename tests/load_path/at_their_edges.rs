@@ -127,3 +127,21 @@ fn nothing_presses() -> Tested {
     }
     Ok(())
 }
+
+/// Contacts that slide at the start may go on to slide, and one may stick as well: both hold, and the path says that there is another.
+#[test]
+fn the_other_way_to_begin_is_told() -> Tested {
+    let (grasp, start, legs) = in_space(include_str!("scenes/two_ways_at_the_start.json"))?;
+    let mut path = grasp.follow(&start, &legs)?;
+    let first = path.next().ok_or("an event at the start")?;
+    assert!(first.leg == 0 && first.fraction == 0.0 && first.changes.is_empty());
+    assert_eq!(first.other_continuations, Some(1));
+    path.run();
+    // The path slides on to a fold; steps find the one that sticks, which goes on.
+    let loss = path.end().and_then(PathEnd::loss).ok_or("lost")?;
+    assert_eq!(loss.kind, LossKind::Fold);
+    let mut steps = grasp.follow_in_steps(&start, &legs, 1e-6)?;
+    steps.by_ref().for_each(drop);
+    assert!(matches!(steps.end(), Some(PathEnd::Completed)), "{:?}", steps.end());
+    Ok(())
+}

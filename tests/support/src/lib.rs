@@ -23,6 +23,7 @@ pub mod limit_analysis;
 pub mod loaded;
 pub mod minimum_power;
 pub mod numbers;
+pub mod odd_paths;
 pub mod paper;
 pub mod patches;
 pub mod piles;

@@ -1,0 +1,45 @@
+//! Motions that nothing resists: no force drives the object along them. It stays as near to where it was as it can, and goes as fast as what touches it
+//! without force pushes it.
+
+use super::segment::Segment;
+use crate::numerics::{Size, Vector};
+use crate::object::{Piece, PieceState};
+
+/// A motion slower than this part of the fastest is rounding.
+const UNFELT: f64 = 1e-12;
+
+impl<D: Size, const C: usize> Segment<'_, D, C> {
+    /// Rates of a piece, with the motions that it leaves free as fast as those of these rates.
+    pub(super) fn pushed_along(
+        &self,
+        piece: &Piece<D, C>,
+        rate: PieceState<D, C>,
+        pushed: Option<&Vector<D>>,
+    ) -> PieceState<D, C> {
+        let Some(pushed) = pushed else { return rate };
+        let apart = pushed - &rate.twist;
+        let felt = |v: &Vector<D>| v.dot(&apart).abs() > UNFELT * pushed.norm();
+        let moves = piece.free_motions().iter().any(felt) || piece.neutral_motions().iter().any(felt);
+        if moves { self.nearest(piece, rate, pushed) } else { rate }
+    }
+
+    /// Of all states or rates of a piece that leaves motions free that with the twist nearest to this one.
+    pub(super) fn nearest(
+        &self,
+        piece: &Piece<D, C>,
+        PieceState { mut forces, mut twist }: PieceState<D, C>,
+        near: &Vector<D>,
+    ) -> PieceState<D, C> {
+        for v in piece.free_motions() {
+            twist += v * v.dot(&(near - &twist));
+        }
+        for v in &piece.neutral_motions() {
+            let shift = v * v.dot(&(near - &twist));
+            twist += &shift;
+            for (f, change) in forces.iter_mut().zip(piece.forces_along(&self.problem, &shift)) {
+                *f += change;
+            }
+        }
+        PieceState { forces, twist }
+    }
+}

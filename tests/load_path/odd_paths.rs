@@ -1,0 +1,88 @@
+//! Odd programs: fingers at unequal heights, uneven stiffness and friction, a weight held before, forces with moments, fingers let go of and pressed on
+//! again. Each is followed to an end that says what it is, and each fraction that it has passed is told.
+
+use grasp_lcp::equilibrium::Outcome;
+use grasp_lcp::load_path::PathEnd;
+use nalgebra::SVector;
+use support::odd_paths::{IN_SPACE, OddPath, in_space, in_the_plane};
+use support::splitmix::Random;
+
+/// Fractions of each leg that are asked for.
+const ASKED: usize = 40;
+
+fn is_decided<const C: usize>(end: Option<&PathEnd<C>>) -> bool {
+    match end {
+        Some(PathEnd::NoStart(why)) => !matches!(**why, Outcome::Undecided(_)),
+        Some(PathEnd::Undecided { .. }) | None => false,
+        _ => true,
+    }
+}
+
+/// Follows a program; every state on the way obeys Coulomb's law and balances, as far as steps are exact.
+fn followed<const C: usize>(odd: &OddPath<C>, name: &str) {
+    let mut path = odd.grasp.follow(&odd.start, &odd.legs).unwrap();
+    path.run();
+    assert!(is_decided(path.end()), "{name}: {:?}", path.end());
+    if matches!(path.end(), Some(PathEnd::NoStart(_))) {
+        return;
+    }
+    let (last, end) = path.place();
+    let mut told = Vec::new();
+    for leg in 0..odd.legs.len().min(last + 1) {
+        let most = if leg == last { end } else { 1.0 };
+        for fraction in (0..=ASKED).map(|k| most * (k as f64 / ASKED as f64)) {
+            let state = path.state_at(leg, fraction);
+            told.push((
+                leg,
+                fraction,
+                state.unwrap_or_else(|| panic!("{name}: {leg}, {fraction} is not told")),
+            ));
+        }
+    }
+    // Where nothing presses what is left of forces is the rounding of those that pressed, or of springs that have come back.
+    let springs = odd
+        .grasp
+        .contacts()
+        .iter()
+        .map(|contact| contact.series_stiffness_of_axes()[0] * contact.commanded().norm());
+    let forces = told.iter().flat_map(|(.., state)| state.contacts.iter().map(|answer| answer.force.norm()));
+    let largest = forces.chain(springs).fold(1e-9, f64::max);
+    for (leg, fraction, state) in &told {
+        let sum =
+            state.contacts.iter().fold(SVector::<f64, C>::zeros(), |sum, answer| sum + answer.force_world);
+        let load = SVector::<f64, C>::from_column_slice(&state.load.components()[..C]);
+        assert!(
+            (sum + load).norm() <= 1e-9 * largest,
+            "{name}: {leg}, {fraction} is out of balance by {}",
+            sum + load
+        );
+        for (contact, answer) in odd.grasp.contacts().iter().zip(&state.contacts) {
+            let (normal, used) = (answer.normal_force(), answer.friction_used());
+            assert!(
+                normal >= -1e-12 * largest && answer.gap >= -1e-12 && used >= 0.0,
+                "{name}: {leg}, {fraction}: {normal:e} of {largest:e} N, gap {:e} m, {used} of friction",
+                answer.gap
+            );
+            let over = answer.friction_force() - contact.friction_coefficient() * normal;
+            assert!(over <= 1e-6 * largest, "{name}: {leg}, {fraction} is off its cone by {over}");
+        }
+    }
+}
+
+#[test]
+fn odd_paths_in_space_are_decided() {
+    for odd in IN_SPACE {
+        let mut random = Random(11);
+        for number in 0..400 {
+            followed(&in_space(odd, &mut random).unwrap(), &format!("{odd:?} {number}"));
+        }
+    }
+}
+
+#[test]
+fn odd_paths_in_the_plane_are_decided() {
+    let mut random = Random(12);
+    for number in 0..1500 {
+        followed(&in_the_plane(&mut random).unwrap(), &format!("in the plane {number}"));
+    }
+}
