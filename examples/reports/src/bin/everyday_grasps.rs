@@ -2,7 +2,8 @@
 //!
 //! Three to twelve fingers in a ring, on two faces or over a ball, a growing weight, a push or a twist, with default settings. Loads are
 //! multiples of that at the onset of sliding. Each path goes from no load until it ends, or to ten times the squeeze. Then the same of pinches of
-//! soft fingertips.
+//! soft fingertips. And odd programs: fingers at unequal heights, uneven friction and stiffness, a weight held before, forces with moments, fingers let go
+//! of and pressed on again; of each the state at 2 001 fractions.
 //!
 //! `cargo run --release -p reports --bin everyday_grasps [-- so many grasps of each kind]` (4 unless you say otherwise)
 
@@ -10,10 +11,11 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::time::Instant;
 
-use grasp_lcp::equilibrium::Proof;
-use grasp_lcp::load_path::LossKind;
+use grasp_lcp::equilibrium::{Outcome as OutcomeOf, Proof};
+use grasp_lcp::load_path::{LossKind, PathEnd as EndOf};
 use grasp_lcp::spatial::{Beyond, Contact, Grasp, Leg, Outcome, PathEnd, Wrench};
 use support::numbers::Numbers;
+use support::odd_paths::{IN_SPACE, OddPath, in_space, in_the_plane};
 use support::soft_tips::draw;
 use support::splitmix::Random;
 
@@ -171,7 +173,56 @@ fn main() -> Result<(), Failure> {
         }
     }
     beyond.print("what lies beyond their ends");
-    soft_tips(30 * each)
+    soft_tips(30 * each)?;
+    odd_paths(100 * each)
+}
+
+/// States that are asked for of each odd path, all legs together.
+const FRACTIONS: usize = 2001;
+
+/// Odd programs, so many of each family: how they end, and whether every fraction that was passed has a state.
+fn odd_paths(count: usize) -> Result<(), Failure> {
+    println!("\n  odd programs                     paths     median     99 %  longest");
+    let mut untold = [0, 0];
+    for odd in IN_SPACE {
+        let (mut tally, mut random) = (Tally::default(), Random(1));
+        for _ in 0..count {
+            followed(&in_space(odd, &mut random)?, &mut tally, &mut untold)?;
+        }
+        tally.print(&format!("{odd:?}, in space"));
+    }
+    let (mut tally, mut random) = (Tally::default(), Random(1));
+    for _ in 0..count {
+        followed(&in_the_plane(&mut random)?, &mut tally, &mut untold)?;
+    }
+    tally.print("Handled, in the plane");
+    let [untold, asked] = untold;
+    println!("  Of {asked} states on the way {untold} are not told.");
+    Ok(())
+}
+
+/// Follows a program, and counts states that are not told among those that are asked for.
+fn followed<const C: usize>(
+    odd: &OddPath<C>,
+    tally: &mut Tally,
+    [untold, asked]: &mut [usize; 2],
+) -> Result<(), Failure> {
+    let start = Instant::now();
+    let mut path = odd.grasp.follow(&odd.start, &odd.legs)?;
+    path.run();
+    tally.add(end(path.end()), start);
+    let (last, most) = path.place();
+    let (legs, started) = (odd.legs.len(), path.state().is_some());
+    for k in (0..FRACTIONS).filter(|_| started) {
+        let along = legs as f64 * k as f64 / (FRACTIONS - 1) as f64;
+        let leg = (0..legs).rfind(|leg| along >= *leg as f64).unwrap_or(0);
+        let fraction = along - leg as f64;
+        if leg < last || (leg == last && fraction <= most) {
+            *asked += 1;
+            *untold += usize::from(path.state_at(leg, fraction).is_none());
+        }
+    }
+    Ok(())
 }
 
 /// Pinches of two or three soft fingertips, 12 to 96 springs, sheared and twisted until they are lost: by every event and in steps. What is beyond
@@ -213,11 +264,11 @@ fn answer(outcome: &Outcome) -> &'static str {
 }
 
 /// How a path ends.
-fn end(end: Option<&PathEnd>) -> &'static str {
+fn end<const C: usize>(end: Option<&EndOf<C>>) -> &'static str {
     match end {
-        Some(PathEnd::Completed) => "completed",
-        Some(PathEnd::Lost(loss)) => how(loss.kind),
-        Some(PathEnd::NoStart(_)) => "without a start",
+        Some(EndOf::Completed) => "completed",
+        Some(EndOf::Lost(loss)) => how(loss.kind),
+        Some(EndOf::NoStart(why)) if !matches!(**why, OutcomeOf::Undecided(_)) => "without a start",
         _ => "undecided",
     }
 }
