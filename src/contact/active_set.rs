@@ -11,6 +11,8 @@ use super::state::{Mode, State};
 use super::tangential::tangential;
 use super::tolerances::{WEIGHTLESS, ZERO_SLACK};
 
+/// Facets are at least as far apart as this; on the round cone the direction of one that is reached again differs by rounding.
+const ONE_FACET: f64 = 1e-9;
 /// Where a slip comes to its end the margin and its rate are zero up to the error of the steps.
 const TANGENT: f64 = 1e-9;
 /// A force that changes across its direction by less than this part goes straight out or in.
@@ -50,7 +52,7 @@ impl<const C: usize> ActiveSet<C> {
             // Without a facet the normal force itself vanishes, or the gap.
             if state.is_open() || exit.facet.norm() == 0.0 {
                 self.apex = true;
-            } else if !self.facets.contains(&exit.facet) {
+            } else if !self.facets.iter().any(|facet| (facet - exit.facet).norm() <= ONE_FACET) {
                 self.facets.push(exit.facet);
             }
         }

@@ -6,7 +6,7 @@ use super::first_exits::PathState;
 use super::node::{Node, directions};
 use super::segment::{Here, Segment};
 use super::trajectory::Trajectory;
-use super::watch::is_vanishing;
+use super::watch::{has_vanished, is_vanishing};
 use crate::contact::{ActiveSet, Line, State, ZERO_SLACK, tangential};
 use crate::equilibrium::NoEquilibrium;
 use crate::numerics::{Size, Vector};
@@ -154,7 +154,7 @@ impl<D: Size, const C: usize> Node<D, C> {
         let mut any = false;
         for (i, line) in here.lines.iter().enumerate() {
             let slides = self.states[i].slides();
-            if slides && !self.stands[i].apex && is_vanishing(line) {
+            if slides && !self.stands[i].apex && (is_vanishing(line) || has_vanished(line)) {
                 (self.stands[i].apex, any) = (true, true);
             }
         }

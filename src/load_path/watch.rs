@@ -62,6 +62,11 @@ pub(super) fn is_vanishing<const C: usize>(line: &Line<C>) -> bool {
     line.rate[0] < 0.0 && line.force[0] <= VANISHING * line.force_size
 }
 
+/// Whether a sliding contact has just lost it: its direction was not known well enough for a step that ends there.
+pub(super) fn has_vanished<const C: usize>(line: &Line<C>) -> bool {
+    line.force[0] < 0.0 && line.force[0] >= -VANISHING * line.force_size
+}
+
 /// The conditions in these states.
 pub(super) fn watch<D: Size, const C: usize>(
     segment: &Segment<'_, D, C>,
