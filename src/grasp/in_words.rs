@@ -93,11 +93,7 @@ impl Words {
         }
         let object = self.direction(&motion.object);
         let moves = motion.joints.iter().any(|x| *x != 0.0);
-        if moves {
-            format!("{object}, with joints by {} rad or m", self.numbers(&motion.joints))
-        } else {
-            object
-        }
+        if moves { format!("{object}, the hand with it") } else { object }
     }
 
     /// Of several bodies those that move: "wedge moving along −x, block moving along +y".

@@ -69,6 +69,12 @@ pub enum Amount {
         otherwise: String,
         /// How often the verdict changed among the amounts that were looked at; once as a rule.
         changes: usize,
+        /// Where that amount goes on to do no longer, as with a squeeze under which something else is pressed away; `None` if it does as far as was looked.
+        #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+        until: Option<FarEnd>,
+        /// Amounts apart from these that do, in order.
+        #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+        elsewhere: Vec<Window>,
         /// Of a squeeze: what each contact presses with at rest, N.
         presses: Vec<Press>,
         /// Of a squeeze: joints and tendons whose drives are at their limit at rest, so that they press no harder.
@@ -80,12 +86,16 @@ pub enum Amount {
         /// The last amount.
         to: f64,
     },
-    /// No amount does, up or down to this one, which was tried.
+    /// No amount does, as far as was looked.
     #[non_exhaustive]
     None {
-        /// The last amount.
+        /// The least amount that was tried.
+        from: f64,
+        /// The greatest.
         to: f64,
-        /// What happens with it: a sentence.
+        /// The one among them that carries most.
+        best: f64,
+        /// What happens with that: a sentence.
         otherwise: String,
     },
     /// With this amount it is not known.
@@ -103,6 +113,46 @@ impl Amount {
     #[must_use]
     pub fn bound(&self) -> Option<f64> {
         if let Self::Bound { does, .. } = self { Some(*does) } else { None }
+    }
+}
+
+/// The far end of the amounts that do.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub struct FarEnd {
+    /// The last amount that was tried and does.
+    pub does: f64,
+    /// One beside it that was tried and does not.
+    pub does_not: f64,
+    /// What happens with that: a sentence.
+    pub otherwise: String,
+    /// Of a squeeze: what each contact presses with at rest there, N.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    pub presses: Vec<Press>,
+    /// Of a squeeze: joints and tendons whose drives are at their limit at rest there.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    pub at_their_limit: Vec<String>,
+}
+
+/// Amounts that do, from one to another; an end that was not found lies beyond the amounts that were looked at.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub struct Window {
+    /// The least of them.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub from: Option<f64>,
+    /// The greatest of them.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub to: Option<f64>,
+}
+
+impl Window {
+    pub(super) fn contains(&self, amount: f64) -> bool {
+        self.from.is_none_or(|from| from <= amount) && self.to.is_none_or(|to| amount <= to)
     }
 }
 

@@ -12,15 +12,18 @@
 //! | [`Need::angle`] | greatest angle of a load that turns, rad | |
 //!
 //! Every trial is a verdict of its own, from rest ([`Grasp::hold`](crate::ask::Grasp::hold)): one amount does, the other does not, and the answer
-//! names both. Between them it is bisected to the last digits. No theorem says that more is better – a jaw that presses harder may push the object out –
-//! so that the search looks at a scan of amounts first and counts how often the verdict changes.
+//! names both. Between them it is bisected to the last digits. No theorem says that more is better: a motor at its limit presses no harder while another
+//! finger still pushes the object away. So the search goes both ways from what is given, and between amounts to where most of the load is carried; then a
+//! scan of amounts around the bound tells up to where they do ([`FarEnd`]), and which others do ([`Window`]).
 
 mod answer;
+mod around;
 mod at_amount;
 mod needed;
 mod question;
+mod search;
 mod trial;
 mod words;
 
-pub use answer::{Amount, Needed, Press, Quantity};
+pub use answer::{Amount, FarEnd, Needed, Press, Quantity, Window};
 pub use question::{Demand, Need};

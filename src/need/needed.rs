@@ -1,21 +1,14 @@
-//! The search for an amount: bracketed by trials, then halved.
+//! What is asked, searched for and answered.
 
-use super::answer::{Amount, Needed, Press, Quantity, check_part};
+use super::answer::{Amount, FarEnd, Needed, Press, Quantity, check_part};
+use super::around::Around;
 use super::question::{Need, Sought};
+use super::search::{Edge, Found, search};
 use super::trial::{Trial, is_far, try_amount};
 use crate::ask::Grasp;
 use crate::equilibrium::{DriveState, Outcome};
 use crate::error::Error;
 use crate::grasp::{WholeContacts, Wrench};
-
-/// From what is given amounts are doubled or halved so many times at most.
-const MOST_DOUBLINGS: usize = 20;
-/// Amounts this close together are one, relatively.
-const CLOSE: f64 = 1e-13;
-/// At the bound itself rounding may keep a verdict from being told: what does not is then looked for this far beyond, relatively.
-const BLURRED: f64 = 1e-9;
-/// A scan goes so many times below and above the bound.
-const SCANNED: f64 = 4.0;
 
 impl<const C: usize> Grasp<C> {
     /// How much does it need? The least squeeze or friction, the greatest load, arm or angle; see [`Need`].
@@ -106,101 +99,60 @@ fn amount<const C: usize>(grasp: &Grasp<C>, need: &Need<C>, less: [f64; 2]) -> R
         let (what, allowed) = ("number of the contact", "less than the number of contacts");
         return Err(Error::Argument { what, value: *contact as f64, allowed });
     }
-    let tried = |amount: f64| try_amount(grasp, need, amount, less);
-    let start = start(grasp, need);
+    let tries = |amount: f64| try_amount(grasp, need, amount, less);
     let is_least = need.quantity().is_least();
-    let mut at = start;
-    let mut trial = tried(at)?;
-    let does = trial == Trial::Does;
-    // An angle is not turned beyond what was asked for.
-    if does && matches!(need.sought, Sought::Angle { .. }) {
-        return Ok(Amount::Any { to: at });
-    }
-    // From what does towards less of it, from what does not towards more.
-    let factor = if does == is_least { 0.5 } else { 2.0 };
-    let mut before = None;
-    for _ in 0..MOST_DOUBLINGS {
-        before = Some((at, trial));
-        at *= factor;
-        trial = tried(at)?;
-        if (trial == Trial::Does) != does {
-            break;
-        }
-    }
-    let Some((was, trial_before)) = before else { return Ok(Amount::Any { to: at }) };
-    let (mut good, mut bad) = match (does, trial == Trial::Does) {
-        (true, true) => return Ok(Amount::Any { to: at }),
-        (false, false) => {
-            return Ok(match trial {
-                Trial::Unknown(doubt) => Amount::Undecided { at, doubt },
-                Trial::DoesNot(otherwise) => Amount::None { to: at, otherwise },
-                Trial::Does => Amount::Any { to: at },
-            });
-        }
-        (true, false) => (was, (at, trial)),
-        (false, true) => (at, (was, trial_before)),
+    let start = start(grasp, need);
+    // Of a load that is put on from rest all less was on before. An angle is not turned beyond what was asked for.
+    let everywhere = match need.sought {
+        Sought::Squeeze { .. } | Sought::Friction { .. } | Sought::Arm { .. } => true,
+        Sought::Angle { .. } if tries(start)? == Trial::Does => return Ok(Amount::Any { to: start }),
+        Sought::Angle { .. } | Sought::Load { .. } => false,
     };
-    while (good - bad.0).abs() > CLOSE * good.abs() {
-        let middle = 0.5 * (good + bad.0);
-        if middle == good || middle == bad.0 {
-            break;
-        }
-        match tried(middle)? {
-            Trial::Does => good = middle,
-            trial => bad = (middle, trial),
-        }
-    }
-    if let Trial::Unknown(_) = bad.1 {
-        bad = beyond_the_blur(good, bad, tried)?;
-    }
-    let otherwise = match bad.1 {
-        Trial::Unknown(doubt) => return Ok(Amount::Undecided { at: bad.0, doubt }),
-        Trial::DoesNot(otherwise) => otherwise,
+    let bound = match search(&tries, start, is_least, everywhere)? {
+        Found::Edge(edge) => edge.halved(&tries)?,
+        Found::All(to) => return Ok(Amount::Any { to }),
+        Found::Nothing(vain) => return Ok(nothing_does(vain)),
+    };
+    let (does, does_not) = (bound.does, bound.does_not.0);
+    let otherwise = match &bound.does_not.1 {
+        Trial::Unknown(doubt) => return Ok(Amount::Undecided { at: does_not, doubt: doubt.clone() }),
+        Trial::DoesNot { says, .. } => says.clone(),
         Trial::Does => String::new(),
     };
-    let (presses, at_their_limit) =
-        if let Sought::Squeeze { .. } = need.sought { presses(grasp, good)? } else { Default::default() };
-    let changes = changes(need.scan, good, is_least, tried)?;
-    Ok(Amount::Bound { does: good, does_not: bad.0, otherwise, changes, presses, at_their_limit })
+    let is_squeeze = matches!(need.sought, Sought::Squeeze { .. });
+    let at_rest = |does: f64| if is_squeeze { presses(grasp, does) } else { Ok(Default::default()) };
+    let Around { changes, until, elsewhere } = Around::of(&bound, need.scan, is_least, is_squeeze, &tries)?;
+    let far_end = |edge: Edge| {
+        let Edge { does, does_not: (does_not, trial) } = edge;
+        let (Trial::DoesNot { says: otherwise, .. } | Trial::Unknown(otherwise)) = trial else {
+            return Ok::<_, Error>(None);
+        };
+        let (presses, at_their_limit) = at_rest(does)?;
+        Ok(Some(FarEnd { does, does_not, otherwise, presses, at_their_limit }))
+    };
+    let until = until.map(far_end).transpose()?.flatten();
+    let (presses, at_their_limit) = at_rest(does)?;
+    Ok(Amount::Bound { does, does_not, otherwise, changes, until, elsewhere, presses, at_their_limit })
 }
 
-/// An amount that clearly does not, close beyond a bound at which it is not known; else the one that was tried.
-fn beyond_the_blur(
-    good: f64,
-    bad: (f64, Trial),
-    tried: impl Fn(f64) -> Result<Trial, Error>,
-) -> Result<(f64, Trial), Error> {
-    let mut gap = bad.0 - good;
-    while gap.abs() <= 0.25 * BLURRED * good.abs() {
-        gap *= 4.0;
-        if let trial @ Trial::DoesNot(_) = tried(good + gap)? {
-            return Ok((good + gap, trial));
+/// Told from amounts of which none does: by one of which it is not known, or by the one that carries most, the first of them if several do.
+fn nothing_does(vain: Vec<(f64, Trial)>) -> Amount {
+    let amounts = || vain.iter().map(|(amount, _)| *amount);
+    let [from, to] = [amounts().fold(f64::INFINITY, f64::min), amounts().fold(0.0, f64::max)];
+    let mut none = Amount::None { from, to, best: to, otherwise: String::new() };
+    let mut most = f64::NEG_INFINITY;
+    for (amount, trial) in vain {
+        let carried = trial.carried();
+        match trial {
+            Trial::Unknown(doubt) => return Amount::Undecided { at: amount, doubt },
+            Trial::DoesNot { says: otherwise, .. } if carried > most => {
+                most = carried;
+                none = Amount::None { from, to, best: amount, otherwise };
+            }
+            Trial::DoesNot { .. } | Trial::Does => {}
         }
     }
-    Ok(bad)
-}
-
-/// How often the verdict changes among amounts around the bound, those next to it included.
-fn changes(
-    scan: usize,
-    bound: f64,
-    is_least: bool,
-    tried: impl Fn(f64) -> Result<Trial, Error>,
-) -> Result<usize, Error> {
-    let mut changes = 1;
-    let half = scan / 2;
-    for (side, up) in [(false, half), (true, scan - half)] {
-        // Next to the bound on this side.
-        let mut does = side == is_least;
-        for k in 1..=up {
-            let part = SCANNED.powf(k as f64 / up as f64);
-            let amount = if side { bound * part } else { bound / part };
-            let now = tried(amount)? == Trial::Does;
-            changes += usize::from(now != does);
-            does = now;
-        }
-    }
-    Ok(changes)
+    none
 }
 
 /// What each contact presses with at rest, squeezed so many times as much, and whose drives are at their limit there.

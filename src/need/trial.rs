@@ -9,7 +9,7 @@ use crate::ask::Grasp;
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::Wrench;
-use crate::hold::Verdict;
+use crate::hold::{Holding, Verdict};
 use crate::load_path::{Leg, Onset, PathEnd, Ramp, Turn};
 use crate::squeeze::{Loads, WeakestDirection};
 use crate::words::Words;
@@ -17,15 +17,37 @@ use crate::words::Words;
 /// Forces of any direction are put on in so many of them where the object may slide: to tell a loss there is no closed form.
 const DIRECTIONS_IN_THE_PLANE: usize = 72;
 const DIRECTIONS_IN_SPACE: usize = 200;
+/// What is carried where what acts at rest has no equilibrium at all.
+const NOT_AT_REST: f64 = -1.0;
 
 /// What becomes of an amount.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Trial {
     Does,
-    /// A sentence that says what happens.
-    DoesNot(String),
+    DoesNot {
+        /// A sentence that says what happens.
+        says: String,
+        /// The part of the load that is carried until then, below 0 where not even what acts at rest is.
+        carried: f64,
+    },
     /// A sentence that says why it is not known.
     Unknown(String),
+}
+
+impl Trial {
+    /// What happens, when nothing of the load is carried.
+    fn nothing(says: impl Into<String>) -> Self {
+        Self::DoesNot { says: says.into(), carried: 0.0 }
+    }
+
+    /// How much of the load is carried: 1 where all of it is.
+    pub(super) fn carried(&self) -> f64 {
+        match self {
+            Self::Does => 1.0,
+            Self::DoesNot { carried, .. } => *carried,
+            Self::Unknown(_) => NOT_AT_REST,
+        }
+    }
 }
 
 /// Tries an amount, friction and squeeze being less by these parts.
@@ -94,7 +116,7 @@ impl<const C: usize> Loading<C> {
             Loads::AnyForce { base, size, point } => {
                 let trial = self.any_force(&(besides + *base * times), *size * times, *point)?;
                 match (demand, trial) {
-                    (Demand::Held, Trial::DoesNot(_) | Trial::Unknown(_)) => {
+                    (Demand::Held, Trial::DoesNot { .. } | Trial::Unknown(_)) => {
                         let forces = directions::<C>().into_iter().map(|d| {
                             let force = force_at(d.map(|x| x * *size * times), *point);
                             Ramp::load(besides + *base * times, force)
@@ -121,7 +143,7 @@ impl<const C: usize> Loading<C> {
             self.watch(verdict.state.as_deref());
             match self.judged(&verdict, demand) {
                 Trial::Does => {}
-                trial @ Trial::DoesNot(_) => return Ok(trial),
+                trial @ Trial::DoesNot { .. } => return Ok(trial),
                 Trial::Unknown(why) => unknown = Some(why),
             }
         }
@@ -137,18 +159,16 @@ impl<const C: usize> Loading<C> {
         Ok(match self.grasp.weakest_direction(base, point)? {
             WeakestDirection::Never => Trial::Does,
             WeakestDirection::Force { size: most, .. } if most >= size => Trial::Does,
-            WeakestDirection::Force { load, .. } => {
+            WeakestDirection::Force { load, size: most, .. } => {
                 let first = self.grasp.hold(Ramp::load(*base, load - *base))?;
                 self.watch(first.state.as_deref());
                 let who = first.first_slip.map_or_else(|| "it slides".to_owned(), |first| self.said(&first));
-                Trial::DoesNot(format!("{who} under a force of one direction"))
+                Trial::DoesNot { says: format!("{who} under a force of one direction"), carried: most / size }
             }
-            WeakestDirection::GivesWay { .. } => {
-                Trial::DoesNot("nothing resists a force of one direction".to_owned())
-            }
+            WeakestDirection::GivesWay { .. } => Trial::nothing("nothing resists a force of one direction"),
             WeakestDirection::NotSticking => {
                 let rest = self.grasp.hold(Ramp::load(*base, Wrench::ZERO))?;
-                Trial::DoesNot(self.said(&rest))
+                Trial::nothing(self.said(&rest))
             }
             WeakestDirection::Undecided => {
                 Trial::Unknown("rounding keeps the weakest direction from being told".to_owned())
@@ -168,26 +188,39 @@ impl<const C: usize> Loading<C> {
         };
         match does {
             Some(true) => Trial::Does,
-            Some(false) => Trial::DoesNot(match (&verdict.first_slip, verdict.holds()) {
-                (Some(first), Some(true)) => self.said(first),
-                _ => self.said(verdict),
-            }),
+            Some(false) => {
+                let (says, part) = match (&verdict.first_slip, verdict.holds()) {
+                    (Some(first), Some(true)) => (self.said(first), first.factor),
+                    _ => (self.said(verdict), verdict.held_to),
+                };
+                let first_slip = verdict.first_slip.as_ref().map_or(part, |first| first.factor);
+                let carried = match &verdict.holding {
+                    Holding::NoRest(_) => NOT_AT_REST,
+                    Holding::LostAtRest { at_rest } => at_rest.factor - 1.0,
+                    _ if demand == Demand::Sticks => part.min(first_slip),
+                    _ => part,
+                };
+                Trial::DoesNot { says, carried }
+            }
             None => Trial::Unknown(self.said(verdict)),
         }
     }
 
     fn turn(&self, turn: &Turn<C>, demand: Demand) -> Result<Trial, Error> {
         let degrees = |angle: f64| self.words.angle(angle);
+        let part_of_it = |says: String, angle: f64| Trial::DoesNot { says, carried: angle / turn.angle() };
         if demand == Demand::Sticks {
             return Ok(match self.grasp.onset_of_turn(turn)?.onset {
                 Onset::Never => Trial::Does,
                 Onset::Undecided(undecided) => Trial::Unknown(self.said(&undecided)),
-                Onset::At(event) => Trial::DoesNot(format!("something slides at {}", degrees(event.factor))),
-                Onset::GivesWay { factor, .. } => {
-                    Trial::DoesNot(format!("it gives way at {}", degrees(factor)))
+                Onset::At(event) => {
+                    part_of_it(format!("something slides at {}", degrees(event.factor)), event.factor)
                 }
-                Onset::AlreadySliding(_) => Trial::DoesNot("something slides before it turns".to_owned()),
-                Onset::NoBase(none) => Trial::DoesNot(self.said(&none)),
+                Onset::GivesWay { factor, .. } => {
+                    part_of_it(format!("it gives way at {}", degrees(factor)), factor)
+                }
+                Onset::AlreadySliding(_) => Trial::nothing("something slides before it turns"),
+                Onset::NoBase(none) => Trial::DoesNot { says: self.said(&none), carried: NOT_AT_REST },
             });
         }
         let mut path = self.grasp.follow(&turn.load_at(0.0), &[Leg::turn(turn)])?;
@@ -196,9 +229,10 @@ impl<const C: usize> Loading<C> {
         Ok(match path.end() {
             Some(PathEnd::Completed) => Trial::Does,
             Some(PathEnd::Lost(loss)) => {
-                Trial::DoesNot(format!("it is lost at {}", degrees(loss.fraction * turn.angle())))
+                let angle = loss.fraction * turn.angle();
+                part_of_it(format!("it is lost at {}", degrees(angle)), angle)
             }
-            Some(end @ PathEnd::NoStart(_)) => Trial::DoesNot(self.said(end)),
+            Some(end @ PathEnd::NoStart(_)) => Trial::DoesNot { says: self.said(end), carried: NOT_AT_REST },
             Some(end @ PathEnd::Undecided { .. }) => Trial::Unknown(self.said(end)),
             None => Trial::Unknown("the path has no end".to_owned()),
         })

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::answer::{Amount, Needed, Press, Quantity};
+use super::answer::{Amount, Needed, Press, Quantity, Window};
 use super::question::Demand;
 use crate::words::{TOO_FAR, Words, listed, printable};
 
@@ -26,7 +26,7 @@ impl Needed {
             Demand::Held => "it is not lost",
         };
         match &self.amount {
-            Amount::Bound { does, otherwise, changes, presses, at_their_limit, .. } => {
+            Amount::Bound { does, otherwise, changes, until, elsewhere, presses, at_their_limit, .. } => {
                 let much = self.quantity.much(words, *does, presses);
                 if self.quantity.is_least() {
                     write!(f, "NEEDS {much} so that {aim}")?;
@@ -35,16 +35,31 @@ impl Needed {
                 }
                 self.safe_amount(f, *does, presses)?;
                 write!(f, ". With {} {otherwise}", if self.quantity.is_least() { "less:" } else { "more:" })?;
-                if !at_their_limit.is_empty() {
-                    let names: Vec<_> = at_their_limit.iter().map(|name| printable(name)).collect();
-                    let are = if names.len() == 1 {
-                        "is at its limit and presses"
-                    } else {
-                        "are at their limit and press"
-                    };
-                    write!(f, ". At rest {} {are} no harder", listed(&names))?;
+                if let Some(limit) = at_limit(at_their_limit) {
+                    write!(f, ". At rest {limit}")?;
                 }
-                if *changes > 1 {
+                let mut told = 1;
+                if let Some(end) = until {
+                    told += 1;
+                    let [more, too] =
+                        if self.quantity.is_least() { ["More", "much"] } else { ["Less", "little"] };
+                    let much = self.quantity.much(words, end.does, &end.presses);
+                    write!(f, ". {more} than {much} is too {too}: {}", end.otherwise)?;
+                    if let Some(limit) = at_limit(&end.at_their_limit) {
+                        write!(f, ". There, at rest, {limit}")?;
+                    }
+                }
+                for window in elsewhere {
+                    told += [window.from, window.to].iter().flatten().count();
+                    let much = |amount: f64| self.quantity.much(words, amount, &[]);
+                    let range = match (window.from, window.to) {
+                        (Some(from), Some(to)) => self.quantity.range(words, from, to),
+                        (Some(one), None) => format!("{} and more", much(one)),
+                        (None, one) => format!("{} and less", much(one.unwrap_or(0.0))),
+                    };
+                    write!(f, ". Apart from that {range} would do")?;
+                }
+                if *changes > told {
                     write!(f, ". The verdict changes {changes} times among the amounts that were looked at")?;
                 }
                 Ok(())
@@ -53,14 +68,10 @@ impl Needed {
                 write!(f, "NEEDS none: down to {} {aim}", self.quantity.much(words, *to, &[]))
             }
             Amount::Any { to } => write!(f, "TAKES any: up to {} {aim}", self.quantity.much(words, *to, &[])),
-            Amount::None { to, otherwise } => {
-                let way = if self.quantity.is_least() { "up" } else { "down" };
-                write!(
-                    f,
-                    "NO {} does, {way} to {}: {otherwise}",
-                    self.quantity,
-                    self.quantity.much(words, *to, &[])
-                )
+            Amount::None { from, to, best, otherwise } => {
+                let [range, best] =
+                    [self.quantity.range(words, *from, *to), self.quantity.much(words, *best, &[])];
+                write!(f, "NO {} does, from {range}. With {best}: {otherwise}", self.quantity)
             }
             Amount::Undecided { at, doubt } => {
                 write!(f, "UNDECIDED at {}: {doubt}", self.quantity.much(words, *at, &[]))
@@ -86,12 +97,11 @@ impl Needed {
                     _ if presses.is_empty() => self.quantity.much(words, *safe, &[]),
                     _ => format!("{} times as much", words.number(safe / does)),
                 };
-                // What does need not be all that lies above or below: less may do where more does not.
-                let past = if self.quantity.is_least() { does - safe } else { safe - does };
-                let beside = if past > ALIKE * does.abs() {
-                    " (by itself: not every amount beyond it does)"
-                } else {
+                // What is safe against less may be too much, or too little, for what was given.
+                let beside = if self.amount.takes(*safe, self.quantity.is_least()) {
                     ""
+                } else {
+                    " (which does not do as given)"
                 };
                 write!(f, ", {much} if {}{beside}", listed(&less))
             }
@@ -102,6 +112,29 @@ impl Needed {
     }
 }
 
+/// "motor is at its limit and presses no harder".
+fn at_limit(drives: &[String]) -> Option<String> {
+    let names: Vec<_> = drives.iter().map(|name| printable(name)).collect();
+    let are = match names.len() {
+        0 => return None,
+        1 => "is at its limit and presses",
+        _ => "are at their limit and press",
+    };
+    Some(format!("{} {are} no harder", listed(&names)))
+}
+
+impl Amount {
+    /// Whether it is known that this amount does, or rounding apart from one that does.
+    fn takes(&self, amount: f64, is_least: bool) -> bool {
+        let Self::Bound { does, until, elsewhere, .. } = self else { return true };
+        let (near, far) = (Some(*does), until.as_ref().map(|end| end.does));
+        let own = if is_least { Window { from: near, to: far } } else { Window { from: far, to: near } };
+        let is_in =
+            |amount: f64| own.contains(amount) || elsewhere.iter().any(|window| window.contains(amount));
+        [amount, amount * (1.0 + ALIKE), amount * (1.0 - ALIKE)].into_iter().any(is_in)
+    }
+}
+
 /// The force that all contacts press with, if it is one.
 fn alike(presses: &[Press]) -> Option<f64> {
     let first = presses.first()?.force;
@@ -109,6 +142,18 @@ fn alike(presses: &[Press]) -> Option<f64> {
 }
 
 impl Quantity {
+    /// "0.1 to 3 times the load".
+    fn range(self, words: Words, from: f64, to: f64) -> String {
+        let [low, high] = [from, to].map(|amount| words.number(amount));
+        match self {
+            Self::Squeeze => format!("{low} to {high} times the squeeze given"),
+            Self::Friction => format!("{low} to {high}"),
+            Self::Load => format!("{low} to {high} times the load"),
+            Self::Arm => format!("{low} m to {high} m"),
+            Self::Angle => format!("{} to {}", words.angle(from), words.angle(to)),
+        }
+    }
+
     fn much(self, words: Words, amount: f64, presses: &[Press]) -> String {
         match self {
             Self::Squeeze => {

@@ -2,3 +2,4 @@
 
 mod both_sides;
 mod closed_forms;
+mod windows;

@@ -1,0 +1,125 @@
+//! Squeezes that do lie in windows where a motor reaches its limit, while another finger still pushes the object away: known by hand.
+
+use grasp_lcp::need::{Amount, Need, Window};
+use grasp_lcp::planar::{Grasp, Wrench};
+use grasp_lcp::scene::{Scene, Space};
+
+type Tested = Result<(), Box<dyn std::error::Error>>;
+
+/// A jaw presses with 4 N a squeeze, its motor with 6 N at most, against a wall; a finger from above pushes with 1 N a squeeze, and friction is 0.5:
+/// `W + s <= min(4 s, 6)`. More contacts may be given, commanded in squeezes, too.
+fn pushed_from_above(given: f64, more: &str) -> Result<Grasp, Box<dyn std::error::Error>> {
+    let text = format!(
+        r#"{{ "format": "grasp-lcp/1", "planar": {{
+            "fingers": [{{
+                "joints": [{{ "name": "motor", "prismatic": [1, 0], "stiffness": 1000, "command": {}, "limit": {{ "saturates": 6 }} }}],
+                "contacts": [{{ "name": "left", "point": [-0.03, 0], "normal": [1, 0], "stiffness": 1e4, "friction": 0.5 }}]
+            }}],
+            "contacts": [
+                {{ "name": "right", "point": [0.03, 0], "normal": [-1, 0], "stiffness": 1e4, "friction": 0.5 }},
+                {{ "name": "pusher", "point": [0, 0.02], "normal": [0, -1], "stiffness": 1e4, "force": {given} }}{more}
+            ]
+        }} }}"#,
+        0.0048 * given
+    );
+    match Scene::from_json(text.as_bytes())?.space {
+        Space::Planar(setup) => Ok(setup.grasp()?),
+        Space::Spatial(_) => Err("a planar scene".into()),
+    }
+}
+
+fn is(found: f64, squeeze: f64, given: f64) {
+    assert!((found * given / squeeze - 1.0).abs() < 1e-10, "{found} of {given}: {squeeze}");
+}
+
+#[test]
+fn a_window_is_found_from_wherever_the_search_begins() -> Tested {
+    for given in [0.1, 0.4, 1.0, 1.55, 4.0, 16.0, 300.0] {
+        let grasp = pushed_from_above(given, "")?;
+        // The last two are narrower than a doubling by far.
+        for weight in [3.0, 4.4, 4.4999] {
+            for demanded in [|need| need, Need::to_hold] {
+                let need = demanded(Need::squeeze(Wrench::force([0.0, -weight]))).if_lower_by(0.0, 0.0);
+                let needed = grasp.need(&need)?;
+                let Amount::Bound { does, until: Some(end), changes, elsewhere, .. } = &needed.amount else {
+                    panic!("{given} {weight}: {needed}")
+                };
+                is(*does, weight / 3.0, given);
+                is(end.does, 6.0 - weight, given);
+                assert_eq!(end.at_their_limit, ["motor"], "{needed}");
+                assert!(*changes == 2 && elsewhere.is_empty(), "{needed}");
+            }
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn it_is_told() -> Tested {
+    let need = |weight: f64| Need::squeeze(Wrench::force([0.0, -weight])).if_lower_by(0.0, 0.0);
+    assert_eq!(
+        pushed_from_above(4.0, "")?.need(&need(3.0))?.to_string(),
+        "NEEDS 4 N at right, 1 N at pusher and 4 N at left (0.25 times the squeeze given) so that nothing slides. With less: right and left slide. \
+        More than 6 N at right, 3 N at pusher and 6 N at left (0.75 times the squeeze given) is too much: right and left slide. \
+        There, at rest, motor is at its limit and presses no harder"
+    );
+    // At most `6 - 1.5` is carried, by 1.5 squeezes.
+    let needed = pushed_from_above(4.0, "")?.need(&need(5.0))?;
+    let Amount::None { best, .. } = needed.amount else { panic!("{needed}") };
+    assert!((best * 4.0 - 1.5).abs() < 1e-6, "{needed}");
+    let says = needed.to_string();
+    assert!(says.starts_with("NO squeeze does, from 9.53674e-7 to 1048576 times the squeeze given. With 0.375 times the squeeze given: SLIPS OUT at 4.5 N of 5 N"), "{says}");
+    Ok(())
+}
+
+/// Where only half of the squeeze may come, what is safe against that is too much where all of it does.
+#[test]
+fn what_is_safe_may_not_do_as_given() -> Tested {
+    let half = Need::squeeze(Wrench::force([0.0, -4.2])).if_lower_by(0.0, 0.5);
+    let needed = pushed_from_above(1.0, "")?.need(&half)?;
+    let Some(Amount::Bound { does, until: Some(end), .. }) = &needed.safe else { panic!("{needed}") };
+    is(*does, 2.8, 1.0);
+    is(end.does, 3.6, 1.0);
+    let says = needed.to_string();
+    assert!(
+        says.contains(", 2 times as much if the squeeze is 50 % less (which does not do as given). "),
+        "{says}"
+    );
+    Ok(())
+}
+
+/// Two more jaws close later, `e = 0.0004 s - 0.0022` m deep, and take over where the motor presses no harder: held by `6 + 1e4 (e - 2e-4)`, which is
+/// the push and 3 N again at 7 squeezes.
+#[test]
+fn a_second_window_is_told_beside_the_first() -> Tested {
+    let need = Need::squeeze(Wrench::force([0.0, -3.0])).to_hold().if_lower_by(0.0, 0.0);
+    let late = |given: f64, x: f64| {
+        format!(
+            r#", {{ "point": [{x}, 0], "normal": [{}, 0], "stiffness": 1e4, "friction": 0.5, "clearance": 0.0022, "command": [{}, 0] }}"#,
+            -x.signum(),
+            4e-4 * given
+        )
+    };
+    let grasp = |given: f64| pushed_from_above(given, &(late(given, -0.03) + &late(given, 0.03)));
+    for given in [1.0, 0.5] {
+        let needed = grasp(given)?.need(&need)?;
+        let Amount::Bound { does, until: Some(end), elsewhere, .. } = &needed.amount else {
+            panic!("{needed}")
+        };
+        is(*does, 1.0, given);
+        is(end.does, 3.0, given);
+        let [Window { from: Some(from), to: None, .. }] = elsewhere[..] else { panic!("{needed}") };
+        is(from, 7.0, given);
+    }
+    let needed = grasp(10.0)?.need(&need)?;
+    let Amount::Bound { does, until: None, elsewhere, .. } = &needed.amount else { panic!("{needed}") };
+    is(*does, 7.0, 10.0);
+    let [Window { from: Some(from), to: Some(to), .. }] = elsewhere[..] else { panic!("{needed}") };
+    is(from, 1.0, 10.0);
+    is(to, 3.0, 10.0);
+    assert!(
+        needed.to_string().ends_with("Apart from that 0.1 to 0.3 times the squeeze given would do"),
+        "{needed}"
+    );
+    Ok(())
+}
