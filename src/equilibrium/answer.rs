@@ -134,6 +134,13 @@ impl<const C: usize> Equilibrium<C> {
         turns(&self.twist) || self.bodies.iter().any(|body| turns(&body.twist))
     }
 
+    /// The largest force among those of contacts and the load, N: what a person reads as a force is one beside this.
+    #[must_use]
+    pub fn largest_force(&self) -> f64 {
+        let load = self.load.components().iter().take(C).fold(0.0, |norm: f64, x| norm.hypot(*x));
+        self.contacts.iter().map(|contact| contact.force.norm()).fold(load, f64::max)
+    }
+
     /// This answer as it reads back once it is written.
     #[cfg(feature = "serde")]
     pub(crate) fn written(self) -> Self {

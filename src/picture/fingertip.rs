@@ -5,8 +5,9 @@ use std::ops::Range;
 use nalgebra::SVector;
 
 use super::contact_look::word;
-use crate::equilibrium::{ContactAnswer, ContactState};
+use crate::equilibrium::{ContactAnswer, ContactState, Equilibrium};
 use crate::grasp::{Contact, WholeContacts};
+use crate::words::Words;
 
 /// Consecutive contacts of a grasp.
 #[derive(Debug, Clone)]
@@ -37,6 +38,11 @@ pub(super) fn fingertips<const C: usize>(contacts: &[Contact<C>]) -> Vec<Contact
     whole.ranges().iter().enumerate().map(group).collect()
 }
 
+/// A force in what is drawn and written of an equilibrium: zero where it is rounding, as in tables and sentences.
+pub(super) fn without_rounding<const C: usize>(force: f64, state: &Equilibrium<C>) -> f64 {
+    Words::default().beside(force, state.largest_force())
+}
+
 impl ContactGroup {
     /// Whether it is more than a point.
     pub(super) fn is_soft(&self) -> bool {
@@ -52,9 +58,9 @@ impl ContactGroup {
     pub(super) fn resultant<const C: usize>(
         &self,
         contacts: &[Contact<C>],
-        answers: &[ContactAnswer<C>],
+        state: &Equilibrium<C>,
     ) -> Resultant<C> {
-        let answers = &answers[self.contacts.clone()];
+        let answers = &state.contacts[self.contacts.clone()];
         let pressed: f64 = answers.iter().map(|answer| answer.normal_force().max(0.0)).sum();
         // A point of its own has no mean to be rounded.
         let share = |answer: &ContactAnswer<C>| match pressed > 0.0 {
@@ -71,10 +77,13 @@ impl ContactGroup {
             _ => None,
         });
         let along: SVector<f64, C> = along.sum();
+        let force: SVector<f64, C> = answers.iter().map(|answer| answer.force_world).sum();
+        let acts = without_rounding(force.norm(), state) > 0.0;
+        let normal_force: f64 = answers.iter().map(ContactAnswer::normal_force).sum();
         Resultant {
             at: points.map(|(contact, answer)| contact.point * share(answer)).sum(),
-            force: answers.iter().map(|answer| answer.force_world).sum(),
-            normal_force: answers.iter().map(ContactAnswer::normal_force).sum(),
+            force: if acts { force } else { SVector::zeros() },
+            normal_force: if acts { without_rounding(normal_force, state) } else { 0.0 },
             displacement: answers.iter().map(|answer| answer.body_core * share(answer)).sum(),
             slides: (word == "sliding").then(|| along.try_normalize(0.0)).flatten(),
             word,

@@ -1,7 +1,7 @@
 //! How much of its friction each contact uses along the path of a load: of a soft fingertip all of it, not its points.
 
 use super::chart::Chart;
-use super::fingertip::{ContactGroup, fingertips};
+use super::fingertip::{ContactGroup, fingertips, without_rounding};
 use super::palette::PALETTE;
 use super::series::{ChartSeries, Stroke};
 use super::words::shortened;
@@ -47,15 +47,8 @@ impl<const C: usize> Drawn<'_, C> {
         let tips = fingertips(self.grasp.contacts());
         let states = self.states(&path, &events);
         let curve = |tip: &ContactGroup| -> Vec<(f64, f64)> {
-            let used = |(x, state): &(f64, Equilibrium<C>)| {
-                (
-                    *x,
-                    part_used(
-                        &state.contacts[tip.contacts.clone()],
-                        &self.grasp.contacts()[tip.contacts.clone()],
-                    ),
-                )
-            };
+            let used =
+                |(x, state): &(f64, Equilibrium<C>)| (*x, part_used(tip, self.grasp.contacts(), state));
             states.iter().map(used).collect()
         };
         let named = tips.iter().map(|tip| {
@@ -132,7 +125,13 @@ impl<const C: usize> Drawn<'_, C> {
 }
 
 /// The part of their friction that points use together: 1 where all of them slide. Not a number where that says nothing.
-fn part_used<const C: usize>(answers: &[ContactAnswer<C>], contacts: &[Contact<C>]) -> f64 {
+fn part_used<const C: usize>(tip: &ContactGroup, contacts: &[Contact<C>], state: &Equilibrium<C>) -> f64 {
+    let (answers, contacts) = (&state.contacts[tip.contacts.clone()], &contacts[tip.contacts.clone()]);
+    // Of a force that is rounding the ratio is anything.
+    let force = answers.iter().map(|answer| answer.force.norm()).fold(0.0, f64::max);
+    if force > 0.0 && without_rounding(force, state) == 0.0 {
+        return f64::NAN;
+    }
     let rubs = |answer: &&ContactAnswer<C>| {
         matches!(answer.state, ContactState::Sticking | ContactState::Sliding { .. })
             && answer.margin.is_finite()

@@ -79,7 +79,7 @@ impl<'a> Picture<'a> {
             middle: tip.middle(contacts),
             frame: frames[tip.contacts.start],
             slope: slope(&contacts[tip.contacts.start]),
-            does: state.map(|state| tip.resultant(contacts, &state.contacts)),
+            does: state.map(|state| tip.resultant(contacts, state)),
             of: tip,
         };
         let tips: Vec<_> = fingertips(contacts).into_iter().map(tip).collect();

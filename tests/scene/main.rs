@@ -12,6 +12,7 @@ mod messages;
 mod names_apart;
 mod picture_paper;
 mod planar_still;
+mod rounding_in_pictures;
 mod said_in_digits;
 mod soft_still;
 mod spatial_page;

@@ -17,9 +17,7 @@ pub(crate) fn table<const C: usize>(
     } else {
         state.whole_contacts().collect()
     };
-    let forces =
-        state.contacts.iter().flat_map(|contact| contact.force.iter()).chain(&state.load.components()[..C]);
-    let numbers = Cleaned { words: style.words, largest: forces.fold(0.0, |most: f64, x| most.max(x.abs())) };
+    let numbers = Cleaned { words: style.words, largest: state.largest_force() };
     let heads = heads::<C>(!state.pads.is_empty() && !style.points);
     let columns = heads.len();
     let lines: Vec<_> =

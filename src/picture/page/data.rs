@@ -85,7 +85,7 @@ impl Drawing<'_> {
     fn state(&self, frame: &Frame, state: &Equilibrium) -> Result<Vec<String>, PictureError> {
         let given = self.page.grasp.contacts();
         let contacts = list(&self.tips, |tip| {
-            let resultant = tip.resultant(given, &state.contacts);
+            let resultant = tip.resultant(given, state);
             let slides = resultant.slides.map(|way| json_row(way.as_slice())).transpose()?;
             let state_of = |word: &str| json_string(&word.replace(' ', "-"));
             let states = list(&state.contacts[tip.contacts.clone()], |answer| Ok(state_of(word(answer))))?;

@@ -145,7 +145,7 @@ impl<'p> Drawing<'p> {
         let mut most = Largest::default();
         for state in states {
             for tip in &self.tips {
-                let resultant = tip.resultant(self.page.grasp.contacts(), &state.contacts);
+                let resultant = tip.resultant(self.page.grasp.contacts(), state);
                 most.force = most.force.max(resultant.force.norm());
                 most.displacement = most.displacement.max(resultant.displacement.norm());
             }
@@ -162,7 +162,7 @@ impl<'p> Drawing<'p> {
         let frames: Vec<_> = grasp.frames().collect();
         let scale = |state: &Equilibrium| {
             let push = |tip: &ContactGroup| {
-                let pushed = tip.resultant(grasp.contacts(), &state.contacts).normal_force;
+                let pushed = tip.resultant(grasp.contacts(), state).normal_force;
                 (tip.middle(grasp.contacts()), frames[tip.contacts.start].column(0).into_owned(), pushed)
             };
             let pushes: Vec<_> = self.tips.iter().map(push).collect();

@@ -119,7 +119,7 @@ fn scale(pixels: f64, width: f64, heads: usize, unit: &str) -> Option<Entry> {
 /// What fingertips and their points do, each thing once.
 fn of_contacts(drawing: &Drawing, state: &Equilibrium) -> Vec<Entry> {
     let contacts = drawing.page.grasp.contacts();
-    let resultant = |tip: &ContactGroup| tip.resultant(contacts, &state.contacts);
+    let resultant = |tip: &ContactGroup| tip.resultant(contacts, state);
     let tips: Vec<Resultant<3>> = drawing.tips.iter().map(resultant).collect();
     let soft = drawing.tips.iter().filter(|tip| tip.is_soft()).flat_map(|tip| tip.contacts.clone());
     let points: Vec<_> = soft.map(|i| word(&state.contacts[i])).collect();
@@ -154,9 +154,8 @@ fn of_object(drawing: &Drawing, frame: &Frame) -> Vec<Entry> {
         (true, true) => "moment of the load, about that place",
     };
     let contacts = drawing.page.grasp.contacts();
-    let slides = |state: &Equilibrium| {
-        drawing.tips.iter().any(|tip| tip.resultant(contacts, &state.contacts).slides.is_some())
-    };
+    let slides =
+        |state: &Equilibrium| drawing.tips.iter().any(|tip| tip.resultant(contacts, state).slides.is_some());
     let arrow = |ink, width, heads| Sample::Arrow { ink, width, heads, long: SAMPLE };
     let dashes = |ink| Sample::Dashes { ink };
     let displaced = |state: &Equilibrium| state.contacts.iter().any(|answer| answer.body_core.norm() > 0.0);

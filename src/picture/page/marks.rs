@@ -126,7 +126,7 @@ pub(super) fn marks(drawing: &Drawing, frame: Option<&Frame>) -> Vec<Mark> {
         marks.push(Mark::Line { corners: vec![tail, at], ink: GREY, width: 5.0, dashes: None });
         match state {
             Some(state) => {
-                let resultant = tip.resultant(contacts, &state.contacts);
+                let resultant = tip.resultant(contacts, state);
                 let given = slope(&contacts[tip.contacts.start]);
                 let slope = frame.map_or(given, |frame| frame.slope(tip.contacts.start, given));
                 draw_answer(&mut marks, drawing, slope, [n, t, b], &resultant);

@@ -8,7 +8,7 @@ use crate::grasp::Hold;
 use crate::picture::actuators::Actuators;
 use crate::picture::contact_look::{no_friction_left, word};
 use crate::picture::error::PictureError;
-use crate::picture::fingertip::ContactGroup;
+use crate::picture::fingertip::{ContactGroup, without_rounding};
 use crate::picture::words::{escaped, short};
 use crate::spatial::{Contact, ContactAnswer, Equilibrium, Grasp};
 
@@ -103,7 +103,7 @@ fn write_rows(
             let class = if tip.is_soft() { " class=\"point\"" } else { "" };
             let name = if tip.is_soft() { contact.label_text(i) } else { tip.name.clone() };
             let friction = frame.friction(i, contact.friction_coefficient());
-            ContactRow::of_point(answer, friction).write(page, number, class, &name, contact.hold)?;
+            ContactRow::of_point(answer, friction, state).write(page, number, class, &name, contact.hold)?;
         }
     }
     page.push_str("</tbody>\n</table>\n</div>\n");
@@ -117,13 +117,15 @@ struct ContactRow {
 }
 
 impl ContactRow {
-    fn of_point(answer: &ContactAnswer, friction: f64) -> Self {
+    fn of_point(answer: &ContactAnswer, friction: f64, state: &Equilibrium) -> Self {
+        let force = |newtons| without_rounding(newtons, state);
+        let (pushes, rubs) = (force(answer.normal_force()), force(answer.friction_force()));
         let numbers = [
-            answer.normal_force(),
-            answer.friction_force(),
-            answer.friction_used(),
+            pushes,
+            rubs,
+            if rubs == 0.0 { 0.0 } else { answer.friction_used() },
             friction,
-            reserve(answer),
+            force(reserve(answer)),
             if answer.gap > 0.0 { answer.gap } else { answer.slip.norm() },
             answer.body_core.norm(),
         ];
@@ -132,20 +134,21 @@ impl ContactRow {
 
     /// Sums of forces and reserves; gap or slip is the largest.
     fn of_tip(tip: &ContactGroup, contacts: &[Contact], state: &Equilibrium, frame: &Frame) -> Self {
-        let does = tip.resultant(contacts, &state.contacts);
+        let does = tip.resultant(contacts, state);
         let first = &contacts[tip.contacts.start];
         let answers = &state.contacts[tip.contacts.clone()];
         let normal = first.normal.normalize();
         let along = does.force - normal * does.force.dot(&normal);
         let moved =
             answers.iter().map(|answer| if answer.gap > 0.0 { answer.gap } else { answer.slip.norm() });
-        let (pushes, rubs) = (does.normal_force, along.norm());
+        let force = |newtons| without_rounding(newtons, state);
+        let (pushes, rubs) = (does.normal_force, force(along.norm()));
         let numbers = [
             pushes,
             rubs,
             if rubs == 0.0 { 0.0 } else { rubs / pushes },
             frame.friction(tip.contacts.start, first.friction_coefficient()),
-            answers.iter().map(reserve).sum(),
+            force(answers.iter().map(reserve).sum()),
             moved.fold(0.0, f64::max),
             does.displacement.norm(),
         ];
