@@ -17,6 +17,8 @@ use crate::words::Words;
 /// Forces of any direction are put on in so many of them where the object may slide: to tell a loss there is no closed form.
 const DIRECTIONS_IN_THE_PLANE: usize = 72;
 const DIRECTIONS_IN_SPACE: usize = 200;
+/// A force in some direction presses an open contact on, and no closed form compares directions then.
+const OPEN: &str = "a contact is open or at its edge before the force acts, and directions are compared only where all of them press";
 /// What is carried where what acts at rest has no equilibrium at all.
 const NOT_AT_REST: f64 = -1.0;
 
@@ -114,7 +116,7 @@ impl<const C: usize> Loading<C> {
                 self.all(ramps, demand)
             }
             Loads::AnyForce { base, size, point } => {
-                let trial = self.any_force(&(besides + *base * times), *size * times, *point)?;
+                let trial = self.any_force(*base * times, *size * times, *point)?;
                 match (demand, trial) {
                     (Demand::Held, Trial::DoesNot { .. } | Trial::Unknown(_)) => {
                         let forces = directions::<C>().into_iter().map(|d| {
@@ -155,7 +157,8 @@ impl<const C: usize> Loading<C> {
     }
 
     /// Whether everything sticks under a force of any direction.
-    fn any_force(&self, base: &Wrench<C>, size: f64, point: [f64; C]) -> Result<Trial, Error> {
+    fn any_force(&self, load: Wrench<C>, size: f64, point: [f64; C]) -> Result<Trial, Error> {
+        let base = &(self.base + load);
         Ok(match self.grasp.weakest_direction(base, point)? {
             WeakestDirection::Never => Trial::Does,
             WeakestDirection::Force { size: most, .. } if most >= size => Trial::Does,
@@ -167,8 +170,13 @@ impl<const C: usize> Loading<C> {
             }
             WeakestDirection::GivesWay { .. } => Trial::nothing("nothing resists a force of one direction"),
             WeakestDirection::NotSticking => {
-                let rest = self.grasp.hold(Ramp::load(*base, Wrench::ZERO))?;
-                Trial::nothing(self.said(&rest))
+                // Put on, what is not held is told by its path; at rest it would be searched for.
+                let put_on = self.grasp.hold(Ramp::load(self.base, load))?;
+                match self.judged(&put_on, Demand::Sticks) {
+                    Trial::DoesNot { says, carried } => Trial::DoesNot { says, carried: carried - 1.0 },
+                    Trial::Does => Trial::Unknown(OPEN.to_owned()),
+                    unknown @ Trial::Unknown(_) => unknown,
+                }
             }
             WeakestDirection::Undecided => {
                 Trial::Unknown("rounding keeps the weakest direction from being told".to_owned())

@@ -65,12 +65,18 @@ impl Needed {
                 Ok(())
             }
             Amount::Any { to } if self.quantity.is_least() => {
-                write!(f, "NEEDS none: down to {} {aim}", self.quantity.much(words, *to, &[]))
+                write!(f, "NEEDS none: {aim} down to {}", self.quantity.much(words, roughly(*to, true), &[]))
             }
-            Amount::Any { to } => write!(f, "TAKES any: up to {} {aim}", self.quantity.much(words, *to, &[])),
+            Amount::Any { to } => {
+                let to = if self.quantity == Quantity::Angle { *to } else { roughly(*to, false) };
+                write!(f, "TAKES any: {aim} up to {}", self.quantity.much(words, to, &[]))
+            }
             Amount::None { from, to, best, otherwise } => {
-                let [range, best] =
-                    [self.quantity.range(words, *from, *to), self.quantity.much(words, *best, &[])];
+                let range = match self.quantity {
+                    Quantity::Angle => self.quantity.range(words, *from, *to),
+                    quantity => quantity.range(words, roughly(*from, true), roughly(*to, false)),
+                };
+                let best = self.quantity.much(words, *best, &[]);
                 write!(f, "NO {} does, from {range}. With {best}: {otherwise}", self.quantity)
             }
             Amount::Undecided { at, doubt } => {
@@ -110,6 +116,16 @@ impl Needed {
             Some(Amount::Any { .. }) | None => Ok(()),
         }
     }
+}
+
+/// One digit of how far was looked in doublings, within what was.
+fn roughly(amount: f64, up: bool) -> f64 {
+    if amount <= 0.0 {
+        return amount;
+    }
+    let digit = 10.0_f64.powf(amount.log10().floor());
+    let digits = amount / digit;
+    digit * if up { digits.ceil() } else { digits.floor() }
 }
 
 /// "motor is at its limit and presses no harder".
