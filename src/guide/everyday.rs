@@ -46,7 +46,7 @@
 //!
 //! ```text
 //! $ grasp-lcp need ladder.json
-//! TAKES an arm of 1.98101 m and it is not lost. With more: TURNS OUT at 0 N of 950 N: the object turns about (-6.9726, 2.266) m. Nothing holds all of it within 0.691007 mm and 0.0158355° of there
+//! TAKES an arm of 1.98101 m and it is not lost. With more: TURNS OUT at once, under any part of 950 N: the object turns about (-6.9726, 2.266) m. Nothing holds all of it within 0.691007 mm and 0.0158355° of there
 //! ```
 //!
 //! So far out from its foot, 4.69 m of the 5 m of the ladder: friction of foot and wall is then used up at once.

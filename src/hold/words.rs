@@ -23,7 +23,7 @@ impl<const C: usize> fmt::Display for Verdict<C> {
         match &self.holding {
             Holding::Sticks => {
                 f.write_str("HOLDS, everything sticks")?;
-                self.margins(f)
+                if self.is_nothing() { f.write_str(", where nothing is put on") } else { self.margins(f) }
             }
             Holding::Slides { contacts } => {
                 f.write_str("HOLDS, but ")?;
@@ -36,6 +36,7 @@ impl<const C: usize> fmt::Display for Verdict<C> {
                     _ => write!(f, "{}", does(contacts, "slides", "slide"))?,
                 }
                 match &self.lost {
+                    _ if self.is_nothing() => Ok(()),
                     Some(lost) => write!(f, "; lost at {} times this load", words.number(lost.factor)),
                     None if self.held_to > 1.0 => {
                         write!(f, "; held up to {} times this load", words.number(self.held_to))
@@ -47,6 +48,14 @@ impl<const C: usize> fmt::Display for Verdict<C> {
                 f.write_str("DOES NOT HOLD: no contact presses, the object lies loose between the fingers")
             }
             Holding::Lost => match &self.lost {
+                Some(lost) if lost.factor <= AT_ONCE => {
+                    write!(
+                        f,
+                        "{} at once, under any part of {}: {lost:.digits$}",
+                        lost.verb(),
+                        self.whole(words)
+                    )
+                }
                 Some(lost) => {
                     write!(f, "{} at {}: {lost:.digits$}", lost.verb(), self.part(lost.factor, words))
                 }
@@ -102,15 +111,24 @@ impl<const C: usize> Verdict<C> {
         }
     }
 
+    /// Whether the load is none.
+    fn is_nothing(&self) -> bool {
+        self.load == Wrench::ZERO
+    }
+
+    /// All of the load: "950 N".
+    fn whole(&self, words: Words) -> String {
+        let size = measure(&self.load).map(|(size, unit)| format!("{} {unit}", words.number(size)));
+        let beside = if self.base == Wrench::ZERO { "" } else { " beside the load at rest" };
+        format!("{}{beside}", size.as_deref().unwrap_or("the load"))
+    }
+
     /// A part of the load: in newtons where it is a force, in newton metres where it is a moment, else as a fraction.
     fn part(&self, factor: f64, words: Words) -> String {
-        let [size, unit] = match measure(&self.load) {
-            Some((size, unit)) => [words.number(size), unit.to_owned()],
-            None => return format!("{} of it", words.number(factor)),
-        };
-        let part = measure(&self.load).map_or(0.0, |(size, _)| size * factor);
-        let at_rest = if self.base == Wrench::ZERO { "" } else { " beside the load at rest" };
-        format!("{} {unit} of {size} {unit}{at_rest}", words.number(part))
+        match measure(&self.load) {
+            Some((size, unit)) => format!("{} {unit} of {}", words.number(size * factor), self.whole(words)),
+            None => format!("{} of it", words.number(factor)),
+        }
     }
 }
 
