@@ -88,7 +88,10 @@ pub(crate) enum Command {
     },
     /// At which angle does the first contact start to slide while a weight is tilted?
     Turn {
-        /// The weight, N: components between commas.
+        /// The mass of the object, kg, with 9.81 m/s² down along the last axis.
+        #[arg(long, allow_hyphen_values = true, value_parser = kilograms, value_name = "KG", conflicts_with = "weight")]
+        mass: Option<f64>,
+        /// The weight in place of the mass, N: components between commas.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         weight: Option<Numbers>,
         /// The centre of mass, m; the origin if left out.

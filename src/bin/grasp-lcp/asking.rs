@@ -16,19 +16,32 @@ use grasp_lcp::{planar, spatial};
 
 use crate::arguments::{Ask, LoadArguments, Numbers, QuantityAsked, Wanted};
 use crate::failure::{Failure, UNDECIDED};
-use crate::loads::{direction, point, pull_of_mass, total_force};
+use crate::loads::{direction, point, pull_of_mass, total_force, weight_of};
 use crate::words::Style;
 use crate::{files, report};
 
 /// What is asked.
 pub(crate) enum Asked {
     Everything,
-    Hold { load: LoadArguments, base: Option<Numbers> },
+    Hold {
+        load: LoadArguments,
+        base: Option<Numbers>,
+    },
     Need(Wanted),
     Solve(LoadArguments),
     Onset(LoadArguments),
-    Turn { weight: Option<Numbers>, at: Option<Numbers>, base: Option<Numbers>, axis: Option<Numbers> },
-    Follow { to: Vec<Numbers>, from: Option<Numbers>, at: Option<Numbers> },
+    Turn {
+        mass: Option<f64>,
+        weight: Option<Numbers>,
+        at: Option<Numbers>,
+        base: Option<Numbers>,
+        axis: Option<Numbers>,
+    },
+    Follow {
+        to: Vec<Numbers>,
+        from: Option<Numbers>,
+        at: Option<Numbers>,
+    },
 }
 
 /// Asks and prints. The code says whether everything is decided.
@@ -94,15 +107,20 @@ fn put<const C: usize>(setup: &mut Setup<C>, asked: &Asked, words: &Meaning<C>) 
     let question = match asked {
         Asked::Hold { load, base } => words.hold(load, base.as_ref())?,
         Asked::Need(wanted) => words.need(wanted, setup)?.map(|asked| Question::Need(Box::new(asked))),
-        Asked::Everything | Asked::Turn { weight: None, at: None, base: None, axis: None } => None,
+        Asked::Everything | Asked::Turn { mass: None, weight: None, at: None, base: None, axis: None } => {
+            None
+        }
         Asked::Solve(load) => words.wrench(load)?.map(|load| Question::Solve { load }),
         Asked::Onset(load) => words.wrench(load)?.map(|load| Question::Onset(RampAsked::along(load))),
-        Asked::Turn { weight: Some(weight), at, base, axis } => {
-            let weight = weight.array("weight").map_err(Failure::Usage)?;
+        Asked::Turn { mass, weight, at, base, axis } => {
+            let weight = match (weight, mass) {
+                (Some(weight), _) => weight.array("weight").map_err(Failure::Usage)?,
+                (None, Some(mass)) => weight_of(*mass)?,
+                (None, None) => return Err(Failure::Usage("--mass is missing, or --weight".to_owned())),
+            };
             let turn = (words.turn)(weight, at.as_ref(), axis.as_ref())?;
             Some(Question::OnsetOfTurn(turn.beside(words.base(base.as_ref(), at.as_ref())?)))
         }
-        Asked::Turn { weight: None, .. } => return Err(Failure::Usage("--weight is missing".to_owned())),
         Asked::Follow { to, from, at } => words.follow(to, from.as_ref(), at.as_ref())?,
     };
     match question {
@@ -120,7 +138,7 @@ fn put<const C: usize>(setup: &mut Setup<C>, asked: &Asked, words: &Meaning<C>) 
             Asked::Need(_) => {
                 "the scene has no such question: say what is needed, such as `squeeze --mass 0.4`"
             }
-            Asked::Turn { .. } => "the scene has no such question: say --weight",
+            Asked::Turn { .. } => "the scene has no such question: say --mass or --weight",
             Asked::Follow { .. } => "the scene has no such question: say --to",
         };
         return Err(Failure::Usage(message.to_owned()));

@@ -15,6 +15,12 @@ pub(crate) fn point<const C: usize>(at: Option<&Numbers>) -> Result<[f64; C], Fa
     at.map_or(Ok([0.0; C]), |at| at.array("at")).map_err(Failure::Usage)
 }
 
+/// The weight of a mass, down along the last axis.
+pub(crate) fn weight_of<const C: usize>(mass: f64) -> Result<[f64; C], Failure> {
+    let load = Payload::new(mass, [0.0; C]).load(&ArmMotion::still())?;
+    Ok(std::array::from_fn(|a| load.components()[a]))
+}
+
 /// With what a mass pulls: its weight, less what accelerates it.
 pub(crate) fn pull_of_mass<const C: usize>(load: &LoadArguments) -> Result<Wrench<C>, Failure> {
     let given = |numbers: &Numbers, option: &str| numbers.array(option).map_err(Failure::Usage);

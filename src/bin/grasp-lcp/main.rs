@@ -62,8 +62,8 @@ fn run(command: Command) -> Result<ExitCode, Failure> {
         Command::Need { ask, wanted } => return asking::ask(&ask, &Asked::Need(wanted)),
         Command::Solve { load, ask } => return asking::ask(&ask, &Asked::Solve(load)),
         Command::Onset { load, ask } => return asking::ask(&ask, &Asked::Onset(load)),
-        Command::Turn { weight, at, base, axis, ask } => {
-            return asking::ask(&ask, &Asked::Turn { weight, at, base, axis });
+        Command::Turn { mass, weight, at, base, axis, ask } => {
+            return asking::ask(&ask, &Asked::Turn { mass, weight, at, base, axis });
         }
         Command::Follow { to, from, at, ask } => {
             return asking::ask(&ask, &Asked::Follow { to, from, at });
