@@ -17,6 +17,24 @@ const LITTLE_ROUNDING: f64 = 1e-13;
 /// Points that move by less, m, stay where they are for whoever reads it: less than a nucleus is wide.
 const NOWHERE: f64 = 1e-15;
 
+/// A force and a moment this close to a right angle act along one line: a force somewhere.
+const ONE_LINE: f64 = 1e-12;
+
+impl<const C: usize> Wrench<C> {
+    /// The size of a load that is one force or one moment, and its unit.
+    pub(crate) fn measure(&self) -> Option<(f64, &'static str)> {
+        let (force, moment) = self.components().split_at(C);
+        let norm = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let (force_size, moment_size) = (norm(force), norm(moment));
+        if force_size == 0.0 {
+            return (moment_size > 0.0).then_some((moment_size, "N m"));
+        }
+        let twisted =
+            if C == 3 { force.iter().zip(moment).map(|(f, m)| f * m).sum::<f64>().abs() } else { 0.0 };
+        (twisted <= ONE_LINE * force_size * moment_size).then_some((force_size, "N"))
+    }
+}
+
 impl Words {
     /// A force and a moment about the origin: "(0, -4.905) N and 0.2 N m".
     #[must_use]

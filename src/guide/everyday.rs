@@ -76,7 +76,7 @@
 //!
 //! ```text
 //! $ grasp-lcp need book.json
-//! TAKES 7 times the load and it is not lost. With more: SLIPS OUT at 7 N of 7 N: the object moves along −y, left front, left back, right front and right back slide (gross slip). Nothing holds all of it within 0.86424 mm and 0.919513° of there
+//! TAKES 7 times the load, 7 N, and it is not lost. With more: SLIPS OUT at 7 N of 7 N: the object moves along −y, left front, left back, right front and right back slide (gross slip). Nothing holds all of it within 0.86424 mm and 0.919513° of there
 //! ```
 //!
 //! Four places, 5 N each, friction 0.35; the load of the scene is 1 N.

@@ -14,8 +14,6 @@ const AT_ONCE: f64 = 1e-9;
 const NOWHERE: f64 = 1e-10;
 /// Farther than this, m, nobody asks.
 const FAR: f64 = 1e3;
-/// A force and a moment this close to a right angle act along one line: a force somewhere.
-const ONE_LINE: f64 = 1e-12;
 
 impl<const C: usize> fmt::Display for Verdict<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -118,30 +116,18 @@ impl<const C: usize> Verdict<C> {
 
     /// All of the load: "950 N".
     fn whole(&self, words: Words) -> String {
-        let size = measure(&self.load).map(|(size, unit)| format!("{} {unit}", words.number(size)));
+        let size = self.load.measure().map(|(size, unit)| format!("{} {unit}", words.number(size)));
         let beside = if self.base == Wrench::ZERO { "" } else { " beside the load at rest" };
         format!("{}{beside}", size.as_deref().unwrap_or("the load"))
     }
 
     /// A part of the load: in newtons where it is a force, in newton metres where it is a moment, else as a fraction.
     fn part(&self, factor: f64, words: Words) -> String {
-        match measure(&self.load) {
+        match self.load.measure() {
             Some((size, unit)) => format!("{} {unit} of {}", words.number(size * factor), self.whole(words)),
             None => format!("{} of it", words.number(factor)),
         }
     }
-}
-
-/// The size of a load that is one force or one moment, and its unit.
-fn measure<const C: usize>(load: &Wrench<C>) -> Option<(f64, &'static str)> {
-    let (force, moment) = load.components().split_at(C);
-    let norm = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
-    let (force_size, moment_size) = (norm(force), norm(moment));
-    if force_size == 0.0 {
-        return (moment_size > 0.0).then_some((moment_size, "N m"));
-    }
-    let twisted = if C == 3 { force.iter().zip(moment).map(|(f, m)| f * m).sum::<f64>().abs() } else { 0.0 };
-    (twisted <= ONE_LINE * force_size * moment_size).then_some((force_size, "N"))
 }
 
 impl FirstSlip {

@@ -21,6 +21,9 @@ pub struct Needed {
     pub safe: Option<Amount>,
     /// What friction and squeeze were taken to be less by then.
     pub lower: [f64; 2],
+    /// Where so many times a load is sought that is one force: its size, N.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub force: Option<f64>,
     /// Whether the object turns [too far](crate::equilibrium::Equilibrium::is_beyond_small_motions) under that for the answer to say much.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "std::ops::Not::not"))]
     pub beyond_small_motions: bool,

@@ -9,6 +9,7 @@ use crate::ask::Grasp;
 use crate::equilibrium::{DriveState, Outcome};
 use crate::error::Error;
 use crate::grasp::{WholeContacts, Wrench};
+use crate::squeeze::Loads;
 
 impl<const C: usize> Grasp<C> {
     /// How much does it need? The least squeeze or friction, the greatest load, arm or angle; see [`Need`].
@@ -40,7 +41,8 @@ impl<const C: usize> Grasp<C> {
             Amount::Bound { does, .. } | Amount::Any { to: does } => is_far(self, need, *does)?,
             Amount::None { .. } | Amount::Undecided { .. } => false,
         };
-        Ok(Needed { quantity, demand: need.demand, amount, safe, lower: need.lower, beyond_small_motions })
+        let (demand, lower, force) = (need.demand, need.lower, need.force());
+        Ok(Needed { quantity, demand, amount, safe, lower, force, beyond_small_motions })
     }
 }
 
@@ -55,6 +57,16 @@ impl<const C: usize> Need<C> {
                 loads.check_size()
             }
             Sought::Arm { .. } | Sought::Angle { .. } => Ok(()),
+        }
+    }
+
+    /// The size of a single force that is sought so many times.
+    fn force(&self) -> Option<f64> {
+        match &self.sought {
+            Sought::Load { loads: Loads::Each(list) } if list.len() == 1 => {
+                list[0].measure().filter(|(_, unit)| *unit == "N").map(|(size, _)| size)
+            }
+            _ => None,
         }
     }
 

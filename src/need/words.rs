@@ -27,7 +27,10 @@ impl Needed {
         };
         match &self.amount {
             Amount::Bound { does, otherwise, changes, until, elsewhere, presses, at_their_limit, .. } => {
-                let much = self.quantity.much(words, *does, presses);
+                let mut much = self.quantity.much(words, *does, presses);
+                if let Some(force) = self.force {
+                    much = format!("{much}, {} N,", words.number(does * force));
+                }
                 if self.quantity.is_least() {
                     write!(f, "NEEDS {much} so that {aim}")?;
                 } else {

@@ -17,19 +17,37 @@ use super::planar_picture::PlanarPicture;
 use super::sheet::{Place, sheet};
 use super::way_out::MovedOutlines;
 use super::window::Window;
-use super::words::{lines, short};
+use super::words::{caution, lines, short};
 use crate::words::printable;
 
-const SIZE: Place = (860.0, 560.0);
-/// Without sentences below the title.
-const WINDOW: Window = Window { left: 70.0, top: 46.0, wide: 776.0, high: 462.0 };
-/// Room for names beside the grasp, pixels to either side, and above and below.
-const BORDER: (f64, f64) = (130.0, 62.0);
+/// What is drawn on: pixels.
+struct Paper {
+    size: Place,
+    /// Without sentences below the title.
+    window: Window,
+    /// Room for names beside the grasp, to either side, and above and below.
+    border: (f64, f64),
+    /// Of a line of a sentence.
+    letters: usize,
+}
+
+const OF_A_FILE: Paper = Paper {
+    size: (860.0, 560.0),
+    window: Window { left: 70.0, top: 46.0, wide: 776.0, high: 462.0 },
+    border: (130.0, 62.0),
+    letters: 96,
+};
+/// Small enough for its letters to be read on a narrow screen.
+const OF_A_PAGE: Paper = Paper {
+    size: (520.0, 460.0),
+    window: Window { left: 62.0, top: 10.0, wide: 448.0, high: 398.0 },
+    border: (104.0, 58.0),
+    letters: 58,
+};
 /// Height of letters.
 const LETTERS: f64 = 15.0;
-/// Letters of a line of the title and of a sentence, and heights of these lines.
+/// Letters of a line of the title, and heights of lines of it and of a sentence.
 const TITLE_LETTERS: usize = 70;
-const SENTENCE_LETTERS: usize = 96;
 const LINE: (f64, f64) = (24.0, 20.0);
 /// Of more fingertips names alone are written, and of still more not even these.
 const MANY: usize = 12;
@@ -51,6 +69,19 @@ pub(super) struct Picture<'a> {
     span: f64,
     /// m per N.
     scale: f64,
+}
+
+/// Pictures of one page: on the same axes, with forces at the same scale.
+pub(super) fn stills_of_a_page(of: &[PlanarPicture]) -> Result<Vec<String>, PictureError> {
+    of.iter().try_for_each(PlanarPicture::check)?;
+    let mut pictures: Vec<_> = of.iter().map(Picture::new).collect();
+    let scales = pictures.iter().map(|picture| picture.scale).filter(|scale| *scale > 0.0);
+    let scale = scales.fold(f64::INFINITY, f64::min);
+    for picture in &mut pictures {
+        picture.scale = picture.scale.min(scale);
+    }
+    let points: Vec<_> = pictures.iter().flat_map(Picture::points).collect();
+    pictures.iter().map(|picture| picture.draw_on(&OF_A_PAGE, &points)).collect()
 }
 
 /// A fingertip, its contact frame, and what it does if that is known.
@@ -98,11 +129,19 @@ impl<'a> Picture<'a> {
     }
 
     pub(super) fn draw(&self) -> Result<String, PictureError> {
+        self.draw_on(&OF_A_FILE, &self.points())
+    }
+
+    /// Draws it where all of these points have room.
+    fn draw_on(&self, paper: &Paper, points: &[Vector2<f64>]) -> Result<String, PictureError> {
+        let Paper { size, window, border, .. } = *paper;
         let title = lines(self.of.title, TITLE_LETTERS);
-        let says: Vec<_> = self.of.says.iter().flat_map(|words| lines(words, SENTENCE_LETTERS)).collect();
+        let caution = caution(self.of.state, self.of.says.iter().copied());
+        let sentences = self.of.says.iter().copied().chain(caution.as_deref());
+        let says: Vec<_> = sentences.flat_map(|words| lines(words, paper.letters)).collect();
         let more = LINE.0 * title.len().saturating_sub(1) as f64 + LINE.1 * says.len() as f64;
-        let window = Window { top: WINDOW.top + more, ..WINDOW };
-        let axes = EqualScales::new(window, BORDER, self.points());
+        let window = Window { top: window.top + more, ..window };
+        let axes = EqualScales::new(window, border, points.to_vec());
         if !axes.are_finite() {
             return Err(PictureError("a length or force is too large or too small to be drawn".into()));
         }
@@ -117,7 +156,7 @@ impl<'a> Picture<'a> {
         }
         let place = |point| axes.place(point);
         let leaves = self.way_out.as_ref().and_then(|way| way.paint(&mut painting, place));
-        Ok(sheet((SIZE.0, SIZE.1 + more), |paper| {
+        Ok(sheet((size.0, size.1 + more), |paper| {
             for (k, line) in title.iter().enumerate() {
                 paper.title_line(LINE.0 * k as f64, line);
             }

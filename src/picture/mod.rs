@@ -1,4 +1,4 @@
-//! Grasps, load curves and maps over all directions as SVG, spatial grasps also as pages to turn
+//! Grasps, load curves and maps over all directions as SVG, grasps also as pages, spatial ones to turn
 //! (feature `plot`).
 //!
 //! Every function returns the text of an SVG or HTML file; writing it somewhere is the caller's
@@ -39,7 +39,7 @@ mod words;
 
 pub use chart::Chart;
 pub use error::PictureError;
-pub use page::{SpatialPage, View};
+pub use page::{PlanarPage, SpatialPage, View};
 pub use planar_picture::{Outline, PlanarPicture, draw_grasp};
 pub use polar::Polar;
 pub use series::{ChartSeries, Stroke};

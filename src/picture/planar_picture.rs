@@ -111,6 +111,12 @@ impl<'a> PlanarPicture<'a> {
     /// [`PictureError`] if the equilibrium has not as many contacts as the grasp, if a corner of the
     /// outline is not finite, or if a length or force is too large or too small to be drawn.
     pub fn to_svg(&self) -> Result<String, PictureError> {
+        self.check()?;
+        Picture::new(self).draw()
+    }
+
+    /// Whether it can be drawn.
+    pub(super) fn check(&self) -> Result<(), PictureError> {
         let (expected, given) = (self.grasp.len(), self.state.map(|state| state.contacts.len()));
         if let Some(given) = given.filter(|given| *given != expected) {
             return Err(PictureError(format!(
@@ -120,7 +126,7 @@ impl<'a> PlanarPicture<'a> {
         if !self.outlines.iter().flatten().flatten().all(|x| x.is_finite()) {
             return Err(PictureError("a corner of the outline is not finite".into()));
         }
-        Picture::new(self).draw()
+        Ok(())
     }
 }
 

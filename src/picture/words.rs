@@ -1,5 +1,8 @@
 //! Texts and numbers as pictures and pages need them.
 
+use crate::equilibrium::Equilibrium;
+use crate::words::TOO_FAR;
+
 /// Numbers that are written without an exponent.
 const PLAIN: std::ops::Range<f64> = 1e-3..1e5;
 /// The least number with five digits before the point.
@@ -62,6 +65,15 @@ pub(super) fn lines(text: &str, letters: usize) -> Vec<String> {
         }
     }
     lines
+}
+
+/// What is said of an equilibrium that is no small motion, unless a sentence says it.
+pub(super) fn caution<'w, const C: usize>(
+    state: Option<&Equilibrium<C>>,
+    mut said: impl Iterator<Item = &'w str>,
+) -> Option<String> {
+    let caution = state?.caution()?;
+    (!said.any(|sentence| sentence.contains(TOO_FAR))).then(|| format!("CAUTION: {caution}"))
 }
 
 /// A name in so many letters at most.

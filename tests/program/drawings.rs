@@ -107,7 +107,7 @@ fn the_questions_of_all_example_scenes_are_drawn() {
             check(&format!("{name}, question {number}"), &picture(&folder, &name, number));
         }
         let page = folder.join(format!("{name}.html")).exists();
-        assert_eq!(page, scene["spatial"].is_object(), "{name}");
+        assert!(page, "{name}");
     }
 }
 

@@ -11,6 +11,7 @@ mod load_arrows;
 mod messages;
 mod names_apart;
 mod picture_paper;
+mod planar_page;
 mod planar_still;
 mod rounding_in_pictures;
 mod said_in_digits;

@@ -28,7 +28,7 @@ Examples:
   grasp-lcp hold mug.json --mass 0.4          does it hold 400 g, and how much more
   grasp-lcp need mug.json squeeze --mass 0.4  how many newtons each finger has to press with
   grasp-lcp onset mug.json --force 0,0,-1     the weight at which the first finger slides
-  grasp-lcp draw mug.json                     its answers as a page to turn, and as SVG
+  grasp-lcp draw mug.json                     its answers as a page, and as SVG
   grasp-lcp stream < scenes.jsonl             one scene a line in, one answer a line out
 
 Exit codes:
@@ -138,7 +138,7 @@ pub(crate) enum Command {
         #[command(flatten)]
         output: Output,
     },
-    /// Draws every question: SVG, and of a spatial grasp also a page to turn with the mouse.
+    /// Draws every question: SVG, and a page with all answers, of a spatial grasp to turn with the mouse.
     ///
     /// The first question is drawn in a file with the name of the scene, those after it in files with their number besides; what each contact uses
     /// of its friction as the load is put on, turns or follows a program is drawn in one that ends in `_friction`.

@@ -57,7 +57,7 @@ impl Drawing<'_> {
     }
 
     /// What an answer shows; parts that there are not are left out.
-    fn frame(&self, frame: &Frame) -> Result<String, PictureError> {
+    fn frame(&self, frame: &Frame<3>) -> Result<String, PictureError> {
         let mut parts = frame.state().map(|state| self.state(frame, state)).transpose()?.unwrap_or_default();
         if let Some(load) = frame.load() {
             let load = self.load(load);
@@ -82,7 +82,7 @@ impl Drawing<'_> {
         Ok(if parts.is_empty() { "null".to_owned() } else { format!("{{{}}}", parts.join(",")) })
     }
 
-    fn state(&self, frame: &Frame, state: &Equilibrium) -> Result<Vec<String>, PictureError> {
+    fn state(&self, frame: &Frame<3>, state: &Equilibrium) -> Result<Vec<String>, PictureError> {
         let given = self.page.grasp.contacts();
         let contacts = list(&self.tips, |tip| {
             let resultant = tip.resultant(given, state);

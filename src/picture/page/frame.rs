@@ -1,36 +1,36 @@
 //! What one of the buttons of a page shows.
 
-use crate::grasp::Motion;
+use crate::equilibrium::Equilibrium;
+use crate::grasp::{Motion, Wrench};
 use crate::picture::contact_look::STEEPEST;
-use crate::spatial::{Equilibrium, Wrench};
 
 /// One of the answers between which the buttons choose.
 #[derive(Debug, Clone)]
-pub(super) struct Frame {
+pub(super) struct Frame<const C: usize> {
     pub(super) label: String,
     /// An equilibrium, or why contacts are drawn without forces.
-    pub(super) shown: Result<Box<Equilibrium>, String>,
+    pub(super) shown: Result<Box<Equilibrium<C>>, String>,
     /// What is said beside it.
     pub(super) says: Vec<String>,
     /// The way the object takes.
-    pub(super) leaving: Option<Motion<3>>,
+    pub(super) leaving: Option<Motion<C>>,
     /// The load where there is no equilibrium.
-    pub(super) load: Option<Wrench>,
+    pub(super) load: Option<Wrench<C>>,
     /// Coefficients of friction of the contacts, where they are not those of the page.
     pub(super) friction: Option<Vec<f64>>,
 }
 
-impl Frame {
-    pub(super) fn new(label: String, shown: Result<Box<Equilibrium>, String>) -> Self {
+impl<const C: usize> Frame<C> {
+    pub(super) fn new(label: String, shown: Result<Box<Equilibrium<C>>, String>) -> Self {
         Self { label, shown, says: Vec::new(), leaving: None, load: None, friction: None }
     }
 
-    pub(super) fn state(&self) -> Option<&Equilibrium> {
+    pub(super) fn state(&self) -> Option<&Equilibrium<C>> {
         self.shown.as_deref().ok()
     }
 
     /// The load that is drawn.
-    pub(super) fn load(&self) -> Option<&Wrench> {
+    pub(super) fn load(&self) -> Option<&Wrench<C>> {
         self.state().map(|state| &state.load).or(self.load.as_ref())
     }
 

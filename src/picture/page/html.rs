@@ -12,7 +12,9 @@ use crate::picture::words::escaped;
 
 const STYLE: &str = include_str!("style.css");
 /// Parts of one script, which share their names.
-const VIEW: [&str; 4] = [
+pub(super) const ANSWERS: &str = include_str!("view/answers.js");
+const VIEW: [&str; 5] = [
+    ANSWERS,
     include_str!("view/eye.js"),
     include_str!("view/strokes.js"),
     include_str!("view/grasp.js"),
@@ -30,37 +32,62 @@ impl SpatialPage {
         let drawing = Drawing::new(self)?;
         let title = escaped(&self.title);
         let scales = drawing.scales().join(" ");
-        let mut page = String::new();
-        page += "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
-        page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
-        // Strings take whatever is written into them.
-        let _ = write!(page, "<title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n");
-        let _ = writeln!(page, "<h1>{title}</h1>\n<main>\n<div id=\"picture\">");
+        let mut page = opened(&self.title);
+        table::write_says(&mut page, &self.frames);
+        page += "<main>\n<div id=\"picture\">\n";
         let _ = writeln!(
             page,
             "<canvas id=\"view\" tabindex=\"0\" role=\"img\" aria-label=\"{title}; the numbers are in the table\"></canvas>"
         );
         page += "<p class=\"hint\">Drag to turn, wheel or two fingers to enlarge, double click to reset.</p>\n</div>\n<aside>\n";
-        write_buttons(&mut page, &self.frames);
+        write_choice(&mut page, &self.frames);
         page += LEGEND;
         if drawing.tips.iter().any(ContactGroup::is_soft) {
-            page += "<p><label><input type=\"checkbox\" id=\"points\">points of soft fingertips in the table</label></p>\n";
+            page += POINTS;
         }
         let _ = writeln!(page, "<p class=\"scale\">{}</p>\n</aside>\n</main>", escaped(&scales));
         table::write(&mut page, &self.grasp, &drawing.tips, &self.actuators, &self.frames)?;
         let _ = writeln!(page, "<script type=\"application/json\" id=\"grasp\">{}</script>", drawing.json()?);
-        let view = VIEW.concat();
-        let _ =
-            write!(page, "<script>\n\"use strict\";\n(() => {{\n{view}}})();\n</script>\n</body>\n</html>\n");
+        closed(&mut page, &VIEW.concat());
         Ok(page)
     }
 }
 
-fn write_buttons(page: &mut String, frames: &[Frame]) {
+/// The box that shows the points of soft fingertips.
+pub(super) const POINTS: &str =
+    "<p><label><input type=\"checkbox\" id=\"points\">points of soft fingertips in the table</label></p>\n";
+
+/// A page down to its title.
+pub(super) fn opened(title: &str) -> String {
+    let title = escaped(title);
+    let mut page = String::new();
+    page += "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
+    page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
+    // Strings take whatever is written into them.
+    let _ = write!(page, "<title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n");
+    let _ = writeln!(page, "<h1>{title}</h1>");
+    page
+}
+
+/// Ends a page with its script.
+pub(super) fn closed(page: &mut String, script: &str) {
+    let _ =
+        write!(page, "<script>\n\"use strict\";\n(() => {{\n{script}}})();\n</script>\n</body>\n</html>\n");
+}
+
+/// Buttons between the answers, and a slider where there are more than two.
+pub(super) fn write_choice<const C: usize>(page: &mut String, frames: &[Frame<C>]) {
     if frames.len() < 2 {
         return;
     }
     page.push_str("<div id=\"frames\">");
+    if frames.len() > 2 {
+        let last = frames.len() - 1;
+        let _ = write!(
+            page,
+            "<input type=\"range\" id=\"step\" min=\"0\" max=\"{last}\" value=\"0\" aria-label=\"answer\">"
+        );
+    }
     for (k, frame) in frames.iter().enumerate() {
         let pressed = k == 0;
         let label = escaped(&frame.label);

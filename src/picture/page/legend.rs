@@ -41,7 +41,7 @@ pub(super) struct Legend(Vec<Entry>);
 
 impl Legend {
     /// For a picture with so many pixels to a metre.
-    pub(super) fn new(drawing: &Drawing, frame: Option<&Frame>, pixels: f64) -> Self {
+    pub(super) fn new(drawing: &Drawing, frame: Option<&Frame<3>>, pixels: f64) -> Self {
         let mut entries = Vec::new();
         let state = frame.and_then(Frame::state);
         if let Some(Frame { shown: Err(why), .. }) = frame {
@@ -141,7 +141,7 @@ fn of_contacts(drawing: &Drawing, state: &Equilibrium) -> Vec<Entry> {
 }
 
 /// What belongs to the object, as far as there is any of it.
-fn of_object(drawing: &Drawing, frame: &Frame) -> Vec<Entry> {
+fn of_object(drawing: &Drawing, frame: &Frame<3>) -> Vec<Entry> {
     let state = frame.state();
     let load = frame.load().map(|load| drawing.load(load));
     let acts = |what: fn(&LoadArrow) -> f64| load.as_ref().is_some_and(|load| what(load) > 0.0);

@@ -102,7 +102,7 @@ impl Mark {
 }
 
 /// The grasp, and in it the answer.
-pub(super) fn marks(drawing: &Drawing, frame: Option<&Frame>) -> Vec<Mark> {
+pub(super) fn marks(drawing: &Drawing, frame: Option<&Frame<3>>) -> Vec<Mark> {
     let (page, state) = (drawing.page, frame.and_then(Frame::state));
     let mut marks = Vec::new();
     marks.extend(drawing.bodies.iter().map(|corners| Mark::Body { corners: points(corners), ink: BODY }));

@@ -1,4 +1,4 @@
-//! A spatial grasp as a page that one can turn with the mouse, and as a picture that stands still.
+//! Grasps as pages: a spatial one that one can turn with the mouse, and as a picture that stands still; a planar one whose answers a slider goes through.
 
 mod data;
 mod drawing;
@@ -9,6 +9,7 @@ mod leaving;
 mod legend;
 mod marks;
 mod paint;
+mod planar_page;
 mod solid;
 mod spatial_page;
 mod still;
@@ -16,4 +17,5 @@ mod table;
 mod text;
 
 pub use self::eye::View;
+pub use self::planar_page::PlanarPage;
 pub use self::spatial_page::SpatialPage;

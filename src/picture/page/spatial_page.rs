@@ -62,7 +62,7 @@ pub struct SpatialPage {
     pub(super) title: String,
     pub(super) outlines: Vec<Vec<[f64; 3]>>,
     pub(super) fixtures: Vec<Vec<[f64; 3]>>,
-    pub(super) frames: Vec<Frame>,
+    pub(super) frames: Vec<Frame<3>>,
     pub(super) actuators: Actuators<3>,
 }
 

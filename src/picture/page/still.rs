@@ -14,7 +14,7 @@ use crate::picture::labels::Labels;
 use crate::picture::palette::GREY;
 use crate::picture::sheet::{Place, Sheet, sheet};
 use crate::picture::window::Window;
-use crate::picture::words::lines;
+use crate::picture::words::{caution, lines};
 
 const WIDE: f64 = 860.0;
 const MARGIN: f64 = 12.0;
@@ -70,8 +70,9 @@ impl SpatialPage {
         let drawing = Drawing::new(self)?;
         let title = lines(&self.title, LETTERS.0);
         let label = frame.map_or_else(Vec::new, |frame| {
-            let sentences = [&frame.label].into_iter().chain(&frame.says);
-            sentences.flat_map(|words| lines(words, LETTERS.1)).collect()
+            let caution = caution(frame.state(), frame.says.iter().map(String::as_str));
+            let sentences = [&frame.label].into_iter().chain(&frame.says).cloned().chain(caution);
+            sentences.flat_map(|words| lines(&words, LETTERS.1)).collect()
         });
         let top = 20.0 + 24.0 * title.len() as f64 + 20.0 * label.len() as f64;
         let window = Window { left: MARGIN, top, wide: ROOM.0, high: ROOM.1 };

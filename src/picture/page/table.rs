@@ -3,14 +3,15 @@
 use std::fmt::Write;
 
 use super::frame::Frame;
-use super::text::vector;
-use crate::grasp::Hold;
+use crate::ask::Grasp;
+use crate::equilibrium::{ContactAnswer, Equilibrium};
+use crate::grasp::{Contact, Hold};
 use crate::picture::actuators::Actuators;
 use crate::picture::contact_look::{no_friction_left, word};
 use crate::picture::error::PictureError;
 use crate::picture::fingertip::{ContactGroup, without_rounding};
 use crate::picture::words::{escaped, short};
-use crate::spatial::{Contact, ContactAnswer, Equilibrium, Grasp};
+use crate::words::Words;
 
 /// Headings, and what they mean.
 const COLUMNS: [(&str, &str); 9] = [
@@ -25,16 +26,10 @@ const COLUMNS: [(&str, &str); 9] = [
     ("|u_c| (m)", "displacement of the object at the contact"),
 ];
 
-pub(super) fn write(
-    page: &mut String,
-    grasp: &Grasp,
-    tips: &[ContactGroup],
-    actuators: &Actuators<3>,
-    frames: &[Frame],
-) -> Result<(), PictureError> {
+/// What is said of each answer, before anything else of the page.
+pub(super) fn write_says<const C: usize>(page: &mut String, frames: &[Frame<C>]) {
     for (k, frame) in frames.iter().enumerate() {
-        let hidden = if k == 0 { "" } else { " hidden" };
-        let _ = writeln!(page, "<section data-frame=\"{k}\"{hidden}>\n<h2>{}</h2>", escaped(&frame.label));
+        open(page, k);
         for sentence in &frame.says {
             let _ = writeln!(page, "<p class=\"says\">{}</p>", escaped(sentence));
         }
@@ -42,34 +37,59 @@ pub(super) fn write(
             Err(why) => {
                 let _ = writeln!(page, "<p class=\"none\">{}</p>", escaped(why));
             }
-            Ok(state) => {
-                write_words(page, actuators, state);
-                write_rows(page, grasp, tips, frame, state)?;
+            // Its label is what there is to say.
+            Ok(_) if frame.says.is_empty() => {
+                let _ = writeln!(page, "<p class=\"says\">{}</p>", escaped(&frame.label));
             }
+            Ok(_) => {}
+        }
+        page.push_str("</section>\n");
+    }
+}
+
+/// A part of the page that belongs to one of the answers, of which the first is shown to begin with.
+fn open(page: &mut String, frame: usize) {
+    let hidden = if frame == 0 { "" } else { " hidden" };
+    let _ = writeln!(page, "<section data-frame=\"{frame}\"{hidden}>");
+}
+
+pub(super) fn write<const C: usize>(
+    page: &mut String,
+    grasp: &Grasp<C>,
+    tips: &[ContactGroup],
+    actuators: &Actuators<C>,
+    frames: &[Frame<C>],
+) -> Result<(), PictureError> {
+    for (k, frame) in frames.iter().enumerate() {
+        open(page, k);
+        let _ = writeln!(page, "<h2>{}</h2>", escaped(&frame.label));
+        if let Ok(state) = &frame.shown {
+            write_words(page, actuators, state);
+            write_rows(page, grasp, tips, frame, state)?;
         }
         page.push_str("</section>\n");
     }
     Ok(())
 }
 
-fn write_words(page: &mut String, actuators: &Actuators<3>, state: &Equilibrium) {
-    let (load, twist) = (state.load.components(), state.twist.components());
+fn write_words<const C: usize>(page: &mut String, actuators: &Actuators<C>, state: &Equilibrium<C>) {
+    let words = Words::default();
     let _ = writeln!(
         page,
-        "<p>Load: force {} N, moment about the origin {} N m. The object moves by {} m and turns by {} rad. \
-         Residual {:.0e}.</p>",
-        vector(&load[..3]),
-        vector(&load[3..]),
-        vector(&twist[..3]),
-        vector(&twist[3..]),
-        state.residuals.worst()
+        "<p>Under {} {}; residual {}.</p>",
+        words.load(&state.load),
+        escaped(&state.told_motions(words).join("; ")),
+        Words::with_digits(1).number(state.residuals.worst())
     );
+    let caution = state.caution().map(|caution| format!("CAUTION: {caution}."));
+    for note in state.vacuum_gone().into_iter().chain(caution) {
+        let _ = writeln!(page, "<p class=\"none\">{}</p>", escaped(&note));
+    }
     for motion in &state.free_motions {
-        let v = motion.object.components();
         let _ = writeln!(
             page,
-            "<p>Nothing resists the motion {} (translation, rotation about the origin): where the object goes is known up to it.</p>",
-            vector(v)
+            "<p>Nothing resists {}: where the object goes is known up to that.</p>",
+            escaped(&words.direction_of(motion))
         );
     }
     let at_their_limit: Vec<_> = actuators.that_yield(state).map(|(name, _)| escaped(name)).collect();
@@ -79,12 +99,12 @@ fn write_words(page: &mut String, actuators: &Actuators<3>, state: &Equilibrium)
 }
 
 /// A row for each contact; of a soft fingertip one for all of it, and one for each of its points that is shown on request.
-fn write_rows(
+fn write_rows<const C: usize>(
     page: &mut String,
-    grasp: &Grasp,
+    grasp: &Grasp<C>,
     tips: &[ContactGroup],
-    frame: &Frame,
-    state: &Equilibrium,
+    frame: &Frame<C>,
+    state: &Equilibrium<C>,
 ) -> Result<(), PictureError> {
     // Wider than a narrow screen, the table moves and not the page.
     page.push_str("<div class=\"scrolls\">\n<table>\n<thead><tr>");
@@ -117,7 +137,7 @@ struct ContactRow {
 }
 
 impl ContactRow {
-    fn of_point(answer: &ContactAnswer, friction: f64, state: &Equilibrium) -> Self {
+    fn of_point<const C: usize>(answer: &ContactAnswer<C>, friction: f64, state: &Equilibrium<C>) -> Self {
         let force = |newtons| without_rounding(newtons, state);
         let (pushes, rubs) = (force(answer.normal_force()), force(answer.friction_force()));
         let numbers = [
@@ -133,7 +153,12 @@ impl ContactRow {
     }
 
     /// Sums of forces and reserves; gap or slip is the largest.
-    fn of_tip(tip: &ContactGroup, contacts: &[Contact], state: &Equilibrium, frame: &Frame) -> Self {
+    fn of_tip<const C: usize>(
+        tip: &ContactGroup,
+        contacts: &[Contact<C>],
+        state: &Equilibrium<C>,
+        frame: &Frame<C>,
+    ) -> Self {
         let does = tip.resultant(contacts, state);
         let first = &contacts[tip.contacts.start];
         let answers = &state.contacts[tip.contacts.clone()];
@@ -186,6 +211,6 @@ impl ContactRow {
 }
 
 /// What is left of a contact on the edge of its cone is rounding.
-fn reserve(answer: &ContactAnswer) -> f64 {
+fn reserve<const C: usize>(answer: &ContactAnswer<C>) -> f64 {
     if no_friction_left(answer) { 0.0 } else { answer.margin }
 }

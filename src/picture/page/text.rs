@@ -43,6 +43,9 @@ pub(super) fn json_row(numbers: &[f64]) -> Result<String, PictureError> {
 pub(super) fn vector(components: &[f64]) -> String {
     let size = components.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
     let clean = |x: &f64| if x.abs() <= ROUNDING * size { 0.0 } else { *x };
+    if let [one] = components {
+        return short(*one);
+    }
     format!("({})", components.iter().map(|x| short(clean(x))).collect::<Vec<_>>().join(", "))
 }
 

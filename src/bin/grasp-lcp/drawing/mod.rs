@@ -5,7 +5,7 @@ mod shown;
 
 use grasp_lcp::grasp::Motion;
 use grasp_lcp::nalgebra::Vector2;
-use grasp_lcp::picture::{Chart, PlanarPicture, SpatialPage, View};
+use grasp_lcp::picture::{Chart, PlanarPage, PlanarPicture, SpatialPage, View};
 use grasp_lcp::scene::{Scene, Setup, Space};
 
 use self::charts::chart;
@@ -46,25 +46,43 @@ fn planar(setup: &Setup<2>, pictures: &Pictures<'_>) -> Result<(), Failure> {
     if setup.questions.is_empty() {
         return pictures.save(".svg", &PlanarPicture::new(&grasp, &title).outlines(outlines()).to_svg()?);
     }
+    let mut page = PlanarPage::new(&grasp, &title).outlines(outlines());
+    let mut stills = Vec::new();
     for (index, question) in setup.questions.iter().enumerate() {
-        let Some(Shown { label, says, grasp: other, what }) = shown(setup, &grasp, question)?.key() else {
-            continue;
-        };
-        let title = format!("{title}, question {}: {label}", index + 1);
-        let mut picture = PlanarPicture::new(other.as_ref().unwrap_or(&grasp), &title).outlines(outlines());
-        for sentence in &says {
-            picture = picture.says(sentence);
-        }
-        let picture = match &what {
-            What::State { state, leaving } => picture.state(state).maybe_leaving(leaving.as_ref()),
-            What::Nothing { why, load } => {
-                let picture = picture.says(why);
-                if let Some(load) = load { picture.load(*load) } else { picture }
+        let answers = shown(setup, &grasp, question)?;
+        let key = answers.key_index();
+        for (k, Shown { label, says, grasp: other, what }) in answers.0.into_iter().enumerate() {
+            let grasp = other.as_ref().unwrap_or(&grasp);
+            if key == Some(k) {
+                let title = format!("{title}, question {}: {label}", index + 1);
+                let mut picture = PlanarPicture::new(grasp, &title).outlines(outlines());
+                for sentence in &says {
+                    picture = picture.says(sentence);
+                }
+                let picture = match &what {
+                    What::State { state, leaving } => picture.state(state).maybe_leaving(leaving.as_ref()),
+                    What::Nothing { why, load } => {
+                        let picture = picture.says(why);
+                        if let Some(load) = load { picture.load(*load) } else { picture }
+                    }
+                };
+                stills.push((ending(index + 1), picture.to_svg()?));
             }
-        };
-        pictures.save(&ending(index + 1), &picture.to_svg()?)?;
+            let label = format!("{}. {label}", index + 1);
+            page = match what {
+                What::State { state, leaving } => {
+                    page.frame_of(label, grasp, &state).maybe_leaving(leaving.as_ref())
+                }
+                What::Nothing { why, load } => {
+                    let page = page.nothing(label, why);
+                    if let Some(load) = load { page.under(load) } else { page }
+                }
+            };
+            page = says.into_iter().fold(page, PlanarPage::says);
+        }
     }
-    Ok(())
+    pictures.save(".html", &page.to_html()?)?;
+    stills.iter().try_for_each(|(end, still)| pictures.save(end, still))
 }
 
 /// The page with all answers, and a picture for each question.

@@ -39,11 +39,6 @@ impl<const C: usize> ShownAnswers<C> {
         let first = self.0.first()?;
         Some(if is_event(first) { self.0.len() - 1 } else { 0 })
     }
-
-    /// The one that stands for the question.
-    pub(super) fn key(mut self) -> Option<Shown<C>> {
-        self.key_index().map(|key| self.0.swap_remove(key))
-    }
 }
 
 /// What labels of events begin with.

@@ -1,10 +1,7 @@
 // Buttons choose an answer; pointer, wheel and keys turn and enlarge.
 const show = (k) => {
   shown = k;
-  for (const part of document.querySelectorAll("section[data-frame]")) part.hidden = Number(part.dataset.frame) !== k;
-  for (const button of document.querySelectorAll("#frames button")) {
-    button.setAttribute("aria-pressed", String(Number(button.dataset.frame) === k));
-  }
+  choose(k);
   draw();
 };
 const light = (i) => {
@@ -67,9 +64,7 @@ for (const row of document.querySelectorAll("tr[data-contact]")) {
   row.addEventListener("mouseenter", () => light(Number(row.dataset.contact)));
   row.addEventListener("mouseleave", () => light(-1));
 }
-for (const button of document.querySelectorAll("#frames button")) {
-  button.addEventListener("click", () => show(Number(button.dataset.frame)));
-}
+onChoice(show);
 for (const box of document.querySelectorAll("input[data-layer]")) {
   layers[box.dataset.layer] = box.checked;
   box.addEventListener("change", () => {
@@ -77,7 +72,5 @@ for (const box of document.querySelectorAll("input[data-layer]")) {
     draw();
   });
 }
-const points = document.getElementById("points");
-if (points) points.addEventListener("change", () => document.body.classList.toggle("points", points.checked));
 window.addEventListener("resize", draw);
 draw();

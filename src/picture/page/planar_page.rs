@@ -1,0 +1,142 @@
+//! A planar grasp and its answers as a page: pictures at one scale, between which a slider goes.
+
+use std::fmt::Write;
+
+use super::frame::Frame;
+use super::html::{ANSWERS, closed, opened, write_choice};
+use super::table;
+use crate::grasp::{Contact, Motion};
+use crate::picture::actuators::Actuators;
+use crate::picture::error::PictureError;
+use crate::picture::fingertip::{ContactGroup, fingertips};
+use crate::picture::grasp_picture::stills_of_a_page;
+use crate::picture::planar_picture::{Outline, PlanarPicture};
+use crate::planar::{Equilibrium, Grasp, Wrench};
+
+/// A planar grasp and one or more of its answers as a single HTML file that needs nothing else. Its first line says the answer; buttons, and a slider
+/// where there are more than two, choose among the answers; their pictures have one scale, so that forces can be seen to grow from one to the next. What
+/// is drawn is that of a [`PlanarPicture`], the numbers of the answer shown are in a table.
+///
+/// ```
+/// use grasp_lcp::picture::PlanarPage;
+/// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+///
+/// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+/// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+/// let verdict = grasp.hold(Wrench::force([0.0, -6.0]))?;
+/// let state = verdict.state.as_deref().ok_or("it holds")?;
+/// let page = PlanarPage::new(&grasp, "A pinch").frame_of("under the load", &grasp, state).says(verdict.to_string()).to_html()?;
+/// assert!(page.starts_with("<!DOCTYPE html>") && page.contains("<p class=\"says\">HOLDS, everything sticks"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct PlanarPage {
+    grasp: Grasp,
+    title: String,
+    outlines: Vec<Vec<[f64; 2]>>,
+    frames: Vec<Frame<2>>,
+    /// Of each answer: friction may be that of another one.
+    grasps: Vec<Grasp>,
+}
+
+impl PlanarPage {
+    /// A page without answers yet.
+    #[must_use]
+    pub fn new(grasp: &Grasp, title: impl Into<String>) -> Self {
+        Self {
+            grasp: grasp.clone(),
+            title: title.into(),
+            outlines: Vec::new(),
+            frames: Vec::new(),
+            grasps: Vec::new(),
+        }
+    }
+
+    /// Draws the object, or each of [several bodies](crate::grasp::Bodies) in their order; an empty list for one that is not drawn.
+    #[must_use]
+    pub fn outlines<'o>(mut self, outlines: impl IntoIterator<Item = Outline<'o>>) -> Self {
+        self.outlines = outlines.into_iter().map(<[_]>::to_vec).collect();
+        self
+    }
+
+    /// An equilibrium of this grasp, or of one with other coefficients of friction or commands, with what its button says; the first answer is shown to
+    /// begin with.
+    #[must_use]
+    pub fn frame_of(mut self, label: impl Into<String>, grasp: &Grasp, state: &Equilibrium) -> Self {
+        let mut frame = Frame::new(label.into(), Ok(Box::new(state.clone())));
+        frame.friction = Some(grasp.contacts().iter().map(Contact::friction_coefficient).collect());
+        self.frames.push(frame);
+        self.grasps.push(grasp.clone());
+        self
+    }
+
+    /// An answer without an equilibrium, and why there is none.
+    #[must_use]
+    pub fn nothing(mut self, label: impl Into<String>, why: impl Into<String>) -> Self {
+        self.frames.push(Frame::new(label.into(), Err(why.into())));
+        self.grasps.push(self.grasp.clone());
+        self
+    }
+
+    /// Says a sentence above the answer given last.
+    #[must_use]
+    pub fn says(mut self, sentence: impl Into<String>) -> Self {
+        if let Some(frame) = self.frames.last_mut() {
+            frame.says.push(sentence.into());
+        }
+        self
+    }
+
+    /// Draws the way the object takes from the answer given last, if there is one. Only the direction of the motion counts.
+    #[must_use]
+    pub fn maybe_leaving(mut self, motion: Option<&Motion<2>>) -> Self {
+        if let Some(frame) = self.frames.last_mut() {
+            frame.leaving = motion.cloned();
+        }
+        self
+    }
+
+    /// The load of the answer given last, to be drawn where it has no equilibrium.
+    #[must_use]
+    pub fn under(mut self, load: Wrench) -> Self {
+        if let Some(frame) = self.frames.last_mut() {
+            frame.load = Some(load);
+        }
+        self
+    }
+
+    /// Writes the page. Names and labels may contain any characters.
+    ///
+    /// # Errors
+    /// As for [`PlanarPicture::to_svg`], or if a number of an answer is not a number.
+    pub fn to_html(&self) -> Result<String, PictureError> {
+        let mut page = opened(&self.title);
+        table::write_says(&mut page, &self.frames);
+        write_choice(&mut page, &self.frames);
+        let tips = fingertips(self.grasp.contacts());
+        if tips.iter().any(ContactGroup::is_soft) {
+            page.push_str(super::html::POINTS);
+        }
+        let pictures: Vec<_> =
+            self.frames.iter().zip(&self.grasps).map(|(frame, grasp)| self.picture(frame, grasp)).collect();
+        for (k, picture) in stills_of_a_page(&pictures)?.iter().enumerate() {
+            // Within a page an SVG has no name space of its own.
+            let picture = picture.replacen(" xmlns=\"http://www.w3.org/2000/svg\"", "", 1);
+            let hidden = if k == 0 { "" } else { " hidden" };
+            let _ =
+                writeln!(page, "<section class=\"still\" data-frame=\"{k}\"{hidden}>\n{picture}</section>");
+        }
+        table::write(&mut page, &self.grasp, &tips, &Actuators::of(&self.grasp), &self.frames)?;
+        closed(&mut page, &format!("{ANSWERS}onChoice(choose);\n"));
+        Ok(page)
+    }
+
+    fn picture<'p>(&'p self, frame: &'p Frame<2>, grasp: &'p Grasp) -> PlanarPicture<'p> {
+        let mut picture = PlanarPicture::new(grasp, "").outlines(self.outlines.iter().map(Vec::as_slice));
+        picture = picture.maybe_state(frame.state()).maybe_leaving(frame.leaving.as_ref());
+        match frame.load {
+            Some(load) => picture.load(load),
+            None => picture,
+        }
+    }
+}
