@@ -230,6 +230,12 @@ class Needed(Answer):
         return None if found is None else number(found["does"])
 
     @property
+    def until(self) -> float | None:
+        """Where amounts from there on do no longer, as with a squeeze beyond the limit of a motor; None if they do as far as was looked."""
+        found = (self._tree["amount"].get("bound") or {}).get("until")
+        return None if found is None else number(found["does"])
+
+    @property
     def safe(self) -> float | None:
         """The same where friction and squeeze are less than said."""
         found = (self._tree.get("safe") or {}).get("bound")
