@@ -116,3 +116,20 @@ fn help_teaches_and_completions_and_manual_are_there() {
         }
     }
 }
+
+#[test]
+fn a_start_that_is_not_known_is_undecided() {
+    let gripper = run(&["new", "gripper"]).stdout;
+    let followed = run_on(&gripper, &["follow", "-", "--from", "0,0,-30", "--to", "0,0,0"]);
+    assert_eq!(followed.status.code(), Some(4));
+    assert!(text(&followed.stdout).contains("the start is not known"), "{}", text(&followed.stdout));
+}
+
+#[test]
+fn a_mass_is_tilted_as_its_weight_is() {
+    let scene = scene("box.json");
+    let tilted = |what: [&str; 2]| run(&["turn", &scene, what[0], what[1]]);
+    let (mass, weight) = (tilted(["--mass", "0.75"]), tilted(["--weight", "0,-7.3575"]));
+    assert!(mass.status.success() && mass.stdout == weight.stdout, "{}", text(&mass.stdout));
+    assert_eq!(run(&["turn", &scene, "--at", "0,0.1"]).status.code(), Some(2));
+}

@@ -324,7 +324,10 @@ fn is_undecided<const C: usize>(answer: &Answer<C>) -> bool {
         Answer::Solve(answer) => matches!(answer.outcome, Outcome::Undecided(_)),
         Answer::Onset(answer) => matches!(answer, OnsetAnswer::Undecided(_)),
         Answer::OnsetOfTurn(answer) => matches!(answer.onset, OnsetAnswer::Undecided(_)),
-        Answer::Follow(answer) => matches!(answer.end, PathOutcome::Undecided { .. }),
+        Answer::Follow(answer) => match &answer.end {
+            PathOutcome::NoStart { start } => matches!(**start, Outcome::Undecided(_)),
+            end => matches!(end, PathOutcome::Undecided { .. }),
+        },
         _ => false,
     }
 }

@@ -2,7 +2,7 @@
 
 use std::io;
 
-use grasp_lcp::equilibrium::{ContactAnswer, ContactState, Equilibrium, PadAnswer};
+use grasp_lcp::equilibrium::{ContactAnswer, ContactState, Equilibrium, Outcome, PadAnswer};
 use grasp_lcp::load_path::{ContactChange, Loss};
 use grasp_lcp::scene::{PathAnswer, PathOutcome};
 
@@ -62,7 +62,12 @@ impl Report<'_> {
                 self.line(&format!("held to {fraction} of leg {leg}, beyond not known: {doubt}"))
             }
             PathOutcome::NoStart { start } => {
-                self.line("there is nothing to start from:")?;
+                let is_known = !matches!(**start, Outcome::Undecided(_));
+                self.line(if is_known {
+                    "there is nothing to start from:"
+                } else {
+                    "the start is not known:"
+                })?;
                 self.solved(start)
             }
             _ => self.line(NO_WORDS),
@@ -81,8 +86,7 @@ impl Report<'_> {
             closed.peek().is_some() && closed.all(slides)
         });
         let size = |force: &[f64]| force.iter().fold(0.0, |h: f64, x| h.hypot(*x));
-        let forces = state.contacts.iter().map(|contact| size(contact.force.as_slice()));
-        let weightless = WEIGHTLESS * forces.fold(size(loss.load.components()), f64::max);
+        let weightless = WEIGHTLESS * state.largest_force();
         let does = |pad: &PadAnswer<C>| {
             let presses = size(&pad.wrench.components()[..C]) > weightless;
             format!("{} {}", pad.contact.text(), if presses { "slides everywhere" } else { "opens" })
