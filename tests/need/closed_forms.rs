@@ -181,3 +181,37 @@ fn a_cam_climbs() -> Tested {
     }
     Ok(())
 }
+
+/// A weight that the given squeeze does not even hold is put on from nothing at every amount: `2 μ s 10 N` are to carry it with the force beside it.
+#[test]
+fn a_force_of_any_direction_beside_a_weight_that_is_not_held() -> Tested {
+    let pinch = pinch()?;
+    let loads = Loads::AnyForce { base: Wrench::force([0.0, -12.0]), size: 2.0, point: [0.0; 2] };
+    let grasp_lcp::planar::LeastSqueeze::Factor { factor, .. } = pinch.least_squeeze(&loads)? else {
+        panic!("some squeeze does")
+    };
+    is(&Need::squeeze(loads.clone()), &pinch, factor)?;
+    // What carries nothing of it says how the weight goes.
+    let needed = pinch.with_friction(|_, _| 0.0)?.need(&Need::squeeze(loads))?;
+    assert!(matches!(needed.amount, Amount::None { .. }), "{needed}");
+    assert!(
+        needed.to_string().contains("the squeeze given: SLIPS OUT at once, under any part of 12 N"),
+        "{needed}"
+    );
+    Ok(())
+}
+
+#[test]
+fn directions_are_not_compared_across_an_open_contact() -> Tested {
+    let spare =
+        Contact::new([0.0, -0.03], [0.0, 1.0]).series_stiffness(1000.0, 800.0).friction(0.5).clearance(0.01);
+    let contacts = pinch()?.contacts().iter().cloned().chain([spare]).collect::<Vec<_>>();
+    let loads = Loads::AnyForce { base: Wrench::force([0.0, -3.0]), size: 1.0, point: [0.0; 2] };
+    let needed = Grasp::new(contacts)?.need(&Need::squeeze(loads))?;
+    assert!(matches!(needed.amount, Amount::Undecided { .. }), "{needed}");
+    assert!(
+        needed.to_string().contains("a contact is open or at its edge before the force acts"),
+        "{needed}"
+    );
+    Ok(())
+}
