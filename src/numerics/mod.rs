@@ -15,6 +15,8 @@
 //! | `trigonometric` | where a trigonometric polynomial first falls below zero |
 //! | `on_a_circle` | where a number is smaller than a vector, while both turn |
 //! | `nearest_point` | the nearest point of a polyhedral cone |
+//! | `band` | LU of a matrix with entries near its diagonal alone |
+//! | `narrow_order` | the order in which they are near it |
 //! | `bordered` | LU of a matrix with one row and one column more |
 //! | `dormand_prince` | one step of a differential equation |
 //! | `double_double` | sums in twice the working precision |
@@ -27,6 +29,7 @@
 //! | `pseudo_random` | numbers without structure, the same on every machine |
 //! | `cleared_for` | lists that are filled anew |
 
+mod band;
 mod bordered;
 mod cleared_for;
 mod complete_pivoting;
@@ -40,6 +43,7 @@ mod harmonic;
 mod largest_ball;
 mod linearly_implicit;
 mod memory;
+mod narrow_order;
 mod nearest_point;
 mod normal_tail;
 mod on_a_circle;
@@ -54,6 +58,7 @@ mod unit_vector;
 mod vector_dispatch;
 mod waiting_line;
 
+pub(crate) use band::{Band, BandFactors};
 pub(crate) use bordered::Bordered;
 pub(crate) use cleared_for::cleared_for;
 pub(crate) use complete_pivoting::CompletePivoting;
@@ -67,6 +72,7 @@ pub(crate) use harmonic::Harmonic;
 pub(crate) use largest_ball::largest_ball;
 pub(crate) use linearly_implicit::implicit_step;
 pub(crate) use memory::Memory;
+pub(crate) use narrow_order::{narrow_order, widest};
 pub(crate) use nearest_point::NearestPoint;
 pub(crate) use normal_tail::{normal_density, normal_tail};
 pub(crate) use on_a_circle::Turning;

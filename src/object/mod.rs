@@ -8,6 +8,7 @@
 //! |---|---|
 //! | `problem` | laws, drives and load: the local problem, at rest and in rates |
 //! | `piece` | the linear problem in known states, by orthogonal factors |
+//! | `band_piece` | that of very many coordinates, by the tangent stiffness in a narrow band |
 //! | `solution` | its forces and twist, to the last digits |
 //! | `free_motions` | motions that no spring resists |
 //! | `energy_coordinates` | contacts where stiffness ratios do not show |
@@ -20,6 +21,7 @@
 //! | `precise`, `load` | twist, balance and load in twice the working precision |
 //! | `sizes` | what rounding is measured against |
 
+mod band_piece;
 mod correction;
 mod energy_coordinates;
 mod free_motions;

@@ -8,9 +8,11 @@
 
 use crate::numerics::{Map, Size, Square, Vector};
 use std::ops::Range;
+use std::sync::OnceLock;
 
 use nalgebra::SVector;
 
+use super::band_piece::BandPiece;
 use super::free_motions::worked_on;
 use super::problem::Problem;
 use crate::contact::{Spring, State};
@@ -23,13 +25,23 @@ pub(crate) struct Piece<D: Size, const C: usize> {
     pub(super) springs: Vec<Spring<C>>,
     /// Where the springs of each contact begin; at the end their number.
     first: Vec<usize>,
-    pub(super) right: Orthogonal<D>,
-    /// Differs from `right` only when something slides.
-    pub(super) left: Option<(Orthogonal<D>, CompletePivoting<D>)>,
     /// Orthonormal motions that stretch no spring of this piece.
     pub(super) free: Vec<Vector<D>>,
     /// Orthonormal motions that no left factor sees: a load doing work on one is not balanced in this piece.
     pub(super) unbalanced: Vec<Vector<D>>,
+    /// Of many coordinates, unless T is nearly singular.
+    pub(super) band: Option<BandPiece>,
+    /// Of few; of many when they are first asked for.
+    orthogonal: OnceLock<OrthogonalPiece<D>>,
+    size: D,
+}
+
+/// Orthogonal factors of a piece.
+#[derive(Debug, Clone)]
+pub(super) struct OrthogonalPiece<D: Size> {
+    pub(super) right: Orthogonal<D>,
+    /// Differs from `right` only when something slides.
+    pub(super) left: Option<(Orthogonal<D>, CompletePivoting<D>)>,
 }
 
 impl<D: Size, const C: usize> Piece<D, C> {
@@ -48,6 +60,20 @@ impl<D: Size, const C: usize> Piece<D, C> {
             add(contact, &mut springs);
             first.push(springs.len());
         }
+        let size = size_of(sites);
+        if let Some(band) = BandPiece::new(sites, &springs, &first)
+            && let Some([free, unbalanced]) = band.free_motions()
+        {
+            return Self {
+                springs,
+                first,
+                free,
+                unbalanced,
+                band: Some(band),
+                orthogonal: OnceLock::new(),
+                size,
+            };
+        }
         let rows = |side: fn(&Spring<C>) -> &SVector<f64, C>| {
             let mut rows = Vec::with_capacity(springs.len());
             for (site, range) in sites.iter().zip(first.windows(2)) {
@@ -57,40 +83,45 @@ impl<D: Size, const C: usize> Piece<D, C> {
             }
             rows
         };
-        let size = size_of(sites);
-        let right = Orthogonal::new(size, rows(|s| &s.right));
-        let free = right.null_space();
-        if springs.iter().all(|spring| spring.left == spring.right) {
-            return Self { springs, first, right, left: None, unbalanced: free.clone(), free };
-        }
-        let left = Orthogonal::new(size, rows(|s| &s.left));
-        let unbalanced = left.null_space();
-        let mut coupling = Square::zeros(size);
-        for i in 0..springs.len() {
-            coupling.add_product(left.row(i), right.row(i));
-        }
-        let coupling = CompletePivoting::new(coupling, left.rank(), right.rank());
-        Self { springs, first, right, left: Some((left, coupling)), free, unbalanced }
+        let right = rows(|spring| &spring.right);
+        let straight = springs.iter().all(|spring| spring.left == spring.right);
+        let factors = OrthogonalPiece::new(size, right, (!straight).then(|| rows(|spring| &spring.left)));
+        let free = factors.right.null_space();
+        let unbalanced = factors.left.as_ref().map_or_else(|| free.clone(), |(left, _)| left.null_space());
+        Self { springs, first, free, unbalanced, band: None, orthogonal: OnceLock::from(factors), size }
+    }
+
+    /// Its orthogonal factors.
+    pub(super) fn orthogonal(&self) -> &OrthogonalPiece<D> {
+        self.orthogonal.get_or_init(|| {
+            let [right, left] = self.band.as_ref().map_or_else(|| [None, None], BandPiece::rows);
+            OrthogonalPiece::new(self.size, right.unwrap_or_default(), left)
+        })
+    }
+
+    /// How many coordinates it has.
+    pub(super) fn size(&self) -> D {
+        self.size
     }
 
     /// The factors of K^{1/2}Gᵀ, row by row the springs of the contacts in order.
     pub(crate) fn factor(&self) -> &Orthogonal<D> {
-        &self.right
+        &self.orthogonal().right
     }
 
     /// The rows of Q of a contact whose springs stand along the axes of its frame: a column for each axis,
     /// zero along axes without a spring.
     pub(crate) fn seen(&self, contact: usize) -> Map<D, C> {
-        let mut seen = Map::zeros(self.right.size());
+        let mut seen = Map::zeros(self.size);
         for spring in self.first[contact]..self.first[contact + 1] {
-            seen.set_column(self.springs[spring].right.iamax(), self.right.row(spring));
+            seen.set_column(self.springs[spring].right.iamax(), self.factor().row(spring));
         }
         seen
     }
 
     /// The least motion with these coordinates R q.
     pub(crate) fn motion(&self, coordinates: &Vector<D>) -> Vector<D> {
-        without(self.right.preimage(coordinates), &self.free)
+        without(self.factor().preimage(coordinates), self.free_motions())
     }
 
     /// Motions that stretch no spring of this piece: the twist is known up to them, the forces do not feel them.
@@ -100,10 +131,14 @@ impl<D: Size, const C: usize> Piece<D, C> {
 
     /// Motions along which this piece stays in equilibrium while its forces change: its solution is a whole line.
     pub(crate) fn neutral_motions(&self) -> Vec<Vector<D>> {
-        let Some((_, coupling)) = &self.left else { return Vec::new() };
+        if self.band.is_some() {
+            return Vec::new();
+        }
+        let OrthogonalPiece { right, left } = self.orthogonal();
+        let Some((_, coupling)) = left else { return Vec::new() };
         let mut motions: Vec<Vector<D>> = Vec::new();
         for c in coupling.kernel() {
-            let mut v = self.right.preimage(&c);
+            let mut v = right.preimage(&c);
             let found: Vec<_> = self.free.iter().chain(&motions).cloned().collect();
             orthonormalise_against(&mut v, &found);
             motions.push(v);
@@ -121,7 +156,10 @@ impl<D: Size, const C: usize> Piece<D, C> {
         if let Some(motion) = worked(&self.unbalanced, load) {
             return Some(motion);
         }
-        let (left, coupling) = self.left.as_ref()?;
+        if self.band.is_some() {
+            return None;
+        }
+        let (left, coupling) = self.orthogonal().left.as_ref()?;
         let mut kernel: Vec<Vector<D>> = Vec::new();
         for mut z in coupling.left_kernel() {
             orthonormalise_against(&mut z, &kernel);
@@ -133,7 +171,10 @@ impl<D: Size, const C: usize> Piece<D, C> {
 
     /// How much relative rounding errors grow in this piece, at least 1.
     pub(crate) fn growth(&self) -> f64 {
-        self.left.as_ref().map_or(1.0, |(_, coupling)| coupling.growth())
+        match &self.band {
+            Some(band) => band.growth(),
+            None => self.orthogonal().left.as_ref().map_or(1.0, |(_, coupling)| coupling.growth()),
+        }
     }
 
     /// Whether the load works on no motion that nothing here balances.
@@ -147,6 +188,27 @@ impl<D: Size, const C: usize> Piece<D, C> {
             let range = range[0]..range[1];
             (contact, &self.springs[range.clone()], range)
         })
+    }
+}
+
+impl<D: Size> OrthogonalPiece<D> {
+    /// Of the rows of A and, where something slides, those of B.
+    fn new(size: D, right: Vec<Vector<D>>, left: Option<Vec<Vector<D>>>) -> Self {
+        let right = Orthogonal::new(size, right);
+        let Some(left) = left else { return Self { right, left: None } };
+        let count = left.len();
+        let left = Orthogonal::new(size, left);
+        let mut coupling = Square::zeros(size);
+        for i in 0..count {
+            coupling.add_product(left.row(i), right.row(i));
+        }
+        let coupling = CompletePivoting::new(coupling, left.rank(), right.rank());
+        Self { right, left: Some((left, coupling)) }
+    }
+
+    /// Whose rows balance loads.
+    pub(super) fn balance(&self) -> &Orthogonal<D> {
+        self.left.as_ref().map_or(&self.right, |(left, _)| left)
     }
 }
 

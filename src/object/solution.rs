@@ -10,7 +10,7 @@ use nalgebra::SVector;
 
 use super::free_motions::{NO_WORK, worked_on};
 use super::load::Load;
-use super::piece::Piece;
+use super::piece::{OrthogonalPiece, Piece};
 use super::precise::{PreciseBalance, PreciseTwist};
 use super::problem::Problem;
 use crate::grasp::Site;
@@ -18,6 +18,8 @@ use crate::numerics::{DoubleDouble, Size, Vector, cleared_for, without};
 
 /// A correction by less than this part of the largest force is the last: what it leaves is this part of itself.
 pub(super) const NEARLY: f64 = 1e-8;
+/// Where each leaves the same part of the one before, a second correction by less than this part is the last.
+const SHARP: f64 = 1e-15;
 /// Corrections at most: where a force is zero exactly each leaves 1e-16 of what was there before.
 pub(super) const MOST_CORRECTIONS: usize = 4;
 
@@ -76,12 +78,23 @@ impl<D: Size, const C: usize> Piece<D, C> {
         if let Some(motion) = worked_on(&self.unbalanced, &load.wrench) {
             return Err(Unbalanced { motion: Some(motion) });
         }
-        let balance = self.left.as_ref().map_or(&self.right, |(left, _)| left);
         let SolutionMemory { x, change } = memory;
+        if let Some(band) = &self.band {
+            self.stretched_into(x, |contact| drives[contact]);
+            let mut twist = PreciseTwist::new(self.size(), band.respond(x, &load.wrench));
+            let respond = |x: &mut [f64], rest: &Vector<D>| band.respond(x, rest);
+            if self.refine(sites, (drives, &load), (x, change, &mut twist), (respond, SHARP)) {
+                state.twist = without(twist.value(), &self.free);
+                self.forces_into(&mut state.forces, x, drives.len());
+                return Ok(());
+            }
+        }
+        let factors = self.orthogonal();
+        let balance = factors.balance();
         self.stretched_into(x, |contact| drives[contact]);
         let pulled = balance.load_coordinates(&load.wrench);
         let pushed = balance.coordinates(x);
-        let step = match &self.left {
+        let step = match &factors.left {
             None => pushed + &pulled,
             Some((_, coupling)) => {
                 let (step, unreached) = coupling.solve(&(&pushed + &pulled));
@@ -93,14 +106,29 @@ impl<D: Size, const C: usize> Piece<D, C> {
                 step
             }
         };
-        self.right.subtract(x, &step);
-        let mut twist = PreciseTwist::new(self.right.size(), self.right.preimage(&step));
-        // Again for what is left of the equations.
+        factors.right.subtract(x, &step);
+        let mut twist = PreciseTwist::new(self.size(), factors.right.preimage(&step));
+        let respond = |x: &mut [f64], rest: &Vector<D>| factors.respond(x, rest);
+        self.refine(sites, (drives, &load), (x, change, &mut twist), (respond, NEARLY));
+        state.twist = without(twist.value(), &self.free);
+        self.forces_into(&mut state.forces, x, drives.len());
+        Ok(())
+    }
+
+    /// Solves again for what is left of the equations. Whether that ends with a first correction that is `NEARLY` nothing or a later one by less than a part
+    /// `sharp` of the largest force.
+    fn refine(
+        &self,
+        sites: &[Site<D, C>],
+        (drives, load): (&[SVector<f64, C>], &Load<D>),
+        (x, change, twist): (&mut [f64], &mut Vec<f64>, &mut PreciseTwist<D>),
+        (respond, sharp): (impl Fn(&mut [f64], &Vector<D>) -> Vector<D>, f64),
+    ) -> bool {
         cleared_for(change, x.len());
         change.resize(x.len(), 0.0);
-        for _ in 0..MOST_CORRECTIONS {
-            let rest = self.excess(sites, (drives, &load), (x, &twist), change);
-            twist.add(&self.respond(change, &rest));
+        for step in 0..MOST_CORRECTIONS {
+            let rest = self.excess(sites, (drives, load), (x, twist), change);
+            twist.add(&respond(change, &rest));
             let (mut largest, mut changed) = (0.0_f64, 0.0_f64);
             for ((x, change), spring) in x.iter_mut().zip(change.iter()).zip(&self.springs) {
                 *x += change;
@@ -108,13 +136,11 @@ impl<D: Size, const C: usize> Piece<D, C> {
                 largest = largest.max(push * x.abs());
                 changed = changed.max(push * change.abs());
             }
-            if changed <= NEARLY * largest {
-                break;
+            if changed <= (if step == 0 { NEARLY } else { sharp }) * largest {
+                return true;
             }
         }
-        state.twist = without(twist.value(), &self.free);
-        self.forces_into(&mut state.forces, x, drives.len());
-        Ok(())
+        false
     }
 
     /// Forces and the twist of least norm where everything sticks and every motion is resisted, without the steps in twice the precision:
@@ -133,27 +159,30 @@ impl<D: Size, const C: usize> Piece<D, C> {
         (SolutionMemory { x, .. }, state): (&mut SolutionMemory, &mut PieceState<D, C>),
     ) {
         self.stretched_into(x, |contact| drives[contact]);
-        let load = self.right.load_coordinates(wrench);
+        if let Some(band) = &self.band {
+            let travelled = band.respond(x, wrench);
+            state.twist = travelled + band.respond(x, wrench);
+            self.forces_into(&mut state.forces, x, drives.len());
+            return;
+        }
+        let right = self.factor();
+        let load = right.load_coordinates(wrench);
         let mut travelled = Vector::zeros();
         for _ in 0..2 {
-            let step = self.right.coordinates(x) + &load;
-            self.right.subtract(x, &step);
+            let step = right.coordinates(x) + &load;
+            right.subtract(x, &step);
             travelled += &step;
         }
-        state.twist = self.right.preimage(&travelled);
+        state.twist = right.preimage(&travelled);
         self.forces_into(&mut state.forces, x, drives.len());
     }
 
-    /// `x - Q_A (Q_BᵀQ_A)⁻¹ (Q_Bᵀx + R_B⁻ᵀW)` in place of x, and the twist that goes with it.
+    /// `x - A (BᵀA)⁻¹ (Bᵀx + W)` in place of x, and the twist that goes with it.
     pub(super) fn respond(&self, x: &mut [f64], wrench: &Vector<D>) -> Vector<D> {
-        let balance = self.left.as_ref().map_or(&self.right, |(left, _)| left);
-        let excess = balance.coordinates(x) + balance.load_coordinates(wrench);
-        let step = match &self.left {
-            None => excess,
-            Some((_, coupling)) => coupling.solve(&excess).0,
-        };
-        self.right.subtract(x, &step);
-        self.right.preimage(&step)
+        match &self.band {
+            Some(band) => band.respond(x, wrench),
+            None => self.orthogonal().respond(x, wrench),
+        }
     }
 
     /// Forces of these stretches of the contacts under this load, as far as this piece balances it.
@@ -210,7 +239,7 @@ impl<D: Size, const C: usize> Piece<D, C> {
         (x, twist): (&[f64], &PreciseTwist<D>),
         e: &mut [f64],
     ) -> Vector<D> {
-        let mut balance = PreciseBalance::new(self.right.size(), load);
+        let mut balance = PreciseBalance::new(self.size(), load);
         for (contact, springs, range) in self.of_each_contact() {
             let (site, x) = (&sites[contact], &x[range.clone()]);
             // A contact has at most C springs.
@@ -239,5 +268,19 @@ impl<D: Size, const C: usize> Piece<D, C> {
             }
         }
         balance.value()
+    }
+}
+
+impl<D: Size> OrthogonalPiece<D> {
+    /// `x - Q_A (Q_BᵀQ_A)⁻¹ (Q_Bᵀx + R_B⁻ᵀW)` in place of x, and the twist that goes with it.
+    fn respond(&self, x: &mut [f64], wrench: &Vector<D>) -> Vector<D> {
+        let balance = self.balance();
+        let excess = balance.coordinates(x) + balance.load_coordinates(wrench);
+        let step = match &self.left {
+            None => excess,
+            Some((_, coupling)) => coupling.solve(&excess).0,
+        };
+        self.right.subtract(x, &step);
+        self.right.preimage(&step)
     }
 }

@@ -1,5 +1,7 @@
 //! A proposal of contact states, solved and checked: the only way to an answer, whoever proposed.
 
+use std::cell::OnceCell;
+
 use nalgebra::{DMatrix, DVector, Matrix, SVector};
 
 use super::answer::Found;
@@ -69,14 +71,16 @@ pub(super) fn admit<D: Size, const C: usize>(
     piece: &Piece<D, C>,
     at: PieceState<D, C>,
 ) -> Result<Found<D, C>, Refused<D, C>> {
-    let growth = piece.growth();
-    let rounding = (ROUNDING * growth).min(MOST_ROUNDING);
-    let doubtful = (DOUBTFUL * growth).min(MOST_ROUNDING);
     let mut worst = violation(problem, &states, &at);
+    let growth = OnceCell::new();
+    // Most hold or fail whatever the growth of errors, which takes as long as the factors.
+    let exceeds = |worst: f64, part: f64| {
+        worst > MOST_ROUNDING || worst > part && worst > part * growth.get_or_init(|| piece.growth())
+    };
     let mut shifted = None;
     let free_motions = piece.free_motions().to_vec();
     let neutral_motions = piece.neutral_motions();
-    if worst > rounding && !(free_motions.is_empty() && neutral_motions.is_empty()) {
+    if exceeds(worst, ROUNDING) && !(free_motions.is_empty() && neutral_motions.is_empty()) {
         // The piece has a whole family of solutions, and the one of least norm is not admissible: is another?
         let free = free_motions.iter().map(|v| (v.clone(), vec![SVector::zeros(); problem.len()]));
         let neutral = neutral_motions.iter().map(|v| (v.clone(), piece.forces_along(problem, v)));
@@ -95,8 +99,8 @@ pub(super) fn admit<D: Size, const C: usize>(
             worst = values.iter().zip(&sizes).fold(0.0, |worst, (value, size)| worse(worst, *value, *size));
         }
     }
-    if worst > rounding {
-        return Err(Refused { states, at, doubtful: worst <= doubtful });
+    if exceeds(worst, ROUNDING) {
+        return Err(Refused { states, at, doubtful: !exceeds(worst, DOUBTFUL) });
     }
     let there = shifted.as_ref().unwrap_or(&at);
     if out_of_balance(problem, &there.forces, &there.twist) > OUT_OF_BALANCE {

@@ -1,0 +1,124 @@
+//! An order of coordinates in which those that are coupled are near each other.
+//!
+//! Coordinates that always come together are one place of a graph, and are gone through from a place at its rim, neighbours with few neighbours of
+//! their own first: the order of Cuthill and McKee.
+//!
+//! Source: A. George and J. W. H. Liu, Computer Solution of Large Sparse Positive Definite Systems (1981), chapter 4.
+
+use std::ops::Range;
+
+/// For each of so many coordinates its number in the order; each coupling is between the coordinates of some ranges.
+pub(crate) fn narrow_order(count: usize, couplings: &[[Range<usize>; 2]]) -> Vec<usize> {
+    let (starts, neighbours) = graph(count, couplings);
+    let places = neighbours.len();
+    let mut numbers = vec![0; count];
+    let (mut next, mut seen) = (0, vec![false; places]);
+    for place in 0..places {
+        if seen[place] {
+            continue;
+        }
+        let from = at_the_rim(&neighbours, place);
+        for place in outwards(&neighbours, from).into_iter().flatten() {
+            seen[place] = true;
+            for k in starts[place]..starts[place + 1] {
+                numbers[k] = next;
+                next += 1;
+            }
+        }
+    }
+    numbers
+}
+
+/// How far apart two coordinates of one coupling are at most.
+pub(crate) fn widest(numbers: &[usize], couplings: &[[Range<usize>; 2]]) -> usize {
+    let width = |ranges: &[Range<usize>; 2]| {
+        let all = || ranges.iter().flat_map(|range| &numbers[range.clone()]);
+        all().max().zip(all().min()).map_or(0, |(most, least)| most - least)
+    };
+    couplings.iter().map(width).max().unwrap_or(0)
+}
+
+/// Where the coordinates of each place begin, at the end their number, and the neighbours of each place.
+fn graph(count: usize, couplings: &[[Range<usize>; 2]]) -> (Vec<usize>, Vec<Vec<usize>>) {
+    let ends = couplings.iter().flatten().filter(|range| !range.is_empty());
+    let mut starts: Vec<usize> = ends.flat_map(|range| [range.start, range.end]).chain([0, count]).collect();
+    starts.sort_unstable();
+    starts.dedup();
+    let mut neighbours = vec![Vec::new(); starts.len() - 1];
+    let mut coupled = Vec::new();
+    for ranges in couplings {
+        coupled.clear();
+        for range in ranges.iter().filter(|range| !range.is_empty()) {
+            let first = starts.partition_point(|start| *start < range.start);
+            coupled.extend((first..neighbours.len()).take_while(|place| starts[*place] < range.end));
+        }
+        for (k, place) in coupled.iter().enumerate() {
+            let others = coupled[..k].iter().chain(&coupled[k + 1..]);
+            neighbours[*place].extend(others);
+        }
+    }
+    for list in &mut neighbours {
+        list.sort_unstable();
+        list.dedup();
+    }
+    (starts, neighbours)
+}
+
+/// A place as far from others as any: from the last of those farthest away on again, until that is no farther.
+fn at_the_rim(neighbours: &[Vec<usize>], mut place: usize) -> usize {
+    let mut levels = outwards(neighbours, place);
+    loop {
+        let farthest = levels.last().into_iter().flatten();
+        let Some(next) = farthest.min_by_key(|place| neighbours[**place].len()) else { return place };
+        let further = outwards(neighbours, *next);
+        if further.len() <= levels.len() {
+            return place;
+        }
+        (place, levels) = (*next, further);
+    }
+}
+
+/// All places that can be reached from one, level by level.
+fn outwards(neighbours: &[Vec<usize>], from: usize) -> Vec<Vec<usize>> {
+    let mut seen = std::collections::HashSet::from([from]);
+    let mut levels = vec![vec![from]];
+    while let Some(level) = levels.last() {
+        let mut next = Vec::new();
+        for place in level {
+            let begin = next.len();
+            next.extend(neighbours[*place].iter().copied().filter(|other| seen.insert(*other)));
+            next[begin..].sort_by_key(|other| neighbours[*other].len());
+        }
+        if next.is_empty() {
+            break;
+        }
+        levels.push(next);
+    }
+    levels
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_grid_is_as_wide_as_its_short_side() {
+        // A grid of 20 by 5 places with 3 coordinates each, numbered along the long side.
+        let at = |row: usize, column: usize| 3 * (20 * row + column)..3 * (20 * row + column) + 3;
+        let along = (0..5).flat_map(|row| (0..19).map(move |column| [at(row, column), at(row, column + 1)]));
+        let across = (0..4).flat_map(|row| (0..20).map(move |column| [at(row, column), at(row + 1, column)]));
+        let couplings: Vec<_> = along.chain(across).collect();
+        let mut numbers = narrow_order(300, &couplings);
+        assert!(widest(&numbers, &couplings) <= 3 * 7 - 1);
+        numbers.sort_unstable();
+        assert!(numbers.iter().copied().eq(0..300));
+    }
+
+    #[test]
+    fn what_nothing_couples_has_its_number_too() {
+        let mut numbers = narrow_order(9, &[[6..9, 0..3], [3..3, 3..3]]);
+        assert_eq!(widest(&numbers, &[[6..9, 0..3]]), 5);
+        numbers.sort_unstable();
+        assert!(numbers.iter().copied().eq(0..9));
+    }
+}

@@ -1,0 +1,227 @@
+//! A linear piece of many coordinates, of which every contact couples a few.
+//!
+//! ```text
+//! T = BᵀA = Σ G_i C_i G_iᵀ,      T q = Bᵀx + W,      x - A q
+//! ```
+//!
+//! T has entries where a contact couples two coordinates, near its diagonal in a good order, and factors that cost a few thousandths of the orthogonal ones.
+//! They lose twice the digits where stiffnesses lie far apart: steps with what is left in twice the working precision get them back, or show that they do not.
+//! Where some motions stretch no spring, and as many are not balanced by any, T is singular in these alone. What else is nearly singular is left to
+//! orthogonal factors.
+
+use crate::numerics::{
+    Band, BandFactors, Size, Vector, generic, narrow_order, orthonormalise_against, widest,
+};
+
+use nalgebra::SVector;
+
+use crate::contact::Spring;
+use crate::grasp::{Site, size_of};
+
+/// With fewer coordinates orthogonal factors cost no more, and know the rank.
+const FROM: usize = 24;
+/// A unit motion that stretches no spring by more than this part of what it could is free. The soft ones stretch some by more than 1e-6.
+const FREE: f64 = 1e-12;
+/// Steps of the power method, which come from below.
+const POWERS: usize = 4;
+/// What they find is believed up to this factor.
+const ESTIMATED: f64 = 2.0;
+
+/// T with its factors.
+#[derive(Debug, Clone)]
+pub(super) struct BandPiece {
+    /// The number of each coordinate in a narrow order.
+    numbers: Vec<usize>,
+    springs: SpringLists,
+    /// A.
+    right: Side,
+    /// B, where something slides.
+    left: Option<Side>,
+    factors: BandFactors,
+}
+
+/// Which coordinates the springs of each contact feel.
+#[derive(Debug, Clone)]
+struct SpringLists {
+    /// By their numbers, contact after contact.
+    felt: Vec<usize>,
+    /// Where those of each contact begin; at the end their number.
+    first: Vec<usize>,
+    /// How many springs each contact has.
+    counts: Vec<usize>,
+}
+
+/// Rows of springs.
+#[derive(Debug, Clone)]
+struct Side {
+    /// Their entries for the coordinates that are felt, spring after spring.
+    rows: Vec<f64>,
+    /// One over the length of each column that is not zero.
+    units: Vec<f64>,
+    /// Length of the longest.
+    longest: f64,
+}
+
+impl BandPiece {
+    /// Of these sites with these springs, those of each contact from a place of the list on; `None` where there are few coordinates, or T is nearly singular
+    /// in another way than by free motions.
+    pub(super) fn new<D: Size, const C: usize>(
+        sites: &[Site<D, C>],
+        springs: &[Spring<C>],
+        first_springs: &[usize],
+    ) -> Option<Self> {
+        let count = size_of(sites).count();
+        if count < FROM {
+            return None;
+        }
+        let couplings: Vec<_> = sites.iter().map(|site| site.support.ranges::<C>()).collect();
+        let numbers = narrow_order(count, &couplings);
+        let reach = widest(&numbers, &couplings);
+        let mut lists = SpringLists { felt: Vec::new(), first: vec![0], counts: Vec::new() };
+        for (ranges, ends) in couplings.iter().zip(first_springs.windows(2)) {
+            lists.felt.extend(ranges.iter().flat_map(|range| &numbers[range.clone()]));
+            lists.first.push(lists.felt.len());
+            lists.counts.push(ends[1] - ends[0]);
+        }
+        let side = |of: fn(&Spring<C>) -> &SVector<f64, C>| {
+            let mut rows = Vec::new();
+            for ((site, ranges), ends) in sites.iter().zip(&couplings).zip(first_springs.windows(2)) {
+                for spring in &springs[ends[0]..ends[1]] {
+                    let entry = |k: usize| site.map.row(k).dot(of(spring));
+                    rows.extend(ranges.iter().cloned().flatten().map(entry));
+                }
+            }
+            lists.side(rows, count)
+        };
+        let right = side(|spring| &spring.right);
+        let straight = springs.iter().all(|spring| spring.left == spring.right);
+        let left = (!straight).then(|| side(|spring| &spring.left));
+        let (mut band, pushes) = (Band::zeros(count, reach), left.as_ref().unwrap_or(&right));
+        lists.for_each(|_, felt, range| {
+            for (j, a) in felt.iter().zip(&right.rows[range.clone()]).filter(|(_, a)| **a != 0.0) {
+                let a = a * right.units[*j];
+                let pushed = felt.iter().zip(&pushes.rows[range.clone()]);
+                pushed.for_each(|(i, b)| band.add(*i, *j, a * b * pushes.units[*i]));
+            }
+        });
+        let factors = band.factors()?;
+        Some(Self { numbers, springs: lists, right, left, factors })
+    }
+
+    /// Orthonormal motions that stretch no spring, and those that no spring balances; `None` where T is singular in others.
+    pub(super) fn free_motions<D: Size>(&self) -> Option<[Vec<Vector<D>>; 2]> {
+        if !self.factors.is_singular() {
+            return Some([Vec::new(), Vec::new()]);
+        }
+        let left = self.left.as_ref().unwrap_or(&self.right);
+        let free = self.orthonormal(&self.right, self.factors.null_vectors())?;
+        Some([free, self.orthonormal(left, self.factors.left_null_vectors())?])
+    }
+
+    fn orthonormal<D: Size>(&self, side: &Side, vectors: Vec<Vec<f64>>) -> Option<Vec<Vector<D>>> {
+        let mut basis: Vec<Vector<D>> = Vec::new();
+        for mut q in vectors {
+            let mut most = 0.0_f64;
+            self.springs.stretch(side, &mut q, |_, stretch| most = most.max(stretch.abs()));
+            let length = q.iter().map(|q| q * q).sum::<f64>().sqrt();
+            // Written so that it also turns away what is not a number.
+            let free = most <= FREE * side.longest * length;
+            if !free {
+                return None;
+            }
+            let mut v = Vector::from_fn(D::of(q.len()), |k| q[self.numbers[k]]);
+            orthonormalise_against(&mut v, &basis);
+            basis.push(v);
+        }
+        Some(basis)
+    }
+
+    /// `x - A T⁻¹ (Bᵀx + W)` in place of x, and the twist that goes with it.
+    pub(super) fn respond<D: Size>(&self, x: &mut [f64], wrench: &Vector<D>) -> Vector<D> {
+        let mut q = vec![0.0; self.numbers.len()];
+        wrench.iter().zip(&self.numbers).for_each(|(w, k)| q[*k] = *w);
+        self.springs.add(self.left.as_ref().unwrap_or(&self.right), x, &mut q);
+        self.factors.solve(&mut q);
+        self.springs.stretch(&self.right, &mut q, |spring, stretch| x[spring] -= stretch);
+        Vector::from_fn(D::of(q.len()), |k| q[self.numbers[k]])
+    }
+
+    /// How much relative rounding errors grow, about: the norm of the oblique projection `A T⁻¹ Bᵀ`, by a few steps of the power method.
+    pub(super) fn growth(&self) -> f64 {
+        let Some(left) = &self.left else { return 1.0 };
+        let springs: usize = self.springs.counts.iter().sum();
+        let mut x: Vec<f64> = (0..springs).map(generic).collect();
+        let length = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let mut growth = 1.0_f64;
+        let mut q = vec![0.0; self.numbers.len()];
+        for _ in 0..POWERS {
+            let before = length(&x);
+            q.fill(0.0);
+            self.springs.add(left, &x, &mut q);
+            self.factors.solve(&mut q);
+            self.springs.stretch(&self.right, &mut q, |spring, stretch| x[spring] = stretch);
+            let after = length(&x);
+            growth = growth.max(after / before);
+            q.fill(0.0);
+            self.springs.add(&self.right, &x, &mut q);
+            self.factors.solve_transposed(&mut q);
+            self.springs.stretch(left, &mut q, |spring, stretch| x[spring] = stretch / after);
+        }
+        ESTIMATED * growth
+    }
+
+    /// The rows of A and, where something slides, those of B, with all their entries.
+    pub(super) fn rows<D: Size>(&self) -> [Option<Vec<Vector<D>>>; 2] {
+        let whole = |side: &Side| {
+            let mut list = Vec::new();
+            self.springs.for_each(|_, felt, range| {
+                let mut whole = vec![0.0; self.numbers.len()];
+                felt.iter().zip(&side.rows[range]).for_each(|(k, x)| whole[*k] = *x);
+                list.push(Vector::from_fn(D::of(whole.len()), |k| whole[self.numbers[k]]));
+            });
+            list
+        };
+        [Some(whole(&self.right)), self.left.as_ref().map(whole)]
+    }
+}
+
+impl SpringLists {
+    /// `visit(spring, felt, place of its row)` for every spring.
+    fn for_each(&self, mut visit: impl FnMut(usize, &[usize], std::ops::Range<usize>)) {
+        let (mut spring, mut from) = (0, 0);
+        for (ends, count) in self.first.windows(2).zip(&self.counts) {
+            let felt = &self.felt[ends[0]..ends[1]];
+            for _ in 0..*count {
+                visit(spring, felt, from..from + felt.len());
+                (spring, from) = (spring + 1, from + felt.len());
+            }
+        }
+    }
+
+    /// These rows in so many coordinates.
+    fn side(&self, rows: Vec<f64>, count: usize) -> Side {
+        let (mut squares, mut longest) = (vec![0.0; count], 0.0_f64);
+        self.for_each(|_, felt, range| {
+            felt.iter().zip(&rows[range.clone()]).for_each(|(k, x)| squares[*k] += x * x);
+            longest = longest.max(rows[range].iter().map(|x| x * x).sum());
+        });
+        let unit = |square: f64| if square > 0.0 { 1.0 / square.sqrt() } else { 1.0 };
+        Side { rows, units: squares.into_iter().map(unit).collect(), longest: longest.sqrt() }
+    }
+
+    /// Adds what springs push to q, and takes it in units of the columns.
+    fn add(&self, side: &Side, x: &[f64], q: &mut [f64]) {
+        self.for_each(|spring, felt, range| {
+            felt.iter().zip(&side.rows[range]).for_each(|(k, b)| q[*k] += b * x[spring]);
+        });
+        q.iter_mut().zip(&side.units).for_each(|(q, unit)| *q *= unit);
+    }
+
+    /// Takes q out of the units of the columns, and visits what stretches each spring.
+    fn stretch(&self, side: &Side, q: &mut [f64], mut visit: impl FnMut(usize, f64)) {
+        q.iter_mut().zip(&side.units).for_each(|(q, unit)| *q *= unit);
+        self.for_each(|spring, felt, range| {
+            visit(spring, felt.iter().zip(&side.rows[range]).map(|(k, a)| a * q[*k]).sum());
+        });
+    }
+}
