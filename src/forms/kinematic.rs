@@ -5,37 +5,41 @@
 //! ```text
 //! P = K - K Gᵀ (G K Gᵀ)⁻¹ G K = K^{1/2} (I - Q Qᵀ) K^{1/2},   K^{1/2}Gᵀ = Q R
 //! ```
+//!
+//! Of many coordinates `Q Qᵀ = K^{1/2}Gᵀ (G K Gᵀ)⁻¹ G K^{1/2}` is taken as it is, where rows have entries.
+
+use std::collections::HashMap;
 
 use nalgebra::{DMatrix, DVector, SVector};
 
 use super::rows::{Form, Row};
 use crate::contact::{LocalLaw, Mode, State, tangential};
 use crate::lcp::{Basis, Lcp};
-use crate::numerics::{Size, Vector};
+use crate::numerics::Size;
 use crate::object::{Piece, PieceState, Problem};
 
 /// One row in energy coordinates: `ŵ = row · x`, `x` jumps by `column ẑ`, with x = K^{-1/2} F.
-struct Jump<D: Size, const C: usize> {
+struct Jump<const C: usize> {
     contact: usize,
     row: SVector<f64, C>,
     column: SVector<f64, C>,
-    /// Qᵀ applied to both.
-    row_seen: Vector<D>,
-    column_seen: Vector<D>,
     w_unit: f64,
     z_unit: f64,
 }
 
-/// Every row that the contacts need, on the trial state in which every contact sticks.
-fn jumps<D: Size, const C: usize>(problem: &Problem<D, C>, trial: &Piece<D, C>) -> Vec<(Row, Jump<D, C>)> {
+/// Every row that these contacts need, on the trial state in which every contact sticks.
+fn jumps<D: Size, const C: usize>(
+    problem: &Problem<D, C>,
+    contacts: impl Iterator<Item = usize>,
+) -> Vec<(Row, Jump<C>)> {
     let mut jumps = Vec::new();
-    for (contact, local) in problem.locals().enumerate() {
-        let (root, seen) = (local.springs.root(), trial.seen(contact));
+    for contact in contacts {
+        let local = problem.local(contact);
+        let root = local.springs.root();
         let mut push = |meaning: Row, row: SVector<f64, C>, column: SVector<f64, C>| {
             let (w_unit, z_unit) = (row.norm(), 1.0 / column.norm());
             let (row, column) = (row / w_unit, column * z_unit);
-            let (row_seen, column_seen) = (&seen * row, &seen * column);
-            jumps.push((meaning, Jump { contact, row, column, row_seen, column_seen, w_unit, z_unit }));
+            jumps.push((meaning, Jump { contact, row, column, w_unit, z_unit }));
         };
         if local.may_open() {
             let normal = root - tangential(&root);
@@ -56,15 +60,65 @@ pub(crate) fn kinematic_form<D: Size, const C: usize>(
     trial: &Piece<D, C>,
     state: &PieceState<D, C>,
 ) -> Option<Form> {
-    let (rows, jumps): (Vec<_>, Vec<_>) = jumps(problem, trial).into_iter().unzip();
+    let (rows, jumps): (Vec<_>, Vec<_>) = jumps(problem, 0..problem.len()).into_iter().unzip();
     if jumps.is_empty() {
         return None;
     }
+    if trial.is_banded() {
+        let moved = jumps.iter().map(|jump| trial.moved_by(jump.contact, &jump.column));
+        let moved = moved.collect::<Option<Vec<_>>>()?;
+        return form(problem, state, rows, &jumps, |i, j| {
+            trial.felt(jumps[i].contact, &jumps[i].row, &moved[j])
+        });
+    }
+    // Qᵀ applied to rows and columns.
+    let mut seen = Vec::with_capacity(jumps.len());
+    for of_contact in jumps.chunk_by(|a, b| a.contact == b.contact) {
+        let by_contact = trial.seen(of_contact[0].contact);
+        seen.extend(of_contact.iter().map(|jump| [&by_contact * jump.row, &by_contact * jump.column]));
+    }
+    form(problem, state, rows, &jumps, |i, j| seen[i][0].dot(&seen[j][1]))
+}
+
+/// What coordinates move by along columns of the kinematic form that have been asked for, contact by contact.
+#[derive(Debug, Default)]
+pub(crate) struct Moved(HashMap<usize, Vec<Vec<f64>>>);
+
+/// The kinematic form of a few contacts of many coordinates, where all others stay as they are in the trial state.
+pub(crate) fn kinematic_form_among<D: Size, const C: usize>(
+    problem: &Problem<D, C>,
+    trial: &Piece<D, C>,
+    state: &PieceState<D, C>,
+    contacts: &[usize],
+    Moved(known): &mut Moved,
+) -> Option<Form> {
+    let (rows, jumps): (Vec<_>, Vec<_>) = jumps(problem, contacts.iter().copied()).into_iter().unzip();
+    for of_contact in jumps.chunk_by(|a, b| a.contact == b.contact) {
+        let contact = of_contact[0].contact;
+        if !known.contains_key(&contact) {
+            let moved = of_contact.iter().map(|jump| trial.moved_by(contact, &jump.column));
+            known.insert(contact, moved.collect::<Option<_>>()?);
+        }
+    }
+    let moved =
+        jumps.chunk_by(|a, b| a.contact == b.contact).flat_map(|of_contact| &known[&of_contact[0].contact]);
+    let moved: Vec<_> = moved.collect();
+    form(problem, state, rows, &jumps, |i, j| trial.felt(jumps[i].contact, &jumps[i].row, moved[j]))
+}
+
+/// The form of these rows, where a jump along the column of one is felt along the row of another by this `Q Qᵀ`.
+fn form<D: Size, const C: usize>(
+    problem: &Problem<D, C>,
+    state: &PieceState<D, C>,
+    rows: Vec<Row>,
+    jumps: &[Jump<C>],
+    felt: impl Fn(usize, usize) -> f64,
+) -> Option<Form> {
     let n = jumps.len();
     let m = DMatrix::from_fn(n, n, |i, j| {
         let (to, from) = (&jumps[i], &jumps[j]);
         let own = if to.contact == from.contact { to.row.dot(&from.column) } else { 0.0 };
-        own - to.row_seen.dot(&from.column_seen)
+        own - felt(i, j)
     });
     let q = DVector::from_fn(n, |i, _| {
         let jump = &jumps[i];

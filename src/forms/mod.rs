@@ -35,4 +35,4 @@ mod rows;
 pub use rows::{Form, LeftOut, Row, Why};
 
 pub(crate) use force_form::{force_form, force_states};
-pub(crate) use kinematic::{kinematic_form, kinematic_states};
+pub(crate) use kinematic::{Moved, kinematic_form, kinematic_form_among, kinematic_states};

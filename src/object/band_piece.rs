@@ -9,9 +9,9 @@
 //! Where some motions stretch no spring, and as many are not balanced by any, T is singular in these alone. What else is nearly singular is left to
 //! orthogonal factors.
 
-use crate::numerics::{
-    Band, BandFactors, Size, Vector, generic, narrow_order, orthonormalise_against, widest,
-};
+use crate::numerics::{Band, BandFactors, Size, Vector, generic, narrow_order, widest};
+
+use std::ops::Range;
 
 use nalgebra::SVector;
 
@@ -20,46 +20,51 @@ use crate::grasp::{Site, size_of};
 
 /// With fewer coordinates orthogonal factors cost no more, and know the rank.
 const FROM: usize = 24;
-/// A unit motion that stretches no spring by more than this part of what it could is free. The soft ones stretch some by more than 1e-6.
-const FREE: f64 = 1e-12;
 /// Steps of the power method, which come from below.
 const POWERS: usize = 4;
 /// What they find is believed up to this factor.
 const ESTIMATED: f64 = 2.0;
 
+/// Whether factors in a band are worth their while.
+pub(crate) fn are_many<D: Size>(coordinates: D) -> bool {
+    coordinates.count() >= FROM
+}
+
 /// T with its factors.
 #[derive(Debug, Clone)]
-pub(super) struct BandPiece {
+pub(crate) struct BandPiece {
     /// The number of each coordinate in a narrow order.
-    numbers: Vec<usize>,
-    springs: SpringLists,
+    pub(super) numbers: Vec<usize>,
+    pub(super) springs: SpringLists,
     /// A.
-    right: Side,
+    pub(super) right: Side,
     /// B, where something slides.
-    left: Option<Side>,
-    factors: BandFactors,
+    pub(super) left: Option<Side>,
+    pub(super) factors: BandFactors,
 }
 
 /// Which coordinates the springs of each contact feel.
 #[derive(Debug, Clone)]
-struct SpringLists {
+pub(super) struct SpringLists {
     /// By their numbers, contact after contact.
     felt: Vec<usize>,
     /// Where those of each contact begin; at the end their number.
     first: Vec<usize>,
     /// How many springs each contact has.
-    counts: Vec<usize>,
+    pub(super) counts: Vec<usize>,
+    /// Where the rows of these begin.
+    first_rows: Vec<usize>,
 }
 
 /// Rows of springs.
 #[derive(Debug, Clone)]
-struct Side {
+pub(super) struct Side {
     /// Their entries for the coordinates that are felt, spring after spring.
     rows: Vec<f64>,
     /// One over the length of each column that is not zero.
     units: Vec<f64>,
     /// Length of the longest.
-    longest: f64,
+    pub(super) longest: f64,
 }
 
 impl BandPiece {
@@ -71,17 +76,22 @@ impl BandPiece {
         first_springs: &[usize],
     ) -> Option<Self> {
         let count = size_of(sites).count();
-        if count < FROM {
+        if !are_many(size_of(sites)) {
             return None;
         }
         let couplings: Vec<_> = sites.iter().map(|site| site.support.ranges::<C>()).collect();
         let numbers = narrow_order(count, &couplings);
         let reach = widest(&numbers, &couplings);
-        let mut lists = SpringLists { felt: Vec::new(), first: vec![0], counts: Vec::new() };
+        let mut lists =
+            SpringLists { felt: Vec::new(), first: vec![0], counts: Vec::new(), first_rows: vec![0] };
+        let mut rows = 0;
         for (ranges, ends) in couplings.iter().zip(first_springs.windows(2)) {
+            let (felt, count) = (lists.felt.len(), ends[1] - ends[0]);
             lists.felt.extend(ranges.iter().flat_map(|range| &numbers[range.clone()]));
             lists.first.push(lists.felt.len());
-            lists.counts.push(ends[1] - ends[0]);
+            lists.counts.push(count);
+            rows += count * (lists.felt.len() - felt);
+            lists.first_rows.push(rows);
         }
         let side = |of: fn(&Spring<C>) -> &SVector<f64, C>| {
             let mut rows = Vec::new();
@@ -108,34 +118,6 @@ impl BandPiece {
         Some(Self { numbers, springs: lists, right, left, factors })
     }
 
-    /// Orthonormal motions that stretch no spring, and those that no spring balances; `None` where T is singular in others.
-    pub(super) fn free_motions<D: Size>(&self) -> Option<[Vec<Vector<D>>; 2]> {
-        if !self.factors.is_singular() {
-            return Some([Vec::new(), Vec::new()]);
-        }
-        let left = self.left.as_ref().unwrap_or(&self.right);
-        let free = self.orthonormal(&self.right, self.factors.null_vectors())?;
-        Some([free, self.orthonormal(left, self.factors.left_null_vectors())?])
-    }
-
-    fn orthonormal<D: Size>(&self, side: &Side, vectors: Vec<Vec<f64>>) -> Option<Vec<Vector<D>>> {
-        let mut basis: Vec<Vector<D>> = Vec::new();
-        for mut q in vectors {
-            let mut most = 0.0_f64;
-            self.springs.stretch(side, &mut q, |_, stretch| most = most.max(stretch.abs()));
-            let length = q.iter().map(|q| q * q).sum::<f64>().sqrt();
-            // Written so that it also turns away what is not a number.
-            let free = most <= FREE * side.longest * length;
-            if !free {
-                return None;
-            }
-            let mut v = Vector::from_fn(D::of(q.len()), |k| q[self.numbers[k]]);
-            orthonormalise_against(&mut v, &basis);
-            basis.push(v);
-        }
-        Some(basis)
-    }
-
     /// `x - A T⁻¹ (Bᵀx + W)` in place of x, and the twist that goes with it.
     pub(super) fn respond<D: Size>(&self, x: &mut [f64], wrench: &Vector<D>) -> Vector<D> {
         let mut q = vec![0.0; self.numbers.len()];
@@ -144,6 +126,38 @@ impl BandPiece {
         self.factors.solve(&mut q);
         self.springs.stretch(&self.right, &mut q, |spring, stretch| x[spring] -= stretch);
         Vector::from_fn(D::of(q.len()), |k| q[self.numbers[k]])
+    }
+
+    /// Whether T is nearly singular.
+    pub(super) fn is_singular(&self) -> bool {
+        self.factors.is_singular()
+    }
+
+    /// T⁻¹ of a load.
+    pub(super) fn solve<D: Size>(&self, load: &Vector<D>) -> Vector<D> {
+        self.respond(&mut vec![0.0; self.springs.counts.iter().sum()], load)
+    }
+
+    /// What the coordinates, by their numbers, move by where springs of a contact push by so much each: T⁻¹Aᵀ of it.
+    pub(super) fn moved_by(&self, contact: usize, pushes: &[f64]) -> Vec<f64> {
+        let mut q = vec![0.0; self.numbers.len()];
+        self.springs.of(contact, |k, felt, range| {
+            felt.iter().zip(&self.right.rows[range]).for_each(|(j, a)| q[*j] += a * pushes[k]);
+        });
+        q.iter_mut().zip(&self.right.units).for_each(|(q, unit)| *q *= unit);
+        self.factors.solve(&mut q);
+        q.iter_mut().zip(&self.right.units).for_each(|(q, unit)| *q *= unit);
+        q
+    }
+
+    /// The sum of what that stretches the springs of a contact by, each so many times.
+    pub(super) fn felt(&self, contact: usize, times: &[f64], moved: &[f64]) -> f64 {
+        let mut sum = 0.0;
+        self.springs.of(contact, |k, felt, range| {
+            let stretch: f64 = felt.iter().zip(&self.right.rows[range]).map(|(j, a)| a * moved[*j]).sum();
+            sum += times[k] * stretch;
+        });
+        sum
     }
 
     /// How much relative rounding errors grow, about: the norm of the oblique projection `A T⁻¹ Bᵀ`, by a few steps of the power method.
@@ -187,7 +201,7 @@ impl BandPiece {
 
 impl SpringLists {
     /// `visit(spring, felt, place of its row)` for every spring.
-    fn for_each(&self, mut visit: impl FnMut(usize, &[usize], std::ops::Range<usize>)) {
+    fn for_each(&self, mut visit: impl FnMut(usize, &[usize], Range<usize>)) {
         let (mut spring, mut from) = (0, 0);
         for (ends, count) in self.first.windows(2).zip(&self.counts) {
             let felt = &self.felt[ends[0]..ends[1]];
@@ -195,6 +209,15 @@ impl SpringLists {
                 visit(spring, felt, from..from + felt.len());
                 (spring, from) = (spring + 1, from + felt.len());
             }
+        }
+    }
+
+    /// `visit(which of its springs, felt, place of its row)` for every spring of a contact.
+    fn of(&self, contact: usize, mut visit: impl FnMut(usize, &[usize], Range<usize>)) {
+        let felt = &self.felt[self.first[contact]..self.first[contact + 1]];
+        for k in 0..self.counts[contact] {
+            let from = self.first_rows[contact] + k * felt.len();
+            visit(k, felt, from..from + felt.len());
         }
     }
 
@@ -210,7 +233,7 @@ impl SpringLists {
     }
 
     /// Adds what springs push to q, and takes it in units of the columns.
-    fn add(&self, side: &Side, x: &[f64], q: &mut [f64]) {
+    pub(super) fn add(&self, side: &Side, x: &[f64], q: &mut [f64]) {
         self.for_each(|spring, felt, range| {
             felt.iter().zip(&side.rows[range]).for_each(|(k, b)| q[*k] += b * x[spring]);
         });
@@ -218,7 +241,7 @@ impl SpringLists {
     }
 
     /// Takes q out of the units of the columns, and visits what stretches each spring.
-    fn stretch(&self, side: &Side, q: &mut [f64], mut visit: impl FnMut(usize, f64)) {
+    pub(super) fn stretch(&self, side: &Side, q: &mut [f64], mut visit: impl FnMut(usize, f64)) {
         q.iter_mut().zip(&side.units).for_each(|(q, unit)| *q *= unit);
         self.for_each(|spring, felt, range| {
             visit(spring, felt.iter().zip(&side.rows[range]).map(|(k, a)| a * q[*k]).sum());

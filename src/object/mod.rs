@@ -9,6 +9,7 @@
 //! | `problem` | laws, drives and load: the local problem, at rest and in rates |
 //! | `piece` | the linear problem in known states, by orthogonal factors |
 //! | `band_piece` | that of very many coordinates, by the tangent stiffness in a narrow band |
+//! | `null_motions` | the motions in which that is singular |
 //! | `solution` | its forces and twist, to the last digits |
 //! | `free_motions` | motions that no spring resists |
 //! | `energy_coordinates` | contacts where stiffness ratios do not show |
@@ -28,6 +29,7 @@ mod free_motions;
 mod lazy_pricing;
 mod load;
 mod newton;
+mod null_motions;
 mod one_by_one;
 mod piece;
 mod precise;
@@ -38,6 +40,7 @@ mod sums;
 mod tangent;
 mod trial;
 
+pub(crate) use band_piece::are_many;
 pub(crate) use energy_coordinates::{
     EnergyContact, EnergyCoordinates, Facet, Slipping, normal, spring_rows, stretched_into,
 };
@@ -52,4 +55,4 @@ pub(crate) use problem::{Lists, Problem};
 pub(crate) use sizes::{NO_FORCE, largest_force, least_spring_force};
 pub(crate) use solution::{PieceState, SolutionMemory, Unbalanced};
 pub(crate) use sums::{CORRECTIONS, Sums, are_stale};
-pub(crate) use tangent::{balance, tangent_stiffness};
+pub(crate) use tangent::{TangentFactors, balance, tangent_stiffness};

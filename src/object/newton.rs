@@ -11,8 +11,9 @@
 
 use nalgebra::SVector;
 
+use super::tangent::TangentFactors;
 use crate::grasp::Site;
-use crate::numerics::{Factors, Size, Vector};
+use crate::numerics::{Size, Vector};
 
 /// Newton's steps: it converges in a few of them.
 const STEPS: usize = 20;
@@ -59,7 +60,7 @@ pub(crate) trait StretchAnswers<D: Size> {
     fn answer(&mut self, twist: &Vector<D>) -> Imbalance<D>;
 
     /// T where they were last asked; `None` where Newton's method should not go on with it.
-    fn tangent(&mut self) -> Option<Factors<D>>;
+    fn tangent(&mut self) -> Option<TangentFactors<D>>;
 }
 
 /// Newton's method from a twist until forces are out of balance by a part `settled` of their sizes: the twist, how many steps it took, and what is

@@ -7,7 +7,7 @@ use nalgebra::SVector;
 
 use super::newton::{Imbalance, StretchAnswers, newton};
 use super::problem::Problem;
-use super::tangent::tangent_stiffness;
+use super::tangent::{TangentFactors, tangent_stiffness};
 use crate::contact::ContactResponse;
 use crate::numerics::{Factors, in_halves};
 
@@ -67,8 +67,11 @@ where
             .plus(Imbalance { left: problem.wrench.clone(), size: problem.wrench.norm() + self.beside })
     }
 
-    fn tangent(&mut self) -> Option<Factors<D>> {
+    fn tangent(&mut self) -> Option<TangentFactors<D>> {
+        if let Some(band) = self.problem.tangent_in_a_band(|i| self.contacts[i].state) {
+            return Some(band);
+        }
         let tangent = |i: usize| self.problem.local(i).tangent(&self.contacts[i].state).matrix();
-        Some(Factors::new(&tangent_stiffness(self.problem.sites, tangent)))
+        Some(TangentFactors::Whole(Factors::new(&tangent_stiffness(self.problem.sites, tangent))))
     }
 }

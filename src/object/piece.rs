@@ -14,6 +14,7 @@ use nalgebra::SVector;
 
 use super::band_piece::BandPiece;
 use super::free_motions::worked_on;
+use super::null_motions::NullMotions;
 use super::problem::Problem;
 use crate::contact::{Spring, State};
 use crate::grasp::{Site, size_of};
@@ -29,8 +30,8 @@ pub(crate) struct Piece<D: Size, const C: usize> {
     pub(super) free: Vec<Vector<D>>,
     /// Orthonormal motions that no left factor sees: a load doing work on one is not balanced in this piece.
     pub(super) unbalanced: Vec<Vector<D>>,
-    /// Of many coordinates, unless T is nearly singular.
-    pub(super) band: Option<BandPiece>,
+    /// Of many coordinates, unless T is nearly singular and not quite.
+    pub(super) band: Option<(BandPiece, NullMotions<D>)>,
     /// Of few; of many when they are first asked for.
     orthogonal: OnceLock<OrthogonalPiece<D>>,
     size: D,
@@ -62,17 +63,11 @@ impl<D: Size, const C: usize> Piece<D, C> {
         }
         let size = size_of(sites);
         if let Some(band) = BandPiece::new(sites, &springs, &first)
-            && let Some([free, unbalanced]) = band.free_motions()
+            && let Some(null) = NullMotions::of(&band)
         {
-            return Self {
-                springs,
-                first,
-                free,
-                unbalanced,
-                band: Some(band),
-                orthogonal: OnceLock::new(),
-                size,
-            };
+            let (free, unbalanced) = (null.free.clone(), null.unbalanced.clone());
+            let (band, orthogonal) = (Some((band, null)), OnceLock::new());
+            return Self { springs, first, free, unbalanced, band, orthogonal, size };
         }
         let rows = |side: fn(&Spring<C>) -> &SVector<f64, C>| {
             let mut rows = Vec::with_capacity(springs.len());
@@ -94,7 +89,7 @@ impl<D: Size, const C: usize> Piece<D, C> {
     /// Its orthogonal factors.
     pub(super) fn orthogonal(&self) -> &OrthogonalPiece<D> {
         self.orthogonal.get_or_init(|| {
-            let [right, left] = self.band.as_ref().map_or_else(|| [None, None], BandPiece::rows);
+            let [right, left] = self.band.as_ref().map_or_else(|| [None, None], |(band, _)| band.rows());
             OrthogonalPiece::new(self.size, right.unwrap_or_default(), left)
         })
     }
@@ -119,6 +114,32 @@ impl<D: Size, const C: usize> Piece<D, C> {
         seen
     }
 
+    /// Whether it has the factors of many coordinates.
+    pub(crate) fn is_banded(&self) -> bool {
+        self.band.is_some()
+    }
+
+    /// Where everything sticks, what coordinates move by where a contact pushes so much along its axes in units of its springs; `None` where it has orthogonal
+    /// factors.
+    pub(crate) fn moved_by(&self, contact: usize, pushes: &SVector<f64, C>) -> Option<Vec<f64>> {
+        Some(self.band.as_ref()?.0.moved_by(contact, &self.along_springs(contact, pushes)[..]))
+    }
+
+    /// What that stretches the springs of a contact by, each axis so many times.
+    pub(crate) fn felt(&self, contact: usize, times: &SVector<f64, C>, moved: &[f64]) -> f64 {
+        self.band
+            .as_ref()
+            .map_or(0.0, |(band, _)| band.felt(contact, &self.along_springs(contact, times)[..], moved))
+    }
+
+    /// The components of an axis each along the springs of a contact.
+    fn along_springs(&self, contact: usize, axes: &SVector<f64, C>) -> Vec<f64> {
+        self.springs[self.first[contact]..self.first[contact + 1]]
+            .iter()
+            .map(|spring| axes[spring.right.iamax()])
+            .collect()
+    }
+
     /// The least motion with these coordinates R q.
     pub(crate) fn motion(&self, coordinates: &Vector<D>) -> Vector<D> {
         without(self.factor().preimage(coordinates), self.free_motions())
@@ -131,8 +152,8 @@ impl<D: Size, const C: usize> Piece<D, C> {
 
     /// Motions along which this piece stays in equilibrium while its forces change: its solution is a whole line.
     pub(crate) fn neutral_motions(&self) -> Vec<Vector<D>> {
-        if self.band.is_some() {
-            return Vec::new();
+        if let Some((_, null)) = &self.band {
+            return null.neutral.clone();
         }
         let OrthogonalPiece { right, left } = self.orthogonal();
         let Some((_, coupling)) = left else { return Vec::new() };
@@ -156,8 +177,8 @@ impl<D: Size, const C: usize> Piece<D, C> {
         if let Some(motion) = worked(&self.unbalanced, load) {
             return Some(motion);
         }
-        if self.band.is_some() {
-            return None;
+        if let Some((_, null)) = &self.band {
+            return null.worked_on(&self.stretched(|contact| drives[contact]), load);
         }
         let (left, coupling) = self.orthogonal().left.as_ref()?;
         let mut kernel: Vec<Vector<D>> = Vec::new();
@@ -172,7 +193,7 @@ impl<D: Size, const C: usize> Piece<D, C> {
     /// How much relative rounding errors grow in this piece, at least 1.
     pub(crate) fn growth(&self) -> f64 {
         match &self.band {
-            Some(band) => band.growth(),
+            Some((band, _)) => band.growth(),
             None => self.orthogonal().left.as_ref().map_or(1.0, |(_, coupling)| coupling.growth()),
         }
     }

@@ -79,8 +79,11 @@ impl<D: Size, const C: usize> Piece<D, C> {
             return Err(Unbalanced { motion: Some(motion) });
         }
         let SolutionMemory { x, change } = memory;
-        if let Some(band) = &self.band {
+        if let Some((band, null)) = &self.band {
             self.stretched_into(x, |contact| drives[contact]);
+            if null.are_out_of_reach(x, &load.wrench, || band.growth()) {
+                return Err(Unbalanced { motion: None });
+            }
             let mut twist = PreciseTwist::new(self.size(), band.respond(x, &load.wrench));
             let respond = |x: &mut [f64], rest: &Vector<D>| band.respond(x, rest);
             if self.refine(sites, (drives, &load), (x, change, &mut twist), (respond, SHARP)) {
@@ -159,7 +162,7 @@ impl<D: Size, const C: usize> Piece<D, C> {
         (SolutionMemory { x, .. }, state): (&mut SolutionMemory, &mut PieceState<D, C>),
     ) {
         self.stretched_into(x, |contact| drives[contact]);
-        if let Some(band) = &self.band {
+        if let Some((band, _)) = &self.band {
             let travelled = band.respond(x, wrench);
             state.twist = travelled + band.respond(x, wrench);
             self.forces_into(&mut state.forces, x, drives.len());
@@ -180,7 +183,7 @@ impl<D: Size, const C: usize> Piece<D, C> {
     /// `x - A (BᵀA)⁻¹ (Bᵀx + W)` in place of x, and the twist that goes with it.
     pub(super) fn respond(&self, x: &mut [f64], wrench: &Vector<D>) -> Vector<D> {
         match &self.band {
-            Some(band) => band.respond(x, wrench),
+            Some((band, _)) => band.respond(x, wrench),
             None => self.orthogonal().respond(x, wrench),
         }
     }

@@ -13,13 +13,55 @@ use std::ops::Range;
 
 use nalgebra::SMatrix;
 
+use super::band_piece::{BandPiece, are_many};
 use super::newton::Imbalance;
+use super::problem::Problem;
 use super::solution::PieceState;
+use crate::contact::State;
 use crate::grasp::{Site, size_of};
-use crate::numerics::{PartialPivoting, in_halves};
+use crate::numerics::{Factors, PartialPivoting, in_halves};
 
 /// Steps of refinement: where the first does not do, the second should.
 const STEPS: usize = 4;
+
+/// Factors of T, in a band where there are many coordinates.
+pub(crate) enum TangentFactors<D: Size> {
+    Whole(Factors<D>),
+    Band(BandPiece),
+}
+
+impl<D: Size> TangentFactors<D> {
+    /// A solution of `T y = b`, as far as there is one.
+    pub(crate) fn solve(&self, b: &Vector<D>) -> Vector<D> {
+        match self {
+            Self::Whole(factors) => factors.solve(b),
+            Self::Band(band) => band.solve(b),
+        }
+    }
+
+    /// Whether T is regular.
+    pub(crate) fn is_regular(&self) -> bool {
+        match self {
+            Self::Whole(factors) => matches!(factors, Factors::Regular(_)),
+            Self::Band(band) => !band.is_singular(),
+        }
+    }
+}
+
+impl<D: Size, const C: usize> Problem<'_, D, C> {
+    /// Factors of T in a band with these states of the contacts, where there are many coordinates.
+    pub(crate) fn tangent_in_a_band(&self, state: impl Fn(usize) -> State<C>) -> Option<TangentFactors<D>> {
+        if !are_many(self.size()) {
+            return None;
+        }
+        let (mut springs, mut first) = (Vec::with_capacity(C * self.len()), vec![0]);
+        for contact in 0..self.len() {
+            self.local(contact).for_each_spring(&state(contact), |spring| springs.push(spring));
+            first.push(springs.len());
+        }
+        BandPiece::new(self.sites, &springs, &first).map(TangentFactors::Band)
+    }
+}
 
 /// C_i of a contact: the derivative of its force by its stretch.
 pub(crate) type SpringTangent<const C: usize> = SMatrix<f64, C, C>;

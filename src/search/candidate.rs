@@ -124,6 +124,23 @@ pub(super) fn admit_regular<D: Size, const C: usize>(
     holds.then(|| Found::new(states, state.forces, state.twist))
 }
 
+/// The contacts that break a condition of their states by more than rounding.
+pub(super) fn breaking<D: Size, const C: usize>(
+    problem: &Problem<D, C>,
+    states: &[State<C>],
+    at: &PieceState<D, C>,
+) -> Vec<usize> {
+    let largest = problem.largest_force(&at.forces, &at.twist);
+    let breaks = |contact: &usize| {
+        let (mut holds, at) = (true, problem.at(*contact, &at.forces[*contact], &at.twist, largest));
+        problem.local(*contact).for_each_condition(&states[*contact], &at, |value, size| {
+            holds &= value >= -ROUNDING * size;
+        });
+        !holds
+    };
+    (0..problem.len()).filter(breaks).collect()
+}
+
 /// Calls `visit(value, size)` for every condition `value >= 0` of all contacts.
 pub(crate) fn for_each_condition<D: Size, const C: usize>(
     problem: &Problem<D, C>,

@@ -5,9 +5,9 @@ use super::answer::{Doubt, Effort, Rung, Settled};
 use super::candidate::{Refused, admit};
 use super::least_motion::at_the_least_motion;
 use super::rungs::{
-    every_case, every_combination, everything_yields, force_form, kinematic_form, kinematic_form_on_states,
-    kinematic_form_with_edges, newton_on_answers, newton_on_the_round_cone, separating_motion,
-    separating_motion_of_many, touching_contacts_stick,
+    every_case, every_combination, everything_yields, force_form, kinematic_form, kinematic_form_of_a_few,
+    kinematic_form_on_states, kinematic_form_with_edges, newton_on_answers, newton_on_the_round_cone,
+    separating_motion, separating_motion_of_many, touching_contacts_stick,
 };
 use super::scene::{Attempt, Log, TrialScene};
 use super::settings::Settings;
@@ -21,11 +21,12 @@ pub(crate) fn settle<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     settings: &Settings,
 ) -> (Settled<D, C>, Effort) {
-    let ladder: [TryRung<D, C>; 12] = [
+    let ladder: [TryRung<D, C>; 13] = [
         touching_contacts_stick,
         newton_on_answers,
         newton_on_the_round_cone,
         everything_yields,
+        kinematic_form_of_a_few,
         separating_motion_of_many,
         kinematic_form_on_states,
         kinematic_form,

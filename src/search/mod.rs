@@ -15,6 +15,7 @@
 //! | `whole_line` | a twist that is one end of an interval |
 //! | `tree`, `relaxed` | on the round cone: branch and bound over what contacts do |
 
+mod a_few;
 mod answer;
 mod candidate;
 mod enumerate;

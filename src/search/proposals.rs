@@ -82,11 +82,11 @@ pub(super) fn propose_structured<D: Size, const C: usize>(
 pub(super) fn propose_dense<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     settings: &Settings,
-    form: impl Fn(&Problem<D, C>) -> Option<Form>,
+    form: Option<Form>,
     states: impl Fn(&Problem<D, C>, &Form, &Basis) -> Vec<State<C>>,
     log: &mut Log,
 ) -> Option<Vec<State<C>>> {
-    let form = form(problem)?;
+    let form = form?;
     log.effort.rows = log.effort.rows.max(form.rows.len());
     // On the round cone the tree comes next, which knows more than another path would. Bases are better enumerated as contact
     // states, where each costs one d x d system and is checked as physics.

@@ -1,5 +1,6 @@
 //! The rungs of the ladder, each a way to find an equilibrium or to prove that there is none.
 
+use super::a_few::propose_of_a_few;
 use super::answer::{Doubt, Rung, Settled};
 use super::enumerate::search;
 use super::polish::polish_from;
@@ -55,6 +56,18 @@ pub(super) fn kinematic_form_on_states<D: Size, const C: usize>(
     Attempt::by(Rung::KinematicForm, found)
 }
 
+/// Lemke's method on the kinematic form of the contacts that need it, of many coordinates.
+pub(super) fn kinematic_form_of_a_few<D: Size, const C: usize>(
+    scene: &TrialScene<'_, '_, D, C>,
+    log: &mut Log,
+) -> Attempt<D, C> {
+    if !scene.trial.is_banded() {
+        return Attempt::Nothing;
+    }
+    let propose = |problem: &Problem<D, C>, log: &mut Log| propose_of_a_few(scene, problem, log);
+    Attempt::by(Rung::KinematicForm, climb(scene.proposing(), propose, log))
+}
+
 /// In rates at a limit load everything on an edge slides, and nothing responds to a motion on which the load works.
 pub(super) fn everything_yields<D: Size, const C: usize>(
     scene: &TrialScene<'_, '_, D, C>,
@@ -81,7 +94,7 @@ fn propose_kinematic<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     log: &mut Log,
 ) -> Option<Vec<State<C>>> {
-    let form = |problem: &Problem<D, C>| forms::kinematic_form(problem, &scene.trial, &scene.state);
+    let form = forms::kinematic_form(problem, &scene.trial, &scene.state);
     propose_dense(problem, scene.settings, form, forms::kinematic_states, log)
 }
 
@@ -114,7 +127,7 @@ pub(super) fn force_form<D: Size, const C: usize>(
     log: &mut Log,
 ) -> Attempt<D, C> {
     let propose = |problem: &Problem<D, C>, log: &mut Log| {
-        propose_dense(problem, scene.settings, forms::force_form, forms::force_states, log)
+        propose_dense(problem, scene.settings, forms::force_form(problem), forms::force_states, log)
     };
     Attempt::by(Rung::ForceForm, climb(scene.proposing(), propose, log))
 }

@@ -8,10 +8,10 @@ use std::ops::Range;
 use nalgebra::SVector;
 
 use super::solution::{BALANCED, Solution};
-use crate::contact::{Mode, PolygonState, Tangent};
+use crate::contact::{Mode, PolygonState, State, Tangent};
 use crate::grasp::Site;
 use crate::numerics::{Factors, Size, Square, Vector, in_halves};
-use crate::object::{self, Imbalance, Problem, StretchAnswers};
+use crate::object::{self, Imbalance, Problem, StretchAnswers, TangentFactors, are_many};
 
 /// Of some contacts: R without the load, and T.
 struct Sums<D: Size> {
@@ -37,8 +37,10 @@ impl<D: Size, const C: usize> StretchAnswers<D> for OnPolygons<'_, '_, D, C> {
         Imbalance { left: left + load, size: size + load.norm() + f64::MIN_POSITIVE }
     }
 
-    fn tangent(&mut self) -> Option<Factors<D>> {
-        regular(&self.sums)
+    fn tangent(&mut self) -> Option<TangentFactors<D>> {
+        let state = |i: usize| self.states[i].into();
+        let factors = self.sums.factors(self.problem, state)?;
+        factors.is_regular().then_some(factors)
     }
 }
 
@@ -56,19 +58,15 @@ pub(super) fn newton<D: Size, const C: usize>(
     found.forces.resize(problem.len(), SVector::zeros());
     found.states.resize(problem.len(), Mode::Sticking);
     let sums = stick(problem);
-    let start = regular(&sums)?.solve(&(&sums.balance.left + &problem.wrench));
+    let factors = sums.factors(problem, |i| problem.local(i).unjumped())?;
+    // Where a motion is free the least one is asked for, which Newton's method does not know.
+    let start = factors.is_regular().then(|| factors.solve(&(&sums.balance.left + &problem.wrench)))?;
     let mut answers = OnPolygons { problem, states: &mut found.states, forces: &mut found.forces, sums };
     let (twist, steps, here) = object::newton(&mut answers, start, BALANCED)?;
     let lawful = answers.sums.lawful;
     found.twist = twist;
     found.residual = here.left.norm() / here.size;
     lawful.then_some(steps + 1)
-}
-
-/// Factors of T if it is regular. Where a motion is free the least one is asked for, which Newton's method does not know.
-fn regular<D: Size>(sums: &Sums<D>) -> Option<Factors<D>> {
-    let factors = Factors::new(&sums.stiffness);
-    matches!(factors, Factors::Regular(_)).then_some(factors)
 }
 
 /// R without the load and T where everything sticks and the object has not moved.
@@ -79,7 +77,7 @@ fn stick<D: Size, const C: usize>(problem: &Problem<D, C>) -> Sums<D> {
             let (site, local) = (&problem.sites[contact], problem.local(contact));
             let state = local.unjumped();
             if !state.is_open() {
-                add_tangent(&mut sum.stiffness, site, &local.tangent(&state));
+                sum.add_tangent(site, &local.tangent(&state));
                 sum.balance.add(site, &local.springs.force(&problem.drives[contact]));
             }
         }
@@ -109,7 +107,7 @@ fn answer<D: Size, const C: usize>(
                 continue;
             }
             sum.lawful &= force[0] >= 0.0 || local.facets().is_empty();
-            add_tangent(&mut sum.stiffness, site, &tangent);
+            sum.add_tangent(site, &tangent);
             sum.balance.add(site, force);
         }
         sum
@@ -140,7 +138,27 @@ fn add_tangent<D: Size, const C: usize>(t: &mut Square<D>, site: &Site<D, C>, ta
 
 impl<D: Size> Sums<D> {
     fn zero(size: D) -> Self {
-        Self { balance: Imbalance::default(), stiffness: Square::zeros(size), lawful: true }
+        // Of many coordinates T is for a band.
+        let stiffness = Square::zeros(if are_many(size) { D::of(0) } else { size });
+        Self { balance: Imbalance::default(), stiffness, lawful: true }
+    }
+
+    fn add_tangent<const C: usize>(&mut self, site: &Site<D, C>, tangent: &Tangent<C>) {
+        if self.stiffness.size() == site.coordinates() {
+            add_tangent(&mut self.stiffness, site, tangent);
+        }
+    }
+
+    /// Factors of T, which is that of these states.
+    fn factors<const C: usize>(
+        &self,
+        problem: &Problem<D, C>,
+        state: impl Fn(usize) -> State<C>,
+    ) -> Option<TangentFactors<D>> {
+        if are_many(problem.size()) {
+            return problem.tangent_in_a_band(state);
+        }
+        Some(TangentFactors::Whole(Factors::new(&self.stiffness)))
     }
 
     fn plus(self, other: Self) -> Self {

@@ -1,0 +1,151 @@
+//! The motions in which the T of a band is singular, and what each of them means.
+//!
+//! ```text
+//! A n = 0             no spring feels it: free
+//! A n ≠ 0, T n = 0    forces change along it in balance: neutral
+//! B z = 0             no spring balances what works on it
+//! B z ≠ 0, Tᵀz = 0    nothing responds to it: drives and loads that work on it have no solution
+//! ```
+
+use nalgebra::DMatrix;
+
+use super::band_piece::{BandPiece, Side};
+use super::free_motions::NO_WORK;
+use crate::numerics::{BandFactors, Size, Vector, orthonormalise_against};
+
+/// A unit motion that stretches no spring by more than this part of what it could is free. The soft ones stretch some by more than 1e-6.
+const FREE: f64 = 1e-11;
+/// What T leaves of a motion in which it is singular is less than this part.
+const SINGULAR: f64 = 1e-13;
+/// How often what is left of its stretches is taken away.
+const CLEARED: usize = 2;
+
+/// Motions in which T is singular.
+#[derive(Debug, Clone)]
+pub(super) struct NullMotions<D: Size> {
+    /// Orthonormal; so are all others.
+    pub(super) free: Vec<Vector<D>>,
+    pub(super) neutral: Vec<Vector<D>>,
+    pub(super) unbalanced: Vec<Vector<D>>,
+    /// Each with what it stretches the rows of B by, which are orthonormal.
+    unanswered: Vec<(Vector<D>, Vec<f64>)>,
+}
+
+/// Null vectors apart: those that no spring feels, and the others with what they stretch springs by.
+struct Apart<D: Size> {
+    unfelt: Vec<Vector<D>>,
+    felt: Vec<(Vector<D>, Vec<f64>)>,
+}
+
+impl<D: Size> NullMotions<D> {
+    /// Those of a band; `None` where it is nearly singular and not quite.
+    pub(super) fn of(band: &BandPiece) -> Option<Self> {
+        let nothing =
+            Self { free: Vec::new(), neutral: Vec::new(), unbalanced: Vec::new(), unanswered: Vec::new() };
+        if !band.factors.is_singular() {
+            return Some(nothing);
+        }
+        let (right, left) = (&band.right, band.left.as_ref().unwrap_or(&band.right));
+        let of_right = apart(band, [right, left], band.factors.null_vectors(), BandFactors::solve)?;
+        let of_left =
+            apart(band, [left, right], band.factors.left_null_vectors(), BandFactors::solve_transposed)?;
+        let mut found =
+            Self { free: of_right.unfelt, unbalanced: of_left.unfelt, unanswered: of_left.felt, ..nothing };
+        for (mut v, _) in of_right.felt {
+            let known: Vec<_> = found.free.iter().chain(&found.neutral).cloned().collect();
+            orthonormalise_against(&mut v, &known);
+            found.neutral.push(v);
+        }
+        Some(found)
+    }
+
+    /// The motion to which nothing responds on which these stretches and a load work the most.
+    pub(super) fn worked_on(&self, x: &[f64], load: &Vector<D>) -> Option<Vector<D>> {
+        let mut sum = Vector::zeros();
+        for (z, stretches) in &self.unanswered {
+            sum += z * (dot(stretches, x) + z.dot(load));
+        }
+        (sum.norm() > 0.0).then_some(sum)
+    }
+
+    /// Whether they work on any by more than rounding that has grown so much.
+    pub(super) fn are_out_of_reach(&self, x: &[f64], load: &Vector<D>, growth: impl Fn() -> f64) -> bool {
+        self.unanswered.iter().any(|(z, stretches)| {
+            let sizes = |terms: &mut dyn Iterator<Item = f64>| terms.fold(0.0, |sum, term| sum + term.abs());
+            let known = NO_WORK
+                * (sizes(&mut stretches.iter().zip(x).map(|(a, b)| a * b))
+                    + sizes(&mut z.iter().zip(load.iter()).map(|(a, b)| a * b)));
+            let work = (dot(stretches, x) + z.dot(load)).abs();
+            work > known && work > known * growth()
+        })
+    }
+}
+
+/// Takes null vectors of T, or of its transpose, apart: those in units of the columns of the first side.
+fn apart<D: Size>(
+    band: &BandPiece,
+    [side, other]: [&Side; 2],
+    vectors: Vec<Vec<f64>>,
+    solve: fn(&BandFactors, &mut [f64]),
+) -> Option<Apart<D>> {
+    let springs = &band.springs;
+    let mut found: Vec<(Vector<D>, Vec<f64>)> = Vec::new();
+    for mut q in vectors {
+        let mut stretches = vec![0.0; springs.counts.iter().sum()];
+        springs.stretch(side, &mut q, |spring, stretch| stretches[spring] = stretch);
+        // What rounding of T and its factors has left of the stretches is taken away again.
+        for _ in 0..CLEARED {
+            let mut back = vec![0.0; q.len()];
+            springs.add(other, &stretches, &mut back);
+            solve(&band.factors, &mut back);
+            springs.stretch(side, &mut back, |spring, stretch| stretches[spring] -= stretch);
+            q.iter_mut().zip(&back).for_each(|(q, back)| *q -= back);
+        }
+        let mut v = Vector::<D>::from_fn(D::of(q.len()), |k| q[band.numbers[k]]);
+        // Orthonormal, in two passes.
+        for _ in 0..2 {
+            for (known, of_known) in &found {
+                let along = v.dot(known);
+                v -= known * along;
+                stretches.iter_mut().zip(of_known).for_each(|(x, known)| *x -= known * along);
+            }
+            let unit = 1.0 / v.norm();
+            v *= unit;
+            stretches.iter_mut().for_each(|x| *x *= unit);
+        }
+        found.push((v, stretches));
+    }
+    let count = found.len();
+    let axes =
+        DMatrix::from_fn(count, count, |i, j| dot(&found[i].1, &found[j].1)).symmetric_eigen().eigenvectors;
+    let mut apart = Apart { unfelt: Vec::new(), felt: Vec::new() };
+    for axis in axes.column_iter() {
+        let mut v = Vector::<D>::zeros();
+        let mut stretches = vec![0.0; springs.counts.iter().sum()];
+        for ((known, of_known), part) in found.iter().zip(axis.iter()) {
+            v += known * *part;
+            stretches.iter_mut().zip(of_known).for_each(|(x, known)| *x += known * part);
+        }
+        let length = dot(&stretches, &stretches).sqrt();
+        if length <= FREE * side.longest {
+            apart.unfelt.push(v);
+            continue;
+        }
+        let mut left = vec![0.0; band.numbers.len()];
+        springs.add(other, &stretches, &mut left);
+        let left = left.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        // Written so that it also turns away what is not a number.
+        let singular = left <= SINGULAR * length;
+        if !singular {
+            return None;
+        }
+        let unit = 1.0 / length;
+        stretches.iter_mut().for_each(|x| *x *= unit);
+        apart.felt.push((v * unit, stretches));
+    }
+    Some(apart)
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
