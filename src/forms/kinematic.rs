@@ -9,6 +9,7 @@
 //! Of many coordinates `Q Qᵀ = K^{1/2}Gᵀ (G K Gᵀ)⁻¹ G K^{1/2}` is taken as it is, where rows have entries.
 
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 
 use nalgebra::{DMatrix, DVector, SVector};
 
@@ -95,9 +96,9 @@ pub(crate) fn kinematic_form_among<D: Size, const C: usize>(
     let (rows, jumps): (Vec<_>, Vec<_>) = jumps(problem, contacts.iter().copied()).into_iter().unzip();
     for of_contact in jumps.chunk_by(|a, b| a.contact == b.contact) {
         let contact = of_contact[0].contact;
-        if !known.contains_key(&contact) {
+        if let Entry::Vacant(place) = known.entry(contact) {
             let moved = of_contact.iter().map(|jump| trial.moved_by(contact, &jump.column));
-            known.insert(contact, moved.collect::<Option<_>>()?);
+            place.insert(moved.collect::<Option<_>>()?);
         }
     }
     let moved =

@@ -31,8 +31,10 @@ mod force_form;
 mod kinematic;
 mod questions;
 mod rows;
+mod ruled_out;
 
 pub use rows::{Form, LeftOut, Row, Why};
 
 pub(crate) use force_form::{force_form, force_states};
 pub(crate) use kinematic::{Moved, kinematic_form, kinematic_form_among, kinematic_states};
+pub(crate) use ruled_out::clearly_breaks;

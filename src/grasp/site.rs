@@ -155,7 +155,13 @@ impl<D: Size, const C: usize> Site<D, C> {
     /// Size of the displacements at the contact: translation and rotation may cancel there, their rounding does not.
     #[inline(always)]
     pub(crate) fn span(&self, drive: &SVector<f64, C>, twist: &Vector<D>) -> f64 {
-        drive.norm() + self.size * twist.norm()
+        self.span_moved(drive, twist.norm())
+    }
+
+    /// [`Self::span`], of a twist with this norm.
+    #[inline(always)]
+    pub(crate) fn span_moved(&self, drive: &SVector<f64, C>, twist: f64) -> f64 {
+        drive.norm() + self.size * twist
     }
 }
 

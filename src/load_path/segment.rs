@@ -141,23 +141,27 @@ impl<'g, D: Size, const C: usize> Segment<'g, D, C> {
         let base_load = self.course.at(since);
         let sites = self.grasp.sites();
         let sizes = |drives: &[SVector<f64, C>], twist: &Vector<D>, load: f64, forces: &[SVector<f64, C>]| {
-            let travel = sites.iter().zip(drives).map(|(site, a)| site.span(a, twist)).fold(0.0, f64::max);
+            let norm = twist.norm();
+            let travel =
+                sites.iter().zip(drives).map(|(site, a)| site.span_moved(a, norm)).fold(0.0, f64::max);
             [largest_force(sites, drives, twist, load, forces.iter().map(Matrix::norm)), travel]
         };
         let [base_force, base_travel] = sizes(&base_drives, &base.twist, base_load.norm(), &base.forces);
         let load_rate = self.course.rate_at(factor).norm() * factor_rate.abs();
         let rate_sizes = sizes(&change, &rate.twist, load_rate, &rate.forces);
         let most = (base_force + way * rate_sizes[0]).max(self.largest);
+        let [norm, norm_of_base, norm_of_rate] = [&twist, &base.twist, &rate.twist].map(Vector::norm);
         let mut lines = Vec::new();
         let mut gaps = Vec::new();
         for (i, site) in self.grasp.sites().iter().enumerate() {
             let (stretch, stretching) =
                 (site.stretch(&drives[i], &twist), site.stretch(&change[i], &rate.twist));
-            let span_rate = site.span(&change[i], &rate.twist);
+            let span_rate = site.span_moved(&change[i], norm_of_rate);
             // Drives count from the slip so far, and have its rounding where they cancel.
             let memory = self.problem.slips[i].norm();
-            let span_here = site.span(&drives[i], &twist);
-            let span = memory + span_here.max(site.span(&base_drives[i], &base.twist) + way * span_rate);
+            let span_here = site.span_moved(&drives[i], norm);
+            let span =
+                memory + span_here.max(site.span_moved(&base_drives[i], norm_of_base) + way * span_rate);
             let local = self.problem.local(i);
             lines.push(Line {
                 force: forces[i],

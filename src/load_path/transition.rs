@@ -4,11 +4,12 @@ use nalgebra::SVector;
 
 use super::event::Change;
 use crate::contact::{Mode, State};
-use crate::forms::kinematic_form;
+use crate::forms::{Form, clearly_breaks, kinematic_form};
+use crate::grasp::Site;
 use crate::lcp::MatrixClass;
 use crate::numerics::Size;
 use crate::object::Problem;
-use crate::search::{Found, combinations, search};
+use crate::search::{Found, combinations, search_among};
 
 /// With at most this many combinations of states among the contacts on an edge, all are tried to see whether the path
 /// goes on in more than one way.
@@ -52,7 +53,11 @@ pub(super) fn others<D: Size, const C: usize>(rates: &Problem<D, C>, found: &Fou
     if rates.round {
         return None;
     }
-    if has_one_solution(rates) {
+    let rows: usize = rates.locals().map(|local| local.pairs()).sum();
+    let few = few_rows(rates, rows);
+    let p_matrix =
+        |form: &Form| MatrixClass::of(form.lcp.matrix()).is_ok_and(|class| class.p_matrix == Some(true));
+    if rows == 0 || few.as_ref().is_some_and(|few| p_matrix(&few.form)) {
         return Some(0);
     }
     if combinations(rates) > FEW_COMBINATIONS {
@@ -60,7 +65,11 @@ pub(super) fn others<D: Size, const C: usize>(rates: &Problem<D, C>, found: &Fou
     }
     let size = found.forces.iter().map(nalgebra::Matrix::norm).fold(rates.wrench.norm(), f64::max);
     let mut distinct: Vec<Found<D, C>> = vec![found.clone()];
-    for other in search(rates, false).found {
+    // Where a solution takes long, a look at the few rows rules most of them out.
+    let ruled_out = |states: &[State<C>]| {
+        few.as_ref().is_some_and(|few| few.many && clearly_breaks(&few.form, states, few.largest))
+    };
+    for other in search_among(rates, false, |states| !ruled_out(states)).found {
         let same = |known: &Found<D, C>| {
             let mut apart = &known.twist - &other.twist;
             for v in known.free_motions.iter().chain(&other.free_motions) {
@@ -77,15 +86,27 @@ pub(super) fn others<D: Size, const C: usize>(rates: &Problem<D, C>, found: &Fou
     Some(distinct.len() - 1)
 }
 
-/// Whether the kinematic form of the rates has a P-matrix: one solution whatever the load does.
-fn has_one_solution<D: Size, const C: usize>(rates: &Problem<D, C>) -> bool {
-    let rows: usize = rates.locals().map(|local| local.pairs()).sum();
+/// The kinematic form of rates in few rows.
+struct FewRows {
+    form: Form,
+    /// The largest force of the trial state, in units of the rows.
+    largest: f64,
+    /// Whether there are many coordinates.
+    many: bool,
+}
+
+/// That form, if it has some rows and not too many. With a P-matrix there is one solution whatever the load does.
+fn few_rows<D: Size, const C: usize>(rates: &Problem<D, C>, rows: usize) -> Option<FewRows> {
     if rows == 0 || rows > MOST_ROWS {
-        return rows == 0;
+        return None;
     }
     let trial = rates.trial();
-    let Ok(state) = trial.solve(rates.sites, &rates.drives, &rates.wrench) else { return false };
-    kinematic_form(rates, &trial, &state)
-        .and_then(|form| MatrixClass::of(form.lcp.matrix()).ok())
-        .is_some_and(|class| class.p_matrix == Some(true))
+    let state = trial.solve(rates.sites, &rates.drives, &rates.wrench).ok()?;
+    let in_units = |(site, force): (&Site<D, C>, &SVector<f64, C>)| {
+        let axes = 0..site.springs.axes();
+        axes.map(|axis| (force[axis] / site.springs.root_along(axis)).abs()).fold(0.0, f64::max)
+    };
+    let largest = rates.sites.iter().zip(&state.forces).map(in_units).fold(0.0, f64::max);
+    let form = kinematic_form(rates, &trial, &state)?;
+    Some(FewRows { form, largest, many: trial.is_banded() })
 }

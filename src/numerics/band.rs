@@ -92,15 +92,15 @@ impl BandFactors {
 
     /// Vectors x with `A x = 0`, as many as columns without a pivot.
     pub(crate) fn null_vectors(&self) -> Vec<Vec<f64>> {
-        self.from_each_pinned(Self::back)
+        self.each_pinned(Self::back)
     }
 
     /// Vectors z with `Aᵀz = 0`, as many.
     pub(crate) fn left_null_vectors(&self) -> Vec<Vec<f64>> {
-        self.from_each_pinned(Self::solve_transposed)
+        self.each_pinned(Self::solve_transposed)
     }
 
-    fn from_each_pinned(&self, solve: fn(&Self, &mut [f64])) -> Vec<Vec<f64>> {
+    fn each_pinned(&self, solve: fn(&Self, &mut [f64])) -> Vec<Vec<f64>> {
         let from = |k: &usize| {
             let mut x = vec![0.0; self.band.count];
             x[*k] = 1.0;

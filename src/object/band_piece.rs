@@ -18,8 +18,9 @@ use nalgebra::SVector;
 use crate::contact::Spring;
 use crate::grasp::{Site, size_of};
 
-/// With fewer coordinates orthogonal factors cost no more, and know the rank.
-const FROM: usize = 24;
+/// With fewer coordinates orthogonal factors cost no more, and know the rank: four bodies in space take a third less time with them, nine bricks in the plane more than
+/// twice as much.
+const FROM: usize = 36;
 /// Steps of the power method, which come from below.
 const POWERS: usize = 4;
 /// What they find is believed up to this factor.

@@ -111,7 +111,9 @@ fn apart<D: Size>(
             }
             let unit = 1.0 / v.norm();
             v *= unit;
-            stretches.iter_mut().for_each(|x| *x *= unit);
+            for x in &mut stretches {
+                *x *= unit;
+            }
         }
         found.push((v, stretches));
     }
@@ -140,7 +142,9 @@ fn apart<D: Size>(
             return None;
         }
         let unit = 1.0 / length;
-        stretches.iter_mut().for_each(|x| *x *= unit);
+        for x in &mut stretches {
+            *x *= unit;
+        }
         apart.felt.push((v * unit, stretches));
     }
     Some(apart)

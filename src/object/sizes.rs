@@ -33,7 +33,8 @@ pub(crate) fn largest_force<D: Size, const C: usize>(
     let largest = forces.fold(load, f64::max);
     // The least of them is no larger than the first: mostly that says that it does not count.
     let least_of = |count: usize| {
-        let spans = sites.iter().zip(drives).map(|(site, a)| site.span(a, twist));
+        let norm = twist.norm();
+        let spans = sites.iter().zip(drives).map(|(site, a)| site.span_moved(a, norm));
         NO_FORCE * least_spring_force(&sites[..count], spans)
     };
     if least_of(1) <= largest { largest } else { largest.max(least_of(sites.len())) }
@@ -55,7 +56,8 @@ impl<D: Size, const C: usize> Problem<'_, D, C> {
     ) -> Vec<f64> {
         let norms = state.forces.iter().map(nalgebra::Matrix::norm);
         let largest = largest_force(self.sites, drives, &state.twist, load, norms);
-        let spans = self.sites.iter().zip(drives).map(|(site, drive)| site.span(drive, &state.twist));
+        let norm = state.twist.norm();
+        let spans = self.sites.iter().zip(drives).map(|(site, drive)| site.span_moved(drive, norm));
         let sites = self.locals().zip(&state.forces).zip(spans);
         sites.map(|((local, force), span)| local.force_size(force, span, largest)).collect()
     }
@@ -74,7 +76,20 @@ impl<D: Size, const C: usize> Problem<'_, D, C> {
         twist: &Vector<D>,
         largest: f64,
     ) -> At<'s, C> {
-        At { stretch: self.stretch(contact, twist), force, span: self.span(contact, twist), largest }
+        self.at_moved((contact, force), twist, twist.norm(), largest)
+    }
+
+    /// [`Self::at`], of a twist with this norm: what is asked of many contacts.
+    #[inline]
+    pub(crate) fn at_moved<'s>(
+        &self,
+        (contact, force): (usize, &'s SVector<f64, C>),
+        twist: &Vector<D>,
+        norm: f64,
+        largest: f64,
+    ) -> At<'s, C> {
+        let span = self.sites[contact].span_moved(&self.drives[contact], norm);
+        At { stretch: self.stretch(contact, twist), force, span, largest }
     }
 
     /// `|Σ G_i F_i + W|` and `Σ |F_i|`.

@@ -27,7 +27,7 @@ const STEPS: usize = 4;
 /// Factors of T, in a band where there are many coordinates.
 pub(crate) enum TangentFactors<D: Size> {
     Whole(Factors<D>),
-    Band(BandPiece),
+    Band(Box<BandPiece>),
 }
 
 impl<D: Size> TangentFactors<D> {
@@ -59,7 +59,7 @@ impl<D: Size, const C: usize> Problem<'_, D, C> {
             self.local(contact).for_each_spring(&state(contact), |spring| springs.push(spring));
             first.push(springs.len());
         }
-        BandPiece::new(self.sites, &springs, &first).map(TangentFactors::Band)
+        BandPiece::new(self.sites, &springs, &first).map(|band| TangentFactors::Band(Box::new(band)))
     }
 }
 

@@ -13,6 +13,8 @@ use crate::object::{Piece, Problem};
 
 /// How often others may join: a disturbance spreads from contact to contact, and fades.
 const ROUNDS: usize = 32;
+/// Multiplications that one path may take where the caller sets no limit on pivots: some seconds, where any other way takes minutes.
+const MOST_WORK: usize = 10_000_000_000;
 
 /// States in which no contact breaks a condition, if this leads to any.
 pub(super) fn propose_of_a_few<D: Size, const C: usize>(
@@ -25,7 +27,7 @@ pub(super) fn propose_of_a_few<D: Size, const C: usize>(
     for _ in 0..ROUNDS {
         among.sort_unstable();
         let form = kinematic_form_among(problem, &scene.trial, &scene.state, &among, &mut moved)?;
-        let states = propose_dense(problem, scene.settings, Some(form), kinematic_states, log)?;
+        let states = propose_dense(problem, scene.settings, (Some(form), MOST_WORK), kinematic_states, log)?;
         let at = Piece::new(problem, &states).solve(problem.sites, &problem.drives, problem.load()).ok()?;
         let joins: Vec<_> =
             breaking(problem, &states, &at).into_iter().filter(|i| among.binary_search(i).is_err()).collect();

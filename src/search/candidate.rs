@@ -131,8 +131,10 @@ pub(super) fn breaking<D: Size, const C: usize>(
     at: &PieceState<D, C>,
 ) -> Vec<usize> {
     let largest = problem.largest_force(&at.forces, &at.twist);
+    let norm = at.twist.norm();
     let breaks = |contact: &usize| {
-        let (mut holds, at) = (true, problem.at(*contact, &at.forces[*contact], &at.twist, largest));
+        let force = &at.forces[*contact];
+        let (mut holds, at) = (true, problem.at_moved((*contact, force), &at.twist, norm, largest));
         problem.local(*contact).for_each_condition(&states[*contact], &at, |value, size| {
             holds &= value >= -ROUNDING * size;
         });
@@ -149,9 +151,9 @@ pub(crate) fn for_each_condition<D: Size, const C: usize>(
     twist: &Vector<D>,
     mut visit: impl FnMut(f64, f64),
 ) {
-    let largest = problem.largest_force(forces, twist);
+    let (largest, norm) = (problem.largest_force(forces, twist), twist.norm());
     for (contact, (state, force)) in states.iter().zip(forces).enumerate() {
-        let at = problem.at(contact, force, twist, largest);
+        let at = problem.at_moved((contact, force), twist, norm, largest);
         problem.local(contact).for_each_condition(state, &at, &mut visit);
     }
 }

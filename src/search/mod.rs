@@ -7,6 +7,7 @@
 //! | `scene` | what a rung is given, and what it has to say |
 //! | `ladder` | the list of rungs and the loop over them |
 //! | `rungs` | each way to find an equilibrium or a proof |
+//! | `a_few` | of many contacts those that leave the trial |
 //! | `touching` | everything that touches sticks |
 //! | `proposals` | Lemke's method proposes states |
 //! | `candidate` | a proposal solved and checked |
@@ -39,7 +40,7 @@ pub use settings::Settings;
 
 pub(crate) use answer::{Effort, Found, Kept, Settled};
 pub(crate) use candidate::{Judged, for_each_condition, try_states};
-pub(crate) use enumerate::{combinations, for_each_combination, search};
+pub(crate) use enumerate::{combinations, for_each_combination, search, search_among};
 pub(crate) use ladder::settle;
 pub(crate) use polish::{polish, solution_near};
 pub(crate) use proposals::dense_is_affordable;

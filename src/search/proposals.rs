@@ -25,7 +25,7 @@ const OTHER_PATHS_AT_MOST: usize = 16;
 pub(super) const MANY: usize = 32;
 /// Multiplications that the paths of one rung may take together where the caller sets no limit on pivots: a second or so. With more
 /// a scene of thousands of contacts without an equilibrium would take minutes to give up; with less some are given up that a path solves.
-const MOST_WORK: usize = 500_000_000;
+pub(super) const MOST_WORK: usize = 500_000_000;
 
 /// Whether one path on a dense matrix can be afforded, so many times as large as the kinematic form of the problem: it takes about as many
 /// pivots as there are rows.
@@ -82,7 +82,7 @@ pub(super) fn propose_structured<D: Size, const C: usize>(
 pub(super) fn propose_dense<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     settings: &Settings,
-    form: Option<Form>,
+    (form, most_work): (Option<Form>, usize),
     states: impl Fn(&Problem<D, C>, &Form, &Basis) -> Vec<State<C>>,
     log: &mut Log,
 ) -> Option<Vec<State<C>>> {
@@ -90,7 +90,7 @@ pub(super) fn propose_dense<D: Size, const C: usize>(
     log.effort.rows = log.effort.rows.max(form.rows.len());
     // On the round cone the tree comes next, which knows more than another path would. Bases are better enumerated as contact
     // states, where each costs one d x d system and is checked as physics.
-    let affordable = settings.max_pivots.unwrap_or(MOST_WORK / form.rows.len().pow(2).max(1));
+    let affordable = settings.max_pivots.unwrap_or(most_work / form.rows.len().pow(2).max(1));
     let by_size = lcp::Settings::one_path();
     // What no path is known to need is no limit.
     let bounds = settings.max_pivots.is_some() || affordable < by_size.pivot_limit(form.rows.len());

@@ -4,7 +4,9 @@ use super::a_few::propose_of_a_few;
 use super::answer::{Doubt, Rung, Settled};
 use super::enumerate::search;
 use super::polish::polish_from;
-use super::proposals::{MANY, climb, dense_is_affordable, enumerable, propose_dense, propose_structured};
+use super::proposals::{
+    MANY, MOST_WORK, climb, dense_is_affordable, enumerable, propose_dense, propose_structured,
+};
 use super::scene::{Attempt, Log, TrialScene};
 use super::touching::touching_contacts;
 use super::tree::{Tree, has_round_cones, most_cases, search_tree};
@@ -95,7 +97,7 @@ fn propose_kinematic<D: Size, const C: usize>(
     log: &mut Log,
 ) -> Option<Vec<State<C>>> {
     let form = forms::kinematic_form(problem, &scene.trial, &scene.state);
-    propose_dense(problem, scene.settings, form, forms::kinematic_states, log)
+    propose_dense(problem, scene.settings, (form, MOST_WORK), forms::kinematic_states, log)
 }
 
 /// Lemke's method on the kinematic form with a dense matrix.
@@ -127,7 +129,13 @@ pub(super) fn force_form<D: Size, const C: usize>(
     log: &mut Log,
 ) -> Attempt<D, C> {
     let propose = |problem: &Problem<D, C>, log: &mut Log| {
-        propose_dense(problem, scene.settings, forms::force_form(problem), forms::force_states, log)
+        propose_dense(
+            problem,
+            scene.settings,
+            (forms::force_form(problem), MOST_WORK),
+            forms::force_states,
+            log,
+        )
     };
     Attempt::by(Rung::ForceForm, climb(scene.proposing(), propose, log))
 }
