@@ -81,5 +81,5 @@
 //!
 //! # What is not there yet
 //!
-//! Measures of a grasp (force closure, Ferrari and Canny's), the least squeeze over loads and screening are questions to one object. Many bodies are solved as a
-//! whole, without regard to which of them touch: the report `several_bodies` has how long walls take. Pages of spatial scenes show bodies where they were.
+//! Measures of a grasp (force closure, Ferrari and Canny's), the least squeeze over loads and screening are questions to one object. Many bodies are solved in an order in which
+//! those that touch are near each other: the report `several_bodies` has how long walls and rows of books take. Pages of spatial scenes show bodies where they were.

@@ -9,3 +9,4 @@ mod invariance;
 mod law;
 mod loads;
 mod malformed;
+mod many;

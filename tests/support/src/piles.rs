@@ -69,6 +69,28 @@ pub fn wall(rows: usize) -> Bodies {
     Bodies::new(bodies).contacts(contacts).gravity(GRAVITY).loaded(name(rows - 1, 0))
 }
 
+/// A row of so many books of 1 kg, 3 cm thick and 24 cm high at their edges, pressed together between two hands by twice what carries them and keeps their faces closed; loads
+/// act on the one in the middle.
+pub fn books(count: usize) -> Bodies {
+    let name = |k: usize| format!("book {k}");
+    let face = |k: usize, normal: f64| {
+        [-0.12, 0.12].map(|y| {
+            let point = Contact::new([0.03 * k as f64, y], [normal, 0.0]);
+            point.series_stiffness(1e5, 8e4).friction(0.5)
+        })
+    };
+    let (weight, long) = (9.81 * count as f64, 0.03 * count as f64);
+    // At each of two points; the row bends under its weight like a beam.
+    let press = weight.max(weight * long / (8.0 * 0.12));
+    let right = face(count, -1.0).map(|hand| hand.force(press).on(name(count - 1)));
+    let between = (1..count).flat_map(|k| face(k, 1.0).map(|point| point.on(name(k)).against(name(k - 1))));
+    let bodies = (0..count).map(|k| Body::new(name(k)).mass(1.0, [0.03 * (k as f64 + 0.5), 0.0]));
+    Bodies::new(bodies)
+        .contacts(face(0, 1.0).map(|hand| hand.on(name(0))).into_iter().chain(between).chain(right))
+        .gravity(GRAVITY)
+        .loaded(name(count / 2))
+}
+
 /// A semicircular arch.
 #[derive(Debug, Clone, Copy)]
 pub struct Arch {

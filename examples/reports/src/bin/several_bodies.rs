@@ -1,17 +1,18 @@
 //! Several bodies: are everyday piles decided, how long do walls take, and how thick must an arch be?
 //!
-//! `cargo run --release -p reports --bin several_bodies [piles of each kind [rows of bricks]]` (400 and 6 unless you say otherwise)
+//! `cargo run --release -p reports --bin several_bodies [piles of each kind [rows of bricks]]` (400 and 10 unless you say otherwise)
 
-use grasp_lcp::planar::Wrench;
+use grasp_lcp::planar::{Bodies, Wrench};
 use support::best_time::once;
-use support::piles::{Arch, boxes, wall};
+use support::piles::{Arch, books, boxes, wall};
 use support::splitmix::Random;
 
 type Failure = Box<dyn std::error::Error>;
 
 fn main() -> Result<(), Failure> {
     let mut numbers = std::env::args().skip(1).map(|text| text.parse::<usize>());
-    let (each, rows) = (numbers.next().transpose()?.unwrap_or(400), numbers.next().transpose()?.unwrap_or(6));
+    let (each, rows) =
+        (numbers.next().transpose()?.unwrap_or(400), numbers.next().transpose()?.unwrap_or(10));
     piles(each)?;
     walls(rows)?;
     arches()
@@ -43,27 +44,32 @@ fn piles(each: usize) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Walls that stand, and are pushed at the top.
+/// Walls that stand and are pushed at the top, and rows of books that are carried between hands.
 fn walls(rows: usize) -> Result<(), Failure> {
-    println!(
-        "\n{:<12}{:>10}{:>12}{:>12}   the first brick at the top pushed with 5 N",
-        "bricks", "contacts", "solve ms", "hold ms"
-    );
-    for rows in (3..=rows).step_by(3) {
-        let grasp = wall(rows).grasp()?;
+    println!("\n{:<24}{:>10}{:>12}{:>12}{:>14}", "", "contacts", "solve ms", "hold ms", "ms a body");
+    for rows in [3, 6, 9, 10, 14, 20, 32].into_iter().filter(|side| *side <= rows) {
         let push = Wrench::force_at([5.0, 0.0], [0.5, 0.5 * rows as f64 - 0.1]);
-        let (rests, solving) = once(|| Ok(grasp.solve(&Wrench::ZERO)?))?;
-        let (verdict, holding) = once(|| Ok(grasp.hold(push)?))?;
-        let stands = rests.equilibrium().is_some();
-        let [solved, held] = [solving, holding].map(|time| 1e3 * time);
-        let says = match (stands, verdict.holds()) {
-            (false, _) => "does not stand",
-            (true, Some(true)) => "holds",
-            (true, Some(false)) => "does not hold",
-            (true, None) => "undecided",
-        };
-        println!("{:<12}{:>10}{solved:>12.1}{held:>12.1}   {says}", rows * rows, grasp.len());
+        timed(&format!("{} bricks, pushed", rows * rows), rows * rows, wall(rows), push)?;
     }
+    for count in [10, 30, 100, 300, 1000].into_iter().filter(|count| *count <= rows * rows) {
+        timed(&format!("{count} books, one pulled"), count, books(count), Wrench::force([0.0, -5.0]))?;
+    }
+    Ok(())
+}
+
+/// How long an equilibrium and a verdict take.
+fn timed(name: &str, count: usize, bodies: Bodies, load: Wrench) -> Result<(), Failure> {
+    let grasp = bodies.grasp()?;
+    let (rests, solving) = once(|| Ok(grasp.solve(&Wrench::ZERO)?))?;
+    let (verdict, holding) = once(|| Ok(grasp.hold(load)?))?;
+    let says = match (rests.equilibrium().is_some(), verdict.holds()) {
+        (false, _) => "does not stand",
+        (true, Some(true)) => "holds",
+        (true, Some(false)) => "does not hold",
+        (true, None) => "undecided",
+    };
+    let ([solved, held], contacts) = ([solving, holding].map(|time| 1e3 * time), grasp.len());
+    println!("{name:<24}{contacts:>10}{solved:>12.1}{held:>12.1}{:>14.3}   {says}", held / count as f64);
     Ok(())
 }
 

@@ -1,0 +1,69 @@
+//! Many bodies: what gives way first is known, and what is above or beside each cut is in balance by own sums.
+
+use grasp_lcp::planar::{Grasp, Wrench};
+use support::piles::{books, wall};
+
+/// The number of the nearest of places that are so far apart.
+fn nearest(x: f64, apart: f64) -> usize {
+    (0..1000_u32).find(|k| x < (f64::from(*k) + 0.5) * apart).map_or(0, |k| k as usize)
+}
+
+/// The sums of forces of contacts at each place, as far as it is told apart; all contacts keep to their cones.
+fn sums(grasp: &Grasp, (load, mu): (&Wrench, f64), place: impl Fn([f64; 2]) -> usize) -> Vec<[f64; 2]> {
+    let outcome = grasp.solve(load).expect("well posed");
+    let equilibrium = outcome.equilibrium().expect("stands");
+    let mut sums = Vec::new();
+    for (contact, answer) in grasp.contacts().iter().zip(&equilibrium.contacts) {
+        let (normal, friction) = (answer.force[0], answer.force[1].abs());
+        assert!(normal >= 0.0 && friction <= mu * normal * (1.0 + 1e-12));
+        let at = place([contact.point()[0], contact.point()[1]]);
+        sums.resize(sums.len().max(at + 1), [0.0; 2]);
+        (0..2).for_each(|a| sums[at][a] += answer.force_world[a]);
+    }
+    sums
+}
+
+/// The first brick of the top row carries nothing: it slides away under μ m g.
+#[test]
+fn the_top_brick_of_a_wall_slides_first() {
+    for rows in [5, 8, 10] {
+        let grasp = wall(rows).grasp().expect("well posed");
+        let push = Wrench::force_at([5.0, 0.0], [0.5, 0.5 * rows as f64 - 0.1]);
+        let verdict = grasp.hold(push).expect("well posed");
+        let limit = 0.6 * 2.0 * 9.81 / 5.0;
+        assert_eq!(verdict.holds(), Some(true), "{rows}: {verdict}");
+        assert!((verdict.held_to - limit).abs() < 1e-12 * limit, "{rows}: {} of {limit}", verdict.held_to);
+        // What is above a cut stands on the contacts there and on half bricks of ground at its ends.
+        let on_ground = |[x, y]: [f64; 2]| {
+            let shift = 0.5 * ((nearest(y, 0.5) + 1) % 2) as f64;
+            y < 0.1 || x < shift || x > shift + rows as f64
+        };
+        let place = |at: [f64; 2]| 2 * nearest(at[1], 0.5) + usize::from(on_ground(at));
+        let places = sums(&grasp, (&push, 0.6), place);
+        let of = |place: usize| places.get(place).copied().unwrap_or_default();
+        for row in 0..rows {
+            let weight = 2.0 * 9.81 * ((rows - row) * rows) as f64;
+            let grounds = (row..rows).map(|row| 2 * row + 1);
+            let carried = grounds.chain([2 * row]).map(of).fold([0.0; 2], |a, b| [a[0] + b[0], a[1] + b[1]]);
+            let off = (carried[1] - weight).abs().max((carried[0] + 5.0).abs());
+            assert!(off < 1e-12 * weight, "{rows}, {row}: {carried:?} of {weight}");
+        }
+    }
+}
+
+/// From one face of a row of books to the next the weight of a book is added, and the press stays.
+#[test]
+fn a_long_row_of_books_is_carried() {
+    for count in [9, 25, 60] {
+        let grasp = books(count).grasp().expect("well posed");
+        let weight = 9.81 * count as f64;
+        let verdict = grasp.hold(Wrench::force([0.0, -0.1 * weight])).expect("well posed");
+        assert_eq!(verdict.holds(), Some(true), "{count}: {verdict}");
+        let faces = sums(&grasp, (&Wrench::ZERO, 0.5), |[x, _]| nearest(x, 0.03));
+        for (face, [x, y]) in faces.iter().enumerate().take(count) {
+            let carried = faces[0][1] - 9.81 * face as f64;
+            assert!((y - carried).abs() < 1e-12 * weight, "{count}, {face}: {y} of {carried}");
+            assert!((x - faces[0][0]).abs() < 1e-12 * faces[0][0], "{count}, {face}: {x}");
+        }
+    }
+}
