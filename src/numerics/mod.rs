@@ -84,5 +84,5 @@ pub(crate) use ray_shooting::{RayExit, shoot};
 pub(crate) use support::{Vertex, simplex};
 pub(crate) use trigonometric::{Fall, Trigonometric};
 pub(crate) use unit_vector::unit;
-pub(crate) use vector_dispatch::{Loop, wide};
+pub(crate) use vector_dispatch::{Compiled, Loop, OnVectors, Vectors, on_the_widest, wide};
 pub(crate) use waiting_line::WaitingLine;

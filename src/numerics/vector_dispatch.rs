@@ -12,23 +12,82 @@ pub(crate) trait Loop {
 }
 
 /// Runs a loop on the widest vectors there are.
-#[cfg(feature = "simd")]
 #[inline]
 pub(crate) fn wide<L: Loop>(work: L) -> L::Output {
-    struct Wide<L>(L);
-    impl<L: Loop> pulp::NullaryFnOnce for Wide<L> {
+    struct Inlined<L>(L);
+    impl<L: Loop> OnVectors for Inlined<L> {
         type Output = L::Output;
         #[inline(always)]
-        fn call(self) -> L::Output {
+        fn on<V: Vectors>(self, _: V) -> L::Output {
             self.0.run()
         }
     }
-    pulp::Arch::new().dispatch(Wide(work))
+    on_the_widest(Inlined(work))
 }
 
-/// Runs a loop as it was compiled.
-#[cfg(not(feature = "simd"))]
+/// Vectors that the processor is known to have. Work in several functions takes them along, so that each of them is compiled once for these
+/// vectors, instead of all in one.
+pub(crate) trait Vectors: Copy {
+    /// What the work is, compiled for these vectors. It must be inlined here.
+    fn run<R>(self, work: impl FnOnce() -> R) -> R;
+}
+
+/// Those that everything is compiled for.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Compiled;
+
+impl Vectors for Compiled {
+    #[inline(always)]
+    fn run<R>(self, work: impl FnOnce() -> R) -> R {
+        work()
+    }
+}
+
+/// Work that asks which vectors there are.
+pub(crate) trait OnVectors {
+    type Output;
+    fn on<V: Vectors>(self, vectors: V) -> Self::Output;
+}
+
+/// Does the work on the widest vectors there are.
 #[inline]
-pub(crate) fn wide<L: Loop>(work: L) -> L::Output {
-    work.run()
+pub(crate) fn on_the_widest<W: OnVectors>(work: W) -> W::Output {
+    #[cfg(feature = "simd")]
+    return pulp::Arch::new().dispatch(wider::Work(work));
+    #[cfg(not(feature = "simd"))]
+    work.on(Compiled)
+}
+
+#[cfg(feature = "simd")]
+mod wider {
+    use super::{OnVectors, Vectors};
+    use pulp::{Simd, WithSimd};
+
+    pub(super) struct Work<W>(pub(super) W);
+
+    impl<W: OnVectors> WithSimd for Work<W> {
+        type Output = W::Output;
+        #[inline(always)]
+        fn with_simd<S: Simd>(self, simd: S) -> W::Output {
+            self.0.on(Wide(simd))
+        }
+    }
+
+    #[derive(Clone, Copy)]
+    struct Wide<S>(S);
+
+    impl<S: Simd> Vectors for Wide<S> {
+        #[inline(always)]
+        fn run<R>(self, work: impl FnOnce() -> R) -> R {
+            struct Once<F>(F);
+            impl<F: FnOnce() -> R, R> WithSimd for Once<F> {
+                type Output = R;
+                #[inline(always)]
+                fn with_simd<S: Simd>(self, _: S) -> R {
+                    (self.0)()
+                }
+            }
+            self.0.vectorize(Once(work))
+        }
+    }
 }

@@ -3,7 +3,7 @@
 //! The mathematical library of a system may round differently on another processor, and works on
 //! one number at a time. This is arithmetic alone.
 
-use super::lanes::Lanes;
+use super::lanes::Number;
 
 /// tan(π/8): up to here the series serves, beyond it the angle is taken from π/4.
 const EIGHTH: f64 = std::f64::consts::SQRT_2 - 1.0;
@@ -25,23 +25,23 @@ const SERIES: [f64; 11] = [
 
 /// The angle θ from 0 to 2π with `cot(θ/2) = u`. What is not a number gives one that means nothing.
 #[inline(always)]
-pub(super) fn angle_of<const L: usize>(u: Lanes<L>) -> Lanes<L> {
-    let (zero, one) = (Lanes::ZERO, Lanes::all(1.0));
+pub(super) fn angle_of<X: Number>(u: X) -> X {
+    let (zero, one) = (X::all(0.0), X::all(1.0));
     let size = u.abs();
     let (small, large) = (size.min(one), size.max(one));
-    let bound = Lanes::all(EIGHTH) * large;
+    let bound = X::all(EIGHTH) * large;
     let over = small.above(bound, small - large, small);
     let x = over / small.above(bound, small + large, large);
     let square = x * x;
     let mut sum = zero;
     for coefficient in SERIES.into_iter().rev() {
-        sum = sum * square + Lanes::all(coefficient);
+        sum = sum * square + X::all(coefficient);
     }
-    let eighth = Lanes::all(std::f64::consts::FRAC_PI_4);
+    let eighth = X::all(std::f64::consts::FRAC_PI_4);
     let steep = small.above(bound, eighth, zero) + (x + x * square * sum);
     // So far the angle whose tangent is the smaller one over the larger.
-    let half = size.above(one, steep, Lanes::all(std::f64::consts::FRAC_PI_2) - steep);
-    let half = zero.above(u, Lanes::all(std::f64::consts::PI) - half, half);
+    let half = size.above(one, steep, X::all(std::f64::consts::FRAC_PI_2) - steep);
+    let half = zero.above(u, X::all(std::f64::consts::PI) - half, half);
     half + half
 }
 
@@ -55,10 +55,10 @@ mod tests {
         for k in -200_000..200_000 {
             let u = (f64::from(k) * 4e-5).sinh();
             let exact = 2.0 * 1.0_f64.atan2(u);
-            worst = worst.max((angle_of(Lanes([u])).0[0] / exact - 1.0).abs());
+            worst = worst.max((angle_of(u) / exact - 1.0).abs());
         }
         assert!(worst < 4.0 * f64::EPSILON, "{worst:e}");
-        let at = |u: f64| angle_of(Lanes([u])).0[0];
+        let at = |u: f64| angle_of(u);
         assert_eq!(
             [at(f64::INFINITY), at(0.0), at(1.0)],
             [0.0, std::f64::consts::PI, std::f64::consts::FRAC_PI_2]

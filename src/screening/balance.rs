@@ -2,69 +2,86 @@
 //!
 //! With one tangential stiffness a contact `K_i = k_t I + (k_n - k_t) n nᵀ` in coordinate axes.
 
-use super::block::Block;
+use super::block::{Block, count};
 use super::factors::LaneFactors;
 use super::finger::{Force, LaneFinger, moment, world};
-use super::lanes::{Lanes, dot};
+use super::lanes::{Number, dot};
 
 /// Stiffness of the object about the centroid of its contacts, in factors.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct RigidBody<const D: usize, const C: usize, const N: usize, const L: usize> {
-    pub(super) fingers: [LaneFinger<C, L>; N],
-    centre: [Lanes<L>; C],
-    pub(super) arms: [[Lanes<L>; C]; N],
+pub(super) struct RigidBody<const D: usize, const C: usize, const M: usize, X: Number> {
+    contacts: usize,
+    fingers: [LaneFinger<C, X>; M],
+    centre: [X; C],
     /// Largest entry of an arm.
-    pub(super) reach: Lanes<L>,
-    factors: LaneFactors<D, L>,
+    pub(super) reach: X,
+    factors: LaneFactors<D, X>,
 }
 
-impl<const D: usize, const C: usize, const N: usize, const L: usize> RigidBody<D, C, N, L> {
+impl<const D: usize, const C: usize, const M: usize, X: Number> RigidBody<D, C, M, X> {
+    /// Nothing yet.
+    pub(super) fn none() -> Self {
+        let none = [X::all(0.0); C];
+        Self {
+            contacts: 0,
+            fingers: [LaneFinger { normal: none, springs: [X::all(0.0); 2], arm: none }; M],
+            centre: none,
+            reach: X::all(0.0),
+            factors: LaneFactors::none(),
+        }
+    }
+
+    /// From the contacts of a block.
     #[inline(always)]
-    pub(super) fn new(block: &Block<C, N, L>) -> Self {
-        let share = Lanes::all(1.0 / N as f64);
-        let none = [Lanes::ZERO; C];
-        let mut fingers = [LaneFinger { normal: none, springs: [Lanes::ZERO; 2] }; N];
-        for i in 0..N {
-            for axis in 0..C {
-                fingers[i].normal[axis] = block.normal[axis][i];
-            }
-            fingers[i].springs = [block.springs[0][i], block.springs[1][i]];
-        }
-        let mut centre = none;
-        let mut arms = [centre; N];
-        let mut reach = Lanes::ZERO;
+    pub(super) fn ready(&mut self, block: &Block<'_, C, X>) {
+        let contacts = count::<M, X>(block.contacts);
+        self.contacts = contacts;
+        let share = X::all(1.0 / contacts as f64);
+        let (points, normals, springs) = (block.points(), block.normals(), block.springs());
+        self.reach = X::all(0.0);
         for axis in 0..C {
-            for i in 0..N {
-                centre[axis] += block.point[axis][i] * share;
+            let mut centre = X::all(0.0);
+            for i in 0..contacts {
+                centre += points[axis][i] * share;
             }
-            for i in 0..N {
-                arms[i][axis] = block.point[axis][i] - centre[axis];
-                reach = reach.max(arms[i][axis].abs());
+            for i in 0..contacts {
+                let arm = points[axis][i] - centre;
+                self.reach = self.reach.max(arm.abs());
+                self.fingers[i].arm[axis] = arm;
+                self.fingers[i].normal[axis] = normals[axis][i];
             }
+            self.centre[axis] = centre;
         }
-        let mut stiffness = [[Lanes::ZERO; D]; D];
-        for i in 0..N {
-            add(&mut stiffness, &fingers[i], &arms[i]);
+        self.factors.entries = [[X::all(0.0); D]; D];
+        for i in 0..contacts {
+            self.fingers[i].springs = springs.map(|row| row[i]);
+            add(&mut self.factors.entries, &self.fingers[i]);
         }
-        Self { fingers, centre, arms, reach, factors: LaneFactors::new(stiffness) }
+        self.factors.factorize();
+    }
+
+    /// Its contacts.
+    #[inline(always)]
+    pub(super) fn fingers(&self) -> &[LaneFinger<C, X>] {
+        &self.fingers[..count::<M, X>(self.contacts)]
     }
 
     /// Positive if something moves freely.
     #[inline(always)]
-    pub(super) fn free(&self) -> Lanes<L> {
+    pub(super) fn free(&self) -> X {
         self.factors.free
     }
 
     /// `T⁻¹ w`, zero for what moves freely.
     #[inline(always)]
-    pub(super) fn motion(&self, w: &[Lanes<L>; D]) -> [Lanes<L>; D] {
+    pub(super) fn motion(&self, w: &[X; D]) -> [X; D] {
         self.factors.solve(w)
     }
 
     /// The load about the centroid.
     #[inline(always)]
-    pub(super) fn carried(&self, load: &[Lanes<L>; D]) -> [Lanes<L>; D] {
-        let mut force = [Lanes::ZERO; C];
+    pub(super) fn carried(&self, load: &[X; D]) -> [X; D] {
+        let mut force = [X::all(0.0); C];
         force.copy_from_slice(&load[..C]);
         let turning = moment(&self.centre, &force);
         let mut carried = *load;
@@ -76,19 +93,15 @@ impl<const D: usize, const C: usize, const N: usize, const L: usize> RigidBody<D
 
     /// What the forces leave of the load, and which part of it that is.
     #[inline(always)]
-    pub(super) fn unbalanced(
-        &self,
-        forces: &[Force<C, L>; N],
-        load: &[Lanes<L>; D],
-    ) -> ([Lanes<L>; D], Lanes<L>) {
+    pub(super) fn unbalanced(&self, forces: &[Force<C, X>], load: &[X; D]) -> ([X; D], X) {
         let mut left = *load;
-        let mut size = Lanes::ZERO;
+        let mut size = X::all(0.0);
         for axis in 0..C {
             size += load[axis].abs();
         }
-        for i in 0..N {
-            let force = world(&self.fingers[i], &forces[i]);
-            let turning = moment(&self.arms[i], &force);
+        for (finger, force) in self.fingers().iter().zip(forces) {
+            let force = world(finger, force);
+            let turning = moment(&finger.arm, &force);
             for k in 0..D {
                 left[k] += if k < C { force[k] } else { turning[k - C] };
             }
@@ -97,7 +110,7 @@ impl<const D: usize, const C: usize, const N: usize, const L: usize> RigidBody<D
             }
         }
         let mut moments = self.reach * size;
-        let (mut worst_force, mut worst_moment) = (Lanes::ZERO, Lanes::ZERO);
+        let (mut worst_force, mut worst_moment) = (X::all(0.0), X::all(0.0));
         for k in 0..D {
             if k < C {
                 worst_force = worst_force.max(left[k].abs());
@@ -107,24 +120,21 @@ impl<const D: usize, const C: usize, const N: usize, const L: usize> RigidBody<D
             }
         }
         // Nothing of nothing is nothing.
-        let tiny = Lanes::all(f64::MIN_POSITIVE);
+        let tiny = X::all(f64::MIN_POSITIVE);
         let part = worst_force / (size + tiny) + worst_moment / (moments + tiny);
         // Comparisons above pass over what is not a number.
-        (left, part + Lanes::ZERO * left[0])
+        (left, part + X::all(0.0) * left[0])
     }
 }
 
 /// Adds `G K Gᵀ` of a contact, the entries on and below the diagonal.
 #[inline(always)]
-fn add<const D: usize, const C: usize, const L: usize>(
-    t: &mut [[Lanes<L>; D]; D],
-    finger: &LaneFinger<C, L>,
-    arm: &[Lanes<L>; C],
-) {
+fn add<const D: usize, const C: usize, X: Number>(t: &mut [[X; D]; D], finger: &LaneFinger<C, X>) {
+    let arm = &finger.arm;
     let [normal, tangential] = finger.springs;
     let more = normal - tangential;
     let turning = moment(arm, &finger.normal);
-    let mut line = [Lanes::ZERO; D];
+    let mut line = [X::all(0.0); D];
     for k in 0..D {
         line[k] = if k < C { finger.normal[k] } else { turning[k - C] };
     }

@@ -1,19 +1,21 @@
 //! Many grasps of as many contacts each, laid out so that several are screened at once.
 
-use super::block::{Block, Parted};
+use super::block::Rows;
 use super::fingers::Fingers;
+use super::kernels::{Kernel, Kernels};
+use super::lanes::{LANES, Lanes, Number};
 use super::load_cases::LoadCases;
-use super::method::Method;
-use super::prepared::Prepared;
+use super::part::Part;
 use super::pull::Pull;
-use super::question::{Scenes, ScreeningQuestion};
+use super::question::ScreeningQuestion;
 use super::screened::{Screened, ScreenedTurn};
 use super::screened_squeeze::ScreenedSqueeze;
 use super::turning_pull::TurningPull;
-use crate::numerics::{Loop, wide};
+use crate::numerics::each_taken;
 
-/// Scenes side by side.
-pub(super) const LANES: usize = if cfg!(feature = "simd") { 8 } else { 4 };
+/// Blocks of scenes that one thread screens in one go. Blocks are four or eight scenes: far more
+/// work than handing it out, and small enough that every core gets some of a batch of ten thousand.
+const BLOCKS: usize = 256;
 
 /// Many grasps of `N` contacts each, two to five, to be screened under common loads. `D` and `C`
 /// are 3 and 2 in the plane, 6 and 3 in space.
@@ -40,37 +42,44 @@ pub(super) const LANES: usize = if cfg!(feature = "simd") { 8 } else { 4 };
 /// ```
 #[derive(Debug, Clone)]
 pub struct Batch<const D: usize, const C: usize, const N: usize> {
-    blocks: Vec<Block<C, N, LANES>>,
-    parted: Vec<Parted<N, LANES>>,
+    /// The numbers of one block after the other, as [`Block`] has them.
+    numbers: Vec<Lanes>,
+    parted: Vec<Lanes>,
     len: usize,
 }
 
 impl<const D: usize, const C: usize, const N: usize> Default for Batch<D, C, N> {
     fn default() -> Self {
-        Self { blocks: Vec::new(), parted: Vec::new(), len: 0 }
+        Self { numbers: Vec::new(), parted: Vec::new(), len: 0 }
     }
 }
 
 impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
+    /// Of a block.
+    const SIZES: [usize; 2] = [Rows::<C>::numbers(N), 2 * N];
+
     /// An empty batch with room for so many grasps.
     #[must_use]
     pub fn with_capacity(grasps: usize) -> Self {
         let blocks = grasps.div_ceil(LANES);
-        Self { blocks: Vec::with_capacity(blocks), parted: Vec::with_capacity(blocks), len: 0 }
+        let [numbers, parted] = Self::SIZES.map(|size| Vec::with_capacity(blocks * size));
+        Self { numbers, parted, len: 0 }
     }
 
     /// Appends a grasp; its answers come in the place of its number.
     pub fn push(&mut self, fingers: &Fingers<D, C, N>) {
         let lane = self.len % LANES;
-        if lane == 0 {
-            self.blocks.push(Block::EMPTY);
-            self.parted.push(Parted::EMPTY);
-        }
-        // Lanes that stay empty hold the last scene again.
-        let lanes = lane..LANES;
-        if let (Some(block), Some(parted)) = (self.blocks.last_mut(), self.parted.last_mut()) {
-            block.set(&lanes, &fingers.block);
-            parted.set(&lanes, &fingers.parted);
+        let scene = fingers.grasp.scene.block();
+        let both = [(&mut self.numbers, scene.numbers), (&mut self.parted, scene.parted)];
+        for (numbers, of_scene) in both {
+            if lane == 0 {
+                numbers.resize(numbers.len() + of_scene.len(), Lanes::all(0.0));
+            }
+            // Lanes that stay empty hold the last scene again.
+            let block = numbers.len() - of_scene.len();
+            for (number, of_scene) in numbers[block..].iter_mut().zip(of_scene) {
+                number.fill(lane, *of_scene);
+            }
         }
         self.len += 1;
     }
@@ -89,7 +98,7 @@ impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
 
     /// Removes all grasps and keeps the memory.
     pub fn clear(&mut self) {
-        self.blocks.clear();
+        self.numbers.clear();
         self.parted.clear();
         self.len = 0;
     }
@@ -125,14 +134,14 @@ impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     pub fn onsets_into(&self, pulls: &[Pull<C>], answers: &mut Vec<Screened>) {
-        self.ask_into(pulls, answers);
+        self.ask_into(&Kernels::get().pull, pulls, answers);
     }
 
     /// At which angle the first contact of each grasp stops sticking while each of the loads turns, on
     /// one thread; for all cores there is [`sweep::turn_onsets_of_batch`](crate::sweep::turn_onsets_of_batch).
     /// Answers come as from [`Self::onsets_into`], each with the bits of [`Fingers::onset_of_turn`].
     pub fn turn_onsets_into(&self, turns: &[TurningPull<C>], answers: &mut Vec<ScreenedTurn>) {
-        self.ask_into(turns, answers);
+        self.ask_into(&Kernels::get().turning_pull, turns, answers);
     }
 
     /// The least factor of the commands with which each grasp holds every load of a list, for each of
@@ -140,84 +149,61 @@ impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
     /// [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch). Answers come as from
     /// [`Self::onsets_into`], each with the bits of [`Fingers::least_squeeze`].
     pub fn least_squeezes_into(&self, cases: &[LoadCases<C>], answers: &mut Vec<ScreenedSqueeze>) {
-        self.ask_into(cases, answers);
+        self.ask_into(&Kernels::get().load_cases, cases, answers);
     }
 
-    fn ask_into<Q: ScreeningQuestion<D, C>>(&self, questions: &[Q], answers: &mut Vec<Q::Answer>) {
-        for part in self.parts(questions, self.blocks.len(), answers) {
-            part.screen();
-        }
+    fn ask_into<Q: ScreeningQuestion<C>>(
+        &self,
+        kernel: &Kernel<D, C, N, Q>,
+        questions: &[Q],
+        answers: &mut Vec<Q::Answer>,
+    ) {
+        self.parts(questions, self.len, answers).for_each(kernel.many);
+    }
+
+    pub(crate) fn onsets_on_all_cores(&self, pulls: &[Pull<C>], answers: &mut Vec<Screened>) {
+        self.ask_on_all_cores(&Kernels::get().pull, pulls, answers);
+    }
+
+    pub(crate) fn turn_onsets_on_all_cores(&self, turns: &[TurningPull<C>], answers: &mut Vec<ScreenedTurn>) {
+        self.ask_on_all_cores(&Kernels::get().turning_pull, turns, answers);
+    }
+
+    pub(crate) fn least_squeezes_on_all_cores(
+        &self,
+        cases: &[LoadCases<C>],
+        answers: &mut Vec<ScreenedSqueeze>,
+    ) {
+        self.ask_on_all_cores(&Kernels::get().load_cases, cases, answers);
+    }
+
+    fn ask_on_all_cores<Q: ScreeningQuestion<C>>(
+        &self,
+        kernel: &Kernel<D, C, N, Q>,
+        questions: &[Q],
+        answers: &mut Vec<Q::Answer>,
+    ) {
+        each_taken(self.parts(questions, BLOCKS, answers), &kernel.many);
     }
 
     /// The batch in parts of so many blocks of scenes, each with the places for its answers.
-    pub(crate) fn parts<'a, Q: ScreeningQuestion<D, C>>(
+    fn parts<'a, Q: ScreeningQuestion<C>>(
         &'a self,
         questions: &'a [Q],
         blocks: usize,
         answers: &'a mut Vec<Q::Answer>,
-    ) -> impl Iterator<Item = Part<'a, D, C, N, Q>> {
+    ) -> impl Iterator<Item = Part<'a, C, Q>> {
         // Every place is written below: what an earlier batch left there need not be wiped.
         answers.resize(self.len * questions.len(), Q::UNKNOWN);
-        let size = blocks.max(1);
-        let places = answers.chunks_mut((size * LANES * questions.len()).max(1));
-        let parts = self.blocks.chunks(size).zip(self.parted.chunks(size)).zip(places);
-        parts.map(move |((blocks, parted), answers)| Part { blocks, parted, questions, answers })
-    }
-}
-
-/// A part of a batch.
-pub(crate) struct Part<'a, const D: usize, const C: usize, const N: usize, Q: ScreeningQuestion<D, C>> {
-    blocks: &'a [Block<C, N, LANES>],
-    parted: &'a [Parted<N, LANES>],
-    questions: &'a [Q],
-    answers: &'a mut [Q::Answer],
-}
-
-impl<const D: usize, const C: usize, const N: usize, Q: ScreeningQuestion<D, C>> Part<'_, D, C, N, Q> {
-    pub(crate) fn screen(self) {
-        wide(self);
-    }
-}
-
-impl<const D: usize, const C: usize, const N: usize, Q: ScreeningQuestion<D, C>> Loop
-    for Part<'_, D, C, N, Q>
-{
-    type Output = ();
-
-    #[inline(always)]
-    fn run(self) {
-        let blocks = self.blocks.iter().zip(self.parted);
-        for ((block, parted), answers) in blocks.zip(self.answers.chunks_mut(LANES * self.questions.len())) {
-            // Not a loop: which way it is must be known where it is compiled.
-            answer(Method::Edges, (block, parted), self.questions, answers);
-            answer(Method::Motions, (block, parted), self.questions, answers);
-        }
-    }
-}
-
-/// Asks the scenes that go this way.
-#[inline(always)]
-fn answer<const D: usize, const C: usize, const N: usize, Q: ScreeningQuestion<D, C>>(
-    way: Method,
-    (block, parted): (&Block<C, N, LANES>, &Parted<N, LANES>),
-    questions: &[Q],
-    answers: &mut [Q::Answer],
-) {
-    let these = way.of(block);
-    if these == [false; LANES] {
-        return;
-    }
-    let ready = Prepared::new(block, way);
-    let squeezed = ready.squeezed(block);
-    let scenes = Scenes { block, parted, ready: &ready, squeezed: &squeezed };
-    for (k, question) in questions.iter().enumerate() {
-        let answered = question.ask(scenes);
-        // A last block need not be full.
-        let of_grasps = answers.chunks_mut(questions.len()).zip(these);
-        for ((of_grasp, this), answer) in of_grasps.zip(answered) {
-            if this {
-                of_grasp[k] = answer;
-            }
-        }
+        let (blocks, [numbers, parted]) = (blocks.max(1), Self::SIZES);
+        let places = answers.chunks_mut((blocks * LANES * questions.len()).max(1));
+        let parts = self.numbers.chunks(blocks * numbers).zip(self.parted.chunks(blocks * parted));
+        parts.zip(places).map(move |((numbers, parted), answers)| Part {
+            contacts: N,
+            numbers,
+            parted,
+            questions,
+            answers,
+        })
     }
 }

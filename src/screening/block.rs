@@ -1,103 +1,156 @@
 //! The data of scenes side by side.
 
-use std::ops::Range;
-use std::slice;
+use super::lanes::Number;
 
-use super::lanes::Lanes;
-
-/// `L` scenes of `N` contacts each. Arrays run over axes, then contacts: kept as fingers and
-/// forces, contacts would be easier to read, and batches of four and five in space a tenth slower.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Block<const C: usize, const N: usize, const L: usize> {
-    pub(super) point: [[Lanes<L>; N]; C],
-    /// Unit normals into the object.
-    pub(super) normal: [[Lanes<L>; N]; C],
-    /// Normal and tangential stiffness; compliances where forces go along edges, see [`super::way`].
-    pub(super) springs: [[Lanes<L>; N]; 2],
-    /// Commanded displacements less the clearance: along the normal, and across it as in
-    /// [`super::finger::Force`]. Kept apart, for a stiff tangential spring would make a force of
-    /// what rounding turns of a long way along the normal.
-    pub(super) pressed: [Lanes<L>; N],
-    pub(super) sheared: [[Lanes<L>; N]; C],
-    /// Friction coefficients, or codes; see [`super::cone`].
-    pub(super) friction: [Lanes<L>; N],
-    /// Zero where forces are found by motions.
-    pub(super) sizes: Sizes<L>,
+/// Contacts that a grasp has at most.
+pub(super) const MOST_CONTACTS: usize = 5;
+/// How many contacts there are, where there is room for `M`: as many, but in kernels of batches with the largest room. So all other loops are
+/// unrolled.
+#[inline(always)]
+pub(super) fn count<const M: usize, X: Number>(contacts: usize) -> usize {
+    if M < MOST_CONTACTS || X::ALONE { M } else { contacts.min(M) }
 }
 
-/// Commands along the normals and clearances apart, of which blocks have the difference: only who
-/// changes the commands asks for them.
+/// `L` scenes of as many contacts each: rows of numbers, one for each contact, then three sizes. How many contacts there are is known at run
+/// time alone, so that kernels are compiled once for the plane and once for space.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Parted<const N: usize, const L: usize> {
-    pub(super) commanded: [Lanes<L>; N],
-    pub(super) clearance: [Lanes<L>; N],
+pub(super) struct Block<'a, const C: usize, X: Number> {
+    pub(super) contacts: usize,
+    pub(super) numbers: &'a [X],
+    /// Commands along the normals and clearances apart, of which `numbers` has the difference: only who
+    /// changes the commands asks for them.
+    pub(super) parted: &'a [X],
+}
+
+/// Commanded displacements less the clearance: along the normal, and across it as in
+/// [`super::finger::Force`]. Kept apart, for a stiff tangential spring would make a force of
+/// what rounding turns of a long way along the normal.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Commands<'a, const C: usize, X: Number> {
+    pub(super) pressed: &'a [X],
+    pub(super) sheared: [&'a [X]; C],
 }
 
 /// What the rounding of forces is measured against, for the commands, for a unit moment, and for a
-/// unit force: the sum of the sizes of all terms.
+/// unit force: the sum of the sizes of all terms. Zero where forces are found by motions.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Sizes<const L: usize> {
-    pub(super) commands: Lanes<L>,
-    pub(super) moment: Lanes<L>,
-    pub(super) force: Lanes<L>,
+pub(super) struct Sizes<X: Number> {
+    pub(super) commands: X,
+    pub(super) moment: X,
+    pub(super) force: X,
 }
 
-impl<const C: usize, const N: usize, const L: usize> Block<C, N, L> {
-    /// Nothing yet.
-    pub(super) const EMPTY: Self = {
-        let none = Lanes::ZERO;
-        let zero = [none; N];
-        let sizes = Sizes { commands: none, moment: none, force: none };
-        Self {
-            point: [zero; C],
-            normal: [zero; C],
-            springs: [zero; 2],
-            pressed: zero,
-            sheared: [zero; C],
-            friction: zero,
-            sizes,
-        }
-    };
+/// What stands in which row.
+pub(super) struct Rows<const C: usize>;
 
-    /// The normal of a contact.
+impl<const C: usize> Rows<C> {
+    pub(super) const POINT: usize = 0;
+    /// Unit normals into the object.
+    pub(super) const NORMAL: usize = C;
+    pub(super) const SHEARED: usize = 2 * C;
+    /// Normal and tangential stiffness; compliances where forces go along edges, see [`super::method`].
+    pub(super) const SPRINGS: usize = 3 * C;
+    pub(super) const PRESSED: usize = 3 * C + 2;
+    /// Friction coefficients, or codes; see [`super::cone`].
+    pub(super) const FRICTION: usize = 3 * C + 3;
+    const ALL: usize = 3 * C + 4;
+
+    /// The numbers of a scene.
+    pub(super) const fn numbers(contacts: usize) -> usize {
+        Self::ALL * contacts + 3
+    }
+}
+
+impl<'a, const C: usize, X: Number> Block<'a, C, X> {
     #[inline(always)]
-    pub(super) fn normal_of(&self, contact: usize) -> [Lanes<L>; C] {
-        let mut normal = [Lanes::ZERO; C];
-        for axis in 0..C {
-            normal[axis] = self.normal[axis][contact];
+    fn row(&self, row: usize) -> &'a [X] {
+        &self.numbers[row * self.contacts..][..self.contacts]
+    }
+
+    #[inline(always)]
+    fn vectors(&self, first: usize) -> [&'a [X]; C] {
+        let mut rows = [self.row(first); C];
+        for axis in 1..C {
+            rows[axis] = self.row(first + axis);
         }
-        normal
+        rows
     }
 
-    /// Puts a scene into these lanes.
-    pub(super) fn set(&mut self, lanes: &Range<usize>, scene: &Block<C, N, 1>) {
-        let put = |to: &mut [Lanes<L>], from: &[Lanes<1>]| put(lanes, to, from);
-        put(self.point.as_flattened_mut(), scene.point.as_flattened());
-        put(self.normal.as_flattened_mut(), scene.normal.as_flattened());
-        put(self.springs.as_flattened_mut(), scene.springs.as_flattened());
-        put(&mut self.pressed, &scene.pressed);
-        put(self.sheared.as_flattened_mut(), scene.sheared.as_flattened());
-        put(&mut self.friction, &scene.friction);
-        let Sizes { commands, moment, force } = &mut self.sizes;
-        put(slice::from_mut(commands), &[scene.sizes.commands]);
-        put(slice::from_mut(moment), &[scene.sizes.moment]);
-        put(slice::from_mut(force), &[scene.sizes.force]);
+    /// By axes.
+    #[inline(always)]
+    pub(super) fn points(&self) -> [&'a [X]; C] {
+        self.vectors(Rows::<C>::POINT)
+    }
+
+    /// By axes.
+    #[inline(always)]
+    pub(super) fn normals(&self) -> [&'a [X]; C] {
+        self.vectors(Rows::<C>::NORMAL)
+    }
+
+    #[inline(always)]
+    pub(super) fn springs(&self) -> [&'a [X]; 2] {
+        [self.row(Rows::<C>::SPRINGS), self.row(Rows::<C>::SPRINGS + 1)]
+    }
+
+    #[inline(always)]
+    pub(super) fn commands(&self) -> Commands<'a, C, X> {
+        Commands { pressed: self.row(Rows::<C>::PRESSED), sheared: self.vectors(Rows::<C>::SHEARED) }
+    }
+
+    #[inline(always)]
+    pub(super) fn friction(&self) -> &'a [X] {
+        self.row(Rows::<C>::FRICTION)
+    }
+
+    #[inline(always)]
+    pub(super) fn sizes(&self) -> Sizes<X> {
+        let sizes = &self.numbers[Rows::<C>::ALL * self.contacts..][..3];
+        Sizes { commands: sizes[0], moment: sizes[1], force: sizes[2] }
+    }
+
+    /// Commands along the normals, and clearances.
+    #[inline(always)]
+    pub(super) fn parted(&self) -> [&'a [X]; 2] {
+        let (commanded, clearance) = self.parted[..2 * self.contacts].split_at(self.contacts);
+        [commanded, clearance]
     }
 }
 
-impl<const N: usize, const L: usize> Parted<N, L> {
+/// One scene, as it is written.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Scene<const C: usize, const N: usize> {
+    /// With room for the rows in space, and for the sizes in two more.
+    numbers: [[f64; N]; 15],
+    parted: [[f64; N]; 2],
+}
+
+impl<const C: usize, const N: usize> Scene<C, N> {
     /// Nothing yet.
-    pub(super) const EMPTY: Self = Self { commanded: [Lanes::ZERO; N], clearance: [Lanes::ZERO; N] };
+    pub(super) const EMPTY: Self = Self { numbers: [[0.0; N]; 15], parted: [[0.0; N]; 2] };
 
-    /// Puts a scene into these lanes.
-    pub(super) fn set(&mut self, lanes: &Range<usize>, scene: &Parted<N, 1>) {
-        put(lanes, &mut self.commanded, &scene.commanded);
-        put(lanes, &mut self.clearance, &scene.clearance);
+    #[inline(always)]
+    pub(super) fn block(&self) -> Block<'_, C, f64> {
+        let numbers = &self.numbers.as_flattened()[..Rows::<C>::numbers(N)];
+        Block { contacts: N, numbers, parted: self.parted.as_flattened() }
     }
-}
 
-fn put<const L: usize>(lanes: &Range<usize>, to: &mut [Lanes<L>], from: &[Lanes<1>]) {
-    for (to, from) in to.iter_mut().zip(from) {
-        to.0[lanes.clone()].fill(from.0[0]);
+    /// A number of a contact.
+    pub(super) fn at(&mut self, row: usize, contact: usize) -> &mut f64 {
+        &mut self.numbers[row][contact]
+    }
+
+    /// Command along the normal and clearance of a contact.
+    pub(super) fn part(&mut self, contact: usize, [command, clearance]: [f64; 2]) {
+        self.parted[0][contact] = command;
+        self.parted[1][contact] = clearance;
+    }
+
+    pub(super) fn measure(&mut self, sizes: &Sizes<f64>) {
+        self.numbers.as_flattened_mut()[Rows::<C>::ALL * N..][..3].copy_from_slice(&[
+            sizes.commands,
+            sizes.moment,
+            sizes.force,
+        ]);
     }
 }

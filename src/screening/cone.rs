@@ -1,7 +1,7 @@
 //! The friction cone of one contact, and where a line of forces crosses it.
 
-use super::forces::Forces;
-use super::lanes::{Lanes, dot};
+use super::finger::Force;
+use super::lanes::{Number, dot};
 
 /// A force times a rate outside of these bounds, squared, loses its digits to underflow or
 /// overflows.
@@ -11,9 +11,9 @@ pub(super) const MOST: f64 = 1e150;
 /// What a contact must obey to stick, `α F_n >= β |F_t|`: α and β are the friction coefficient and
 /// one, 1 and 0 if it can only open, both zero if it never leaves.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct StickingCone<const L: usize> {
-    pub(super) alpha: Lanes<L>,
-    pub(super) beta: Lanes<L>,
+pub(super) struct StickingCone<X: Number> {
+    pub(super) alpha: X,
+    pub(super) beta: X,
 }
 
 /// Instead of a friction coefficient: the contact stops sticking only by opening, for it has no
@@ -23,24 +23,20 @@ pub(super) const OPENS_ONLY: f64 = -1.0;
 /// without or with infinite friction.
 pub(super) const STAYS: f64 = 0.0;
 
-impl<const L: usize> StickingCone<L> {
+impl<X: Number> StickingCone<X> {
     /// From a friction coefficient or one of the two codes.
     #[inline(always)]
-    pub(super) fn of(friction: Lanes<L>) -> Self {
-        let (zero, one) = (Lanes::ZERO, Lanes::all(1.0));
+    pub(super) fn of(friction: X) -> Self {
+        let (zero, one) = (X::all(0.0), X::all(1.0));
         Self { alpha: friction.abs(), beta: friction.above(zero, one, zero) }
     }
 }
 
-impl<const L: usize> StickingCone<L> {
+impl<X: Number> StickingCone<X> {
     /// `β F_t` of a contact.
     #[inline(always)]
-    pub(super) fn friction<const C: usize, const N: usize>(
-        &self,
-        forces: &Forces<C, N, L>,
-        contact: usize,
-    ) -> [Lanes<L>; C] {
-        let mut t = forces.friction(contact);
+    pub(super) fn friction<const C: usize>(&self, force: &Force<C, X>) -> [X; C] {
+        let mut t = force.tangential;
         for axis in 0..C {
             t[axis] = self.beta * t[axis];
         }
@@ -56,29 +52,26 @@ impl<const L: usize> StickingCone<L> {
 /// ```
 ///
 /// In its second form Δ keeps its digits where the line passes close to the apex.
-pub(super) struct Crossing<const L: usize> {
+pub(super) struct Crossing<X: Number> {
     /// `n - |t|` at τ = 0.
-    pub(super) margin: Lanes<L>,
+    pub(super) margin: X,
     /// The rate `|t'| - n'` at which it closes in the long run.
-    pub(super) closing: Lanes<L>,
-    pub(super) a: Lanes<L>,
-    pub(super) b: Lanes<L>,
-    pub(super) c: Lanes<L>,
+    pub(super) closing: X,
+    pub(super) a: X,
+    pub(super) b: X,
+    pub(super) c: X,
     /// √Δ, zero if there is none.
-    pub(super) root: Lanes<L>,
+    pub(super) root: X,
     /// `|t|` and `|t'|`.
-    pub(super) friction: Lanes<L>,
-    pub(super) friction_rate: Lanes<L>,
+    pub(super) friction: X,
+    pub(super) friction_rate: X,
 }
 
-impl<const L: usize> Crossing<L> {
+impl<X: Number> Crossing<X> {
     /// From (n, t) and their rates.
     #[inline(always)]
-    pub(super) fn new<const C: usize>(
-        (n, t): (Lanes<L>, &[Lanes<L>; C]),
-        (dn, dt): (Lanes<L>, &[Lanes<L>; C]),
-    ) -> Self {
-        let zero = Lanes::ZERO;
+    pub(super) fn new<const C: usize>((n, t): (X, &[X; C]), (dn, dt): (X, &[X; C])) -> Self {
+        let zero = X::all(0.0);
         let (friction, friction_rate) = (dot(t, t).sqrt(), dot(dt, dt).sqrt());
         let margin = n - friction;
         let closing = friction_rate - dn;
@@ -99,15 +92,15 @@ impl<const L: usize> Crossing<L> {
     /// The larger root, where the line leaves the cone: of `c / (√Δ - b)` and `(√Δ + b) / a` the one in
     /// which nothing cancels.
     #[inline(always)]
-    pub(super) fn last(&self) -> Lanes<L> {
+    pub(super) fn last(&self) -> X {
         let Self { a, b, c, root, .. } = *self;
-        b.above(Lanes::ZERO, root + b, c) / b.above(Lanes::ZERO, a, root - b)
+        b.above(X::all(0.0), root + b, c) / b.above(X::all(0.0), a, root - b)
     }
 
     /// The other one, where a line from outside enters the cone.
     #[inline(always)]
-    pub(super) fn first(&self) -> Lanes<L> {
+    pub(super) fn first(&self) -> X {
         let Self { a, b, c, root, .. } = *self;
-        b.above(Lanes::ZERO, -c, b - root) / b.above(Lanes::ZERO, b + root, a)
+        b.above(X::all(0.0), -c, b - root) / b.above(X::all(0.0), b + root, a)
     }
 }

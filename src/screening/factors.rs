@@ -1,6 +1,6 @@
 //! Symmetric matrices in factors, `T = L D Lᵀ`, lane by lane.
 
-use super::lanes::Lanes;
+use super::lanes::Number;
 
 /// A pivot below this part of its diagonal entry is rounding: that motion stretches no spring. With
 /// a smaller part motions that are free would get a stiffness of rounding, with a larger one stiff
@@ -9,18 +9,24 @@ pub(super) const NOTHING: f64 = 1e-13;
 
 /// The factors of a matrix of `R` rows.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct LaneFactors<const R: usize, const L: usize> {
+pub(super) struct LaneFactors<const R: usize, X: Number> {
     /// L below the diagonal, and D⁻¹ on it: zero where the pivot is rounding.
-    entries: [[Lanes<L>; R]; R],
+    pub(super) entries: [[X; R]; R],
     /// Positive if some pivot is rounding.
-    pub(super) free: Lanes<L>,
+    pub(super) free: X,
 }
 
-impl<const R: usize, const L: usize> LaneFactors<R, L> {
-    /// From the entries on and below the diagonal.
+impl<const R: usize, X: Number> LaneFactors<R, X> {
+    /// Of nothing.
+    pub(super) fn none() -> Self {
+        Self { entries: [[X::all(0.0); R]; R], free: X::all(0.0) }
+    }
+
+    /// Those of the matrix whose entries on and below the diagonal are the entries so far.
     #[inline(always)]
-    pub(super) fn new(mut t: [[Lanes<L>; R]; R]) -> Self {
-        let (zero, one) = (Lanes::ZERO, Lanes::all(1.0));
+    pub(super) fn factorize(&mut self) {
+        let (zero, one) = (X::all(0.0), X::all(1.0));
+        let t = &mut self.entries;
         let mut free = zero;
         for column in 0..R {
             let whole = t[column][column];
@@ -32,7 +38,7 @@ impl<const R: usize, const L: usize> LaneFactors<R, L> {
                 scaled[k] = t[k][column];
                 pivot -= t[column][k] * scaled[k];
             }
-            let bound = Lanes::all(NOTHING) * whole;
+            let bound = X::all(NOTHING) * whole;
             let inverse = pivot.above(bound, one / pivot, zero);
             free += pivot.above(bound, zero, one);
             t[column][column] = inverse;
@@ -45,12 +51,12 @@ impl<const R: usize, const L: usize> LaneFactors<R, L> {
                 t[row][column] = rest * inverse;
             }
         }
-        Self { entries: t, free }
+        self.free = free;
     }
 
     /// `T⁻¹ w`, zero where the pivot is rounding.
     #[inline(always)]
-    pub(super) fn solve(&self, w: &[Lanes<L>; R]) -> [Lanes<L>; R] {
+    pub(super) fn solve(&self, w: &[X; R]) -> [X; R] {
         let f = &self.entries;
         let mut q = *w;
         for row in 1..R {
@@ -71,7 +77,7 @@ impl<const R: usize, const L: usize> LaneFactors<R, L> {
 
     /// `D⁻¹` of a row.
     #[inline(always)]
-    pub(super) fn one_over_pivot(&self, row: usize) -> Lanes<L> {
+    pub(super) fn one_over_pivot(&self, row: usize) -> X {
         self.entries[row][row]
     }
 }

@@ -1,29 +1,28 @@
 //! One contact: its springs, and what forces and motions do at the end of its arm.
 
-use super::lanes::{Lanes, dot};
+use super::lanes::{Number, dot};
 
 /// One contact.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct LaneFinger<const C: usize, const L: usize> {
-    pub(super) normal: [Lanes<L>; C],
-    pub(super) springs: [Lanes<L>; 2],
+pub(super) struct LaneFinger<const C: usize, X: Number> {
+    pub(super) normal: [X; C],
+    pub(super) springs: [X; 2],
+    /// From the centroid of the contacts.
+    pub(super) arm: [X; C],
 }
 
 /// Its force, or how its springs are stretched: normal, and tangential in space a vector, in the
 /// plane the first entry, that along (n_y, -n_x).
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Force<const C: usize, const L: usize> {
-    pub(super) normal: Lanes<L>,
-    pub(super) tangential: [Lanes<L>; C],
+pub(super) struct Force<const C: usize, X: Number> {
+    pub(super) normal: X,
+    pub(super) tangential: [X; C],
 }
 
 /// The moment of a force at an arm, in the first entries.
 #[inline(always)]
-pub(super) fn moment<const C: usize, const L: usize>(
-    arm: &[Lanes<L>; C],
-    f: &[Lanes<L>; C],
-) -> [Lanes<L>; 3] {
-    let zero = Lanes::ZERO;
+pub(super) fn moment<const C: usize, X: Number>(arm: &[X; C], f: &[X; C]) -> [X; 3] {
+    let zero = X::all(0.0);
     if C == 2 {
         [arm[0] * f[1] - arm[1] * f[0], zero, zero]
     } else {
@@ -37,10 +36,7 @@ pub(super) fn moment<const C: usize, const L: usize>(
 
 /// The displacement at an arm.
 #[inline(always)]
-pub(super) fn displacement<const D: usize, const C: usize, const L: usize>(
-    arm: &[Lanes<L>; C],
-    q: &[Lanes<L>; D],
-) -> [Lanes<L>; C] {
+pub(super) fn displacement<const D: usize, const C: usize, X: Number>(arm: &[X; C], q: &[X; D]) -> [X; C] {
     let mut u = *arm;
     if C == 2 {
         u[0] = q[0] - q[2] * arm[1];
@@ -56,14 +52,11 @@ pub(super) fn displacement<const D: usize, const C: usize, const L: usize>(
 
 /// The force in coordinate axes.
 #[inline(always)]
-pub(super) fn world<const C: usize, const L: usize>(
-    finger: &LaneFinger<C, L>,
-    force: &Force<C, L>,
-) -> [Lanes<L>; C] {
+pub(super) fn world<const C: usize, X: Number>(finger: &LaneFinger<C, X>, force: &Force<C, X>) -> [X; C] {
     let n = &finger.normal;
     let mut world = force.tangential;
     if C == 2 {
-        world = [Lanes::ZERO; C];
+        world = [X::all(0.0); C];
         world[0] = n[1] * force.tangential[0];
         world[1] = -(n[0] * force.tangential[0]);
     }
@@ -75,14 +68,11 @@ pub(super) fn world<const C: usize, const L: usize>(
 
 /// The force of a contact whose springs are stretched so.
 #[inline(always)]
-pub(super) fn stretched<const C: usize, const L: usize>(
-    finger: &LaneFinger<C, L>,
-    s: &[Lanes<L>; C],
-) -> Force<C, L> {
+pub(super) fn stretched<const C: usize, X: Number>(finger: &LaneFinger<C, X>, s: &[X; C]) -> Force<C, X> {
     let [normal, tangential] = finger.springs;
     let n = &finger.normal;
     let along = dot(n, s);
-    let mut across = [Lanes::ZERO; C];
+    let mut across = [X::all(0.0); C];
     if C == 2 {
         across[0] = tangential * (n[1] * s[0] - n[0] * s[1]);
     } else {

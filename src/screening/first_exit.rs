@@ -1,9 +1,10 @@
 //! Where forces that change in proportion to the load leave their friction cones.
 
+use super::block::count;
 use super::cone::{Crossing, LEAST, MOST, StickingCone};
 use super::first_slip::UNCLEAR;
 use super::forces::Forces;
-use super::lanes::Lanes;
+use super::lanes::Number;
 use super::screened::Screened;
 use super::verdict::{Start, TOGETHER, verdicts};
 
@@ -12,12 +13,12 @@ use super::verdict::{Start, TOGETHER, verdicts};
 pub(super) const SHARP: f64 = 1e6;
 
 /// The way of one contact out of its cone.
-struct Exit<const L: usize> {
+struct Exit<X: Number> {
     /// Infinite if there is none, a code if it is not known.
-    factor: Lanes<L>,
+    factor: X,
     /// The margin to the edge at factor zero, and the margin less its rounding.
-    margin: Lanes<L>,
-    sure: Lanes<L>,
+    margin: X,
+    sure: X,
 }
 
 /// Where `F + factor · F'` leaves the cone. The margin at factor zero must not be negative.
@@ -27,34 +28,35 @@ struct Exit<const L: usize> {
 /// the line leaves at all. In the plane it is two straight lines. In space the first root of a
 /// quadratic is wanted, see [`Crossing`].
 #[inline(always)]
-fn exit<const C: usize, const N: usize, const L: usize>(
-    cone: &StickingCone<L>,
+fn exit<const C: usize, const M: usize, X: Number>(
+    cone: &StickingCone<X>,
     contact: usize,
-    base: &Forces<C, N, L>,
-    rates: &Forces<C, N, L>,
-) -> Exit<L> {
-    let zero = Lanes::ZERO;
+    base: &Forces<C, M, X>,
+    rates: &Forces<C, M, X>,
+) -> Exit<X> {
+    let zero = X::all(0.0);
     let weight = cone.alpha + cone.beta;
     let noise = weight * rates.rounding[contact];
-    let (n, dn) = (cone.alpha * base.normal[contact], cone.alpha * rates.normal[contact]);
+    let (force, rate) = (&base.of[contact], &rates.of[contact]);
+    let (n, dn) = (cone.alpha * force.normal, cone.alpha * rate.normal);
     let (factor, margin);
     // Minus infinity where nothing is sure.
     let mut lost = zero;
     if C == 2 {
-        let [t, dt] = [cone.beta * base.tangential[0][contact], cone.beta * rates.tangential[0][contact]];
+        let [t, dt] = [cone.beta * force.tangential[0], cone.beta * rate.tangential[0]];
         let (one, two) = (n - t, n + t);
         let (closing_one, closing_two) = (dt - dn, -(dt + dn));
         margin = one.min(two);
         factor =
             known(one / closing_one, closing_one, noise).min(known(two / closing_two, closing_two, noise));
     } else {
-        let (t, dt) = (cone.friction(base, contact), cone.friction(rates, contact));
+        let (t, dt) = (cone.friction(force), cone.friction(rate));
         let line = Crossing::new((n, &t), (dn, &dt));
         margin = line.margin;
         factor = known(line.last(), line.closing, noise);
         let product = (n.abs() + line.friction) * (dn.abs() + line.friction_rate);
-        let all = Lanes::all(f64::NEG_INFINITY);
-        let squared = product.above(Lanes::all(LEAST), product.above(Lanes::all(MOST), all, zero), all);
+        let all = X::all(f64::NEG_INFINITY);
+        let squared = product.above(X::all(LEAST), product.above(X::all(MOST), all, zero), all);
         lost = line.closing.above(noise, squared, zero);
     }
     Exit { factor, margin, sure: margin - weight * base.rounding[contact] + lost }
@@ -63,33 +65,34 @@ fn exit<const C: usize, const N: usize, const L: usize>(
 /// A factor as far as it is known from the rate at which the margin closes there: infinite if that
 /// is rounding, a code if it is close to it.
 #[inline(always)]
-fn known<const L: usize>(factor: Lanes<L>, closing: Lanes<L>, noise: Lanes<L>) -> Lanes<L> {
-    let factor = closing.above(Lanes::all(SHARP) * noise, factor, Lanes::all(UNCLEAR));
-    closing.above(noise, factor, Lanes::all(f64::INFINITY))
+fn known<X: Number>(factor: X, closing: X, noise: X) -> X {
+    let factor = closing.above(X::all(SHARP) * noise, factor, X::all(UNCLEAR));
+    closing.above(noise, factor, X::all(f64::INFINITY))
 }
 
 /// The verdicts on the scenes of a block, from the forces at factor zero and their rates.
 #[inline(always)]
-pub(super) fn judge<const C: usize, const N: usize, const L: usize>(
-    friction: &[Lanes<L>; N],
-    base: &Forces<C, N, L>,
-    rates: &Forces<C, N, L>,
-) -> [Screened; L] {
-    let zero = Lanes::ZERO;
-    let infinite = Lanes::all(f64::INFINITY);
-    let mut factors = [zero; N];
+pub(super) fn judge<const C: usize, const M: usize, X: Number>(
+    friction: &[X],
+    base: &Forces<C, M, X>,
+    rates: &Forces<C, M, X>,
+) -> X::Each<Screened> {
+    let zero = X::all(0.0);
+    let infinite = X::all(f64::INFINITY);
+    let contacts = count::<M, X>(friction.len());
+    let mut factors = [zero; M];
     let (mut first, mut margin, mut sure) = (infinite, infinite, infinite);
-    for i in 0..N {
+    for i in 0..contacts {
         let exit = exit(&StickingCone::of(friction[i]), i, base, rates);
         factors[i] = exit.factor;
         first = first.min(exit.factor);
         margin = margin.min(exit.margin);
         sure = sure.min(exit.sure);
     }
-    let until = Lanes::all(1.0 + TOGETHER) * first;
+    let until = X::all(1.0 + TOGETHER) * first;
     let mut leaving = zero;
-    for i in 0..N {
-        leaving += factors[i].above(until, zero, Lanes::all(f64::from(1 << i)));
+    for i in 0..contacts {
+        leaving += factors[i].above(until, zero, X::all(f64::from(1 << i)));
     }
     let unbalanced = base.unbalanced + rates.unbalanced;
     let start = Start { margin, sure, free: base.free };

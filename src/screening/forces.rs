@@ -1,64 +1,50 @@
 //! The forces of all contacts of scenes side by side.
 
-use super::lanes::Lanes;
+use super::block::count;
+use super::finger::Force;
+use super::lanes::Number;
 
 /// A contact this close to the edge of its cone at factor zero, relative to the forces there, may
 /// be on it. With a smaller part rounding would decide whether it sticks; with a larger one more
 /// grasps would be unclear.
 pub(super) const ON_THE_EDGE: f64 = 1e-12;
 
-/// The forces of all contacts, or their rates; arrays run over the contacts.
+/// The forces of all contacts, or their rates, with room for `M` of them.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Forces<const C: usize, const N: usize, const L: usize> {
-    pub(super) normal: [Lanes<L>; N],
-    /// In space a vector across the normal, axis by axis; in the plane the first entry is that
-    /// along (n_y, -n_x).
-    pub(super) tangential: [[Lanes<L>; N]; C],
+pub(super) struct Forces<const C: usize, const M: usize, X: Number> {
+    pub(super) of: [Force<C, X>; M],
     /// What of them may be rounding.
-    pub(super) rounding: [Lanes<L>; N],
+    pub(super) rounding: [X; M],
     /// What part of the load they leave unbalanced; not a number if there are no such forces.
-    pub(super) unbalanced: Lanes<L>,
+    pub(super) unbalanced: X,
     /// Positive if the load works on a motion that no contact resists.
-    pub(super) free: Lanes<L>,
+    pub(super) free: X,
 }
 
-impl<const C: usize, const N: usize, const L: usize> Forces<C, N, L> {
+impl<const C: usize, const M: usize, X: Number> Forces<C, M, X> {
     /// No forces.
-    #[inline(always)]
     pub(super) fn none() -> Self {
-        let zero = Lanes::ZERO;
+        let zero = X::all(0.0);
         Self {
-            normal: [zero; N],
-            tangential: [[zero; N]; C],
-            rounding: [zero; N],
+            of: [Force { normal: zero, tangential: [zero; C] }; M],
+            rounding: [zero; M],
             unbalanced: zero,
             free: zero,
         }
     }
 
-    /// The tangential part at one contact.
+    /// Adds these forces of so many contacts to others; the rounding of these counts so many times.
     #[inline(always)]
-    pub(super) fn friction(&self, contact: usize) -> [Lanes<L>; C] {
-        let mut friction = [Lanes::ZERO; C];
-        for axis in 0..C {
-            friction[axis] = self.tangential[axis][contact];
-        }
-        friction
-    }
-
-    /// These forces and others together; the rounding of the others counts so many times.
-    #[inline(always)]
-    pub(super) fn with(&self, more: &Self, rounding: f64) -> Self {
-        let mut sum = *self;
-        for i in 0..N {
-            sum.normal[i] += more.normal[i];
-            sum.rounding[i] += Lanes::all(rounding) * more.rounding[i];
+    pub(super) fn add_to(&mut self, contacts: usize, others: &Self, rounding: f64) {
+        for i in 0..count::<M, X>(contacts) {
+            let (sum, other) = (&mut self.of[i], &others.of[i]);
+            sum.normal = other.normal + sum.normal;
             for axis in 0..C {
-                sum.tangential[axis][i] += more.tangential[axis][i];
+                sum.tangential[axis] = other.tangential[axis] + sum.tangential[axis];
             }
+            self.rounding[i] = others.rounding[i] + X::all(rounding) * self.rounding[i];
         }
-        sum.unbalanced += more.unbalanced;
-        sum.free += more.free;
-        sum
+        self.unbalanced = others.unbalanced + self.unbalanced;
+        self.free = others.free + self.free;
     }
 }

@@ -1,30 +1,108 @@
 //! One number of each of several scenes, side by side.
 
+use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
-/// One number of each of `L` scenes. Every operation is a loop over the lanes, which the compiler
-/// turns into vector instructions; each lane is computed as if it stood alone.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Lanes<const L: usize>(pub(super) [f64; L]);
+/// Scenes side by side in a batch.
+pub(super) const LANES: usize = if cfg!(feature = "simd") { 8 } else { 4 };
 
-impl<const L: usize> Lanes<L> {
-    pub(super) const ZERO: Self = Self([0.0; L]);
+/// A number of one scene, or of each of several. Of several each is computed as if it stood alone.
+pub(super) trait Number:
+    Copy
+    + Debug
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + AddAssign
+    + SubAssign
+{
+    /// Something of each scene.
+    type Each<T: Copy>: Copy + AsRef<[T]>;
+    /// Whether it is one scene.
+    const ALONE: bool;
 
-    #[inline(always)]
-    pub(super) fn all(value: f64) -> Self {
-        Self([value; L])
+    /// The same number of each scene.
+    fn all(value: f64) -> Self;
+    /// Something of each scene, by its number.
+    fn each<T: Copy>(of: impl FnMut(usize) -> T) -> Self::Each<T>;
+    /// From the numbers of the scenes.
+    fn of(numbers: Self::Each<f64>) -> Self;
+    /// The number of one scene.
+    fn lane(self, lane: usize) -> f64;
+    fn abs(self) -> Self;
+    fn sqrt(self) -> Self;
+    /// The larger; the second where they do not compare.
+    fn max(self, other: Self) -> Self;
+    /// The smaller; the second where they do not compare.
+    fn min(self, other: Self) -> Self;
+    /// `yes` where this is larger than `bound`, else `no`, also where they do not compare.
+    fn above(self, bound: Self, yes: Self, no: Self) -> Self;
+
+    /// Whether it is this one of every scene.
+    #[inline]
+    fn is_all(self, value: f64) -> bool {
+        Self::each(|lane| self.lane(lane) == value).as_ref().iter().all(|&is| is)
+    }
+}
+
+impl Number for f64 {
+    type Each<T: Copy> = [T; 1];
+    const ALONE: bool = true;
+
+    #[inline]
+    fn all(value: f64) -> Self {
+        value
     }
 
-    #[inline(always)]
-    pub(super) fn map(self, f: impl Fn(f64) -> f64) -> Self {
-        let mut out = self;
-        for x in &mut out.0 {
-            *x = f(*x);
-        }
-        out
+    #[inline]
+    fn each<T: Copy>(mut of: impl FnMut(usize) -> T) -> [T; 1] {
+        [of(0)]
     }
 
-    #[inline(always)]
+    #[inline]
+    fn of([number]: [f64; 1]) -> Self {
+        number
+    }
+
+    #[inline]
+    fn lane(self, _: usize) -> f64 {
+        self
+    }
+
+    #[inline]
+    fn abs(self) -> Self {
+        self.abs()
+    }
+
+    #[inline]
+    fn sqrt(self) -> Self {
+        self.sqrt()
+    }
+
+    #[inline]
+    fn max(self, other: Self) -> Self {
+        if self > other { self } else { other }
+    }
+
+    #[inline]
+    fn min(self, other: Self) -> Self {
+        if self < other { self } else { other }
+    }
+
+    #[inline]
+    fn above(self, bound: Self, yes: Self, no: Self) -> Self {
+        if self > bound { yes } else { no }
+    }
+}
+
+/// One number of each scene. Every operation is a loop over the lanes, which the compiler turns into vector instructions.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Lanes([f64; LANES]);
+
+impl Lanes {
+    #[inline]
     fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
         let mut out = self;
         for (x, y) in out.0.iter_mut().zip(other.0) {
@@ -33,34 +111,67 @@ impl<const L: usize> Lanes<L> {
         out
     }
 
-    #[inline(always)]
-    pub(super) fn abs(self) -> Self {
+    #[inline]
+    fn map(self, f: impl Fn(f64) -> f64) -> Self {
+        self.zip(self, |x, _| f(x))
+    }
+
+    /// Gives a number to the scenes from this one on.
+    #[inline]
+    pub(super) fn fill(&mut self, from: usize, number: f64) {
+        self.0[from..].fill(number);
+    }
+}
+
+impl Number for Lanes {
+    type Each<T: Copy> = [T; LANES];
+    const ALONE: bool = false;
+
+    #[inline]
+    fn all(value: f64) -> Self {
+        Self([value; LANES])
+    }
+
+    #[inline]
+    fn each<T: Copy>(of: impl FnMut(usize) -> T) -> [T; LANES] {
+        std::array::from_fn(of)
+    }
+
+    #[inline]
+    fn of(numbers: [f64; LANES]) -> Self {
+        Self(numbers)
+    }
+
+    #[inline]
+    fn lane(self, lane: usize) -> f64 {
+        self.0[lane]
+    }
+
+    #[inline]
+    fn abs(self) -> Self {
         self.map(f64::abs)
     }
 
-    #[inline(always)]
-    pub(super) fn sqrt(self) -> Self {
+    #[inline]
+    fn sqrt(self) -> Self {
         self.map(f64::sqrt)
     }
 
-    /// The larger; the second where they do not compare.
-    #[inline(always)]
-    pub(super) fn max(self, other: Self) -> Self {
+    #[inline]
+    fn max(self, other: Self) -> Self {
         self.zip(other, |x, y| if x > y { x } else { y })
     }
 
-    /// The smaller; the second where they do not compare.
-    #[inline(always)]
-    pub(super) fn min(self, other: Self) -> Self {
+    #[inline]
+    fn min(self, other: Self) -> Self {
         self.zip(other, |x, y| if x < y { x } else { y })
     }
 
-    /// `yes` where this is larger than `bound`, else `no`, also where they do not compare.
-    #[inline(always)]
-    pub(super) fn above(self, bound: Self, yes: Self, no: Self) -> Self {
+    #[inline]
+    fn above(self, bound: Self, yes: Self, no: Self) -> Self {
         let mut out = self;
-        for lane in 0..L {
-            out.0[lane] = if self.0[lane] > bound.0[lane] { yes.0[lane] } else { no.0[lane] };
+        for lane in 0..LANES {
+            out.0[lane] = self.0[lane].above(bound.0[lane], yes.0[lane], no.0[lane]);
         }
         out
     }
@@ -68,9 +179,9 @@ impl<const L: usize> Lanes<L> {
 
 macro_rules! lane_by_lane {
     ($operator:ident, $operate:ident, $symbol:tt) => {
-        impl<const L: usize> $operator for Lanes<L> {
+        impl $operator for Lanes {
             type Output = Self;
-            #[inline(always)]
+            #[inline]
             fn $operate(self, other: Self) -> Self {
                 self.zip(other, |x, y| x $symbol y)
             }
@@ -80,8 +191,8 @@ macro_rules! lane_by_lane {
 
 macro_rules! in_place {
     ($operator:ident, $operate:ident, $symbol:tt) => {
-        impl<const L: usize> $operator for Lanes<L> {
-            #[inline(always)]
+        impl $operator for Lanes {
+            #[inline]
             fn $operate(&mut self, other: Self) {
                 *self = *self $symbol other;
             }
@@ -94,9 +205,9 @@ lane_by_lane!(Sub, sub, -);
 lane_by_lane!(Mul, mul, *);
 lane_by_lane!(Div, div, /);
 
-impl<const L: usize> Neg for Lanes<L> {
+impl Neg for Lanes {
     type Output = Self;
-    #[inline(always)]
+    #[inline]
     fn neg(self) -> Self {
         self.map(|x| -x)
     }
@@ -106,8 +217,8 @@ in_place!(AddAssign, add_assign, +);
 in_place!(SubAssign, sub_assign, -);
 
 /// Scalar product.
-#[inline(always)]
-pub(super) fn dot<const L: usize, const C: usize>(a: &[Lanes<L>; C], b: &[Lanes<L>; C]) -> Lanes<L> {
+#[inline]
+pub(super) fn dot<X: Number, const C: usize>(a: &[X; C], b: &[X; C]) -> X {
     let mut sum = a[0] * b[0];
     for axis in 1..C {
         sum += a[axis] * b[axis];

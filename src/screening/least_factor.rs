@@ -6,10 +6,11 @@
 //! the intervals of all contacts and loads have in common. In the plane a margin is two straight lines;
 //! in space both ends are roots of one quadratic, see [`Crossing`].
 
+use super::block::count;
 use super::cone::{Crossing, LEAST, MOST, StickingCone};
 use super::first_exit::SHARP;
 use super::forces::Forces;
-use super::lanes::{Lanes, dot};
+use super::lanes::{Number, dot};
 use super::verdict::balanced;
 
 /// A line must pass through the cone by so many times the rounding of its margin, or it may miss it.
@@ -27,29 +28,29 @@ pub(super) const GIVES_WAY: f64 = -2.0;
 pub(super) const UNCLEAR: f64 = -3.0;
 
 /// From where to where factors are enough, and how far both ends may be off.
-struct Interval<const L: usize> {
-    first: Lanes<L>,
-    first_off: Lanes<L>,
-    last: Lanes<L>,
-    last_off: Lanes<L>,
+struct Interval<X: Number> {
+    first: X,
+    first_off: X,
+    last: X,
+    last_off: X,
 }
 
 /// A margin and its gain by the whole squeeze, with the rounding of both.
-struct Margin<const L: usize> {
-    value: Lanes<L>,
-    gain: Lanes<L>,
-    noise: Lanes<L>,
-    gain_noise: Lanes<L>,
+struct Margin<X: Number> {
+    value: X,
+    gain: X,
+    noise: X,
+    gain_noise: X,
 }
 
-impl<const L: usize> Margin<L> {
+impl<X: Number> Margin<X> {
     /// Where a straight margin is not negative.
     #[inline(always)]
-    fn straight(&self) -> Interval<L> {
-        let (zero, infinite) = (Lanes::ZERO, Lanes::all(f64::INFINITY));
+    fn straight(&self) -> Interval<X> {
+        let (zero, infinite) = (X::all(0.0), X::all(f64::INFINITY));
         let Self { value, gain, noise, gain_noise } = *self;
         let root = -(value / gain);
-        let off = |at: Lanes<L>, rate: Lanes<L>| (noise + at * gain_noise) / rate;
+        let off = |at: X, rate: X| (noise + at * gain_noise) / rate;
         // What is broken without squeeze needs some, if that helps.
         let entered = gain.above(gain_noise, root, infinite);
         let first = self.broken(entered, zero);
@@ -63,7 +64,7 @@ impl<const L: usize> Margin<L> {
 
     /// A choice by whether the margin is broken without any squeeze.
     #[inline(always)]
-    fn broken(&self, yes: Lanes<L>, no: Lanes<L>) -> Lanes<L> {
+    fn broken(&self, yes: X, no: X) -> X {
         (-self.noise).above(self.value, yes, no)
     }
 
@@ -71,10 +72,10 @@ impl<const L: usize> Margin<L> {
     #[inline(always)]
     fn round<const C: usize>(
         &self,
-        line: &Crossing<L>,
-        [(n, t), (dn, dt)]: [(Lanes<L>, &[Lanes<L>; C]); 2],
-    ) -> Interval<L> {
-        let (zero, infinite) = (Lanes::ZERO, Lanes::all(f64::INFINITY));
+        line: &Crossing<X>,
+        [(n, t), (dn, dt)]: [(X, &[X; C]); 2],
+    ) -> Interval<X> {
+        let (zero, infinite) = (X::all(0.0), X::all(f64::INFINITY));
         let Self { noise, gain_noise, .. } = *self;
         // The deepest place of a line that enters and leaves.
         let deepest = line.b / line.a;
@@ -83,9 +84,9 @@ impl<const L: usize> Margin<L> {
             at[axis] = t[axis] + deepest * dt[axis];
         }
         let depth = n + deepest * dn - dot(&at, &at).sqrt();
-        let needed = Lanes::all(DEPTH) * (noise + deepest * gain_noise);
-        let crossing = line.closing.above(gain_noise, Lanes::all(1.0), zero);
-        let unknown = Lanes::all(f64::NAN);
+        let needed = X::all(DEPTH) * (noise + deepest * gain_noise);
+        let crossing = line.closing.above(gain_noise, X::all(1.0), zero);
+        let unknown = X::all(f64::NAN);
         let through = |yes, no| depth.above(needed, yes, (-depth).above(needed, no, unknown));
         // A line that closes in the long run is inside for a while, if it ever comes there; the others
         // stay where they come to. Where rounding decides which, only commands without force are clear.
@@ -96,7 +97,7 @@ impl<const L: usize> Margin<L> {
         let entered = (-line.closing).above(gain_noise, first, crossing.above(zero, passing, idle));
         let slope = (line.root / (n + first * dn)).max(self.gain);
         let first_off = (noise + first * gain_noise) / slope;
-        let is_entered = Lanes::all(f64::MAX);
+        let is_entered = X::all(f64::MAX);
         let first_off = entered.above(is_entered, zero, first_off);
         // At the apex the rates alone decide.
         let weight = n.abs() + line.friction;
@@ -117,27 +118,27 @@ impl<const L: usize> Margin<L> {
 }
 
 /// What the contacts of scenes ask of the factor, as far as they have been asked.
-pub(super) struct LeastFactor<const L: usize> {
+pub(super) struct LeastFactor<X: Number> {
     /// The largest first end of an interval, as it is, and at least and at most.
-    first: Lanes<L>,
-    first_sure: Lanes<L>,
-    first_most: Lanes<L>,
+    first: X,
+    first_sure: X,
+    first_most: X,
     /// The least last end, at least and at most.
-    last_sure: Lanes<L>,
-    last_most: Lanes<L>,
+    last_sure: X,
+    last_most: X,
     /// Positive if something is not clear.
-    doubt: Lanes<L>,
+    doubt: X,
     /// Positive if a load works on a motion that no contact resists.
-    free: Lanes<L>,
+    free: X,
     /// The contact and the load, `8 load + contact`, that need most.
-    binding: Lanes<L>,
+    binding: X,
 }
 
-impl<const L: usize> LeastFactor<L> {
+impl<X: Number> LeastFactor<X> {
     /// Nothing is asked yet.
     #[inline(always)]
     pub(super) fn new() -> Self {
-        let (zero, infinite) = (Lanes::ZERO, Lanes::all(f64::INFINITY));
+        let (zero, infinite) = (X::all(0.0), X::all(f64::INFINITY));
         Self {
             first: zero,
             first_sure: zero,
@@ -152,21 +153,22 @@ impl<const L: usize> LeastFactor<L> {
 
     /// What the contacts ask under one load: forces of the commands, and all others.
     #[inline(always)]
-    pub(super) fn under<const C: usize, const N: usize>(
+    pub(super) fn under<const C: usize, const M: usize>(
         &mut self,
         load: usize,
-        friction: &[Lanes<L>; N],
-        [commands, others]: [&Forces<C, N, L>; 2],
+        friction: &[X],
+        [commands, others]: [&Forces<C, M, X>; 2],
     ) {
-        let (zero, one) = (Lanes::ZERO, Lanes::all(1.0));
-        for i in 0..N {
+        let (zero, one) = (X::all(0.0), X::all(1.0));
+        for i in 0..count::<M, X>(friction.len()) {
             let cone = StickingCone::of(friction[i]);
             let weight = cone.alpha + cone.beta;
             let noise = weight * others.rounding[i];
             let gain_noise = weight * commands.rounding[i];
-            let (n, dn) = (cone.alpha * others.normal[i], cone.alpha * commands.normal[i]);
-            let (t, dt) = (cone.friction(others, i), cone.friction(commands, i));
-            let binding = Lanes::all((8 * load + i) as f64);
+            let (force, gain) = (&others.of[i], &commands.of[i]);
+            let (n, dn) = (cone.alpha * force.normal, cone.alpha * gain.normal);
+            let (t, dt) = (cone.friction(force), cone.friction(gain));
+            let binding = X::all((8 * load + i) as f64);
             self.know([n.abs(), dn.abs()]);
             if C == 2 {
                 for (value, gain) in [(n - t[0], dn - dt[0]), (n + t[0], dn + dt[0])] {
@@ -179,7 +181,7 @@ impl<const L: usize> LeastFactor<L> {
                 self.narrow(&margin, &margin.round(&line, [(n, &t), (dn, &dt)]), binding);
                 let (size, rate) = (n.abs() + line.friction, dn.abs() + line.friction_rate);
                 let product = size * rate;
-                let lost = product.above(Lanes::all(LEAST), product.above(Lanes::all(MOST), one, zero), one);
+                let lost = product.above(X::all(LEAST), product.above(X::all(MOST), one, zero), one);
                 self.doubt += size.above(noise, rate.above(gain_noise, lost, zero), zero);
             }
         }
@@ -189,10 +191,10 @@ impl<const L: usize> LeastFactor<L> {
 
     /// Leaves of the factors so far those with which a margin is not negative.
     #[inline(always)]
-    fn narrow(&mut self, margin: &Margin<L>, interval: &Interval<L>, binding: Lanes<L>) {
-        let (short, about) = (-margin.value, Lanes::all(ABOUT));
-        let doubt = (about * margin.noise).above(short, Lanes::all(1.0), Lanes::ZERO);
-        self.doubt += (about * short).above(margin.noise, doubt, Lanes::ZERO);
+    fn narrow(&mut self, margin: &Margin<X>, interval: &Interval<X>, binding: X) {
+        let (short, about) = (-margin.value, X::all(ABOUT));
+        let doubt = (about * margin.noise).above(short, X::all(1.0), X::all(0.0));
+        self.doubt += (about * short).above(margin.noise, doubt, X::all(0.0));
         let Interval { first, first_off, last, last_off } = *interval;
         self.binding = first.above(self.first, binding, self.binding);
         self.first = self.first.max(first);
@@ -205,22 +207,22 @@ impl<const L: usize> LeastFactor<L> {
 
     /// Nothing is clear unless these are numbers, and not negative: comparisons pass over what is none.
     #[inline(always)]
-    fn know<const K: usize>(&mut self, sizes: [Lanes<L>; K]) {
+    fn know<const K: usize>(&mut self, sizes: [X; K]) {
         for size in sizes {
-            self.doubt += size.above(Lanes::all(-f64::MIN_POSITIVE), Lanes::ZERO, Lanes::all(1.0));
+            self.doubt += size.above(X::all(-f64::MIN_POSITIVE), X::all(0.0), X::all(1.0));
         }
     }
 
     /// The factors or codes, and what binds them.
     #[inline(always)]
-    pub(super) fn least(&self) -> (Lanes<L>, Lanes<L>) {
-        let (zero, unclear) = (Lanes::ZERO, Lanes::all(UNCLEAR));
+    pub(super) fn least(&self) -> (X, X) {
+        let (zero, unclear) = (X::all(0.0), X::all(UNCLEAR));
         let spread = self.first_most - self.first_sure;
-        let code = (Lanes::all(2.0 / SHARP) * self.first).above(spread, self.first, unclear);
+        let code = (X::all(2.0 / SHARP) * self.first).above(spread, self.first, unclear);
         let code = self.first_most.above(self.last_sure, unclear, code);
-        let code = self.first_sure.above(self.last_most, Lanes::all(NO_FACTOR), code);
+        let code = self.first_sure.above(self.last_most, X::all(NO_FACTOR), code);
         let code = self.first.above(zero, code, zero);
         let code = self.doubt.above(zero, unclear, code);
-        (self.free.above(zero, Lanes::all(GIVES_WAY), code), self.binding)
+        (self.free.above(zero, X::all(GIVES_WAY), code), self.binding)
     }
 }

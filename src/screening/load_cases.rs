@@ -1,10 +1,14 @@
 //! The loads that a grasp is to hold, one at a time.
 
+use super::forces::Forces;
+use super::lanes::Number;
 use super::least_factor::LeastFactor;
-use super::question::{Scenes, ScreeningQuestion};
+use super::question::{Room, Scenes, ScreeningQuestion};
 use super::screened_squeeze::ScreenedSqueeze;
+use super::springs::Springs;
 use crate::error::Error;
 use crate::grasp::Wrench;
+use crate::numerics::Vectors;
 
 /// Loads on a grasp in screening, each of which it is to hold: one at a time, at least one.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,23 +31,43 @@ impl<const C: usize> LoadCases<C> {
     }
 }
 
-impl<const D: usize, const C: usize> ScreeningQuestion<D, C> for LoadCases<C> {
+impl<const C: usize> ScreeningQuestion<C> for LoadCases<C> {
     type Answer = ScreenedSqueeze;
     const UNKNOWN: ScreenedSqueeze = ScreenedSqueeze::UNKNOWN;
 
     #[inline(always)]
-    fn ask<const N: usize, const L: usize>(&self, scenes: Scenes<'_, D, C, N, L>) -> [ScreenedSqueeze; L] {
-        let [commands, overlaps] = scenes.apart();
+    fn ask<V: Vectors, P: Springs<C, M, X>, const M: usize, X: Number>(
+        &self,
+        scenes: &Scenes<'_, V, P, C, M, X>,
+        [commands, overlaps, others]: Room<'_, C, M, X>,
+    ) -> X::Each<ScreenedSqueeze> {
+        scenes.apart([commands, overlaps]);
         let mut enough = LeastFactor::new();
         for (number, load) in self.loads.iter().enumerate() {
-            let others = overlaps.with(&scenes.under(load), 1.0);
-            enough.under(number, &scenes.block.friction, [&commands, &others]);
+            scenes.under(load, others);
+            others.add_to(scenes.block.contacts, overlaps, 1.0);
+            let (friction, forces) = (scenes.block.friction(), [&*commands, &*others]);
+            if P::CONTACTS.is_some() {
+                enough.under(number, friction, forces);
+            } else {
+                judge_apart(scenes.vectors, &mut enough, number, friction, forces);
+            }
         }
         let (code, binding) = enough.least();
-        let mut answers = [ScreenedSqueeze::UNKNOWN; L];
-        for lane in 0..L {
-            answers[lane] = ScreenedSqueeze { code: code.0[lane], binding: binding.0[lane] };
-        }
-        answers
+        X::each(|lane| ScreenedSqueeze { code: code.lane(lane), binding: binding.lane(lane) })
     }
+}
+
+#[inline(never)]
+fn judge_apart<V: Vectors, const C: usize, const M: usize, X: Number>(
+    v: V,
+    enough: &mut LeastFactor<X>,
+    number: usize,
+    friction: &[X],
+    forces: [&Forces<C, M, X>; 2],
+) {
+    v.run(
+        #[inline(always)]
+        || enough.under(number, friction, forces),
+    );
 }

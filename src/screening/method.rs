@@ -6,9 +6,10 @@
 //! lack friction, for their compliance is infinite. It is decided once, when a grasp is made ready:
 //! batches find it in their data, and its answer does not depend on its neighbours.
 
-use super::block::{Block, Sizes};
-use super::lanes::Lanes;
-use super::triangle::{Triangle, others};
+use super::block::{Block, Rows, Scene, Sizes};
+use super::lanes::Number;
+use super::springs::Springs;
+use super::triangle::{self, N, Triangle, others};
 
 /// A way to the forces of a scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,18 +23,26 @@ pub(super) enum Method {
 impl Method {
     /// Which scenes go this way: all pairs in the plane by edges, all but triangles by motions else.
     #[inline(always)]
-    pub(super) fn of<const C: usize, const N: usize, const L: usize>(
-        self,
-        block: &Block<C, N, L>,
-    ) -> [bool; L] {
-        let mut go = [self == if C == 2 && N == 2 { Self::Edges } else { Self::Motions }; L];
-        if C == 3 && N == 3 {
-            for lane in 0..L {
-                go[lane] = (block.sizes.force.0[lane] > 0.0) == (self == Self::Edges);
-            }
+    pub(super) fn of<const C: usize, X: Number>(self, block: &Block<'_, C, X>) -> X::Each<bool> {
+        let edges = self == Self::Edges;
+        if is_a_triangle(block) {
+            let force = block.sizes().force;
+            return X::each(|lane| (force.lane(lane) > 0.0) == edges);
         }
-        go
+        X::each(|_| is_a_pair(block) == edges)
     }
+}
+
+/// Whether forces go along the line through both contacts.
+#[inline(always)]
+pub(super) fn is_a_pair<const C: usize, X: Number>(block: &Block<'_, C, X>) -> bool {
+    C == 2 && block.contacts == 2
+}
+
+/// Whether forces may go along the edges of a triangle.
+#[inline(always)]
+pub(super) fn is_a_triangle<const C: usize, X: Number>(block: &Block<'_, C, X>) -> bool {
+    C == 3 && block.contacts == triangle::N
 }
 
 /// Forces on the way to the answer are at most so many times the load, in sums of sizes; for an even
@@ -48,45 +57,49 @@ const UNEVEN: f64 = 1e3;
 
 /// Turns stiffnesses into compliances, where forces go by edges, and says so by sizes that are not
 /// zero.
-pub(super) fn to_compliances<const C: usize, const N: usize>(scene: &mut Block<C, N, 1>) {
+pub(super) fn to_compliances<const C: usize, const N: usize>(scene: &mut Scene<C, N>) {
     let mut compliant = *scene;
     let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
-    for compliance in compliant.springs.as_flattened_mut() {
-        *compliance = Lanes::all(1.0) / *compliance;
-        least = least.min(compliance.0[0]);
-        most = most.max(compliance.0[0]);
+    for axis in 0..2 {
+        for i in 0..triangle::N {
+            let compliance = compliant.at(Rows::<C>::SPRINGS + axis, i);
+            *compliance = 1.0 / *compliance;
+            least = least.min(*compliance);
+            most = most.max(*compliance);
+        }
     }
-    compliant.sizes = sizes(&compliant);
-    let force = compliant.sizes.force.0[0];
-    if most <= UNEVEN * least && force > 0.0 {
+    let sizes = sizes(&compliant.block());
+    compliant.measure(&sizes);
+    if most <= UNEVEN * least && sizes.force > 0.0 {
         *scene = compliant;
     }
 }
 
 /// What rounding is measured against, zero if that is too much.
-fn sizes<const C: usize, const N: usize>(scene: &Block<C, N, 1>) -> Sizes<1> {
-    let triangle = Triangle::new(scene);
-    let length = triangle.edge.map(|edge| edge.iter().map(|x| x.0[0] * x.0[0]).sum::<f64>().sqrt());
-    let [c_n, c_t] = &scene.springs;
+fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
+    let mut triangle = <Triangle<C, f64> as Springs<C, N, f64>>::none();
+    triangle.ready(scene);
+    let length = triangle.edge.map(|edge| edge.iter().map(|x| x * x).sum::<f64>().sqrt());
+    let [c_n, c_t] = scene.springs();
     // What forces P bring about along edges: `|N| |A⁻¹| |Nᵀ| C P`, in sizes.
     let mut gives = 1.0;
     for k in 0..N {
-        let mut unit = [Lanes::ZERO; N];
-        unit[k] = Lanes::all(1.0);
+        let mut unit = [0.0; N];
+        unit[k] = 1.0;
         let lambda = triangle.factors.solve(&unit);
-        let given = others::<N>(k).map(|i| c_t[i].0[0].max(c_n[i].0[0])).iter().sum::<f64>() * length[k];
+        let given = others(k).map(|i| c_t[i].max(c_n[i])).iter().sum::<f64>() * length[k];
         for i in 0..N {
-            gives += length[i] * lambda[i].0[0].abs() * given;
+            gives += length[i] * lambda[i].abs() * given;
         }
     }
     let longest = length.into_iter().fold(0.0, f64::max);
-    let height = triangle.one_over_square.0[0].sqrt();
+    let height = triangle.one_over_square.sqrt();
     let moment = longest * height * gives;
-    let centre: f64 = triangle.centre.iter().map(|x| x.0[0].abs()).sum();
-    let tame = triangle.factors.free.0[0] == 0.0 && moment * longest <= LARGEST;
-    let tamed = |size: f64| Lanes::all(if tame { size } else { 0.0 });
+    let centre: f64 = triangle.centre.iter().map(|x| x.abs()).sum();
+    let tame = triangle.factors.free == 0.0 && moment * longest <= LARGEST;
+    let tamed = |size: f64| if tame { size } else { 0.0 };
     Sizes {
-        commands: triangle.size_of(&scene.pressed, &scene.sheared),
+        commands: triangle.size_of(&scene.commands()),
         moment: tamed(moment),
         force: tamed(gives + moment * centre),
     }
@@ -96,12 +109,12 @@ fn sizes<const C: usize, const N: usize>(scene: &Block<C, N, 1>) -> Sizes<1> {
 mod tests {
     use super::super::balance::RigidBody;
     use super::super::forces::{Forces, ON_THE_EDGE};
-    use super::super::sticking;
     use super::*;
     use crate::contact::ZERO_SLACK as ROUNDING;
-    use crate::numerics::Draw;
+    use crate::numerics::{Compiled, Draw};
 
-    type Scene = Block<3, 3, 1>;
+    type Scene = super::Scene<3, 3>;
+    type Row = Rows<3>;
 
     /// Fingers around a triangle, so much narrower than even, with stiffnesses over so many decades.
     fn scene(draw: &mut Draw, narrow: f64, decades: f64) -> Scene {
@@ -111,31 +124,41 @@ mod tests {
             let length = inward.iter().map(|x| x * x).sum::<f64>().sqrt();
             for axis in 0..3 {
                 let width = if axis == 0 { 1.0 } else { narrow };
-                scene.point[axis][i] = Lanes([width * (0.2 * draw.normal() - inward[axis] / length) + 0.5]);
-                scene.normal[axis][i] = Lanes([inward[axis] / length]);
+                *scene.at(Row::POINT + axis, i) = width * (0.2 * draw.normal() - inward[axis] / length) + 0.5;
+                *scene.at(Row::NORMAL + axis, i) = inward[axis] / length;
             }
             // Across the normal.
-            let shear = Lanes([0.1 * draw.normal()]);
-            scene.sheared[0][i] = shear * scene.normal[1][i];
-            scene.sheared[1][i] = -(shear * scene.normal[0][i]);
-            scene.pressed[i] = Lanes([draw.normal()]);
-            for spring in &mut scene.springs {
-                spring[i] = Lanes([10_f64.powf(0.3 * decades * draw.normal())]);
+            let shear = 0.1 * draw.normal();
+            *scene.at(Row::SHEARED, i) = shear * *scene.at(Row::NORMAL + 1, i);
+            *scene.at(Row::SHEARED + 1, i) = -(shear * *scene.at(Row::NORMAL, i));
+            *scene.at(Row::PRESSED, i) = draw.normal();
+            for axis in 0..2 {
+                *scene.at(Row::SPRINGS + axis, i) = 10_f64.powf(0.3 * decades * draw.normal());
             }
         }
         scene
     }
 
     /// How far forces are from others, in parts of the bounds of both.
-    fn off(forces: &Forces<3, 3, 1>, others: &Forces<3, 3, 1>, part: f64) -> f64 {
+    fn off(forces: &Forces<3, 3, f64>, others: &Forces<3, 3, f64>, part: f64) -> f64 {
         let mut off = 0.0_f64;
         for i in 0..3 {
-            let bound = part * (forces.rounding[i] + others.rounding[i]).0[0];
-            let pairs = std::iter::once((forces.normal[i], others.normal[i]));
-            let across = (0..3).map(|axis| (forces.tangential[axis][i], others.tangential[axis][i]));
-            off = pairs.chain(across).map(|(a, b)| (a - b).0[0].abs() / bound).fold(off, f64::max);
+            let bound = part * (forces.rounding[i] + others.rounding[i]);
+            let (force, other) = (&forces.of[i], &others.of[i]);
+            let pairs = std::iter::once((force.normal, other.normal));
+            let across = (0..3).map(|axis| (force.tangential[axis], other.tangential[axis]));
+            off = pairs.chain(across).map(|(a, b)| (a - b).abs() / bound).fold(off, f64::max);
         }
         off
+    }
+
+    /// Forces by a load, and by the commands.
+    fn forces<P: Springs<3, 3, f64>>(scene: &Block<'_, 3, f64>, load: &[f64]) -> [Forces<3, 3, f64>; 2] {
+        let (mut ready, [mut loaded, mut squeezed]) = (P::none(), [Forces::none(); 2]);
+        ready.prepare(Compiled, scene);
+        ready.load(Compiled, scene, load, &mut loaded);
+        ready.squeeze(Compiled, scene, None, &mut squeezed);
+        [loaded, squeezed]
     }
 
     /// How many scenes of a hundred go by edges; both ways lead to the same forces there.
@@ -146,16 +169,17 @@ mod tests {
             let stiff = scene(&mut draw, narrow, decades);
             let mut compliant = stiff;
             to_compliances(&mut compliant);
-            let load = [0; 6].map(|_| Lanes([draw.normal()]));
+            let load = [0; 6].map(|_| draw.normal());
+            let (stiff, compliant) = (stiff.block(), compliant.block());
             if Method::Edges.of(&compliant) == [false] {
-                assert_eq!(compliant.springs, stiff.springs);
+                assert_eq!(compliant.springs(), stiff.springs());
                 continue;
             }
             count += 1;
-            let (triangle, body) = (Triangle::new(&compliant), RigidBody::<6, 3, 3, 1>::new(&stiff));
-            let loaded = off(&triangle.load(&compliant, &load), &sticking::load(&body, &load), 1.0);
-            let squeezed = sticking::squeeze(&body, &stiff.pressed, &stiff.sheared);
-            let commanded = off(&triangle.squeeze(&compliant), &squeezed, ROUNDING / ON_THE_EDGE);
+            let along = forces::<Triangle<3, f64>>(&compliant, &load);
+            let moved = forces::<RigidBody<6, 3, 3, f64>>(&stiff, &load);
+            let loaded = off(&along[0], &moved[0], 1.0);
+            let commanded = off(&along[1], &moved[1], ROUNDING / ON_THE_EDGE);
             worst = [loaded, commanded].into_iter().fold(worst, f64::max);
         }
         assert!(worst < 0.2, "{worst}");
@@ -174,11 +198,11 @@ mod tests {
     fn without_friction_by_motions() {
         let mut scene = scene(&mut Draw::new([0; 3]), 1.0, 0.0);
         for contacts in 1..=3 {
-            scene.springs[1][contacts - 1] = Lanes::ZERO;
+            *scene.at(Row::SPRINGS + 1, contacts - 1) = 0.0;
             let mut asked = scene;
             to_compliances(&mut asked);
-            assert_eq!(Method::Motions.of(&asked), [true]);
-            assert_eq!(asked.springs, scene.springs);
+            assert_eq!(Method::Motions.of(&asked.block()), [true]);
+            assert_eq!(asked.block().springs(), scene.block().springs());
         }
     }
 }

@@ -2,10 +2,14 @@
 
 use super::first_exit::judge;
 use super::first_slip::SlipCode;
-use super::question::{Scenes, ScreeningQuestion};
+use super::forces::Forces;
+use super::lanes::Number;
+use super::question::{Room, Scenes, ScreeningQuestion};
 use super::screened::Screened;
+use super::springs::Springs;
 use crate::error::Error;
 use crate::grasp::Wrench;
+use crate::numerics::Vectors;
 
 /// The load on a grasp in screening: where it begins, and the direction in which it grows from
 /// there.
@@ -31,16 +35,48 @@ impl<const C: usize> Pull<C> {
     }
 }
 
-impl<const D: usize, const C: usize> ScreeningQuestion<D, C> for Pull<C> {
+impl<const C: usize> ScreeningQuestion<C> for Pull<C> {
     type Answer = Screened;
     const UNKNOWN: Screened = Screened(SlipCode::UNKNOWN);
 
     #[inline(always)]
-    fn ask<const N: usize, const L: usize>(&self, scenes: Scenes<'_, D, C, N, L>) -> [Screened; L] {
-        let rates = scenes.under(&self.direction);
-        if !self.loaded {
-            return judge(&scenes.block.friction, scenes.squeezed, &rates);
+    fn ask<V: Vectors, P: Springs<C, M, X>, const M: usize, X: Number>(
+        &self,
+        scenes: &Scenes<'_, V, P, C, M, X>,
+        [rates, base, _]: Room<'_, C, M, X>,
+    ) -> X::Each<Screened> {
+        scenes.under(&self.direction, rates);
+        // Not a choice of forces: what is compiled as one function keeps them in registers.
+        if self.loaded {
+            scenes.squeezed_under(&self.base, base);
+            judged(scenes, base, rates)
+        } else {
+            judged(scenes, scenes.squeezed, rates)
         }
-        judge(&scenes.block.friction, &scenes.squeezed_under(&self.base), &rates)
     }
+}
+
+#[inline(always)]
+fn judged<V: Vectors, P: Springs<C, M, X>, const C: usize, const M: usize, X: Number>(
+    scenes: &Scenes<'_, V, P, C, M, X>,
+    base: &Forces<C, M, X>,
+    rates: &Forces<C, M, X>,
+) -> X::Each<Screened> {
+    if P::CONTACTS.is_some() {
+        return judge(scenes.block.friction(), base, rates);
+    }
+    judge_apart(scenes.vectors, scenes.block.friction(), base, rates)
+}
+
+#[inline(never)]
+fn judge_apart<V: Vectors, const C: usize, const M: usize, X: Number>(
+    v: V,
+    friction: &[X],
+    base: &Forces<C, M, X>,
+    rates: &Forces<C, M, X>,
+) -> X::Each<Screened> {
+    v.run(
+        #[inline(always)]
+        || judge(friction, base, rates),
+    )
 }

@@ -7,10 +7,14 @@
 //! little T is known.
 
 use super::balance::RigidBody;
+use super::block::{Block, Commands};
 use super::finger::{Force, displacement, stretched};
 use super::forces::{Forces, ON_THE_EDGE};
-use super::lanes::Lanes;
+use super::lanes::Number;
+use super::method::Method;
+use super::springs::Springs;
 use crate::contact::ZERO_SLACK as ROUNDING;
+use crate::numerics::Vectors;
 
 /// Forces that leave more than this part of the load unbalanced are improved. Rounding alone leaves
 /// some 1e-15; with a larger bound forces would lose digits to a soft contact beside a stiff one,
@@ -24,77 +28,98 @@ const TIMES: usize = 3;
 /// the object away weakly would be called unclear.
 const GIVES_WAY: f64 = 1e-6;
 
-/// Commands of the fingers or a load, and what part of the forces that they bring about is called
-/// rounding.
-struct Pulled<const D: usize, const C: usize, const N: usize, const L: usize> {
-    commands: Option<[Force<C, L>; N]>,
-    load: [Lanes<L>; D],
-    rounding: Lanes<L>,
-}
+impl<const D: usize, const C: usize, const M: usize, X: Number> Springs<C, M, X> for RigidBody<D, C, M, X> {
+    const METHOD: Method = Method::Motions;
+    const CONTACTS: Option<usize> = None;
 
-/// Forces that the commands of the fingers alone bring about.
-#[inline(always)]
-pub(super) fn squeeze<const D: usize, const C: usize, const N: usize, const L: usize>(
-    body: &RigidBody<D, C, N, L>,
-    pressed: &[Lanes<L>; N],
-    sheared: &[[Lanes<L>; N]; C],
-) -> Forces<C, N, L> {
-    let zero = Lanes::ZERO;
-    let mut commands = [Force { normal: zero, tangential: [zero; C] }; N];
-    for i in 0..N {
-        commands[i].normal = pressed[i];
-        for axis in 0..C {
-            commands[i].tangential[axis] = sheared[axis][i];
-        }
+    fn none() -> Self {
+        RigidBody::none()
     }
-    let rounding = Lanes::all(ON_THE_EDGE);
-    sticking(body, &Pulled { commands: Some(commands), load: [Lanes::ZERO; D], rounding })
+
+    #[inline(never)]
+    fn prepare<V: Vectors>(&mut self, v: V, block: &Block<'_, C, X>) {
+        v.run(
+            #[inline(always)]
+            || self.ready(block),
+        );
+    }
+
+    #[inline(always)]
+    fn load<V: Vectors>(&self, v: V, _: &Block<'_, C, X>, load: &[f64], forces: &mut Forces<C, M, X>) {
+        sticking(v, self, None, load, forces);
+    }
+
+    #[inline(always)]
+    fn squeeze<V: Vectors>(
+        &self,
+        v: V,
+        block: &Block<'_, C, X>,
+        others: Option<&Commands<'_, C, X>>,
+        forces: &mut Forces<C, M, X>,
+    ) {
+        let commands = others.copied().unwrap_or_else(|| block.commands());
+        sticking(v, self, Some(&commands), &[0.0; 6], forces);
+    }
 }
 
-/// Forces that a load alone brings about, the fingers at rest.
-#[inline(always)]
-pub(super) fn load<const D: usize, const C: usize, const N: usize, const L: usize>(
-    body: &RigidBody<D, C, N, L>,
-    load: &[Lanes<L>; D],
-) -> Forces<C, N, L> {
-    sticking(body, &Pulled { commands: None, load: body.carried(load), rounding: Lanes::all(ROUNDING) })
+/// Forces that the commands of the fingers alone bring about, or a load alone, the fingers at rest.
+#[inline(never)]
+fn sticking<V: Vectors, const D: usize, const C: usize, const M: usize, X: Number>(
+    v: V,
+    body: &RigidBody<D, C, M, X>,
+    commands: Option<&Commands<'_, C, X>>,
+    load: &[f64],
+    forces: &mut Forces<C, M, X>,
+) {
+    v.run(
+        #[inline(always)]
+        || stretch(body, commands, load, forces),
+    );
 }
 
 #[inline(always)]
-fn sticking<const D: usize, const C: usize, const N: usize, const L: usize>(
-    body: &RigidBody<D, C, N, L>,
-    pulled: &Pulled<D, C, N, L>,
-) -> Forces<C, N, L> {
-    let zero = Lanes::ZERO;
-    let mut contacts = [Force { normal: zero, tangential: [zero; C] }; N];
-    let (mut left, mut part) = (pulled.load, zero);
-    if let Some(commands) = &pulled.commands {
-        for i in 0..N {
-            let [normal, tangential] = body.fingers[i].springs;
-            contacts[i].normal = normal * commands[i].normal;
+fn stretch<const D: usize, const C: usize, const M: usize, X: Number>(
+    body: &RigidBody<D, C, M, X>,
+    commands: Option<&Commands<'_, C, X>>,
+    load: &[f64],
+    forces: &mut Forces<C, M, X>,
+) {
+    let zero = X::all(0.0);
+    let fingers = body.fingers();
+    let mut lanes = [zero; D];
+    for k in 0..D {
+        lanes[k] = X::all(load[k]);
+    }
+    let load = if commands.is_none() { body.carried(&lanes) } else { lanes };
+    let mut contacts = [Force { normal: zero, tangential: [zero; C] }; M];
+    for (i, (finger, force)) in fingers.iter().zip(&mut contacts).enumerate() {
+        if let Some(commands) = commands {
+            let [normal, tangential] = finger.springs;
+            force.normal = normal * commands.pressed[i];
             for axis in 0..C {
-                contacts[i].tangential[axis] = tangential * commands[i].tangential[axis];
+                force.tangential[axis] = tangential * commands.sheared[axis][i];
             }
         }
-        (left, part) = body.unbalanced(&contacts, &pulled.load);
     }
+    let (mut left, mut part) =
+        if commands.is_some() { body.unbalanced(&contacts, &load) } else { (load, zero) };
     let mut moved = [zero; D];
     for time in 0..=TIMES {
         let q = body.motion(&left);
         for k in 0..D {
             moved[k] += q[k];
         }
-        for i in 0..N {
-            let u = displacement(&body.arms[i], &q);
-            let less = stretched(&body.fingers[i], &u);
-            contacts[i].normal -= less.normal;
+        for (finger, force) in fingers.iter().zip(&mut contacts) {
+            let u = displacement(&finger.arm, &q);
+            let less = stretched(finger, &u);
+            force.normal -= less.normal;
             for axis in 0..C {
-                contacts[i].tangential[axis] -= less.tangential[axis];
+                force.tangential[axis] -= less.tangential[axis];
             }
         }
-        (left, part) = body.unbalanced(&contacts, &pulled.load);
-        let improvable = part.above(Lanes::all(IMPROVED), Lanes::all(1.0), zero);
-        if time == TIMES || improvable.0 == [0.0; L] {
+        (left, part) = body.unbalanced(&contacts, &load);
+        let improvable = part.above(X::all(IMPROVED), X::all(1.0), zero);
+        if time == TIMES || improvable.is_all(0.0) {
             break;
         }
         // Lanes that are good stay as they are, whatever stands beside them.
@@ -102,59 +127,60 @@ fn sticking<const D: usize, const C: usize, const N: usize, const L: usize>(
             *entry = improvable.above(zero, *entry, zero);
         }
     }
-    let mut forces = with_rounding(body, pulled, &contacts, &moved);
+    forces.of[..fingers.len()].copy_from_slice(&contacts[..fingers.len()]);
+    bound_rounding(body, commands, &load, &moved, forces);
     forces.unbalanced = part;
-    forces.free = part.above(Lanes::all(GIVES_WAY), body.free(), zero);
-    forces
+    forces.free = part.above(X::all(GIVES_WAY), body.free(), zero);
 }
 
-/// The forces with a bound of their rounding: a part of the force, and a part of the force that its
+/// Bounds the rounding of forces: a part of the force, and a part of the force that its
 /// spring would exert over the whole displacement that stretches and slackens it. The second is no
 /// larger than forces are at all: displacements that ought to cancel leave forces only between two
 /// contacts or more, so that the second stiffest of them sets the measure.
 #[inline(always)]
-fn with_rounding<const D: usize, const C: usize, const N: usize, const L: usize>(
-    body: &RigidBody<D, C, N, L>,
-    pulled: &Pulled<D, C, N, L>,
-    contacts: &[Force<C, L>; N],
-    moved: &[Lanes<L>; D],
-) -> Forces<C, N, L> {
-    let zero = Lanes::ZERO;
+fn bound_rounding<const D: usize, const C: usize, const M: usize, X: Number>(
+    body: &RigidBody<D, C, M, X>,
+    commands: Option<&Commands<'_, C, X>>,
+    load: &[X; D],
+    moved: &[X; D],
+    forces: &mut Forces<C, M, X>,
+) {
+    let zero = X::all(0.0);
+    let fingers = body.fingers();
     let (mut shift, mut turn, mut largest) = (zero, zero, zero);
     for k in 0..D {
         if k < C {
             shift += moved[k].abs();
-            largest += pulled.load[k].abs();
+            largest += load[k].abs();
         } else {
             turn += moved[k].abs();
         }
     }
     let span = shift + turn * body.reach;
-    let (mut sizes, mut stretched) = ([zero; N], [zero; N]);
+    let mut sizes = [zero; M];
     let (mut most, mut second) = (zero, zero);
-    let mut forces = Forces::none();
-    for i in 0..N {
-        let [normal, tangential] = body.fingers[i].springs;
-        stretched[i] = normal.max(tangential) * span;
-        if let Some(commands) = &pulled.commands {
-            stretched[i] += normal * commands[i].normal.abs();
+    for (i, finger) in fingers.iter().enumerate() {
+        let [normal, tangential] = finger.springs;
+        let mut stretched = normal.max(tangential) * span;
+        let force = &forces.of[i];
+        sizes[i] = force.normal.abs();
+        if let Some(commands) = commands {
+            stretched += normal * commands.pressed[i].abs();
         }
-        sizes[i] = contacts[i].normal.abs();
-        forces.normal[i] = contacts[i].normal;
         for axis in 0..C {
-            if let Some(commands) = &pulled.commands {
-                stretched[i] += tangential * commands[i].tangential[axis].abs();
+            if let Some(commands) = commands {
+                stretched += tangential * commands.sheared[axis][i].abs();
             }
-            sizes[i] += contacts[i].tangential[axis].abs();
-            forces.tangential[axis][i] = contacts[i].tangential[axis];
+            sizes[i] += force.tangential[axis].abs();
         }
         largest += sizes[i];
-        second = second.max(stretched[i].min(most));
-        most = most.max(stretched[i]);
+        second = second.max(stretched.min(most));
+        most = most.max(stretched);
+        forces.rounding[i] = stretched;
     }
     largest += second;
-    for i in 0..N {
-        forces.rounding[i] = pulled.rounding * (sizes[i] + largest.min(stretched[i]));
+    let rounding = X::all(if commands.is_some() { ON_THE_EDGE } else { ROUNDING });
+    for (rounded, size) in forces.rounding.iter_mut().zip(sizes).take(fingers.len()) {
+        *rounded = rounding * (size + largest.min(*rounded));
     }
-    forces
 }

@@ -17,66 +17,75 @@
 //! ```
 //!
 //! These are half the operations of [`super::balance`], and forces balance whatever λ is. What is
-//! small among large forces comes out better there: [`super::way`] says which way a grasp takes.
+//! small among large forces comes out better there: [`super::method`] says which way a grasp takes.
 
-use super::block::Block;
+use super::block::{Block, Commands};
 use super::factors::LaneFactors;
 use super::forces::{Forces, ON_THE_EDGE};
-use super::lanes::{Lanes, dot};
+use super::lanes::{Number, dot};
+use super::method::Method;
+use super::springs::Springs;
 use crate::contact::ZERO_SLACK as ROUNDING;
+use crate::numerics::Vectors;
 
 /// The two others of three contacts or edges: of an edge its tail and its head, of a contact the
 /// edge that ends there and the one that begins.
 #[inline(always)]
-pub(super) fn others<const N: usize>(i: usize) -> [usize; 2] {
+pub(super) fn others(i: usize) -> [usize; 2] {
     [(i + 1) % N, (i + 2) % N]
 }
 
-/// Three contacts and the edges between them: C and N are three.
+/// Contacts and edges of a triangle.
+pub(super) const N: usize = 3;
+
+/// Three contacts and the edges between them: C is three.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Triangle<const C: usize, const N: usize, const L: usize> {
-    pub(super) edge: [[Lanes<L>; C]; N],
-    pub(super) centre: [Lanes<L>; C],
+pub(super) struct Triangle<const C: usize, X: Number> {
+    pub(super) edge: [[X; C]; N],
+    pub(super) centre: [X; C],
     /// m and `|m|⁻²`.
-    across: [Lanes<L>; C],
-    pub(super) one_over_square: Lanes<L>,
+    across: [X; C],
+    pub(super) one_over_square: X,
     /// Entries along the normal of a contact of the edge that ends there and of the one that begins.
-    ends: [Lanes<L>; N],
-    begins: [Lanes<L>; N],
+    ends: [X; N],
+    begins: [X; N],
     /// How much the edges would have to give by the tangential compliances, under equal forces of
     /// one along an edge and under forces `P_i = e_i`.
-    pushed: [Lanes<L>; N],
-    turned: [Lanes<L>; N],
-    pub(super) factors: LaneFactors<N, L>,
+    pushed: [X; N],
+    turned: [X; N],
+    pub(super) factors: LaneFactors<N, X>,
 }
 
-impl<const C: usize, const N: usize, const L: usize> Triangle<C, N, L> {
+impl<const C: usize, X: Number> Triangle<C, X> {
     #[inline(always)]
-    pub(super) fn new(block: &Block<C, N, L>) -> Self {
-        let none = [Lanes::ZERO; N];
-        let (mut edge, mut centre) = ([[Lanes::ZERO; C]; N], [Lanes::ZERO; C]);
+    pub(super) fn ready(&mut self, block: &Block<'_, C, X>) {
+        let (points, normals) = (block.points(), block.normals());
+        let none = [X::all(0.0); N];
+        let (mut edge, mut centre) = ([[X::all(0.0); C]; N], [X::all(0.0); C]);
         for axis in 0..C {
-            let p = &block.point[axis];
+            let p = points[axis];
             for i in 0..N {
-                let [tail, head] = others::<N>(i);
+                let [tail, head] = others(i);
                 edge[i][axis] = p[head] - p[tail];
                 centre[axis] += p[i];
             }
-            centre[axis] = Lanes::all(1.0 / N as f64) * centre[axis];
+            centre[axis] = X::all(1.0 / N as f64) * centre[axis];
         }
         let across = cross(&edge[1], &edge[2 % N]);
-        let [c_n, c_t] = &block.springs;
+        let [c_n, c_t] = block.springs();
         let (mut ends, mut begins, mut corner) = (none, none, none);
         for i in 0..N {
-            let [j, k] = others::<N>(i);
-            let normal = block.normal_of(i);
+            let [j, k] = others(i);
+            let normal = normals.map(|row| row[i]);
             ends[i] = dot(&normal, &edge[j]);
             begins[i] = dot(&normal, &edge[k]);
             corner[i] = dot(&edge[j], &edge[k]);
         }
-        let (mut gives, mut pushed, mut turned) = ([none; N], none, none);
+        let mut factors = LaneFactors::none();
+        let gives = &mut factors.entries;
+        let (mut pushed, mut turned) = (none, none);
         for k in 0..N {
-            let [tail, head] = others::<N>(k);
+            let [tail, head] = others(k);
             // All three edges together lead nowhere.
             let square = -(corner[tail] + corner[head]);
             let [end, begin] =
@@ -87,33 +96,22 @@ impl<const C: usize, const N: usize, const L: usize> Triangle<C, N, L> {
             pushed[k] = c_t[head] - c_t[tail];
             turned[k] = c_t[head] * corner[tail] - c_t[tail] * corner[head];
         }
-        Self {
-            edge,
-            centre,
-            across,
-            one_over_square: Lanes::all(1.0) / dot(&across, &across),
-            ends,
-            begins,
-            pushed,
-            turned,
-            factors: LaneFactors::new(gives),
-        }
+        factors.factorize();
+        let one_over_square = X::all(1.0) / dot(&across, &across);
+        *self = Self { edge, centre, across, one_over_square, ends, begins, pushed, turned, factors };
     }
 
     /// Forces that a load alone brings about.
     #[inline(always)]
-    pub(super) fn load<const D: usize>(
-        &self,
-        block: &Block<C, N, L>,
-        load: &[Lanes<L>; D],
-    ) -> Forces<C, N, L> {
-        let mut force = [Lanes::ZERO; C];
+    fn loaded<const M: usize>(&self, block: &Block<'_, C, X>, load: &[f64], forces: &mut Forces<C, M, X>) {
+        let (normals, springs) = (block.normals(), block.springs());
+        let mut force = [X::all(0.0); C];
         let (mut moment, mut share) = (force, force);
-        let (mut force_size, mut moment_size) = (Lanes::ZERO, Lanes::ZERO);
+        let (mut force_size, mut moment_size) = (X::all(0.0), X::all(0.0));
         for axis in 0..C {
-            force[axis] = load[axis];
-            share[axis] = Lanes::all(-1.0 / N as f64) * force[axis];
-            moment[axis] = load[(C + axis) % D];
+            force[axis] = X::all(load[axis]);
+            share[axis] = X::all(-1.0 / N as f64) * force[axis];
+            moment[axis] = X::all(load[C + axis]);
             force_size += force[axis].abs();
             moment_size += moment[axis].abs();
         }
@@ -121,16 +119,16 @@ impl<const C: usize, const N: usize, const L: usize> Triangle<C, N, L> {
         for axis in 0..C {
             moment[axis] = self.one_over_square * (moment[axis] - about_origin[axis]);
         }
-        let twist = Lanes::all(0.5) * dot(&self.across, &moment);
+        let twist = X::all(0.5) * dot(&self.across, &moment);
         let mut borne = [share; N];
-        let (mut pressed, mut shrunk) = ([Lanes::ZERO; N], [Lanes::ZERO; N]);
+        let (mut pressed, mut shrunk) = ([X::all(0.0); N], [X::all(0.0); N]);
         for i in 0..N {
             let lift = dot(&self.edge[i], &moment);
             for axis in 0..C {
                 borne[i][axis] += twist * self.edge[i][axis] - lift * self.across[axis];
             }
-            pressed[i] = dot(&block.normal_of(i), &borne[i]);
-            shrunk[i] = (block.springs[0][i] - block.springs[1][i]) * pressed[i];
+            pressed[i] = dot(&normals.map(|row| row[i]), &borne[i]);
+            shrunk[i] = (springs[0][i] - springs[1][i]) * pressed[i];
         }
         let mut taken = self.along_normals(&shrunk);
         for k in 0..N {
@@ -138,64 +136,52 @@ impl<const C: usize, const N: usize, const L: usize> Triangle<C, N, L> {
             taken[k] = -(taken[k] + across);
         }
         let lambda = self.factors.solve(&taken);
-        let size = block.sizes.moment * moment_size + block.sizes.force * force_size;
-        self.forces(block, &lambda, Some((&borne, &pressed)), Lanes::all(ROUNDING) * size)
-    }
-
-    /// Forces that the commands of the fingers alone bring about.
-    #[inline(always)]
-    pub(super) fn squeeze(&self, block: &Block<C, N, L>) -> Forces<C, N, L> {
-        self.squeezed(block, (&block.pressed, &block.sheared), block.sizes.commands)
-    }
-
-    /// The same of other commands than those of the block.
-    #[inline(always)]
-    pub(super) fn squeeze_by(
-        &self,
-        block: &Block<C, N, L>,
-        (pressed, sheared): (&[Lanes<L>; N], &[[Lanes<L>; N]; C]),
-    ) -> Forces<C, N, L> {
-        self.squeezed(block, (pressed, sheared), self.size_of(pressed, sheared))
+        let sizes = block.sizes();
+        let size = sizes.moment * moment_size + sizes.force * force_size;
+        self.forces(block, &lambda, Some((&borne, &pressed)), X::all(ROUNDING) * size, forces);
     }
 
     /// What the rounding of forces by commands is measured against.
     #[inline(always)]
-    pub(super) fn size_of(&self, pressed: &[Lanes<L>; N], sheared: &[[Lanes<L>; N]; C]) -> Lanes<L> {
-        let (mut stiffness, mut commands) = (Lanes::ZERO, Lanes::ZERO);
+    pub(super) fn size_of(&self, asked: &Commands<'_, C, X>) -> X {
+        let (mut stiffness, mut commands) = (X::all(0.0), X::all(0.0));
         for i in 0..N {
             stiffness += dot(&self.edge[i], &self.edge[i]) * self.factors.one_over_pivot(i);
-            commands += pressed[i].abs();
+            commands += asked.pressed[i].abs();
             for axis in 0..C {
-                commands += sheared[axis][i].abs();
+                commands += asked.sheared[axis][i].abs();
             }
         }
         stiffness * commands
     }
 
+    /// Forces that the commands of the fingers alone bring about, or others.
     #[inline(always)]
-    fn squeezed(
+    fn squeezed<const M: usize>(
         &self,
-        block: &Block<C, N, L>,
-        (pressed, sheared): (&[Lanes<L>; N], &[[Lanes<L>; N]; C]),
-        size: Lanes<L>,
-    ) -> Forces<C, N, L> {
+        block: &Block<'_, C, X>,
+        others: Option<&Commands<'_, C, X>>,
+        forces: &mut Forces<C, M, X>,
+    ) {
+        let size = others.map_or_else(|| block.sizes().commands, |others| self.size_of(others));
+        let Commands { pressed, sheared } = others.copied().unwrap_or_else(|| block.commands());
         let mut taken = self.along_normals(pressed);
         for k in 0..N {
-            let [tail, head] = others::<N>(k);
+            let [tail, head] = self::others(k);
             for axis in 0..C {
                 taken[k] += self.edge[k][axis] * (sheared[axis][head] - sheared[axis][tail]);
             }
         }
         let lambda = self.factors.solve(&taken);
-        self.forces(block, &lambda, None, Lanes::all(ON_THE_EDGE) * size)
+        self.forces(block, &lambda, None, X::all(ON_THE_EDGE) * size, forces);
     }
 
     /// What the edges would have to give if contacts went so far along their normals.
     #[inline(always)]
-    fn along_normals(&self, way: &[Lanes<L>; N]) -> [Lanes<L>; N] {
-        let mut given = [Lanes::ZERO; N];
+    fn along_normals(&self, way: &[X]) -> [X; N] {
+        let mut given = [X::all(0.0); N];
         for k in 0..N {
-            let [tail, head] = others::<N>(k);
+            let [tail, head] = others(k);
             given[k] = way[head] * self.ends[head] - way[tail] * self.begins[tail];
         }
         given
@@ -203,14 +189,16 @@ impl<const C: usize, const N: usize, const L: usize> Triangle<C, N, L> {
 
     /// Forces that the contacts bear, with their normal parts, and those along the edges.
     #[inline(always)]
-    fn forces(
+    fn forces<const M: usize>(
         &self,
-        block: &Block<C, N, L>,
-        lambda: &[Lanes<L>; N],
-        borne: Option<(&[[Lanes<L>; C]; N], &[Lanes<L>; N])>,
-        rounding: Lanes<L>,
-    ) -> Forces<C, N, L> {
-        let mut forces = Forces::none();
+        block: &Block<'_, C, X>,
+        lambda: &[X; N],
+        borne: Option<(&[[X; C]; N], &[X; N])>,
+        rounding: X,
+        forces: &mut Forces<C, M, X>,
+    ) {
+        let normals = block.normals();
+        (forces.unbalanced, forces.free) = (X::all(0.0), X::all(0.0));
         let mut stretched = self.edge;
         for k in 0..N {
             for axis in 0..C {
@@ -218,7 +206,7 @@ impl<const C: usize, const N: usize, const L: usize> Triangle<C, N, L> {
             }
         }
         for i in 0..N {
-            let [j, k] = others::<N>(i);
+            let [j, k] = others(i);
             let mut normal = lambda[j] * self.ends[i] - lambda[k] * self.begins[i];
             let mut force = stretched[j];
             for axis in 0..C {
@@ -231,22 +219,71 @@ impl<const C: usize, const N: usize, const L: usize> Triangle<C, N, L> {
                 }
             }
             for axis in 0..C {
-                forces.tangential[axis][i] = force[axis] - block.normal[axis][i] * normal;
+                forces.of[i].tangential[axis] = force[axis] - normals[axis][i] * normal;
             }
-            forces.normal[i] = normal;
+            forces.of[i].normal = normal;
             forces.rounding[i] = rounding;
             // Comparisons pass over what is not a number.
-            forces.unbalanced += Lanes::ZERO * normal;
+            forces.unbalanced += X::all(0.0) * normal;
         }
-        forces
+    }
+}
+
+impl<const C: usize, const M: usize, X: Number> Springs<C, M, X> for Triangle<C, X> {
+    const METHOD: Method = Method::Edges;
+    const CONTACTS: Option<usize> = None;
+
+    fn none() -> Self {
+        let (none, zero) = ([X::all(0.0); N], X::all(0.0));
+        Self {
+            edge: [[zero; C]; N],
+            centre: [zero; C],
+            across: [zero; C],
+            one_over_square: zero,
+            ends: none,
+            begins: none,
+            pushed: none,
+            turned: none,
+            factors: LaneFactors::none(),
+        }
+    }
+
+    #[inline(never)]
+    fn prepare<V: Vectors>(&mut self, v: V, block: &Block<'_, C, X>) {
+        v.run(
+            #[inline(always)]
+            || self.ready(block),
+        );
+    }
+
+    #[inline(never)]
+    fn load<V: Vectors>(&self, v: V, block: &Block<'_, C, X>, load: &[f64], forces: &mut Forces<C, M, X>) {
+        v.run(
+            #[inline(always)]
+            || self.loaded(block, load, forces),
+        );
+    }
+
+    #[inline(never)]
+    fn squeeze<V: Vectors>(
+        &self,
+        v: V,
+        block: &Block<'_, C, X>,
+        others: Option<&Commands<'_, C, X>>,
+        forces: &mut Forces<C, M, X>,
+    ) {
+        v.run(
+            #[inline(always)]
+            || self.squeezed(block, others, forces),
+        );
     }
 }
 
 #[inline(always)]
-fn cross<const C: usize, const L: usize>(a: &[Lanes<L>; C], b: &[Lanes<L>; C]) -> [Lanes<L>; C] {
+fn cross<const C: usize, X: Number>(a: &[X; C], b: &[X; C]) -> [X; C] {
     let mut product = *a;
     for axis in 0..C {
-        let [next, last] = others::<C>(axis);
+        let [next, last] = others(axis);
         product[axis] = a[next] * b[last] - a[last] * b[next];
     }
     product

@@ -18,11 +18,12 @@
 use nalgebra::SVector;
 
 use super::arccotangent::angle_of;
+use super::block::count;
 use super::cone::{LEAST, MOST, StickingCone};
 use super::first_exit::SHARP;
 use super::first_slip::UNCLEAR;
 use super::forces::{Forces, ON_THE_EDGE};
-use super::lanes::{Lanes, dot};
+use super::lanes::{Number, dot};
 use super::screened::ScreenedTurn;
 use super::verdict::{Start, TOGETHER, verdicts};
 use crate::contact::ZERO_SLACK as ROUNDING;
@@ -37,34 +38,34 @@ const POLISHING_STEPS: usize = 2;
 const SQUARED: f64 = 16.0 * f64::EPSILON;
 
 /// Where a margin first falls below zero.
-struct Fall<const L: usize> {
+struct Fall<X: Number> {
     /// cot(θ/2): the larger, the sooner; minus infinity if it does not fall.
-    cotangent: Lanes<L>,
+    cotangent: X,
     /// How far the angle may be off.
-    off: Lanes<L>,
+    off: X,
     /// Positive unless this is clear.
-    doubt: Lanes<L>,
+    doubt: X,
 }
 
-impl<const L: usize> Fall<L> {
+impl<X: Number> Fall<X> {
     /// With a root there, at which the margin falls by `slope` a radian, less from radian to radian by
     /// `bend` at most.
     #[inline(always)]
-    fn at(cotangent: Lanes<L>, slope: Lanes<L>, bend: Lanes<L>, noise: Lanes<L>) -> Self {
-        let (zero, one) = (Lanes::ZERO, Lanes::all(1.0));
-        let deep = (slope * slope).above(Lanes::all(2.0 * DEPTH) * noise * bend, zero, one);
-        let sharp = slope.above(Lanes::all(SHARP) * noise * cotangent, zero, one);
+    fn at(cotangent: X, slope: X, bend: X, noise: X) -> Self {
+        let (zero, one) = (X::all(0.0), X::all(1.0));
+        let deep = (slope * slope).above(X::all(2.0 * DEPTH) * noise * bend, zero, one);
+        let sharp = slope.above(X::all(SHARP) * noise * cotangent, zero, one);
         Self { cotangent, off: noise / slope, doubt: deep + sharp }
     }
 
     /// This one, but none where `size` is larger than `bound`.
     #[inline(always)]
-    fn unless(self, size: Lanes<L>, bound: Lanes<L>) -> Self {
-        let never = Lanes::all(f64::NEG_INFINITY);
+    fn unless(self, size: X, bound: X) -> Self {
+        let never = X::all(f64::NEG_INFINITY);
         Self {
             cotangent: size.above(bound, never, self.cotangent),
-            off: size.above(bound, Lanes::ZERO, self.off),
-            doubt: size.above(bound, Lanes::ZERO, self.doubt),
+            off: size.above(bound, X::all(0.0), self.off),
+            doubt: size.above(bound, X::all(0.0), self.doubt),
         }
     }
 
@@ -80,32 +81,32 @@ impl<const L: usize> Fall<L> {
 }
 
 /// How n and t of one contact turn, and what of the margin may be rounding.
-struct Waves<const C: usize, const L: usize> {
-    n: Harmonic<Lanes<L>>,
-    t: Harmonic<[Lanes<L>; C]>,
-    noise: Lanes<L>,
+struct Waves<const C: usize, X: Number> {
+    n: Harmonic<X>,
+    t: Harmonic<[X; C]>,
+    noise: X,
 }
 
-impl<const C: usize, const L: usize> Waves<C, L> {
+impl<const C: usize, X: Number> Waves<C, X> {
     #[inline(always)]
-    fn new<const N: usize>(
-        cone: &StickingCone<L>,
+    fn new<const M: usize>(
+        cone: &StickingCone<X>,
         contact: usize,
-        forces: &Harmonic<Forces<C, N, L>>,
+        forces: &Harmonic<&Forces<C, M, X>>,
     ) -> Self {
         let Harmonic { constant, cosine, sine } = forces;
-        let standing = Lanes::all(ROUNDING / ON_THE_EDGE) * constant.rounding[contact];
+        let standing = X::all(ROUNDING / ON_THE_EDGE) * constant.rounding[contact];
         let rounding = standing + (cosine.rounding[contact] + sine.rounding[contact]);
         Self {
-            n: forces.map(|part| cone.alpha * part.normal[contact]),
-            t: forces.map(|part| cone.friction(part, contact)),
+            n: forces.map(|part| cone.alpha * part.of[contact].normal),
+            t: forces.map(|part| cone.friction(&part.of[contact])),
             noise: (cone.alpha + cone.beta) * rounding,
         }
     }
 
     /// n and t where the cosine and the sine of the angle are these, with their rates.
     #[inline(always)]
-    fn at(&self, cos: Lanes<L>, sin: Lanes<L>) -> [(Lanes<L>, [Lanes<L>; C]); 2] {
+    fn at(&self, cos: X, sin: X) -> [(X, [X; C]); 2] {
         let Harmonic { constant, cosine, sine } = &self.t;
         let (mut t, mut rate) = (*constant, *constant);
         for axis in 0..C {
@@ -118,7 +119,7 @@ impl<const C: usize, const L: usize> Waves<C, L> {
 
     /// The margin at the beginning.
     #[inline(always)]
-    fn margin(&self) -> Lanes<L> {
+    fn margin(&self) -> X {
         let n = self.n.constant + self.n.cosine;
         let mut t = self.t.constant;
         for axis in 0..C {
@@ -129,11 +130,11 @@ impl<const C: usize, const L: usize> Waves<C, L> {
 
     /// Where the margin falls below zero.
     #[inline(always)]
-    fn fall(&self, cone: &StickingCone<L>, sticking: Lanes<L>) -> Fall<L> {
+    fn fall(&self, cone: &StickingCone<X>, sticking: X) -> Fall<X> {
         if C == 2 {
             let t = self.t.map(|t| t[0]);
             let side = |sign: f64| {
-                let part = |n: Lanes<L>, t: Lanes<L>| n + Lanes::all(sign) * t;
+                let part = |n: X, t: X| n + X::all(sign) * t;
                 let [constant, cosine, sine] =
                     [(self.n.constant, t.constant), (self.n.cosine, t.cosine), (self.n.sine, t.sine)]
                         .map(|(n, t)| part(n, t));
@@ -143,7 +144,7 @@ impl<const C: usize, const L: usize> Waves<C, L> {
         }
         let round = self.round_fall(cone, sticking);
         let straight = straight(&self.n, self.noise);
-        let choose = |round, straight| cone.beta.above(Lanes::ZERO, round, straight);
+        let choose = |round, straight| cone.beta.above(X::all(0.0), round, straight);
         Fall {
             cotangent: choose(round.cotangent, straight.cotangent),
             off: choose(round.off, straight.off),
@@ -153,49 +154,50 @@ impl<const C: usize, const L: usize> Waves<C, L> {
 
     /// The same of a round cone with friction, where the scenes stick at the beginning.
     #[inline(always)]
-    fn round_fall(&self, cone: &StickingCone<L>, sticking: Lanes<L>) -> Fall<L> {
-        let zero = Lanes::ZERO;
+    fn round_fall(&self, cone: &StickingCone<X>, sticking: X) -> Fall<X> {
+        let zero = X::all(0.0);
         let [t0, tc, ts] = [&self.t.constant, &self.t.cosine, &self.t.sine];
         let swing = (self.n.cosine * self.n.cosine + self.n.sine * self.n.sine).sqrt();
         // The longest half axis of the ellipse of friction.
         let (c, s) = (dot(tc, tc), dot(ts, ts));
-        let (less, twice) = (c - s, Lanes::all(2.0) * dot(tc, ts));
-        let half = Lanes::all(0.5) * (c + s + (less * less + twice * twice).sqrt());
+        let (less, twice) = (c - s, X::all(2.0) * dot(tc, ts));
+        let half = X::all(0.5) * (c + s + (less * less + twice * twice).sqrt());
         let (standing, turning) = (dot(t0, t0).sqrt(), half.sqrt());
         let least = self.n.constant - swing - (standing + turning);
         let size = self.n.constant.abs() + swing + (standing + turning);
-        let mut found = Lanes::all(f64::NEG_INFINITY);
-        for lane in 0..L {
-            let cleared = least.0[lane] > self.noise.0[lane];
-            if sticking.0[lane] >= 0.0 && cone.beta.0[lane] > 0.0 && !cleared {
-                found.0[lane] = self.root_of_square(lane, size.0[lane]);
+        let found = X::of(X::each(|lane| {
+            let cleared = least.lane(lane) > self.noise.lane(lane);
+            if sticking.lane(lane) >= 0.0 && cone.beta.lane(lane) > 0.0 && !cleared {
+                self.root_of_square(lane, size.lane(lane))
+            } else {
+                f64::NEG_INFINITY
             }
-        }
-        if found.0 == [f64::NEG_INFINITY; L] {
+        }));
+        if found.is_all(f64::NEG_INFINITY) {
             return Fall { cotangent: found, off: zero, doubt: zero };
         }
         let bend = swing + turning;
         let (mut cotangent, mut slope, mut left) = (found, zero, zero);
         for step in 0..=POLISHING_STEPS {
-            let (u, one) = (cotangent, Lanes::all(1.0));
+            let (u, one) = (cotangent, X::all(1.0));
             let over = one / (u * u + one);
             let [(n, t), (dn, dt)] = self.at((u * u - one) * over, (u + u) * over);
             let friction = dot(&t, &t).sqrt();
             left = n - friction;
-            slope = dot(&t, &dt) / friction.max(Lanes::all(f64::MIN_POSITIVE)) - dn;
+            slope = dot(&t, &dt) / friction.max(X::all(f64::MIN_POSITIVE)) - dn;
             if step < POLISHING_STEPS {
-                cotangent -= Lanes::all(0.5) * (left / slope) * (u * u + one);
+                cotangent -= X::all(0.5) * (left / slope) * (u * u + one);
             }
         }
         let fall = Fall::at(cotangent, slope, bend, self.noise);
-        let off_the_root = self.noise.above(left.abs(), zero, Lanes::all(1.0));
-        Fall { doubt: fall.doubt + off_the_root, ..fall }.unless(-found, Lanes::all(f64::MAX))
+        let off_the_root = self.noise.above(left.abs(), zero, X::all(1.0));
+        Fall { doubt: fall.doubt + off_the_root, ..fall }.unless(-found, X::all(f64::MAX))
     }
 
     /// cot(θ/2) where `n² - |t|²` of one scene first falls to what may be rounding of it, minus infinity
     /// if it does not.
     fn root_of_square(&self, lane: usize, size: f64) -> f64 {
-        let of = |x: &Lanes<L>| x.0[lane] / size;
+        let of = |x: &X| x.lane(lane) / size;
         let number = self.n.map(of);
         let vector = self.t.map(|t| SVector::<f64, C>::from_fn(|axis, _| of(&t[axis])));
         let mut square = Turning { number, vector }.square();
@@ -205,26 +207,26 @@ impl<const C: usize, const L: usize> Waves<C, L> {
 
     /// Zero if squares of these forces keep their digits, else minus infinity.
     #[inline(always)]
-    fn lost(&self, cone: &StickingCone<L>) -> Lanes<L> {
-        let mut size = Lanes::ZERO;
+    fn lost(&self, cone: &StickingCone<X>) -> X {
+        let mut size = X::all(0.0);
         for (n, t) in self.n.parts().into_iter().zip(self.t.parts()) {
             size += n.abs();
             for axis in 0..C {
                 size += t[axis].abs();
             }
         }
-        let all = Lanes::all(f64::NEG_INFINITY);
-        let (square, zero) = (size * size, Lanes::ZERO);
-        let lost = square.above(Lanes::all(LEAST), square.above(Lanes::all(MOST), all, zero), all);
+        let all = X::all(f64::NEG_INFINITY);
+        let (square, zero) = (size * size, X::all(0.0));
+        let lost = square.above(X::all(LEAST), square.above(X::all(MOST), all, zero), all);
         cone.alpha.above(zero, lost, zero)
     }
 }
 
 /// Where `c + a cos θ + b sin θ`, positive at the beginning, falls below zero.
 #[inline(always)]
-fn straight<const L: usize>(margin: &Harmonic<Lanes<L>>, noise: Lanes<L>) -> Fall<L> {
+fn straight<X: Number>(margin: &Harmonic<X>, noise: X) -> Fall<X> {
     let Harmonic { constant: c, cosine: a, sine: b } = *margin;
-    let zero = Lanes::ZERO;
+    let zero = X::all(0.0);
     let swing = (a * a + b * b).sqrt();
     let root = ((swing - c) * (swing + c)).max(zero).sqrt();
     let u = b.above(zero, a - c, root - b) / b.above(zero, root + b, c + a);
@@ -234,43 +236,44 @@ fn straight<const L: usize>(margin: &Harmonic<Lanes<L>>, noise: Lanes<L>) -> Fal
 /// The verdicts on the scenes of a block, from how forces turn, up to an angle; infinite for a full
 /// turn.
 #[inline(always)]
-pub(super) fn judge<const C: usize, const N: usize, const L: usize>(
-    friction: &[Lanes<L>; N],
-    forces: &Harmonic<Forces<C, N, L>>,
+pub(super) fn judge<const C: usize, const M: usize, X: Number>(
+    friction: &[X],
+    forces: &Harmonic<&Forces<C, M, X>>,
     most: f64,
-) -> [ScreenedTurn; L] {
-    let (zero, one, infinite) = (Lanes::ZERO, Lanes::all(1.0), Lanes::all(f64::INFINITY));
+) -> X::Each<ScreenedTurn> {
+    let (zero, one, infinite) = (X::all(0.0), X::all(1.0), X::all(f64::INFINITY));
     let (mut margin, mut sure) = (infinite, infinite);
-    for i in 0..N {
+    let contacts = count::<M, X>(friction.len());
+    for i in 0..contacts {
         let cone = StickingCone::of(friction[i]);
         let waves = Waves::new(&cone, i, forces);
         let here = waves.margin();
         margin = margin.min(here);
         // What may be on the edge is judged as for a load that grows.
-        let rounding = Lanes::all(ON_THE_EDGE / ROUNDING) * waves.noise;
+        let rounding = X::all(ON_THE_EDGE / ROUNDING) * waves.noise;
         sure = sure.min(here - rounding + waves.lost(&cone));
     }
     let mut first = Fall { cotangent: -infinite, off: zero, doubt: zero };
-    let mut cotangents = [zero; N];
-    for i in 0..N {
+    let mut cotangents = [zero; M];
+    for i in 0..contacts {
         let cone = StickingCone::of(friction[i]);
-        let never = Lanes::all(f64::from_bits(1));
+        let never = X::all(f64::from_bits(1));
         let fall = Waves::new(&cone, i, forces).fall(&cone, sure).unless(never, cone.alpha);
         cotangents[i] = fall.cotangent;
         first = fall.or(&first);
     }
     let u = first.cotangent;
     let angle = angle_of(u);
-    let until = u - Lanes::all(0.5 * TOGETHER) * angle * (u * u + one);
+    let until = u - X::all(0.5 * TOGETHER) * angle * (u * u + one);
     let mut leaving = zero;
-    for i in 0..N {
-        leaving += until.above(cotangents[i], zero, Lanes::all(f64::from(1 << i)));
+    for i in 0..contacts {
+        leaving += until.above(cotangents[i], zero, X::all(f64::from(1 << i)));
     }
-    let (end, off) = (Lanes::all(most), first.off + Lanes::all(TOGETHER) * angle);
-    let within = end.above(angle + off, angle, Lanes::all(UNCLEAR));
+    let (end, off) = (X::all(most), first.off + X::all(TOGETHER) * angle);
+    let within = end.above(angle + off, angle, X::all(UNCLEAR));
     let within = (angle - off).above(end, infinite, within);
-    let code = u.above(Lanes::all(f64::MIN), within, infinite);
-    let code = first.doubt.above(zero, Lanes::all(UNCLEAR), code);
+    let code = u.above(X::all(f64::MIN), within, infinite);
+    let code = first.doubt.above(zero, X::all(UNCLEAR), code);
     let Harmonic { constant, cosine, sine } = forces;
     let start = Start { margin, sure, free: constant.free + cosine.free };
     let unbalanced = constant.unbalanced + cosine.unbalanced + sine.unbalanced;

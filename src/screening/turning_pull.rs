@@ -3,13 +3,16 @@
 use std::f64::consts::TAU;
 
 use super::first_slip::SlipCode;
-use super::question::{Scenes, ScreeningQuestion};
+use super::forces::Forces;
+use super::lanes::Number;
+use super::question::{Room, Scenes, ScreeningQuestion};
 use super::screened::ScreenedTurn;
+use super::springs::Springs;
 use super::turning::judge;
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::load_path::Turn;
-use crate::numerics::Harmonic;
+use crate::numerics::{Harmonic, Vectors};
 
 /// A load on a grasp in screening that turns: a [`Turn`], checked once.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,17 +38,36 @@ impl<const C: usize> TurningPull<C> {
     }
 }
 
-impl<const D: usize, const C: usize> ScreeningQuestion<D, C> for TurningPull<C> {
+impl<const C: usize> ScreeningQuestion<C> for TurningPull<C> {
     type Answer = ScreenedTurn;
     const UNKNOWN: ScreenedTurn = ScreenedTurn { first: SlipCode::UNKNOWN, most: 0.0 };
 
     #[inline(always)]
-    fn ask<const N: usize, const L: usize>(&self, scenes: Scenes<'_, D, C, N, L>) -> [ScreenedTurn; L] {
-        let forces = Harmonic {
-            constant: scenes.squeezed_under(&self.load.constant),
-            cosine: scenes.under(&self.load.cosine),
-            sine: scenes.under(&self.load.sine),
-        };
-        judge(&scenes.block.friction, &forces, self.most)
+    fn ask<V: Vectors, P: Springs<C, M, X>, const M: usize, X: Number>(
+        &self,
+        scenes: &Scenes<'_, V, P, C, M, X>,
+        [constant, cosine, sine]: Room<'_, C, M, X>,
+    ) -> X::Each<ScreenedTurn> {
+        scenes.squeezed_under(&self.load.constant, constant);
+        scenes.under(&self.load.cosine, cosine);
+        scenes.under(&self.load.sine, sine);
+        let forces = Harmonic { constant: &*constant, cosine: &*cosine, sine: &*sine };
+        if P::CONTACTS.is_some() {
+            return judge(scenes.block.friction(), &forces, self.most);
+        }
+        judge_apart(scenes.vectors, scenes.block.friction(), &forces, self.most)
     }
+}
+
+#[inline(never)]
+fn judge_apart<V: Vectors, const C: usize, const M: usize, X: Number>(
+    v: V,
+    friction: &[X],
+    forces: &Harmonic<&Forces<C, M, X>>,
+    most: f64,
+) -> X::Each<ScreenedTurn> {
+    v.run(
+        #[inline(always)]
+        || judge(friction, forces, most),
+    )
 }

@@ -1,7 +1,7 @@
 //! From what contacts do to the verdict on their grasp.
 
 use super::first_slip::{GIVES_WAY, NOT_STICKING, SlipCode, UNCLEAR};
-use super::lanes::Lanes;
+use super::lanes::Number;
 
 /// Contacts that leave at factors or angles less than this part apart leave together, as those of
 /// symmetric grasps do up to rounding.
@@ -11,43 +11,39 @@ pub(super) const TOGETHER: f64 = 1e-12;
 const BALANCED: f64 = 1e-12;
 
 /// How scenes begin.
-pub(super) struct Start<const L: usize> {
+pub(super) struct Start<X: Number> {
     /// The least margin of a contact to the edge of its cone, and the least one less its rounding.
-    pub(super) margin: Lanes<L>,
-    pub(super) sure: Lanes<L>,
+    pub(super) margin: X,
+    pub(super) sure: X,
     /// Positive if the load works on a motion that no contact resists.
-    pub(super) free: Lanes<L>,
+    pub(super) free: X,
 }
 
 /// The verdicts: the factor or angle at which contacts leave first, infinite or a code, holds if all
 /// of them stick at the beginning and forces balance.
 #[inline(always)]
-pub(super) fn verdicts<A: Copy, const L: usize>(
-    (first, leaving): (Lanes<L>, Lanes<L>),
-    &Start { margin, sure, free }: &Start<L>,
-    unbalanced: Lanes<L>,
-    freed: Lanes<L>,
+pub(super) fn verdicts<A: Copy, X: Number>(
+    (first, leaving): (X, X),
+    &Start { margin, sure, free }: &Start<X>,
+    unbalanced: X,
+    freed: X,
     answer: impl Fn(SlipCode) -> A,
-) -> [A; L] {
-    let zero = Lanes::ZERO;
+) -> X::Each<A> {
+    let zero = X::all(0.0);
     // Where there are no forces this is not a number; what never leaves has a margin of zero, as
     // exactly as it should.
-    let code = first + Lanes::ZERO * sure;
-    let code = (-sure).above(zero, Lanes::all(UNCLEAR), code);
-    let code = balanced(unbalanced, code, Lanes::all(UNCLEAR));
-    let code = freed.above(zero, Lanes::all(GIVES_WAY), code);
+    let code = first + X::all(0.0) * sure;
+    let code = (-sure).above(zero, X::all(UNCLEAR), code);
+    let code = balanced(unbalanced, code, X::all(UNCLEAR));
+    let code = freed.above(zero, X::all(GIVES_WAY), code);
     // What the smaller may be off is at most their difference.
-    let code = (sure - margin).above(margin, Lanes::all(NOT_STICKING), code);
-    let code = free.above(zero, Lanes::all(GIVES_WAY), code);
-    let mut verdicts = [answer(SlipCode::UNKNOWN); L];
-    for lane in 0..L {
-        verdicts[lane] = answer(SlipCode { code: code.0[lane], leaving: leaving.0[lane] });
-    }
-    verdicts
+    let code = (sure - margin).above(margin, X::all(NOT_STICKING), code);
+    let code = free.above(zero, X::all(GIVES_WAY), code);
+    X::each(|lane| answer(SlipCode { code: code.lane(lane), leaving: leaving.lane(lane) }))
 }
 
 /// A choice by whether forces balance the load.
 #[inline(always)]
-pub(super) fn balanced<const L: usize>(unbalanced: Lanes<L>, yes: Lanes<L>, no: Lanes<L>) -> Lanes<L> {
-    Lanes::all(BALANCED).above(unbalanced, yes, no)
+pub(super) fn balanced<X: Number>(unbalanced: X, yes: X, no: X) -> X {
+    X::all(BALANCED).above(unbalanced, yes, no)
 }

@@ -1,13 +1,6 @@
 //! Batches of small grasps screened on all cores.
 
-use crate::numerics::each_taken;
-use crate::screening::{
-    Batch, LoadCases, Part, Pull, Screened, ScreenedSqueeze, ScreenedTurn, ScreeningQuestion, TurningPull,
-};
-
-/// Blocks of scenes that one thread screens in one go. Blocks are four or eight scenes: far more
-/// work than handing it out, and small enough that every core gets some of a batch of ten thousand.
-const BLOCKS: usize = 256;
+use crate::screening::{Batch, LoadCases, Pull, Screened, ScreenedSqueeze, ScreenedTurn, TurningPull};
 
 /// When the first contact of each grasp of a batch stops sticking as each of the loads grows:
 /// [`Batch::onsets_into`] on all cores. The answers come grasp by grasp, for each in the order of
@@ -17,7 +10,7 @@ pub fn onsets_of_batch<const D: usize, const C: usize, const N: usize>(
     pulls: &[Pull<C>],
     answers: &mut Vec<Screened>,
 ) {
-    ask(batch, pulls, answers);
+    batch.onsets_on_all_cores(pulls, answers);
 }
 
 /// At which angle the first contact of each grasp of a batch stops sticking while each of the loads
@@ -27,7 +20,7 @@ pub fn turn_onsets_of_batch<const D: usize, const C: usize, const N: usize>(
     turns: &[TurningPull<C>],
     answers: &mut Vec<ScreenedTurn>,
 ) {
-    ask(batch, turns, answers);
+    batch.turn_onsets_on_all_cores(turns, answers);
 }
 
 /// The least factor of the commands with which each grasp of a batch holds every load of a list, for
@@ -38,14 +31,5 @@ pub fn least_squeezes_of_batch<const D: usize, const C: usize, const N: usize>(
     cases: &[LoadCases<C>],
     answers: &mut Vec<ScreenedSqueeze>,
 ) {
-    ask(batch, cases, answers);
-}
-
-fn ask<const D: usize, const C: usize, const N: usize, Q: ScreeningQuestion<D, C>>(
-    batch: &Batch<D, C, N>,
-    questions: &[Q],
-    answers: &mut Vec<Q::Answer>,
-) {
-    let parts = batch.parts(questions, BLOCKS, answers);
-    each_taken(parts, &Part::screen);
+    batch.least_squeezes_on_all_cores(cases, answers);
 }

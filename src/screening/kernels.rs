@@ -1,0 +1,63 @@
+//! What is compiled for screening: once for the plane and once for space, in this crate.
+//!
+//! Whoever links the library knows the number of axes and of contacts as parameters of types. Functions with such parameters would be compiled again
+//! by everyone who calls them, for minutes; so they are called by pointer.
+
+use std::any::Any;
+
+use super::block::MOST_CONTACTS as MOST;
+use super::load_cases::LoadCases;
+use super::one_grasp::OneGrasp;
+use super::part::{Part, screen};
+use super::pull::Pull;
+use super::question::ScreeningQuestion;
+use super::turning_pull::TurningPull;
+use crate::error::Error;
+use crate::grasp::{Contact, assert_plane_or_space};
+
+/// All that is asked in the plane, or in space.
+pub(super) struct Kernels<const D: usize, const C: usize, const N: usize> {
+    pub(super) prepare: fn(&[Contact<C>; N]) -> Result<OneGrasp<D, C, N>, Error>,
+    pub(super) pull: Kernel<D, C, N, Pull<C>>,
+    pub(super) turning_pull: Kernel<D, C, N, TurningPull<C>>,
+    pub(super) load_cases: Kernel<D, C, N, LoadCases<C>>,
+}
+
+/// One question, to one grasp and to many.
+pub(super) struct Kernel<const D: usize, const C: usize, const N: usize, Q: ScreeningQuestion<C>> {
+    pub(super) one: fn(&OneGrasp<D, C, N>, &Q) -> Q::Answer,
+    pub(super) many: fn(Part<'_, C, Q>),
+}
+
+type Each<const D: usize, const C: usize> =
+    (Kernels<D, C, 2>, Kernels<D, C, 3>, Kernels<D, C, 4>, Kernels<D, C, 5>);
+
+/// Batches of three contacts in the plane have kernels of their own, which are a quarter faster there; all others share them.
+static PLANE: Each<3, 2> =
+    (Kernels::new::<MOST>(), Kernels::new::<3>(), Kernels::new::<MOST>(), Kernels::new::<MOST>());
+static SPACE: Each<6, 3> =
+    (Kernels::new::<MOST>(), Kernels::new::<MOST>(), Kernels::new::<MOST>(), Kernels::new::<MOST>());
+
+impl<const D: usize, const C: usize, const N: usize> Kernels<D, C, N> {
+    const fn new<const M: usize>() -> Self {
+        let prepare = OneGrasp::new;
+        let (pull, turning_pull) = (Kernel::new::<M>(), Kernel::new::<M>());
+        Self { prepare, pull, turning_pull, load_cases: Kernel::new::<M>() }
+    }
+
+    /// Those of so many contacts in the plane, or in space.
+    #[inline]
+    pub(super) fn get() -> &'static Self {
+        const { assert_plane_or_space::<D, C>() };
+        const { assert!(2 <= N && N <= MOST, "screening is for two to five contacts") };
+        let all: [&'static dyn Any; 8] =
+            [&PLANE.0, &PLANE.1, &PLANE.2, &PLANE.3, &SPACE.0, &SPACE.1, &SPACE.2, &SPACE.3];
+        all.into_iter().find_map(|kernels| kernels.downcast_ref()).expect("one of them, as was asserted")
+    }
+}
+
+impl<const D: usize, const C: usize, const N: usize, Q: ScreeningQuestion<C>> Kernel<D, C, N, Q> {
+    const fn new<const M: usize>() -> Self {
+        Self { one: OneGrasp::ask, many: screen::<D, C, M, Q> }
+    }
+}

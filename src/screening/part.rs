@@ -1,0 +1,124 @@
+//! A part of a batch is screened on one thread.
+
+use super::balance::RigidBody;
+use super::block::{Block, Rows};
+use super::forces::Forces;
+use super::lanes::{LANES, Lanes};
+use super::method::{is_a_pair, is_a_triangle};
+use super::pair::Pair;
+use super::question::{Scenes, ScreeningQuestion};
+use super::springs::Springs;
+use super::triangle::Triangle;
+use crate::numerics::{Compiled, OnVectors, Vectors, on_the_widest};
+
+/// The scenes, what is asked of them, and the places for its answers.
+pub(super) struct Part<'a, const C: usize, Q: ScreeningQuestion<C>> {
+    pub(super) contacts: usize,
+    /// As [`Block`] has them, block after block.
+    pub(super) numbers: &'a [Lanes],
+    pub(super) parted: &'a [Lanes],
+    pub(super) questions: &'a [Q],
+    /// Scene by scene, for each in the order of the questions.
+    pub(super) answers: &'a mut [Q::Answer],
+}
+
+/// Answers the questions to a part, by motions with room for `M` contacts.
+pub(super) fn screen<const D: usize, const C: usize, const M: usize, Q: ScreeningQuestion<C>>(
+    part: Part<'_, C, Q>,
+) {
+    struct Here<'a, const D: usize, const C: usize, const M: usize, Q: ScreeningQuestion<C>>(Part<'a, C, Q>);
+    impl<const D: usize, const C: usize, const M: usize, Q: ScreeningQuestion<C>> OnVectors
+        for Here<'_, D, C, M, Q>
+    {
+        type Output = ();
+        fn on<V: Vectors>(self, vectors: V) {
+            self.0.screen_on::<V, D, M>(vectors);
+        }
+    }
+    on_the_widest(Here::<D, C, M, Q>(part));
+}
+
+impl<const C: usize, Q: ScreeningQuestion<C>> Part<'_, C, Q> {
+    #[inline(always)]
+    fn screen_on<V: Vectors, const D: usize, const M: usize>(self, vectors: V) {
+        let contacts = self.contacts;
+        let numbers = self.numbers.chunks_exact(Rows::<C>::numbers(contacts));
+        let blocks = numbers.zip(self.parted.chunks_exact(2 * contacts));
+        let blocks = blocks.map(|(numbers, parted)| Block::<C, Lanes> { contacts, numbers, parted });
+        let blocks = blocks.zip(self.answers.chunks_mut(LANES * self.questions.len()));
+        let questions = self.questions;
+        let mut edges = Answering::<_, Triangle<C, Lanes>, C, 3>::on(vectors);
+        let mut motions = Answering::<_, RigidBody<D, C, M, Lanes>, C, M>::on(vectors);
+        for (block, answers) in blocks {
+            if is_a_pair(&block) {
+                answer_pairs(vectors, &block, questions, answers);
+                continue;
+            }
+            if is_a_triangle(&block) {
+                edges.answer(&block, questions, answers);
+            }
+            motions.answer(&block, questions, answers);
+        }
+    }
+}
+
+/// All of the shortest method, in one function.
+#[inline(never)]
+fn answer_pairs<V: Vectors, const C: usize, Q: ScreeningQuestion<C>>(
+    vectors: V,
+    block: &Block<'_, C, Lanes>,
+    questions: &[Q],
+    answers: &mut [Q::Answer],
+) {
+    vectors.run(
+        #[inline(always)]
+        || {
+            let block = Block { contacts: 2, ..*block };
+            Answering::<_, Pair<Lanes>, C, 2>::on(Compiled).answer(&block, questions, answers);
+        },
+    );
+}
+
+/// What one method needs for a block of scenes.
+struct Answering<V, P, const C: usize, const M: usize> {
+    vectors: V,
+    ready: P,
+    squeezed: Forces<C, M, Lanes>,
+    room: [Forces<C, M, Lanes>; 3],
+}
+
+impl<V: Vectors, P: Springs<C, M, Lanes>, const C: usize, const M: usize> Answering<V, P, C, M> {
+    #[inline(always)]
+    fn on(vectors: V) -> Self {
+        Self { vectors, ready: P::none(), squeezed: Forces::none(), room: [Forces::none(); 3] }
+    }
+
+    /// Asks the scenes that go this way.
+    #[inline(always)]
+    fn answer<Q: ScreeningQuestion<C>>(
+        &mut self,
+        block: &Block<'_, C, Lanes>,
+        questions: &[Q],
+        answers: &mut [Q::Answer],
+    ) {
+        let these = P::METHOD.of(block);
+        if these == [false; LANES] {
+            return;
+        }
+        let Self { vectors, ready, squeezed, room } = self;
+        ready.prepare(*vectors, block);
+        ready.squeeze(*vectors, block, None, squeezed);
+        let scenes = Scenes { vectors: *vectors, block: *block, ready: &*ready, squeezed: &*squeezed };
+        for (k, question) in questions.iter().enumerate() {
+            let [a, b, c] = &mut *room;
+            let answered = question.ask(&scenes, [a, b, c]);
+            // A last block need not be full.
+            let of_grasps = answers.chunks_mut(questions.len()).zip(these);
+            for ((of_grasp, this), answer) in of_grasps.zip(answered) {
+                if this {
+                    of_grasp[k] = answer;
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,38 @@
+//! How forces answer loads and commands while every contact sticks.
+
+use super::block::{Block, Commands};
+use super::forces::Forces;
+use super::lanes::Number;
+use super::method::Method;
+use crate::numerics::Vectors;
+
+/// What is known of scenes before any load acts: a pair, a triangle, or the stiffness of the object.
+pub(super) trait Springs<const C: usize, const M: usize, X: Number>: Copy {
+    /// Nothing yet.
+    fn none() -> Self;
+    /// Which scenes go this way.
+    const METHOD: Method;
+    /// So many contacts exactly, if it is for no others: it is short then, and all that is asked is compiled as one function.
+    const CONTACTS: Option<usize>;
+
+    fn prepare<V: Vectors>(&mut self, vectors: V, block: &Block<'_, C, X>);
+
+    /// Forces that a load alone brings about, the fingers at rest: to those of the block's contacts.
+    fn load<V: Vectors>(
+        &self,
+        vectors: V,
+        block: &Block<'_, C, X>,
+        load: &[f64],
+        forces: &mut Forces<C, M, X>,
+    );
+
+    /// Forces that the commands of the fingers alone bring about, those of the block with its clearances, or
+    /// others.
+    fn squeeze<V: Vectors>(
+        &self,
+        vectors: V,
+        block: &Block<'_, C, X>,
+        others: Option<&Commands<'_, C, X>>,
+        forces: &mut Forces<C, M, X>,
+    );
+}
