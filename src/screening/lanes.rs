@@ -1,4 +1,7 @@
 //! One number of each of several scenes, side by side.
+//!
+//! With `simd` everything here is inlined wherever it is used: what is not is compiled for the vectors of every processor. Without, that would only cost time
+//! to compile.
 
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
@@ -41,7 +44,8 @@ pub(super) trait Number:
     fn above(self, bound: Self, yes: Self, no: Self) -> Self;
 
     /// Whether it is this one of every scene.
-    #[inline]
+    #[cfg_attr(not(feature = "simd"), inline)]
+    #[cfg_attr(feature = "simd", inline(always))]
     fn is_all(self, value: f64) -> bool {
         Self::each(|lane| self.lane(lane) == value).as_ref().iter().all(|&is| is)
     }
@@ -51,47 +55,56 @@ impl Number for f64 {
     type Each<T: Copy> = [T; 1];
     const ALONE: bool = true;
 
-    #[inline]
+    #[cfg_attr(not(feature = "simd"), inline)]
+    #[cfg_attr(feature = "simd", inline(always))]
     fn all(value: f64) -> Self {
         value
     }
 
-    #[inline]
+    #[cfg_attr(not(feature = "simd"), inline)]
+    #[cfg_attr(feature = "simd", inline(always))]
     fn each<T: Copy>(mut of: impl FnMut(usize) -> T) -> [T; 1] {
         [of(0)]
     }
 
-    #[inline]
+    #[cfg_attr(not(feature = "simd"), inline)]
+    #[cfg_attr(feature = "simd", inline(always))]
     fn of([number]: [f64; 1]) -> Self {
         number
     }
 
-    #[inline]
+    #[cfg_attr(not(feature = "simd"), inline)]
+    #[cfg_attr(feature = "simd", inline(always))]
     fn lane(self, _: usize) -> f64 {
         self
     }
 
-    #[inline]
+    #[cfg_attr(not(feature = "simd"), inline)]
+    #[cfg_attr(feature = "simd", inline(always))]
     fn abs(self) -> Self {
         self.abs()
     }
 
-    #[inline]
+    #[cfg_attr(not(feature = "simd"), inline)]
+    #[cfg_attr(feature = "simd", inline(always))]
     fn sqrt(self) -> Self {
         self.sqrt()
     }
 
-    #[inline]
+    #[cfg_attr(not(feature = "simd"), inline)]
+    #[cfg_attr(feature = "simd", inline(always))]
     fn max(self, other: Self) -> Self {
         if self > other { self } else { other }
     }
 
-    #[inline]
+    #[cfg_attr(not(feature = "simd"), inline)]
+    #[cfg_attr(feature = "simd", inline(always))]
     fn min(self, other: Self) -> Self {
         if self < other { self } else { other }
     }
 
-    #[inline]
+    #[cfg_attr(not(feature = "simd"), inline)]
+    #[cfg_attr(feature = "simd", inline(always))]
     fn above(self, bound: Self, yes: Self, no: Self) -> Self {
         if self > bound { yes } else { no }
     }
@@ -102,7 +115,8 @@ impl Number for f64 {
 pub(super) struct Lanes([f64; LANES]);
 
 impl Lanes {
-    #[inline]
+    #[cfg_attr(not(feature = "simd"), inline)]
+    #[cfg_attr(feature = "simd", inline(always))]
     fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
         let mut out = self;
         for (x, y) in out.0.iter_mut().zip(other.0) {
@@ -111,13 +125,15 @@ impl Lanes {
         out
     }
 
-    #[inline]
+    #[cfg_attr(not(feature = "simd"), inline)]
+    #[cfg_attr(feature = "simd", inline(always))]
     fn map(self, f: impl Fn(f64) -> f64) -> Self {
         self.zip(self, |x, _| f(x))
     }
 
     /// Gives a number to the scenes from this one on.
-    #[inline]
+    #[cfg_attr(not(feature = "simd"), inline)]
+    #[cfg_attr(feature = "simd", inline(always))]
     pub(super) fn fill(&mut self, from: usize, number: f64) {
         self.0[from..].fill(number);
     }
@@ -127,47 +143,56 @@ impl Number for Lanes {
     type Each<T: Copy> = [T; LANES];
     const ALONE: bool = false;
 
-    #[inline]
+    #[cfg_attr(not(feature = "simd"), inline)]
+    #[cfg_attr(feature = "simd", inline(always))]
     fn all(value: f64) -> Self {
         Self([value; LANES])
     }
 
-    #[inline]
+    #[cfg_attr(not(feature = "simd"), inline)]
+    #[cfg_attr(feature = "simd", inline(always))]
     fn each<T: Copy>(of: impl FnMut(usize) -> T) -> [T; LANES] {
         std::array::from_fn(of)
     }
 
-    #[inline]
+    #[cfg_attr(not(feature = "simd"), inline)]
+    #[cfg_attr(feature = "simd", inline(always))]
     fn of(numbers: [f64; LANES]) -> Self {
         Self(numbers)
     }
 
-    #[inline]
+    #[cfg_attr(not(feature = "simd"), inline)]
+    #[cfg_attr(feature = "simd", inline(always))]
     fn lane(self, lane: usize) -> f64 {
         self.0[lane]
     }
 
-    #[inline]
+    #[cfg_attr(not(feature = "simd"), inline)]
+    #[cfg_attr(feature = "simd", inline(always))]
     fn abs(self) -> Self {
         self.map(f64::abs)
     }
 
-    #[inline]
+    #[cfg_attr(not(feature = "simd"), inline)]
+    #[cfg_attr(feature = "simd", inline(always))]
     fn sqrt(self) -> Self {
         self.map(f64::sqrt)
     }
 
-    #[inline]
+    #[cfg_attr(not(feature = "simd"), inline)]
+    #[cfg_attr(feature = "simd", inline(always))]
     fn max(self, other: Self) -> Self {
         self.zip(other, |x, y| if x > y { x } else { y })
     }
 
-    #[inline]
+    #[cfg_attr(not(feature = "simd"), inline)]
+    #[cfg_attr(feature = "simd", inline(always))]
     fn min(self, other: Self) -> Self {
         self.zip(other, |x, y| if x < y { x } else { y })
     }
 
-    #[inline]
+    #[cfg_attr(not(feature = "simd"), inline)]
+    #[cfg_attr(feature = "simd", inline(always))]
     fn above(self, bound: Self, yes: Self, no: Self) -> Self {
         let mut out = self;
         for lane in 0..LANES {
@@ -181,7 +206,8 @@ macro_rules! lane_by_lane {
     ($operator:ident, $operate:ident, $symbol:tt) => {
         impl $operator for Lanes {
             type Output = Self;
-            #[inline]
+            #[cfg_attr(not(feature = "simd"), inline)]
+    #[cfg_attr(feature = "simd", inline(always))]
             fn $operate(self, other: Self) -> Self {
                 self.zip(other, |x, y| x $symbol y)
             }
@@ -192,7 +218,8 @@ macro_rules! lane_by_lane {
 macro_rules! in_place {
     ($operator:ident, $operate:ident, $symbol:tt) => {
         impl $operator for Lanes {
-            #[inline]
+            #[cfg_attr(not(feature = "simd"), inline)]
+    #[cfg_attr(feature = "simd", inline(always))]
             fn $operate(&mut self, other: Self) {
                 *self = *self $symbol other;
             }
@@ -207,7 +234,8 @@ lane_by_lane!(Div, div, /);
 
 impl Neg for Lanes {
     type Output = Self;
-    #[inline]
+    #[cfg_attr(not(feature = "simd"), inline)]
+    #[cfg_attr(feature = "simd", inline(always))]
     fn neg(self) -> Self {
         self.map(|x| -x)
     }
