@@ -1,12 +1,12 @@
 //! The proof that nothing holds near where a load was lost, attacked in space: from random motions within its radius Newton's method looks for one at which
 //! contact forces of any history balance the load.
+//!
+//! `HOLD_GRASPS=400 HOLD_ATTACKS=40 cargo test --test hold nothing_near_in_space -- --nocapture` attacks so many grasps so often, and prints what came of it.
 
 use grasp_lcp::spatial::{Contact, Grasp, SoftFingertip, Wrench};
 use nalgebra::{Matrix6, SMatrix, SVector, Vector2, Vector3, Vector6};
 use support::splitmix::Random;
 
-const GRASPS: usize = 40;
-const ATTACKS: usize = 6;
 /// Moments count as forces so far away, m.
 const ARM: f64 = 0.04;
 /// Forces are sought this often before the object moves on, and so often it does.
@@ -126,9 +126,11 @@ fn within(by: Vector6<f64>, centroid: &Vector3<f64>, reach: f64, angle: f64) -> 
 
 #[test]
 fn newton_finds_no_balance_within_the_radius() -> Result<(), grasp_lcp::Error> {
+    let asked = |name: &str| std::env::var(name).ok().and_then(|value| value.parse::<usize>().ok());
+    let (grasps, each) = (asked("HOLD_GRASPS").unwrap_or(40), asked("HOLD_ATTACKS").unwrap_or(6));
     let mut random = Random(5);
     let (mut proofs, mut attacks, mut closest) = ([0, 0], 0, f64::INFINITY);
-    for number in 0..GRASPS {
+    for number in 0..grasps {
         let rings = number % 2 == 1;
         let (grasp, load) = drawn(&mut random, rings)?;
         let verdict = grasp.hold(load)?;
@@ -140,7 +142,7 @@ fn newton_finds_no_balance_within_the_radius() -> Result<(), grasp_lcp::Error> {
         let (touches, w) = (touches(&grasp), load.to_vector());
         let at = state.twist.to_vector();
         let [reach, angle] = [near.translation.min(10.0), near.rotation.min(10.0)];
-        for _ in 0..ATTACKS {
+        for _ in 0..each {
             attacks += 1;
             let start = SVector::<f64, 6>::from_fn(|k, _| {
                 (2.0 * random.uniform() - 1.0) * if k < 3 { reach } else { angle }
@@ -156,7 +158,7 @@ fn newton_finds_no_balance_within_the_radius() -> Result<(), grasp_lcp::Error> {
             assert!(left > 1e-9, "{left} of the load is left at {by}");
         }
     }
-    assert!(proofs.iter().all(|count| *count >= GRASPS / 5), "{proofs:?} proofs");
+    assert!(proofs.iter().all(|count| *count >= grasps / 5), "{proofs:?} proofs");
     println!("{attacks} attacks on {proofs:?} proofs come as near as {closest}");
     // An attack that leaves half of the load everywhere would say nothing of the proof.
     assert!(closest < 0.5, "attacks come too little near: {closest}");

@@ -52,7 +52,7 @@ fn followed<const C: usize>(odd: &OddPath<C>, name: &str) {
             state.contacts.iter().fold(SVector::<f64, C>::zeros(), |sum, answer| sum + answer.force_world);
         let load = SVector::<f64, C>::from_column_slice(&state.load.components()[..C]);
         assert!(
-            (sum + load).norm() <= 1e-9 * largest,
+            (sum + load).norm() <= 1e-13 * largest,
             "{name}: {leg}, {fraction} is out of balance by {}",
             sum + load
         );
@@ -64,7 +64,7 @@ fn followed<const C: usize>(odd: &OddPath<C>, name: &str) {
                 answer.gap
             );
             let over = answer.friction_force() - contact.friction_coefficient() * normal;
-            assert!(over <= 1e-6 * largest, "{name}: {leg}, {fraction} is off its cone by {over}");
+            assert!(over <= 1e-10 * largest, "{name}: {leg}, {fraction} is off its cone by {over}");
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Squeezes that do lie in windows where a motor reaches its limit, while another finger still pushes the object away: known by hand.
 
-use grasp_lcp::need::{Amount, Need, Window};
+use grasp_lcp::need::{Amount, AmountWindow, Need};
 use grasp_lcp::planar::{Grasp, Wrench};
 use grasp_lcp::scene::{Scene, Space};
 
@@ -108,13 +108,13 @@ fn a_second_window_is_told_beside_the_first() -> Tested {
         };
         is(*does, 1.0, given);
         is(end.does, 3.0, given);
-        let [Window { from: Some(from), to: None, .. }] = elsewhere[..] else { panic!("{needed}") };
+        let [AmountWindow { from: Some(from), to: None, .. }] = elsewhere[..] else { panic!("{needed}") };
         is(from, 7.0, given);
     }
     let needed = grasp(10.0)?.need(&need)?;
     let Amount::Bound { does, until: None, elsewhere, .. } = &needed.amount else { panic!("{needed}") };
     is(*does, 7.0, 10.0);
-    let [Window { from: Some(from), to: Some(to), .. }] = elsewhere[..] else { panic!("{needed}") };
+    let [AmountWindow { from: Some(from), to: Some(to), .. }] = elsewhere[..] else { panic!("{needed}") };
     is(from, 1.0, 10.0);
     is(to, 3.0, 10.0);
     assert!(
