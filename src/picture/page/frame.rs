@@ -1,7 +1,8 @@
 //! What one of the buttons of a page shows.
 
+use crate::ask::Grasp;
 use crate::equilibrium::Equilibrium;
-use crate::grasp::{Motion, Wrench};
+use crate::grasp::{Contact, Motion, Wrench};
 use crate::picture::contact_look::STEEPEST;
 
 /// One of the answers between which the buttons choose.
@@ -25,6 +26,12 @@ impl<const C: usize> Frame<C> {
         Self { label, shown, says: Vec::new(), leaving: None, load: None, friction: None }
     }
 
+    /// An equilibrium of a grasp whose coefficients of friction need not be those of the page.
+    pub(super) fn of(label: String, grasp: &Grasp<C>, state: &Equilibrium<C>) -> Self {
+        let friction = grasp.contacts().iter().map(Contact::friction_coefficient).collect();
+        Self { friction: Some(friction), ..Self::new(label, Ok(Box::new(state.clone()))) }
+    }
+
     pub(super) fn state(&self) -> Option<&Equilibrium<C>> {
         self.shown.as_deref().ok()
     }
@@ -42,5 +49,12 @@ impl<const C: usize> Frame<C> {
     /// The slope of its cone, as it is drawn.
     pub(super) fn slope(&self, contact: usize, given: f64) -> f64 {
         self.friction(contact, given).min(STEEPEST)
+    }
+}
+
+/// Changes the answer given last, if there is one.
+pub(super) fn change_last<const C: usize>(frames: &mut [Frame<C>], change: impl FnOnce(&mut Frame<C>)) {
+    if let Some(frame) = frames.last_mut() {
+        change(frame);
     }
 }

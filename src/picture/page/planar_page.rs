@@ -2,10 +2,10 @@
 
 use std::fmt::Write;
 
-use super::frame::Frame;
+use super::frame::{Frame, change_last};
 use super::html::{ANSWERS, closed, opened, write_choice};
 use super::table;
-use crate::grasp::{Contact, Motion};
+use crate::grasp::Motion;
 use crate::picture::actuators::Actuators;
 use crate::picture::error::PictureError;
 use crate::picture::fingertip::{ContactGroup, fingertips};
@@ -63,9 +63,7 @@ impl PlanarPage {
     /// begin with.
     #[must_use]
     pub fn frame_of(mut self, label: impl Into<String>, grasp: &Grasp, state: &Equilibrium) -> Self {
-        let mut frame = Frame::new(label.into(), Ok(Box::new(state.clone())));
-        frame.friction = Some(grasp.contacts().iter().map(Contact::friction_coefficient).collect());
-        self.frames.push(frame);
+        self.frames.push(Frame::of(label.into(), grasp, state));
         self.grasps.push(grasp.clone());
         self
     }
@@ -81,27 +79,21 @@ impl PlanarPage {
     /// Says a sentence above the answer given last.
     #[must_use]
     pub fn says(mut self, sentence: impl Into<String>) -> Self {
-        if let Some(frame) = self.frames.last_mut() {
-            frame.says.push(sentence.into());
-        }
+        change_last(&mut self.frames, |frame| frame.says.push(sentence.into()));
         self
     }
 
     /// Draws the way the object takes from the answer given last, if there is one. Only the direction of the motion counts.
     #[must_use]
     pub fn maybe_leaving(mut self, motion: Option<&Motion<2>>) -> Self {
-        if let Some(frame) = self.frames.last_mut() {
-            frame.leaving = motion.cloned();
-        }
+        change_last(&mut self.frames, |frame| frame.leaving = motion.cloned());
         self
     }
 
     /// The load of the answer given last, to be drawn where it has no equilibrium.
     #[must_use]
     pub fn under(mut self, load: Wrench) -> Self {
-        if let Some(frame) = self.frames.last_mut() {
-            frame.load = Some(load);
-        }
+        change_last(&mut self.frames, |frame| frame.load = Some(load));
         self
     }
 

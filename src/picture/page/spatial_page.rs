@@ -1,10 +1,10 @@
 //! What a page shows: a grasp, lines on and beside the object, and answers.
 
-use super::frame::Frame;
+use super::frame::{Frame, change_last};
 use super::text::proof_in_words;
 use crate::grasp::Motion;
 use crate::picture::actuators::Actuators;
-use crate::spatial::{Contact, Equilibrium, Grasp, NoEquilibrium, Outcome, Wrench};
+use crate::spatial::{Equilibrium, Grasp, NoEquilibrium, Outcome, Wrench};
 
 /// A spatial grasp and one or more of its answers as a single HTML file that needs nothing else: no
 /// network, no installation ([`Self::to_html`]); or one of the answers from one side as an SVG, for
@@ -109,9 +109,7 @@ impl SpatialPage {
     /// needs](crate::ask::Grasp::with_amount).
     #[must_use]
     pub fn frame_of(mut self, label: impl Into<String>, grasp: &Grasp, state: &Equilibrium) -> Self {
-        let mut frame = Frame::new(label.into(), Ok(Box::new(state.clone())));
-        frame.friction = Some(grasp.contacts().iter().map(Contact::friction_coefficient).collect());
-        self.frames.push(frame);
+        self.frames.push(Frame::of(label.into(), grasp, state));
         self
     }
 
@@ -125,9 +123,7 @@ impl SpatialPage {
     /// Says a sentence beside the answer given last.
     #[must_use]
     pub fn says(mut self, sentence: impl Into<String>) -> Self {
-        if let Some(frame) = self.frames.last_mut() {
-            frame.says.push(sentence.into());
-        }
+        change_last(&mut self.frames, |frame| frame.says.push(sentence.into()));
         self
     }
 
@@ -135,18 +131,14 @@ impl SpatialPage {
     /// the motion counts.
     #[must_use]
     pub fn maybe_leaving(mut self, motion: Option<&Motion<3>>) -> Self {
-        if let Some(frame) = self.frames.last_mut() {
-            frame.leaving = motion.cloned();
-        }
+        change_last(&mut self.frames, |frame| frame.leaving = motion.cloned());
         self
     }
 
     /// The load of the answer given last, to be drawn where it has no equilibrium.
     #[must_use]
     pub fn under(mut self, load: Wrench) -> Self {
-        if let Some(frame) = self.frames.last_mut() {
-            frame.load = Some(load);
-        }
+        change_last(&mut self.frames, |frame| frame.load = Some(load));
         self
     }
 
