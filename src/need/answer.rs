@@ -77,7 +77,7 @@ pub enum Amount {
         until: Option<FarEnd>,
         /// Amounts apart from these that do, in order.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
-        elsewhere: Vec<Window>,
+        elsewhere: Vec<AmountWindow>,
         /// Of a squeeze: what each contact presses with at rest, N.
         presses: Vec<Press>,
         /// Of a squeeze: joints and tendons whose drives are at their limit at rest, so that they press no harder.
@@ -144,7 +144,7 @@ pub struct FarEnd {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
-pub struct Window {
+pub struct AmountWindow {
     /// The least of them.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub from: Option<f64>,
@@ -153,7 +153,7 @@ pub struct Window {
     pub to: Option<f64>,
 }
 
-impl Window {
+impl AmountWindow {
     pub(super) fn contains(&self, amount: f64) -> bool {
         self.from.is_none_or(|from| from <= amount) && self.to.is_none_or(|to| amount <= to)
     }

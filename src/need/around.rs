@@ -1,7 +1,7 @@
 //! What lies around a bound: whether amounts beyond it do throughout, and whether others do.
 
-use super::answer::Window;
-use super::search::{Edge, Tries};
+use super::answer::AmountWindow;
+use super::search::{Threshold, Tries};
 use super::trial::Trial;
 use crate::error::Error;
 
@@ -18,15 +18,15 @@ pub(super) struct Around {
     /// How often the verdict changes, the bound included.
     pub(super) changes: usize,
     /// Where the amounts from the bound on do no longer.
-    pub(super) until: Option<Edge>,
+    pub(super) until: Option<Threshold>,
     /// Amounts apart from them that do.
-    pub(super) elsewhere: Vec<Window>,
+    pub(super) elsewhere: Vec<AmountWindow>,
 }
 
 impl Around {
     /// Looks at so many amounts on both sides of a bound, and `far` beyond.
     pub(super) fn of(
-        bound: &Edge,
+        bound: &Threshold,
         scan: usize,
         is_least: bool,
         far: bool,
@@ -69,9 +69,9 @@ impl Around {
                 self.changes += 1;
                 if self.changes <= MOST_CHANGES {
                     let edge = if did {
-                        Edge { does: at, does_not: (amount, now.clone()) }
+                        Threshold { does: at, does_not: (amount, now.clone()) }
                     } else {
-                        Edge { does: amount, does_not: (at, trial) }
+                        Threshold { does: amount, does_not: (at, trial) }
                     };
                     let edge = edge.halved(tries)?;
                     match (did, is_bounds_own) {
@@ -91,10 +91,10 @@ impl Around {
     }
 }
 
-fn between(near: f64, far: Option<f64>, up: bool) -> Window {
-    if up { Window { from: Some(near), to: far } } else { Window { from: far, to: Some(near) } }
+fn between(near: f64, far: Option<f64>, up: bool) -> AmountWindow {
+    if up { AmountWindow { from: Some(near), to: far } } else { AmountWindow { from: far, to: Some(near) } }
 }
 
-fn low(window: &Window) -> f64 {
+fn low(window: &AmountWindow) -> f64 {
     window.from.unwrap_or(0.0)
 }

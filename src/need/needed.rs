@@ -3,7 +3,7 @@
 use super::answer::{Amount, FarEnd, Needed, Press, Quantity, check_part};
 use super::around::Around;
 use super::question::{Need, Sought};
-use super::search::{Edge, Found, search};
+use super::search::{Searched, Threshold, search};
 use super::trial::{Trial, is_far, try_amount};
 use crate::ask::Grasp;
 use crate::equilibrium::{DriveState, Outcome};
@@ -121,9 +121,9 @@ fn amount<const C: usize>(grasp: &Grasp<C>, need: &Need<C>, less: [f64; 2]) -> R
         Sought::Angle { .. } | Sought::Load { .. } => false,
     };
     let bound = match search(&tries, start, is_least, everywhere)? {
-        Found::Edge(edge) => edge.halved(&tries)?,
-        Found::All(to) => return Ok(Amount::Any { to }),
-        Found::Nothing(vain) => return Ok(nothing_does(vain)),
+        Searched::Threshold(edge) => edge.halved(&tries)?,
+        Searched::All(to) => return Ok(Amount::Any { to }),
+        Searched::Nothing(vain) => return Ok(nothing_does(vain)),
     };
     let (does, does_not) = (bound.does, bound.does_not.0);
     let otherwise = match &bound.does_not.1 {
@@ -134,8 +134,8 @@ fn amount<const C: usize>(grasp: &Grasp<C>, need: &Need<C>, less: [f64; 2]) -> R
     let is_squeeze = matches!(need.sought, Sought::Squeeze { .. });
     let at_rest = |does: f64| if is_squeeze { presses(grasp, does) } else { Ok(Default::default()) };
     let Around { changes, until, elsewhere } = Around::of(&bound, need.scan, is_least, is_squeeze, &tries)?;
-    let far_end = |edge: Edge| {
-        let Edge { does, does_not: (does_not, trial) } = edge;
+    let far_end = |edge: Threshold| {
+        let Threshold { does, does_not: (does_not, trial) } = edge;
         let (Trial::DoesNot { says: otherwise, .. } | Trial::Unknown(otherwise)) = trial else {
             return Ok::<_, Error>(None);
         };

@@ -17,15 +17,15 @@ pub(super) type Tries<'t> = &'t dyn Fn(f64) -> Result<Trial, Error>;
 
 /// An amount that does, and one beside it that does not, with what happens then.
 #[derive(Debug)]
-pub(super) struct Edge {
+pub(super) struct Threshold {
     pub(super) does: f64,
     pub(super) does_not: (f64, Trial),
 }
 
 /// What a search has found.
 #[derive(Debug)]
-pub(super) enum Found {
-    Edge(Edge),
+pub(super) enum Searched {
+    Threshold(Threshold),
     /// All amounts do, as far as this one.
     All(f64),
     /// None of these does; what was given comes first.
@@ -34,7 +34,12 @@ pub(super) enum Found {
 
 /// From a start that does towards less of it, from one that does not towards more. Where no more of it does, either, some do perhaps on the other side,
 /// or between two of them: asked for with `everywhere`.
-pub(super) fn search(tries: Tries<'_>, start: f64, is_least: bool, everywhere: bool) -> Result<Found, Error> {
+pub(super) fn search(
+    tries: Tries<'_>,
+    start: f64,
+    is_least: bool,
+    everywhere: bool,
+) -> Result<Searched, Error> {
     let (more, less) = if is_least { (2.0, 0.5) } else { (0.5, 2.0) };
     let first = tries(start)?;
     if first == Trial::Does {
@@ -42,7 +47,9 @@ pub(super) fn search(tries: Tries<'_>, start: f64, is_least: bool, everywhere: b
     }
     let mut vain = vec![(start, first)];
     if let Some(does) = walk(tries, start, more, &mut vain)? {
-        return Ok(vain.pop().map_or(Found::All(does), |does_not| Found::Edge(Edge { does, does_not })));
+        return Ok(vain
+            .pop()
+            .map_or(Searched::All(does), |does_not| Searched::Threshold(Threshold { does, does_not })));
     }
     if everywhere {
         if let Some(does) = walk(tries, start, less, &mut vain)? {
@@ -50,10 +57,10 @@ pub(super) fn search(tries: Tries<'_>, start: f64, is_least: bool, everywhere: b
         }
         if let Some((does, [low, high])) = refined(tries, &mut vain)? {
             let beside = if is_least { low } else { high };
-            return Ok(Found::Edge(Edge { does, does_not: (beside, tries(beside)?) }));
+            return Ok(Searched::Threshold(Threshold { does, does_not: (beside, tries(beside)?) }));
         }
     }
-    Ok(Found::Nothing(vain))
+    Ok(Searched::Nothing(vain))
 }
 
 /// The first amount that does, so many times larger from one to the next; those that do not are put down.
@@ -75,15 +82,15 @@ fn walk(
 }
 
 /// Where an amount that does ends to do, so many times larger from one to the next.
-fn edge_from(tries: Tries<'_>, start: f64, factor: f64) -> Result<Found, Error> {
+fn edge_from(tries: Tries<'_>, start: f64, factor: f64) -> Result<Searched, Error> {
     let mut does = start;
     for _ in 0..MOST_DOUBLINGS {
         match tries(does * factor)? {
             Trial::Does => does *= factor,
-            trial => return Ok(Found::Edge(Edge { does, does_not: (does * factor, trial) })),
+            trial => return Ok(Searched::Threshold(Threshold { does, does_not: (does * factor, trial) })),
         }
     }
-    Ok(Found::All(does))
+    Ok(Searched::All(does))
 }
 
 /// An amount that does between amounts of which none does, and the two around it: while the states of contacts and drives are the same, what is
@@ -125,7 +132,7 @@ fn refined(tries: Tries<'_>, vain: &mut Vec<(f64, Trial)>) -> Result<Option<(f64
     Ok(None)
 }
 
-impl Edge {
+impl Threshold {
     /// This edge to the last digits; where rounding keeps it from being told, what does not lies a little beyond.
     pub(super) fn halved(mut self, tries: Tries<'_>) -> Result<Self, Error> {
         while (self.does - self.does_not.0).abs() > CLOSE * self.does.abs() {

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::answer::{Amount, Needed, Press, Quantity, Window};
+use super::answer::{Amount, AmountWindow, Needed, Press, Quantity};
 use super::question::Demand;
 use crate::words::{TOO_FAR, Words, listed, printable};
 
@@ -147,7 +147,11 @@ impl Amount {
     fn takes(&self, amount: f64, is_least: bool) -> bool {
         let Self::Bound { does, until, elsewhere, .. } = self else { return true };
         let (near, far) = (Some(*does), until.as_ref().map(|end| end.does));
-        let own = if is_least { Window { from: near, to: far } } else { Window { from: far, to: near } };
+        let own = if is_least {
+            AmountWindow { from: near, to: far }
+        } else {
+            AmountWindow { from: far, to: near }
+        };
         let is_in =
             |amount: f64| own.contains(amount) || elsewhere.iter().any(|window| window.contains(amount));
         [amount, amount * (1.0 + ALIKE), amount * (1.0 - ALIKE)].into_iter().any(is_in)

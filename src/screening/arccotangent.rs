@@ -3,7 +3,7 @@
 //! The mathematical library of a system may round differently on another processor, and works on
 //! one number at a time. This is arithmetic alone.
 
-use super::lanes::Number;
+use super::lanes::Packed;
 
 /// tan(π/8): up to here the series serves, beyond it the angle is taken from π/4.
 const EIGHTH: f64 = std::f64::consts::SQRT_2 - 1.0;
@@ -25,7 +25,7 @@ const SERIES: [f64; 11] = [
 
 /// The angle θ from 0 to 2π with `cot(θ/2) = u`. What is not a number gives one that means nothing.
 #[inline(always)]
-pub(super) fn angle_of<X: Number>(u: X) -> X {
+pub(super) fn angle_of<X: Packed>(u: X) -> X {
     let (zero, one) = (X::all(0.0), X::all(1.0));
     let size = u.abs();
     let (small, large) = (size.min(one), size.max(one));

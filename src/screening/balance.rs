@@ -5,11 +5,11 @@
 use super::block::{Block, count};
 use super::factors::LaneFactors;
 use super::finger::{Force, LaneFinger, moment, world};
-use super::lanes::{Number, dot};
+use super::lanes::{Packed, dot};
 
 /// Stiffness of the object about the centroid of its contacts, in factors.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct RigidBody<const D: usize, const C: usize, const M: usize, X: Number> {
+pub(super) struct RigidBody<const D: usize, const C: usize, const M: usize, X: Packed> {
     contacts: usize,
     fingers: [LaneFinger<C, X>; M],
     centre: [X; C],
@@ -18,7 +18,7 @@ pub(super) struct RigidBody<const D: usize, const C: usize, const M: usize, X: N
     factors: LaneFactors<D, X>,
 }
 
-impl<const D: usize, const C: usize, const M: usize, X: Number> RigidBody<D, C, M, X> {
+impl<const D: usize, const C: usize, const M: usize, X: Packed> RigidBody<D, C, M, X> {
     /// Nothing yet.
     pub(super) fn none() -> Self {
         let none = [X::all(0.0); C];
@@ -129,7 +129,7 @@ impl<const D: usize, const C: usize, const M: usize, X: Number> RigidBody<D, C, 
 
 /// Adds `G K Gᵀ` of a contact, the entries on and below the diagonal.
 #[inline(always)]
-fn add<const D: usize, const C: usize, X: Number>(t: &mut [[X; D]; D], finger: &LaneFinger<C, X>) {
+fn add<const D: usize, const C: usize, X: Packed>(t: &mut [[X; D]; D], finger: &LaneFinger<C, X>) {
     let arm = &finger.arm;
     let [normal, tangential] = finger.springs;
     let more = normal - tangential;

@@ -1,9 +1,9 @@
 //! Many grasps of as many contacts each, laid out so that several are screened at once.
 
-use super::block::Rows;
+use super::block::Layout;
 use super::fingers::Fingers;
 use super::kernels::{Kernel, Kernels};
-use super::lanes::{LANES, Lanes, Number};
+use super::lanes::{LANES, Lanes, Packed};
 use super::load_cases::LoadCases;
 use super::part::Part;
 use super::pull::Pull;
@@ -56,7 +56,7 @@ impl<const D: usize, const C: usize, const N: usize> Default for Batch<D, C, N> 
 
 impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
     /// Of a block.
-    const SIZES: [usize; 2] = [Rows::<C>::numbers(N), 2 * N];
+    const SIZES: [usize; 2] = [Layout::<C>::numbers(N), 2 * N];
 
     /// An empty batch with room for so many grasps.
     #[must_use]

@@ -1,20 +1,20 @@
 //! The data of scenes side by side.
 
-use super::lanes::Number;
+use super::lanes::Packed;
 
 /// Contacts that a grasp has at most.
 pub(super) const MOST_CONTACTS: usize = 5;
 /// How many contacts there are, where there is room for `M`: as many, but in kernels of batches with the largest room. So all other loops are
 /// unrolled.
 #[inline(always)]
-pub(super) fn count<const M: usize, X: Number>(contacts: usize) -> usize {
+pub(super) fn count<const M: usize, X: Packed>(contacts: usize) -> usize {
     if M < MOST_CONTACTS || X::ALONE { M } else { contacts.min(M) }
 }
 
 /// `L` scenes of as many contacts each: rows of numbers, one for each contact, then three sizes. How many contacts there are is known at run
 /// time alone, so that kernels are compiled once for the plane and once for space.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Block<'a, const C: usize, X: Number> {
+pub(super) struct Block<'a, const C: usize, X: Packed> {
     pub(super) contacts: usize,
     pub(super) numbers: &'a [X],
     /// Commands along the normals and clearances apart, of which `numbers` has the difference: only who
@@ -26,7 +26,7 @@ pub(super) struct Block<'a, const C: usize, X: Number> {
 /// [`super::finger::Force`]. Kept apart, for a stiff tangential spring would make a force of
 /// what rounding turns of a long way along the normal.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Commands<'a, const C: usize, X: Number> {
+pub(super) struct Commanded<'a, const C: usize, X: Packed> {
     pub(super) pressed: &'a [X],
     pub(super) sheared: [&'a [X]; C],
 }
@@ -34,16 +34,16 @@ pub(super) struct Commands<'a, const C: usize, X: Number> {
 /// What the rounding of forces is measured against, for the commands, for a unit moment, and for a
 /// unit force: the sum of the sizes of all terms. Zero where forces are found by motions.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Sizes<X: Number> {
+pub(super) struct Sizes<X: Packed> {
     pub(super) commands: X,
     pub(super) moment: X,
     pub(super) force: X,
 }
 
 /// What stands in which row.
-pub(super) struct Rows<const C: usize>;
+pub(super) struct Layout<const C: usize>;
 
-impl<const C: usize> Rows<C> {
+impl<const C: usize> Layout<C> {
     pub(super) const POINT: usize = 0;
     /// Unit normals into the object.
     pub(super) const NORMAL: usize = C;
@@ -61,7 +61,7 @@ impl<const C: usize> Rows<C> {
     }
 }
 
-impl<'a, const C: usize, X: Number> Block<'a, C, X> {
+impl<'a, const C: usize, X: Packed> Block<'a, C, X> {
     #[inline(always)]
     fn row(&self, row: usize) -> &'a [X] {
         &self.numbers[row * self.contacts..][..self.contacts]
@@ -79,33 +79,33 @@ impl<'a, const C: usize, X: Number> Block<'a, C, X> {
     /// By axes.
     #[inline(always)]
     pub(super) fn points(&self) -> [&'a [X]; C] {
-        self.vectors(Rows::<C>::POINT)
+        self.vectors(Layout::<C>::POINT)
     }
 
     /// By axes.
     #[inline(always)]
     pub(super) fn normals(&self) -> [&'a [X]; C] {
-        self.vectors(Rows::<C>::NORMAL)
+        self.vectors(Layout::<C>::NORMAL)
     }
 
     #[inline(always)]
     pub(super) fn springs(&self) -> [&'a [X]; 2] {
-        [self.row(Rows::<C>::SPRINGS), self.row(Rows::<C>::SPRINGS + 1)]
+        [self.row(Layout::<C>::SPRINGS), self.row(Layout::<C>::SPRINGS + 1)]
     }
 
     #[inline(always)]
-    pub(super) fn commands(&self) -> Commands<'a, C, X> {
-        Commands { pressed: self.row(Rows::<C>::PRESSED), sheared: self.vectors(Rows::<C>::SHEARED) }
+    pub(super) fn commands(&self) -> Commanded<'a, C, X> {
+        Commanded { pressed: self.row(Layout::<C>::PRESSED), sheared: self.vectors(Layout::<C>::SHEARED) }
     }
 
     #[inline(always)]
     pub(super) fn friction(&self) -> &'a [X] {
-        self.row(Rows::<C>::FRICTION)
+        self.row(Layout::<C>::FRICTION)
     }
 
     #[inline(always)]
     pub(super) fn sizes(&self) -> Sizes<X> {
-        let sizes = &self.numbers[Rows::<C>::ALL * self.contacts..][..3];
+        let sizes = &self.numbers[Layout::<C>::ALL * self.contacts..][..3];
         Sizes { commands: sizes[0], moment: sizes[1], force: sizes[2] }
     }
 
@@ -119,19 +119,19 @@ impl<'a, const C: usize, X: Number> Block<'a, C, X> {
 
 /// One scene, as it is written.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Scene<const C: usize, const N: usize> {
+pub(super) struct OneScene<const C: usize, const N: usize> {
     /// With room for the rows in space, and for the sizes in two more.
     numbers: [[f64; N]; 15],
     parted: [[f64; N]; 2],
 }
 
-impl<const C: usize, const N: usize> Scene<C, N> {
+impl<const C: usize, const N: usize> OneScene<C, N> {
     /// Nothing yet.
     pub(super) const EMPTY: Self = Self { numbers: [[0.0; N]; 15], parted: [[0.0; N]; 2] };
 
     #[inline(always)]
     pub(super) fn block(&self) -> Block<'_, C, f64> {
-        let numbers = &self.numbers.as_flattened()[..Rows::<C>::numbers(N)];
+        let numbers = &self.numbers.as_flattened()[..Layout::<C>::numbers(N)];
         Block { contacts: N, numbers, parted: self.parted.as_flattened() }
     }
 
@@ -147,7 +147,7 @@ impl<const C: usize, const N: usize> Scene<C, N> {
     }
 
     pub(super) fn measure(&mut self, sizes: &Sizes<f64>) {
-        self.numbers.as_flattened_mut()[Rows::<C>::ALL * N..][..3].copy_from_slice(&[
+        self.numbers.as_flattened_mut()[Layout::<C>::ALL * N..][..3].copy_from_slice(&[
             sizes.commands,
             sizes.moment,
             sizes.force,

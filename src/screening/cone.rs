@@ -1,7 +1,7 @@
 //! The friction cone of one contact, and where a line of forces crosses it.
 
 use super::finger::Force;
-use super::lanes::{Number, dot};
+use super::lanes::{Packed, dot};
 
 /// A force times a rate outside of these bounds, squared, loses its digits to underflow or
 /// overflows.
@@ -11,7 +11,7 @@ pub(super) const MOST: f64 = 1e150;
 /// What a contact must obey to stick, `α F_n >= β |F_t|`: α and β are the friction coefficient and
 /// one, 1 and 0 if it can only open, both zero if it never leaves.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct StickingCone<X: Number> {
+pub(super) struct StickingCone<X: Packed> {
     pub(super) alpha: X,
     pub(super) beta: X,
 }
@@ -23,7 +23,7 @@ pub(super) const OPENS_ONLY: f64 = -1.0;
 /// without or with infinite friction.
 pub(super) const STAYS: f64 = 0.0;
 
-impl<X: Number> StickingCone<X> {
+impl<X: Packed> StickingCone<X> {
     /// From a friction coefficient or one of the two codes.
     #[inline(always)]
     pub(super) fn of(friction: X) -> Self {
@@ -32,7 +32,7 @@ impl<X: Number> StickingCone<X> {
     }
 }
 
-impl<X: Number> StickingCone<X> {
+impl<X: Packed> StickingCone<X> {
     /// `β F_t` of a contact.
     #[inline(always)]
     pub(super) fn friction<const C: usize>(&self, force: &Force<C, X>) -> [X; C] {
@@ -52,7 +52,7 @@ impl<X: Number> StickingCone<X> {
 /// ```
 ///
 /// In its second form Δ keeps its digits where the line passes close to the apex.
-pub(super) struct Crossing<X: Number> {
+pub(super) struct Crossing<X: Packed> {
     /// `n - |t|` at τ = 0.
     pub(super) margin: X,
     /// The rate `|t'| - n'` at which it closes in the long run.
@@ -67,7 +67,7 @@ pub(super) struct Crossing<X: Number> {
     pub(super) friction_rate: X,
 }
 
-impl<X: Number> Crossing<X> {
+impl<X: Packed> Crossing<X> {
     /// From (n, t) and their rates.
     #[inline(always)]
     pub(super) fn new<const C: usize>((n, t): (X, &[X; C]), (dn, dt): (X, &[X; C])) -> Self {

@@ -1,6 +1,6 @@
 //! Symmetric matrices in factors, `T = L D Lᵀ`, lane by lane.
 
-use super::lanes::Number;
+use super::lanes::Packed;
 
 /// A pivot below this part of its diagonal entry is rounding: that motion stretches no spring. With
 /// a smaller part motions that are free would get a stiffness of rounding, with a larger one stiff
@@ -9,14 +9,14 @@ pub(super) const NOTHING: f64 = 1e-13;
 
 /// The factors of a matrix of `R` rows.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct LaneFactors<const R: usize, X: Number> {
+pub(super) struct LaneFactors<const R: usize, X: Packed> {
     /// L below the diagonal, and D⁻¹ on it: zero where the pivot is rounding.
     pub(super) entries: [[X; R]; R],
     /// Positive if some pivot is rounding.
     pub(super) free: X,
 }
 
-impl<const R: usize, X: Number> LaneFactors<R, X> {
+impl<const R: usize, X: Packed> LaneFactors<R, X> {
     /// Of nothing.
     pub(super) fn none() -> Self {
         Self { entries: [[X::all(0.0); R]; R], free: X::all(0.0) }

@@ -1,10 +1,10 @@
 //! One contact: its springs, and what forces and motions do at the end of its arm.
 
-use super::lanes::{Number, dot};
+use super::lanes::{Packed, dot};
 
 /// One contact.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct LaneFinger<const C: usize, X: Number> {
+pub(super) struct LaneFinger<const C: usize, X: Packed> {
     pub(super) normal: [X; C],
     pub(super) springs: [X; 2],
     /// From the centroid of the contacts.
@@ -14,14 +14,14 @@ pub(super) struct LaneFinger<const C: usize, X: Number> {
 /// Its force, or how its springs are stretched: normal, and tangential in space a vector, in the
 /// plane the first entry, that along (n_y, -n_x).
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Force<const C: usize, X: Number> {
+pub(super) struct Force<const C: usize, X: Packed> {
     pub(super) normal: X,
     pub(super) tangential: [X; C],
 }
 
 /// The moment of a force at an arm, in the first entries.
 #[inline(always)]
-pub(super) fn moment<const C: usize, X: Number>(arm: &[X; C], f: &[X; C]) -> [X; 3] {
+pub(super) fn moment<const C: usize, X: Packed>(arm: &[X; C], f: &[X; C]) -> [X; 3] {
     let zero = X::all(0.0);
     if C == 2 {
         [arm[0] * f[1] - arm[1] * f[0], zero, zero]
@@ -36,7 +36,7 @@ pub(super) fn moment<const C: usize, X: Number>(arm: &[X; C], f: &[X; C]) -> [X;
 
 /// The displacement at an arm.
 #[inline(always)]
-pub(super) fn displacement<const D: usize, const C: usize, X: Number>(arm: &[X; C], q: &[X; D]) -> [X; C] {
+pub(super) fn displacement<const D: usize, const C: usize, X: Packed>(arm: &[X; C], q: &[X; D]) -> [X; C] {
     let mut u = *arm;
     if C == 2 {
         u[0] = q[0] - q[2] * arm[1];
@@ -52,7 +52,7 @@ pub(super) fn displacement<const D: usize, const C: usize, X: Number>(arm: &[X; 
 
 /// The force in coordinate axes.
 #[inline(always)]
-pub(super) fn world<const C: usize, X: Number>(finger: &LaneFinger<C, X>, force: &Force<C, X>) -> [X; C] {
+pub(super) fn world<const C: usize, X: Packed>(finger: &LaneFinger<C, X>, force: &Force<C, X>) -> [X; C] {
     let n = &finger.normal;
     let mut world = force.tangential;
     if C == 2 {
@@ -68,7 +68,7 @@ pub(super) fn world<const C: usize, X: Number>(finger: &LaneFinger<C, X>, force:
 
 /// The force of a contact whose springs are stretched so.
 #[inline(always)]
-pub(super) fn stretched<const C: usize, X: Number>(finger: &LaneFinger<C, X>, s: &[X; C]) -> Force<C, X> {
+pub(super) fn stretched<const C: usize, X: Packed>(finger: &LaneFinger<C, X>, s: &[X; C]) -> Force<C, X> {
     let [normal, tangential] = finger.springs;
     let n = &finger.normal;
     let along = dot(n, s);

@@ -4,7 +4,7 @@ use super::block::count;
 use super::cone::{Crossing, LEAST, MOST, StickingCone};
 use super::first_slip::UNCLEAR;
 use super::forces::Forces;
-use super::lanes::Number;
+use super::lanes::Packed;
 use super::screened::Screened;
 use super::verdict::{Start, TOGETHER, verdicts};
 
@@ -13,7 +13,7 @@ use super::verdict::{Start, TOGETHER, verdicts};
 pub(super) const SHARP: f64 = 1e6;
 
 /// The way of one contact out of its cone.
-struct Exit<X: Number> {
+struct Exit<X: Packed> {
     /// Infinite if there is none, a code if it is not known.
     factor: X,
     /// The margin to the edge at factor zero, and the margin less its rounding.
@@ -28,7 +28,7 @@ struct Exit<X: Number> {
 /// the line leaves at all. In the plane it is two straight lines. In space the first root of a
 /// quadratic is wanted, see [`Crossing`].
 #[inline(always)]
-fn exit<const C: usize, const M: usize, X: Number>(
+fn exit<const C: usize, const M: usize, X: Packed>(
     cone: &StickingCone<X>,
     contact: usize,
     base: &Forces<C, M, X>,
@@ -65,14 +65,14 @@ fn exit<const C: usize, const M: usize, X: Number>(
 /// A factor as far as it is known from the rate at which the margin closes there: infinite if that
 /// is rounding, a code if it is close to it.
 #[inline(always)]
-fn known<X: Number>(factor: X, closing: X, noise: X) -> X {
+fn known<X: Packed>(factor: X, closing: X, noise: X) -> X {
     let factor = closing.above(X::all(SHARP) * noise, factor, X::all(UNCLEAR));
     closing.above(noise, factor, X::all(f64::INFINITY))
 }
 
 /// The verdicts on the scenes of a block, from the forces at factor zero and their rates.
 #[inline(always)]
-pub(super) fn judge<const C: usize, const M: usize, X: Number>(
+pub(super) fn judge<const C: usize, const M: usize, X: Packed>(
     friction: &[X],
     base: &Forces<C, M, X>,
     rates: &Forces<C, M, X>,

@@ -2,7 +2,7 @@
 
 use super::block::count;
 use super::finger::Force;
-use super::lanes::Number;
+use super::lanes::Packed;
 
 /// A contact this close to the edge of its cone at factor zero, relative to the forces there, may
 /// be on it. With a smaller part rounding would decide whether it sticks; with a larger one more
@@ -11,7 +11,7 @@ pub(super) const ON_THE_EDGE: f64 = 1e-12;
 
 /// The forces of all contacts, or their rates, with room for `M` of them.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Forces<const C: usize, const M: usize, X: Number> {
+pub(super) struct Forces<const C: usize, const M: usize, X: Packed> {
     pub(super) of: [Force<C, X>; M],
     /// What of them may be rounding.
     pub(super) rounding: [X; M],
@@ -21,7 +21,7 @@ pub(super) struct Forces<const C: usize, const M: usize, X: Number> {
     pub(super) free: X,
 }
 
-impl<const C: usize, const M: usize, X: Number> Forces<C, M, X> {
+impl<const C: usize, const M: usize, X: Packed> Forces<C, M, X> {
     /// No forces.
     pub(super) fn none() -> Self {
         let zero = X::all(0.0);

@@ -10,7 +10,7 @@ use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 pub(super) const LANES: usize = if cfg!(feature = "simd") { 8 } else { 4 };
 
 /// A number of one scene, or of each of several. Of several each is computed as if it stood alone.
-pub(super) trait Number:
+pub(super) trait Packed:
     Copy
     + Debug
     + Add<Output = Self>
@@ -51,7 +51,7 @@ pub(super) trait Number:
     }
 }
 
-impl Number for f64 {
+impl Packed for f64 {
     type Each<T: Copy> = [T; 1];
     const ALONE: bool = true;
 
@@ -139,7 +139,7 @@ impl Lanes {
     }
 }
 
-impl Number for Lanes {
+impl Packed for Lanes {
     type Each<T: Copy> = [T; LANES];
     const ALONE: bool = false;
 
@@ -246,7 +246,7 @@ in_place!(SubAssign, sub_assign, -);
 
 /// Scalar product.
 #[inline]
-pub(super) fn dot<X: Number, const C: usize>(a: &[X; C], b: &[X; C]) -> X {
+pub(super) fn dot<X: Packed, const C: usize>(a: &[X; C], b: &[X; C]) -> X {
     let mut sum = a[0] * b[0];
     for axis in 1..C {
         sum += a[axis] * b[axis];

@@ -10,7 +10,7 @@ use super::block::count;
 use super::cone::{Crossing, LEAST, MOST, StickingCone};
 use super::first_exit::SHARP;
 use super::forces::Forces;
-use super::lanes::{Number, dot};
+use super::lanes::{Packed, dot};
 use super::verdict::balanced;
 
 /// A line must pass through the cone by so many times the rounding of its margin, or it may miss it.
@@ -28,7 +28,7 @@ pub(super) const GIVES_WAY: f64 = -2.0;
 pub(super) const UNCLEAR: f64 = -3.0;
 
 /// From where to where factors are enough, and how far both ends may be off.
-struct Interval<X: Number> {
+struct Interval<X: Packed> {
     first: X,
     first_off: X,
     last: X,
@@ -36,14 +36,14 @@ struct Interval<X: Number> {
 }
 
 /// A margin and its gain by the whole squeeze, with the rounding of both.
-struct Margin<X: Number> {
+struct Margin<X: Packed> {
     value: X,
     gain: X,
     noise: X,
     gain_noise: X,
 }
 
-impl<X: Number> Margin<X> {
+impl<X: Packed> Margin<X> {
     /// Where a straight margin is not negative.
     #[inline(always)]
     fn straight(&self) -> Interval<X> {
@@ -118,7 +118,7 @@ impl<X: Number> Margin<X> {
 }
 
 /// What the contacts of scenes ask of the factor, as far as they have been asked.
-pub(super) struct LeastFactor<X: Number> {
+pub(super) struct LeastFactor<X: Packed> {
     /// The largest first end of an interval, as it is, and at least and at most.
     first: X,
     first_sure: X,
@@ -134,7 +134,7 @@ pub(super) struct LeastFactor<X: Number> {
     binding: X,
 }
 
-impl<X: Number> LeastFactor<X> {
+impl<X: Packed> LeastFactor<X> {
     /// Nothing is asked yet.
     #[inline(always)]
     pub(super) fn new() -> Self {

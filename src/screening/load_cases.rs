@@ -1,11 +1,11 @@
 //! The loads that a grasp is to hold, one at a time.
 
 use super::forces::Forces;
-use super::lanes::Number;
+use super::lanes::Packed;
 use super::least_factor::LeastFactor;
 use super::question::{Room, Scenes, ScreeningQuestion};
 use super::screened_squeeze::ScreenedSqueeze;
-use super::springs::Springs;
+use super::springs::StickingSprings;
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::numerics::Vectors;
@@ -36,7 +36,7 @@ impl<const C: usize> ScreeningQuestion<C> for LoadCases<C> {
     const UNKNOWN: ScreenedSqueeze = ScreenedSqueeze::UNKNOWN;
 
     #[inline(always)]
-    fn ask<V: Vectors, P: Springs<C, M, X>, const M: usize, X: Number>(
+    fn ask<V: Vectors, P: StickingSprings<C, M, X>, const M: usize, X: Packed>(
         &self,
         scenes: &Scenes<'_, V, P, C, M, X>,
         [commands, overlaps, others]: Room<'_, C, M, X>,
@@ -59,7 +59,7 @@ impl<const C: usize> ScreeningQuestion<C> for LoadCases<C> {
 }
 
 #[inline(never)]
-fn judge_apart<V: Vectors, const C: usize, const M: usize, X: Number>(
+fn judge_apart<V: Vectors, const C: usize, const M: usize, X: Packed>(
     v: V,
     enough: &mut LeastFactor<X>,
     number: usize,

@@ -6,9 +6,9 @@
 //! lack friction, for their compliance is infinite. It is decided once, when a grasp is made ready:
 //! batches find it in their data, and its answer does not depend on its neighbours.
 
-use super::block::{Block, Rows, Scene, Sizes};
-use super::lanes::Number;
-use super::springs::Springs;
+use super::block::{Block, Layout, OneScene, Sizes};
+use super::lanes::Packed;
+use super::springs::StickingSprings;
 use super::triangle::{self, N, Triangle, others};
 
 /// A way to the forces of a scene.
@@ -23,7 +23,7 @@ pub(super) enum Method {
 impl Method {
     /// Which scenes go this way: all pairs in the plane by edges, all but triangles by motions else.
     #[inline(always)]
-    pub(super) fn of<const C: usize, X: Number>(self, block: &Block<'_, C, X>) -> X::Each<bool> {
+    pub(super) fn of<const C: usize, X: Packed>(self, block: &Block<'_, C, X>) -> X::Each<bool> {
         let edges = self == Self::Edges;
         if is_a_triangle(block) {
             let force = block.sizes().force;
@@ -35,13 +35,13 @@ impl Method {
 
 /// Whether forces go along the line through both contacts.
 #[inline(always)]
-pub(super) fn is_a_pair<const C: usize, X: Number>(block: &Block<'_, C, X>) -> bool {
+pub(super) fn is_a_pair<const C: usize, X: Packed>(block: &Block<'_, C, X>) -> bool {
     C == 2 && block.contacts == 2
 }
 
 /// Whether forces may go along the edges of a triangle.
 #[inline(always)]
-pub(super) fn is_a_triangle<const C: usize, X: Number>(block: &Block<'_, C, X>) -> bool {
+pub(super) fn is_a_triangle<const C: usize, X: Packed>(block: &Block<'_, C, X>) -> bool {
     C == 3 && block.contacts == triangle::N
 }
 
@@ -57,12 +57,12 @@ const UNEVEN: f64 = 1e3;
 
 /// Turns stiffnesses into compliances, where forces go by edges, and says so by sizes that are not
 /// zero.
-pub(super) fn to_compliances<const C: usize, const N: usize>(scene: &mut Scene<C, N>) {
+pub(super) fn to_compliances<const C: usize, const N: usize>(scene: &mut OneScene<C, N>) {
     let mut compliant = *scene;
     let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
     for axis in 0..2 {
         for i in 0..triangle::N {
-            let compliance = compliant.at(Rows::<C>::SPRINGS + axis, i);
+            let compliance = compliant.at(Layout::<C>::SPRINGS + axis, i);
             *compliance = 1.0 / *compliance;
             least = least.min(*compliance);
             most = most.max(*compliance);
@@ -77,7 +77,7 @@ pub(super) fn to_compliances<const C: usize, const N: usize>(scene: &mut Scene<C
 
 /// What rounding is measured against, zero if that is too much.
 fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
-    let mut triangle = <Triangle<C, f64> as Springs<C, N, f64>>::none();
+    let mut triangle = <Triangle<C, f64> as StickingSprings<C, N, f64>>::none();
     triangle.ready(scene);
     let length = triangle.edge.map(|edge| edge.iter().map(|x| x * x).sum::<f64>().sqrt());
     let [c_n, c_t] = scene.springs();
@@ -113,12 +113,12 @@ mod tests {
     use crate::contact::ZERO_SLACK as ROUNDING;
     use crate::numerics::{Compiled, Draw};
 
-    type Scene = super::Scene<3, 3>;
-    type Row = Rows<3>;
+    type OneScene = super::OneScene<3, 3>;
+    type Row = Layout<3>;
 
     /// Fingers around a triangle, so much narrower than even, with stiffnesses over so many decades.
-    fn scene(draw: &mut Draw, narrow: f64, decades: f64) -> Scene {
-        let mut scene = Scene::EMPTY;
+    fn scene(draw: &mut Draw, narrow: f64, decades: f64) -> OneScene {
+        let mut scene = OneScene::EMPTY;
         for i in 0..3 {
             let inward = [0, 1, 2].map(|_| draw.normal());
             let length = inward.iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -153,7 +153,10 @@ mod tests {
     }
 
     /// Forces by a load, and by the commands.
-    fn forces<P: Springs<3, 3, f64>>(scene: &Block<'_, 3, f64>, load: &[f64]) -> [Forces<3, 3, f64>; 2] {
+    fn forces<P: StickingSprings<3, 3, f64>>(
+        scene: &Block<'_, 3, f64>,
+        load: &[f64],
+    ) -> [Forces<3, 3, f64>; 2] {
         let (mut ready, [mut loaded, mut squeezed]) = (P::none(), [Forces::none(); 2]);
         ready.prepare(Compiled, scene);
         ready.load(Compiled, scene, load, &mut loaded);

@@ -1,13 +1,13 @@
 //! The contacts of one grasp made ready.
 
 use super::balance::RigidBody;
-use super::block::{Block, Rows, Scene};
+use super::block::{Block, Layout, OneScene};
 use super::cone::{OPENS_ONLY, STAYS};
 use super::forces::Forces;
 use super::method::{self, Method};
 use super::pair::{self, Pair};
 use super::question::{Scenes, ScreeningQuestion};
-use super::springs::Springs;
+use super::springs::StickingSprings;
 use super::triangle::Triangle;
 use crate::error::{Error, Field};
 use crate::grasp::{Contact, Hold};
@@ -16,7 +16,7 @@ use crate::numerics::Compiled;
 /// What does not depend on the load, of one grasp.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct OneGrasp<const D: usize, const C: usize, const N: usize> {
-    pub(super) scene: Scene<C, N>,
+    pub(super) scene: OneScene<C, N>,
     ready: Ready<D, C, N>,
     squeezed: Forces<C, N, f64>,
 }
@@ -37,11 +37,11 @@ impl<const D: usize, const C: usize, const N: usize> OneGrasp<D, C, N> {
     pub(super) fn new(contacts: &[Contact<C>; N]) -> Result<Self, Error> {
         let pair = C == 2 && N == 2;
         let ready = if pair {
-            Ready::Pair(Springs::<C, N, f64>::none())
+            Ready::Pair(StickingSprings::<C, N, f64>::none())
         } else {
             Ready::RigidBody(RigidBody::none())
         };
-        let mut grasp = Self { scene: Scene::EMPTY, ready, squeezed: Forces::none() };
+        let mut grasp = Self { scene: OneScene::EMPTY, ready, squeezed: Forces::none() };
         let Self { scene, ready, squeezed } = &mut grasp;
         for (index, contact) in contacts.iter().enumerate() {
             write(scene, index, contact)?;
@@ -51,7 +51,7 @@ impl<const D: usize, const C: usize, const N: usize> OneGrasp<D, C, N> {
         } else if C == 3 && N == 3 {
             method::to_compliances(scene);
             if Method::Edges.of(&scene.block()) == [true] {
-                *ready = Ready::Triangle(Springs::<C, N, f64>::none());
+                *ready = Ready::Triangle(StickingSprings::<C, N, f64>::none());
             }
         }
         let block = scene.block();
@@ -74,7 +74,7 @@ impl<const D: usize, const C: usize, const N: usize> OneGrasp<D, C, N> {
     }
 }
 
-fn answer<P: Springs<C, N, f64>, const C: usize, const N: usize, Q: ScreeningQuestion<C>>(
+fn answer<P: StickingSprings<C, N, f64>, const C: usize, const N: usize, Q: ScreeningQuestion<C>>(
     mut block: Block<'_, C, f64>,
     ready: &P,
     squeezed: &Forces<C, N, f64>,
@@ -89,7 +89,7 @@ fn answer<P: Springs<C, N, f64>, const C: usize, const N: usize, Q: ScreeningQue
 }
 
 /// Makes a scene ready, and finds the forces of its commands.
-fn prepare<P: Springs<C, N, f64>, const C: usize, const N: usize>(
+fn prepare<P: StickingSprings<C, N, f64>, const C: usize, const N: usize>(
     ready: &mut P,
     block: &Block<'_, C, f64>,
     squeezed: &mut Forces<C, N, f64>,
@@ -100,7 +100,7 @@ fn prepare<P: Springs<C, N, f64>, const C: usize, const N: usize>(
 
 /// Checks a contact and writes it down.
 fn write<const C: usize, const N: usize>(
-    scene: &mut Scene<C, N>,
+    scene: &mut OneScene<C, N>,
     index: usize,
     contact: &Contact<C>,
 ) -> Result<(), Error> {
@@ -125,7 +125,7 @@ fn write<const C: usize, const N: usize>(
         });
     }
     let mut a = contact.commanded();
-    *scene.at(Rows::<C>::PRESSED, index) = a[0] - contact.clearance;
+    *scene.at(Layout::<C>::PRESSED, index) = a[0] - contact.clearance;
     scene.part(index, [a[0], contact.clearance]);
     a[0] = 0.0;
     if C == 3 {
@@ -137,14 +137,14 @@ fn write<const C: usize, const N: usize>(
         a[0] *= turned.signum();
     }
     for axis in 0..C {
-        *scene.at(Rows::<C>::POINT + axis, index) = contact.point[axis];
-        *scene.at(Rows::<C>::NORMAL + axis, index) = frame[(axis, 0)];
-        *scene.at(Rows::<C>::SHEARED + axis, index) = a[axis];
+        *scene.at(Layout::<C>::POINT + axis, index) = contact.point[axis];
+        *scene.at(Layout::<C>::NORMAL + axis, index) = frame[(axis, 0)];
+        *scene.at(Layout::<C>::SHEARED + axis, index) = a[axis];
     }
-    *scene.at(Rows::<C>::SPRINGS, index) = k[0];
-    *scene.at(Rows::<C>::SPRINGS + 1, index) = tangential;
+    *scene.at(Layout::<C>::SPRINGS, index) = k[0];
+    *scene.at(Layout::<C>::SPRINGS + 1, index) = tangential;
     let slides = contact.friction > 0.0 && contact.friction.is_finite();
-    *scene.at(Rows::<C>::FRICTION, index) = match contact.hold {
+    *scene.at(Layout::<C>::FRICTION, index) = match contact.hold {
         Hold::Bonded => STAYS,
         _ if slides => contact.friction,
         Hold::Unilateral => OPENS_ONLY,

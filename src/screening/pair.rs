@@ -16,12 +16,12 @@
 //!
 //! The factor of λ there is a sum of positive terms: no stiffness cancels, whatever the ratios.
 
-use super::block::{Block, Commands, Rows, Scene, Sizes};
+use super::block::{Block, Commanded, Layout, OneScene, Sizes};
 use super::factors::NOTHING;
 use super::forces::{Forces, ON_THE_EDGE};
-use super::lanes::Number;
+use super::lanes::Packed;
 use super::method::Method;
-use super::springs::Springs;
+use super::springs::StickingSprings;
 use crate::contact::ZERO_SLACK as ROUNDING;
 use crate::numerics::Vectors;
 
@@ -31,7 +31,7 @@ use crate::numerics::Vectors;
 /// reads `F_t = 0` there, and all its other terms vanish. Two such contacts do not hold anything
 /// together. Nor does one whose normal points along the line: the object turns about the other
 /// contact. The compliances of both are then not numbers.
-pub(super) fn to_compliances<const C: usize, const N: usize>(scene: &mut Scene<C, N>) {
+pub(super) fn to_compliances<const C: usize, const N: usize>(scene: &mut OneScene<C, N>) {
     let block = scene.block();
     let (points, normals, [k_n, k_t]) = (block.points(), block.normals(), block.springs());
     let slippery = [k_t[0], k_t[1]].map(|k| k == 0.0);
@@ -48,11 +48,11 @@ pub(super) fn to_compliances<const C: usize, const N: usize>(scene: &mut Scene<C
     });
     for (i, compliances) in compliances.into_iter().enumerate() {
         for (axis, compliance) in compliances.into_iter().enumerate() {
-            *scene.at(Rows::<C>::SPRINGS + axis, i) = compliance;
+            *scene.at(Layout::<C>::SPRINGS + axis, i) = compliance;
         }
         if count > 0 {
-            *scene.at(Rows::<C>::PRESSED, i) = 0.0;
-            *scene.at(Rows::<C>::SHEARED, i) = 0.0;
+            *scene.at(Layout::<C>::PRESSED, i) = 0.0;
+            *scene.at(Layout::<C>::SHEARED, i) = 0.0;
             scene.part(i, [0.0; 2]);
         }
     }
@@ -79,7 +79,7 @@ fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
 
 /// Two contacts and the line through them. Arrays run over the contacts.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Pair<X: Number> {
+pub(super) struct Pair<X: Packed> {
     normal: [[X; 2]; 2],
     midpoint: [X; 2],
     /// Entries of `p_i` along normals and tangents.
@@ -97,7 +97,7 @@ pub(super) struct Pair<X: Number> {
     sizes: Sizes<X>,
 }
 
-impl<X: Number> Pair<X> {
+impl<X: Packed> Pair<X> {
     #[inline(always)]
     pub(super) fn new<const C: usize>(block: &Block<'_, C, X>) -> Self {
         let zero = [X::all(0.0); 2];
@@ -139,7 +139,7 @@ impl<X: Number> Pair<X> {
 
     /// What the rounding of forces by commands is measured against.
     #[inline(always)]
-    fn size_of<const C: usize>(&self, length: X, asked: &Commands<'_, C, X>) -> X {
+    fn size_of<const C: usize>(&self, length: X, asked: &Commanded<'_, C, X>) -> X {
         let mut commands = X::all(0.0);
         for i in 0..2 {
             commands += asked.pressed[i].abs() + asked.sheared[0][i].abs();
@@ -148,7 +148,7 @@ impl<X: Number> Pair<X> {
     }
 }
 
-impl<const C: usize, const M: usize, X: Number> Springs<C, M, X> for Pair<X> {
+impl<const C: usize, const M: usize, X: Packed> StickingSprings<C, M, X> for Pair<X> {
     const METHOD: Method = Method::Edges;
     const CONTACTS: Option<usize> = Some(2);
 
@@ -203,7 +203,7 @@ impl<const C: usize, const M: usize, X: Number> Springs<C, M, X> for Pair<X> {
         &self,
         _: V,
         block: &Block<'_, C, X>,
-        others: Option<&Commands<'_, C, X>>,
+        others: Option<&Commanded<'_, C, X>>,
         forces: &mut Forces<C, M, X>,
     ) {
         let (commanded, size) = others.map_or((self.commanded, self.sizes.commands), |others| {
@@ -224,6 +224,6 @@ impl<const C: usize, const M: usize, X: Number> Springs<C, M, X> for Pair<X> {
 
 /// What a finger takes from the line through both by going where it is told.
 #[inline(always)]
-fn taken<const C: usize, X: Number>(i: usize, commands: &Commands<'_, C, X>, (n, t): (X, X)) -> X {
+fn taken<const C: usize, X: Packed>(i: usize, commands: &Commanded<'_, C, X>, (n, t): (X, X)) -> X {
     commands.pressed[i] * n + commands.sheared[0][i] * t
 }

@@ -1,13 +1,13 @@
 //! A part of a batch is screened on one thread.
 
 use super::balance::RigidBody;
-use super::block::{Block, Rows};
+use super::block::{Block, Layout};
 use super::forces::Forces;
 use super::lanes::{LANES, Lanes};
 use super::method::{is_a_pair, is_a_triangle};
 use super::pair::Pair;
 use super::question::{Scenes, ScreeningQuestion};
-use super::springs::Springs;
+use super::springs::StickingSprings;
 use super::triangle::Triangle;
 use crate::numerics::{Compiled, OnVectors, Vectors, on_the_widest};
 
@@ -42,7 +42,7 @@ impl<const C: usize, Q: ScreeningQuestion<C>> Part<'_, C, Q> {
     #[inline(always)]
     fn screen_on<V: Vectors, const D: usize, const M: usize>(self, vectors: V) {
         let contacts = self.contacts;
-        let numbers = self.numbers.chunks_exact(Rows::<C>::numbers(contacts));
+        let numbers = self.numbers.chunks_exact(Layout::<C>::numbers(contacts));
         let blocks = numbers.zip(self.parted.chunks_exact(2 * contacts));
         let blocks = blocks.map(|(numbers, parted)| Block::<C, Lanes> { contacts, numbers, parted });
         let blocks = blocks.zip(self.answers.chunks_mut(LANES * self.questions.len()));
@@ -87,7 +87,7 @@ struct Answering<V, P, const C: usize, const M: usize> {
     room: [Forces<C, M, Lanes>; 3],
 }
 
-impl<V: Vectors, P: Springs<C, M, Lanes>, const C: usize, const M: usize> Answering<V, P, C, M> {
+impl<V: Vectors, P: StickingSprings<C, M, Lanes>, const C: usize, const M: usize> Answering<V, P, C, M> {
     #[inline(always)]
     fn on(vectors: V) -> Self {
         Self { vectors, ready: P::none(), squeezed: Forces::none(), room: [Forces::none(); 3] }

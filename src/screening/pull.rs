@@ -3,10 +3,10 @@
 use super::first_exit::judge;
 use super::first_slip::SlipCode;
 use super::forces::Forces;
-use super::lanes::Number;
+use super::lanes::Packed;
 use super::question::{Room, Scenes, ScreeningQuestion};
 use super::screened::Screened;
-use super::springs::Springs;
+use super::springs::StickingSprings;
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::numerics::Vectors;
@@ -40,7 +40,7 @@ impl<const C: usize> ScreeningQuestion<C> for Pull<C> {
     const UNKNOWN: Screened = Screened(SlipCode::UNKNOWN);
 
     #[inline(always)]
-    fn ask<V: Vectors, P: Springs<C, M, X>, const M: usize, X: Number>(
+    fn ask<V: Vectors, P: StickingSprings<C, M, X>, const M: usize, X: Packed>(
         &self,
         scenes: &Scenes<'_, V, P, C, M, X>,
         [rates, base, _]: Room<'_, C, M, X>,
@@ -57,7 +57,7 @@ impl<const C: usize> ScreeningQuestion<C> for Pull<C> {
 }
 
 #[inline(always)]
-fn judged<V: Vectors, P: Springs<C, M, X>, const C: usize, const M: usize, X: Number>(
+fn judged<V: Vectors, P: StickingSprings<C, M, X>, const C: usize, const M: usize, X: Packed>(
     scenes: &Scenes<'_, V, P, C, M, X>,
     base: &Forces<C, M, X>,
     rates: &Forces<C, M, X>,
@@ -69,7 +69,7 @@ fn judged<V: Vectors, P: Springs<C, M, X>, const C: usize, const M: usize, X: Nu
 }
 
 #[inline(never)]
-fn judge_apart<V: Vectors, const C: usize, const M: usize, X: Number>(
+fn judge_apart<V: Vectors, const C: usize, const M: usize, X: Packed>(
     v: V,
     friction: &[X],
     base: &Forces<C, M, X>,

@@ -1,16 +1,16 @@
 //! A question to the scenes of a block.
 
-use super::block::{Block, Commands, count};
+use super::block::{Block, Commanded, count};
 use super::forces::{Forces, ON_THE_EDGE};
-use super::lanes::Number;
-use super::springs::Springs;
+use super::lanes::Packed;
+use super::springs::StickingSprings;
 use crate::contact::ZERO_SLACK as ROUNDING;
 use crate::grasp::Wrench;
 use crate::numerics::Vectors;
 
 /// Scenes side by side, made ready: only borrowed, for they are too large to be moved for every block.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Scenes<'a, V, P, const C: usize, const M: usize, X: Number> {
+pub(crate) struct Scenes<'a, V, P, const C: usize, const M: usize, X: Packed> {
     pub(super) vectors: V,
     pub(super) block: Block<'a, C, X>,
     pub(super) ready: &'a P,
@@ -27,14 +27,16 @@ pub(crate) trait ScreeningQuestion<const C: usize>: Sync + Sized {
     /// Before it is asked.
     const UNKNOWN: Self::Answer;
     /// Must be inlined for the caller's vectors to be used.
-    fn ask<V: Vectors, P: Springs<C, M, X>, const M: usize, X: Number>(
+    fn ask<V: Vectors, P: StickingSprings<C, M, X>, const M: usize, X: Packed>(
         &self,
         scenes: &Scenes<'_, V, P, C, M, X>,
         room: Room<'_, C, M, X>,
     ) -> X::Each<Self::Answer>;
 }
 
-impl<V: Vectors, P: Springs<C, M, X>, const C: usize, const M: usize, X: Number> Scenes<'_, V, P, C, M, X> {
+impl<V: Vectors, P: StickingSprings<C, M, X>, const C: usize, const M: usize, X: Packed>
+    Scenes<'_, V, P, C, M, X>
+{
     /// The forces that a load alone brings about.
     #[inline(always)]
     pub(super) fn under(&self, load: &Wrench<C>, forces: &mut Forces<C, M, X>) {
@@ -65,7 +67,7 @@ impl<V: Vectors, P: Springs<C, M, X>, const C: usize, const M: usize, X: Number>
         if !largest.is_all(0.0) {
             let contacts = count::<M, X>(self.block.contacts);
             let squeeze = |pressed, sheared, forces: &mut Forces<C, M, X>| {
-                self.ready.squeeze(self.vectors, &self.block, Some(&Commands { pressed, sheared }), forces);
+                self.ready.squeeze(self.vectors, &self.block, Some(&Commanded { pressed, sheared }), forces);
             };
             squeeze(commanded, self.block.commands().sheared, commands);
             squeeze(&overlaps[..contacts], [&[X::all(0.0); M][..contacts]; C], clearances);

@@ -1,13 +1,13 @@
 //! How forces answer loads and commands while every contact sticks.
 
-use super::block::{Block, Commands};
+use super::block::{Block, Commanded};
 use super::forces::Forces;
-use super::lanes::Number;
+use super::lanes::Packed;
 use super::method::Method;
 use crate::numerics::Vectors;
 
 /// What is known of scenes before any load acts: a pair, a triangle, or the stiffness of the object.
-pub(super) trait Springs<const C: usize, const M: usize, X: Number>: Copy {
+pub(super) trait StickingSprings<const C: usize, const M: usize, X: Packed>: Copy {
     /// Nothing yet.
     fn none() -> Self;
     /// Which scenes go this way.
@@ -32,7 +32,7 @@ pub(super) trait Springs<const C: usize, const M: usize, X: Number>: Copy {
         &self,
         vectors: V,
         block: &Block<'_, C, X>,
-        others: Option<&Commands<'_, C, X>>,
+        others: Option<&Commanded<'_, C, X>>,
         forces: &mut Forces<C, M, X>,
     );
 }

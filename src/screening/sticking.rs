@@ -7,12 +7,12 @@
 //! little T is known.
 
 use super::balance::RigidBody;
-use super::block::{Block, Commands};
+use super::block::{Block, Commanded};
 use super::finger::{Force, displacement, stretched};
 use super::forces::{Forces, ON_THE_EDGE};
-use super::lanes::Number;
+use super::lanes::Packed;
 use super::method::Method;
-use super::springs::Springs;
+use super::springs::StickingSprings;
 use crate::contact::ZERO_SLACK as ROUNDING;
 use crate::numerics::Vectors;
 
@@ -28,7 +28,9 @@ const TIMES: usize = 3;
 /// the object away weakly would be called unclear.
 const GIVES_WAY: f64 = 1e-6;
 
-impl<const D: usize, const C: usize, const M: usize, X: Number> Springs<C, M, X> for RigidBody<D, C, M, X> {
+impl<const D: usize, const C: usize, const M: usize, X: Packed> StickingSprings<C, M, X>
+    for RigidBody<D, C, M, X>
+{
     const METHOD: Method = Method::Motions;
     const CONTACTS: Option<usize> = None;
 
@@ -54,7 +56,7 @@ impl<const D: usize, const C: usize, const M: usize, X: Number> Springs<C, M, X>
         &self,
         v: V,
         block: &Block<'_, C, X>,
-        others: Option<&Commands<'_, C, X>>,
+        others: Option<&Commanded<'_, C, X>>,
         forces: &mut Forces<C, M, X>,
     ) {
         let commands = others.copied().unwrap_or_else(|| block.commands());
@@ -64,10 +66,10 @@ impl<const D: usize, const C: usize, const M: usize, X: Number> Springs<C, M, X>
 
 /// Forces that the commands of the fingers alone bring about, or a load alone, the fingers at rest.
 #[inline(never)]
-fn sticking<V: Vectors, const D: usize, const C: usize, const M: usize, X: Number>(
+fn sticking<V: Vectors, const D: usize, const C: usize, const M: usize, X: Packed>(
     v: V,
     body: &RigidBody<D, C, M, X>,
-    commands: Option<&Commands<'_, C, X>>,
+    commands: Option<&Commanded<'_, C, X>>,
     load: &[f64],
     forces: &mut Forces<C, M, X>,
 ) {
@@ -78,9 +80,9 @@ fn sticking<V: Vectors, const D: usize, const C: usize, const M: usize, X: Numbe
 }
 
 #[inline(always)]
-fn stretch<const D: usize, const C: usize, const M: usize, X: Number>(
+fn stretch<const D: usize, const C: usize, const M: usize, X: Packed>(
     body: &RigidBody<D, C, M, X>,
-    commands: Option<&Commands<'_, C, X>>,
+    commands: Option<&Commanded<'_, C, X>>,
     load: &[f64],
     forces: &mut Forces<C, M, X>,
 ) {
@@ -138,9 +140,9 @@ fn stretch<const D: usize, const C: usize, const M: usize, X: Number>(
 /// larger than forces are at all: displacements that ought to cancel leave forces only between two
 /// contacts or more, so that the second stiffest of them sets the measure.
 #[inline(always)]
-fn bound_rounding<const D: usize, const C: usize, const M: usize, X: Number>(
+fn bound_rounding<const D: usize, const C: usize, const M: usize, X: Packed>(
     body: &RigidBody<D, C, M, X>,
-    commands: Option<&Commands<'_, C, X>>,
+    commands: Option<&Commanded<'_, C, X>>,
     load: &[X; D],
     moved: &[X; D],
     forces: &mut Forces<C, M, X>,

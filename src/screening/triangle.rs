@@ -19,12 +19,12 @@
 //! These are half the operations of [`super::balance`], and forces balance whatever λ is. What is
 //! small among large forces comes out better there: [`super::method`] says which way a grasp takes.
 
-use super::block::{Block, Commands};
+use super::block::{Block, Commanded};
 use super::factors::LaneFactors;
 use super::forces::{Forces, ON_THE_EDGE};
-use super::lanes::{Number, dot};
+use super::lanes::{Packed, dot};
 use super::method::Method;
-use super::springs::Springs;
+use super::springs::StickingSprings;
 use crate::contact::ZERO_SLACK as ROUNDING;
 use crate::numerics::Vectors;
 
@@ -40,7 +40,7 @@ pub(super) const N: usize = 3;
 
 /// Three contacts and the edges between them: C is three.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Triangle<const C: usize, X: Number> {
+pub(super) struct Triangle<const C: usize, X: Packed> {
     pub(super) edge: [[X; C]; N],
     pub(super) centre: [X; C],
     /// m and `|m|⁻²`.
@@ -56,7 +56,7 @@ pub(super) struct Triangle<const C: usize, X: Number> {
     pub(super) factors: LaneFactors<N, X>,
 }
 
-impl<const C: usize, X: Number> Triangle<C, X> {
+impl<const C: usize, X: Packed> Triangle<C, X> {
     #[inline(always)]
     pub(super) fn ready(&mut self, block: &Block<'_, C, X>) {
         let (points, normals) = (block.points(), block.normals());
@@ -143,7 +143,7 @@ impl<const C: usize, X: Number> Triangle<C, X> {
 
     /// What the rounding of forces by commands is measured against.
     #[inline(always)]
-    pub(super) fn size_of(&self, asked: &Commands<'_, C, X>) -> X {
+    pub(super) fn size_of(&self, asked: &Commanded<'_, C, X>) -> X {
         let (mut stiffness, mut commands) = (X::all(0.0), X::all(0.0));
         for i in 0..N {
             stiffness += dot(&self.edge[i], &self.edge[i]) * self.factors.one_over_pivot(i);
@@ -160,11 +160,11 @@ impl<const C: usize, X: Number> Triangle<C, X> {
     fn squeezed<const M: usize>(
         &self,
         block: &Block<'_, C, X>,
-        others: Option<&Commands<'_, C, X>>,
+        others: Option<&Commanded<'_, C, X>>,
         forces: &mut Forces<C, M, X>,
     ) {
         let size = others.map_or_else(|| block.sizes().commands, |others| self.size_of(others));
-        let Commands { pressed, sheared } = others.copied().unwrap_or_else(|| block.commands());
+        let Commanded { pressed, sheared } = others.copied().unwrap_or_else(|| block.commands());
         let mut taken = self.along_normals(pressed);
         for k in 0..N {
             let [tail, head] = self::others(k);
@@ -229,7 +229,7 @@ impl<const C: usize, X: Number> Triangle<C, X> {
     }
 }
 
-impl<const C: usize, const M: usize, X: Number> Springs<C, M, X> for Triangle<C, X> {
+impl<const C: usize, const M: usize, X: Packed> StickingSprings<C, M, X> for Triangle<C, X> {
     const METHOD: Method = Method::Edges;
     const CONTACTS: Option<usize> = None;
 
@@ -269,7 +269,7 @@ impl<const C: usize, const M: usize, X: Number> Springs<C, M, X> for Triangle<C,
         &self,
         v: V,
         block: &Block<'_, C, X>,
-        others: Option<&Commands<'_, C, X>>,
+        others: Option<&Commanded<'_, C, X>>,
         forces: &mut Forces<C, M, X>,
     ) {
         v.run(
@@ -280,7 +280,7 @@ impl<const C: usize, const M: usize, X: Number> Springs<C, M, X> for Triangle<C,
 }
 
 #[inline(always)]
-fn cross<const C: usize, X: Number>(a: &[X; C], b: &[X; C]) -> [X; C] {
+fn cross<const C: usize, X: Packed>(a: &[X; C], b: &[X; C]) -> [X; C] {
     let mut product = *a;
     for axis in 0..C {
         let [next, last] = others(axis);

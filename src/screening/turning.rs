@@ -23,7 +23,7 @@ use super::cone::{LEAST, MOST, StickingCone};
 use super::first_exit::SHARP;
 use super::first_slip::UNCLEAR;
 use super::forces::{Forces, ON_THE_EDGE};
-use super::lanes::{Number, dot};
+use super::lanes::{Packed, dot};
 use super::screened::ScreenedTurn;
 use super::verdict::{Start, TOGETHER, verdicts};
 use crate::contact::ZERO_SLACK as ROUNDING;
@@ -38,7 +38,7 @@ const POLISHING_STEPS: usize = 2;
 const SQUARED: f64 = 16.0 * f64::EPSILON;
 
 /// Where a margin first falls below zero.
-struct Fall<X: Number> {
+struct Fall<X: Packed> {
     /// cot(θ/2): the larger, the sooner; minus infinity if it does not fall.
     cotangent: X,
     /// How far the angle may be off.
@@ -47,7 +47,7 @@ struct Fall<X: Number> {
     doubt: X,
 }
 
-impl<X: Number> Fall<X> {
+impl<X: Packed> Fall<X> {
     /// With a root there, at which the margin falls by `slope` a radian, less from radian to radian by
     /// `bend` at most.
     #[inline(always)]
@@ -81,13 +81,13 @@ impl<X: Number> Fall<X> {
 }
 
 /// How n and t of one contact turn, and what of the margin may be rounding.
-struct Waves<const C: usize, X: Number> {
+struct Waves<const C: usize, X: Packed> {
     n: Harmonic<X>,
     t: Harmonic<[X; C]>,
     noise: X,
 }
 
-impl<const C: usize, X: Number> Waves<C, X> {
+impl<const C: usize, X: Packed> Waves<C, X> {
     #[inline(always)]
     fn new<const M: usize>(
         cone: &StickingCone<X>,
@@ -224,7 +224,7 @@ impl<const C: usize, X: Number> Waves<C, X> {
 
 /// Where `c + a cos θ + b sin θ`, positive at the beginning, falls below zero.
 #[inline(always)]
-fn straight<X: Number>(margin: &Harmonic<X>, noise: X) -> Fall<X> {
+fn straight<X: Packed>(margin: &Harmonic<X>, noise: X) -> Fall<X> {
     let Harmonic { constant: c, cosine: a, sine: b } = *margin;
     let zero = X::all(0.0);
     let swing = (a * a + b * b).sqrt();
@@ -236,7 +236,7 @@ fn straight<X: Number>(margin: &Harmonic<X>, noise: X) -> Fall<X> {
 /// The verdicts on the scenes of a block, from how forces turn, up to an angle; infinite for a full
 /// turn.
 #[inline(always)]
-pub(super) fn judge<const C: usize, const M: usize, X: Number>(
+pub(super) fn judge<const C: usize, const M: usize, X: Packed>(
     friction: &[X],
     forces: &Harmonic<&Forces<C, M, X>>,
     most: f64,

@@ -4,10 +4,10 @@ use std::f64::consts::TAU;
 
 use super::first_slip::SlipCode;
 use super::forces::Forces;
-use super::lanes::Number;
+use super::lanes::Packed;
 use super::question::{Room, Scenes, ScreeningQuestion};
 use super::screened::ScreenedTurn;
-use super::springs::Springs;
+use super::springs::StickingSprings;
 use super::turning::judge;
 use crate::error::Error;
 use crate::grasp::Wrench;
@@ -43,7 +43,7 @@ impl<const C: usize> ScreeningQuestion<C> for TurningPull<C> {
     const UNKNOWN: ScreenedTurn = ScreenedTurn { first: SlipCode::UNKNOWN, most: 0.0 };
 
     #[inline(always)]
-    fn ask<V: Vectors, P: Springs<C, M, X>, const M: usize, X: Number>(
+    fn ask<V: Vectors, P: StickingSprings<C, M, X>, const M: usize, X: Packed>(
         &self,
         scenes: &Scenes<'_, V, P, C, M, X>,
         [constant, cosine, sine]: Room<'_, C, M, X>,
@@ -60,7 +60,7 @@ impl<const C: usize> ScreeningQuestion<C> for TurningPull<C> {
 }
 
 #[inline(never)]
-fn judge_apart<V: Vectors, const C: usize, const M: usize, X: Number>(
+fn judge_apart<V: Vectors, const C: usize, const M: usize, X: Packed>(
     v: V,
     friction: &[X],
     forces: &Harmonic<&Forces<C, M, X>>,

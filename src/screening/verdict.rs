@@ -1,7 +1,7 @@
 //! From what contacts do to the verdict on their grasp.
 
 use super::first_slip::{GIVES_WAY, NOT_STICKING, SlipCode, UNCLEAR};
-use super::lanes::Number;
+use super::lanes::Packed;
 
 /// Contacts that leave at factors or angles less than this part apart leave together, as those of
 /// symmetric grasps do up to rounding.
@@ -11,7 +11,7 @@ pub(super) const TOGETHER: f64 = 1e-12;
 const BALANCED: f64 = 1e-12;
 
 /// How scenes begin.
-pub(super) struct Start<X: Number> {
+pub(super) struct Start<X: Packed> {
     /// The least margin of a contact to the edge of its cone, and the least one less its rounding.
     pub(super) margin: X,
     pub(super) sure: X,
@@ -22,7 +22,7 @@ pub(super) struct Start<X: Number> {
 /// The verdicts: the factor or angle at which contacts leave first, infinite or a code, holds if all
 /// of them stick at the beginning and forces balance.
 #[inline(always)]
-pub(super) fn verdicts<A: Copy, X: Number>(
+pub(super) fn verdicts<A: Copy, X: Packed>(
     (first, leaving): (X, X),
     &Start { margin, sure, free }: &Start<X>,
     unbalanced: X,
@@ -44,6 +44,6 @@ pub(super) fn verdicts<A: Copy, X: Number>(
 
 /// A choice by whether forces balance the load.
 #[inline(always)]
-pub(super) fn balanced<X: Number>(unbalanced: X, yes: X, no: X) -> X {
+pub(super) fn balanced<X: Packed>(unbalanced: X, yes: X, no: X) -> X {
     X::all(BALANCED).above(unbalanced, yes, no)
 }
