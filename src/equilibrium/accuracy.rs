@@ -129,7 +129,7 @@ impl<D: Size, const C: usize> Variation<D, C> {
                     variation.dragged[i][a] = force[a] * sign;
                 }
             }
-            variation.load += &site.map * variation.dragged[i];
+            site.map.push(&variation.dragged[i], &mut variation.load);
             // The digits of a point count from the origin it is given in, not from its neighbours.
             let point = grasp
                 .contacts()

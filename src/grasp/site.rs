@@ -46,10 +46,10 @@ impl<D: Size, const C: usize> Site<D, C> {
         let frame = contact.frame(index)?;
         let axes = contact.springs();
         let series = contact.stiffness.series();
-        let (map, map_rest) = grasp_map_in_twice(size, &contact.point, origin, length, &frame);
+        let (mut map, mut map_rest) = grasp_map_in_twice(size, &contact.point, origin, length, &frame);
         Ok(Self {
             size: map.norm(),
-            support: Support::of(&map, &map_rest),
+            support: Support::of(&mut map, &mut map_rest),
             map,
             map_rest,
             frame,
@@ -61,9 +61,10 @@ impl<D: Size, const C: usize> Site<D, C> {
     }
 
     /// This site with another map, exactly.
-    pub(crate) fn with_map(&self, map: Map<D, C>) -> Self {
-        let map_rest = Map::zeros(map.size());
-        Self { size: map.norm(), support: Support::of(&map, &map_rest), map, map_rest, ..self.clone() }
+    pub(crate) fn with_map(&self, mut map: Map<D, C>) -> Self {
+        let mut map_rest = Map::zeros(map.size());
+        let (size, support) = (map.norm(), Support::of(&mut map, &mut map_rest));
+        Self { size, support, map, map_rest, ..self.clone() }
     }
 
     /// A site whose only force acts along one axis of its own: a drive of a hand.
@@ -73,11 +74,11 @@ impl<D: Size, const C: usize> Site<D, C> {
         springs: Compliance<C>,
         hold: Hold,
     ) -> Self {
-        let (mut map, map_rest) = (Map::zeros(size), Map::zeros(size));
+        let (mut map, mut map_rest) = (Map::zeros(size), Map::zeros(size));
         map.set_column(axis, along);
         Self {
             size: map.norm(),
-            support: Support::of(&map, &map_rest),
+            support: Support::of(&mut map, &mut map_rest),
             map,
             map_rest,
             frame: SMatrix::identity(),
@@ -116,7 +117,7 @@ impl<D: Size, const C: usize> Site<D, C> {
             }
         }
         self.size = self.map.norm();
-        self.support = Support::of(&self.map, &self.map_rest);
+        self.support = Support::of(&mut self.map, &mut self.map_rest);
     }
 
     /// Some entries of a column of G_i, each with what rounding took from it.
@@ -126,8 +127,8 @@ impl<D: Size, const C: usize> Site<D, C> {
         axis: usize,
         range: Range<usize>,
     ) -> impl Iterator<Item = (f64, f64)> {
-        let map = &self.map.column_slice(axis)[range.clone()];
-        let rest = &self.map_rest.column_slice(axis)[range];
+        let map = self.map.column_within(axis, range.clone());
+        let rest = self.map_rest.column_within(axis, range);
         map.iter().copied().zip(rest.iter().copied())
     }
 

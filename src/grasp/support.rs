@@ -14,15 +14,21 @@ pub(crate) struct Support<D: Size> {
 }
 
 impl<D: Size> Support<D> {
-    pub(super) fn of<const C: usize>(map: &Map<D, C>, rest: &Map<D, C>) -> Self {
+    /// That of these two maps together, in which only its rows are kept.
+    pub(super) fn of<const C: usize>(map: &mut Map<D, C>, rest: &mut Map<D, C>) -> Self {
         let size = map.size();
         let count = size.count();
-        let felt = |k: &usize| map.row(*k).iter().chain(rest.row(*k).iter()).any(|x| *x != 0.0);
+        let is_felt = |k: &usize| map.row(*k).iter().chain(rest.row(*k).iter()).any(|x| *x != 0.0);
+        let mut felt: Vec<usize> = map.rows().chain(rest.rows()).filter(is_felt).collect();
+        felt.sort_unstable();
+        felt.dedup();
         let object = of_the_object::<C>().min(count);
-        let first = (object..count).find(felt).unwrap_or(count);
-        let end = (first..count).rev().find(felt).map_or(first, |last| last + 1);
-        let of_object = (0..object).any(|k| felt(&k));
-        let ranges = if of_object { [0..object, first..end] } else { apart(first..end, felt) };
+        let others = &felt[felt.partition_point(|k| *k < object)..];
+        let all = others.first().zip(others.last()).map_or(count..count, |(first, last)| *first..last + 1);
+        let of_object = others.len() < felt.len();
+        let ranges = if of_object { [0..object, all] } else { apart(all, others) };
+        map.keep(&ranges);
+        rest.keep(&ranges);
         Self { size, ranges }
     }
 
@@ -35,10 +41,10 @@ impl<D: Size> Support<D> {
 }
 
 /// A range divided where it is not felt for longest.
-fn apart(range: Range<usize>, felt: impl Fn(&usize) -> bool) -> [Range<usize>; 2] {
+fn apart(range: Range<usize>, felt: &[usize]) -> [Range<usize>; 2] {
     let Range { start, end } = range;
     let (mut gap, mut last) = (end..end, start);
-    for k in (start..end).filter(felt) {
+    for &k in felt {
         if k - last > gap.len() + 1 {
             gap = last + 1..k;
         }

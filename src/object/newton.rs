@@ -44,7 +44,7 @@ impl<D: Size> Imbalance<D> {
 
     /// Adds the terms of a contact.
     pub(crate) fn add<const C: usize>(&mut self, site: &Site<D, C>, force: &SVector<f64, C>) {
-        self.left += &site.map * force;
+        site.map.push(force, &mut self.left);
         self.size += force.norm();
     }
 

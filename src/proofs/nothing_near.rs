@@ -53,7 +53,7 @@ pub(crate) fn nothing_near<D: Size, const C: usize>(
             Resistance::BySprings(row) => (row.dot(&stretch), row),
         };
         resisted += terms;
-        slope += &site.map * row;
+        site.map.push(&row, &mut slope);
         size += row.norm() * site.span(&problem.drives[i], at);
     }
     let rounding = ROUNDING * (problem.len() as f64).max(8.0);

@@ -99,9 +99,9 @@ fn escape<D: Size, const C: usize>(
         let (local, site) = (problem.local(i), &problem.sites[i]);
         let u = site.map.tr_mul(motion);
         gain += phi.dot(&problem.drives[i]);
-        unbalanced += &site.map * phi;
+        site.map.push(phi, &mut unbalanced);
         let pushed = local.springs.force(&u);
-        balanced_size += (&site.map * phi).norm() + (&site.map * pushed).norm();
+        balanced_size += site.map.pushed_norm(phi) + site.map.pushed_norm(&pushed);
         size += 2.0 * (local.springs.stored(phi) + local.springs.stored(&pushed));
         worst = worst.max(local.most_work(&labels[i], phi, &u));
     }

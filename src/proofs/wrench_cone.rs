@@ -117,7 +117,7 @@ pub(crate) fn separating_motion<D: Size, const C: usize>(problem: &Problem<D, C>
 /// The forces of the springs stretched by the commands alone, as wrenches.
 fn squeeze<D: Size, const C: usize>(problem: &Problem<D, C>) -> f64 {
     let pushed =
-        |(site, drive): (&Site<D, C>, &SVector<f64, C>)| (&site.map * site.springs.force(drive)).norm();
+        |(site, drive): (&Site<D, C>, &SVector<f64, C>)| site.map.pushed_norm(&site.springs.force(drive));
     problem.sites.iter().zip(&problem.drives).map(pushed).sum()
 }
 

@@ -1,10 +1,10 @@
 //! A matrix from a contact to coordinates.
 
-use std::ops::{Index, IndexMut, Mul};
+use std::ops::{Index, IndexMut, Mul, Range};
 
 use nalgebra::{SMatrix, SVector};
 
-use super::list::List;
+use super::map_entries::MapEntries;
 use super::size::Size;
 use super::vector::Vector;
 
@@ -18,7 +18,7 @@ pub(crate) struct Map<D: Size, const C: usize> {
 impl<D: Size, const C: usize> Map<D, C> {
     #[inline]
     pub(crate) fn zeros(size: D) -> Self {
-        Self { entries: D::Map::<C>::zeros(size.count() * C), size }
+        Self { entries: D::Map::<C>::zeros(), size }
     }
 
     #[inline]
@@ -26,7 +26,7 @@ impl<D: Size, const C: usize> Map<D, C> {
         let mut map = Self::zeros(size);
         for a in 0..C {
             for k in 0..size.count() {
-                map[(k, a)] = entry(k, a);
+                map.entries.set(k, a, entry(k, a));
             }
         }
         map
@@ -37,23 +37,36 @@ impl<D: Size, const C: usize> Map<D, C> {
         self.size
     }
 
+    /// Rows outside of which all entries are zero, in order.
+    pub(crate) fn rows(&self) -> impl Iterator<Item = usize> + '_ {
+        self.entries.rows()
+    }
+
+    /// Lets go of rows outside of these ranges, which have no entries.
+    pub(crate) fn keep(&mut self, ranges: &[Range<usize>; 2]) {
+        self.entries.keep(ranges);
+    }
+
     #[inline]
     pub(crate) fn norm(&self) -> f64 {
         // Column by column, as nalgebra sums.
-        let squares = |a: usize| self.column(a).norm_squared();
+        let squares = |a: usize| self.size.column_square::<C>(&self.entries, a);
         (0..C).fold(0.0, |sum, a| sum + squares(a)).sqrt()
     }
 
     #[inline]
     pub(crate) fn column(&self, a: usize) -> Vector<D> {
-        let column = self.column_slice(a);
-        Vector::from_fn(self.size, |k| column[k])
+        let mut column = Vector::all_zero(self.size);
+        for k in self.rows() {
+            column[k] = self[(k, a)];
+        }
+        column
     }
 
+    /// What a column has in rows of one of the ranges that were kept.
     #[inline]
-    pub(crate) fn column_slice(&self, a: usize) -> &[f64] {
-        let n = self.size.count();
-        &self.entries.slice()[a * n..(a + 1) * n]
+    pub(crate) fn column_within(&self, a: usize, range: Range<usize>) -> &[f64] {
+        self.entries.column(a, range)
     }
 
     #[inline]
@@ -63,29 +76,48 @@ impl<D: Size, const C: usize> Map<D, C> {
 
     #[inline]
     pub(crate) fn set_column(&mut self, a: usize, column: &Vector<D>) {
-        for k in 0..self.size.count() {
-            self[(k, a)] = column[k];
-        }
+        let given = column.as_slice().len();
+        column.iter().enumerate().for_each(|(k, x)| self.entries.set(k, a, *x));
+        // All components behind the end of a list are zero.
+        let behind: Vec<usize> = self.rows().filter(|k| *k >= given).collect();
+        behind.into_iter().for_each(|k| self.entries.set(k, a, 0.0));
     }
 
     pub(crate) fn set_row(&mut self, k: usize, row: &SVector<f64, C>) {
         for a in 0..C {
-            self[(k, a)] = row[a];
+            self.entries.set(k, a, row[a]);
         }
     }
 
     /// `G K`, column by column, as nalgebra sums.
     #[inline]
     pub(crate) fn times(&self, by: &SMatrix<f64, C, C>) -> Self {
-        Self::from_fn(self.size, |k, b| {
-            (1..C).fold(self[(k, 0)] * by[(0, b)], |sum, a| sum + self[(k, a)] * by[(a, b)])
-        })
+        let mut product = Self::zeros(self.size);
+        for k in self.rows() {
+            for b in 0..C {
+                let entry = (1..C).fold(self[(k, 0)] * by[(0, b)], |sum, a| sum + self[(k, a)] * by[(a, b)]);
+                product.entries.set(k, b, entry);
+            }
+        }
+        product
     }
 
     /// `Gᵀv`.
     #[inline]
     pub(crate) fn tr_mul(&self, v: &Vector<D>) -> SVector<f64, C> {
         self.size.felt(&self.entries, &v.0)
+    }
+
+    /// Adds `G f` to a vector.
+    #[inline]
+    pub(crate) fn push(&self, f: &SVector<f64, C>, to: &mut Vector<D>) {
+        self.size.add_mapped(&self.entries, f, &mut to.0);
+    }
+
+    /// `|G f|`.
+    #[inline]
+    pub(crate) fn pushed_norm(&self, f: &SVector<f64, C>) -> f64 {
+        self.size.mapped_square(&self.entries, f).sqrt()
     }
 }
 
@@ -94,15 +126,14 @@ impl<D: Size, const C: usize> Index<(usize, usize)> for Map<D, C> {
 
     #[inline]
     fn index(&self, (k, a): (usize, usize)) -> &f64 {
-        &self.entries.slice()[a * self.size.count() + k]
+        self.entries.entry(k, a)
     }
 }
 
 impl<D: Size, const C: usize> IndexMut<(usize, usize)> for Map<D, C> {
     #[inline]
     fn index_mut(&mut self, (k, a): (usize, usize)) -> &mut f64 {
-        let n = self.size.count();
-        &mut self.entries.slice_mut()[a * n + k]
+        self.entries.entry_mut(k, a)
     }
 }
 

@@ -5,6 +5,7 @@
 
 mod list;
 mod map;
+mod map_entries;
 mod seen;
 mod size;
 mod square;

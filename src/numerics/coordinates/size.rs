@@ -6,6 +6,7 @@ use std::ops::Range;
 use nalgebra::{SMatrix, SVector};
 
 use super::list::{List, Short};
+use super::map_entries::{FewRows, MapEntries};
 
 /// How many coordinates there are.
 pub(crate) trait Size: Copy + PartialEq + Debug + Default + Send + Sync + 'static {
@@ -14,7 +15,7 @@ pub(crate) trait Size: Copy + PartialEq + Debug + Default + Send + Sync + 'stati
     /// Entries of a square matrix, column by column.
     type Square: List;
     /// Entries of a matrix with a row for each coordinate and C columns, column by column.
-    type Map<const C: usize>: List;
+    type Map<const C: usize>: MapEntries<C>;
     /// Entries of a matrix with C rows and a column for each coordinate, column by column.
     type Seen<const C: usize>: List;
     /// A number for each coordinate, say another order of them.
@@ -35,6 +36,12 @@ pub(crate) trait Size: Copy + PartialEq + Debug + Default + Send + Sync + 'stati
     fn product(self, a: &Self::Square, b: &Self::Square) -> Self::Square;
     /// `G f`.
     fn mapped<const C: usize>(self, map: &Self::Map<C>, f: &SVector<f64, C>) -> Self::List;
+    /// Adds `G f`.
+    fn add_mapped<const C: usize>(self, map: &Self::Map<C>, f: &SVector<f64, C>, to: &mut Self::List);
+    /// `|G f|²`.
+    fn mapped_square<const C: usize>(self, map: &Self::Map<C>, f: &SVector<f64, C>) -> f64;
+    /// The square of the length of a column of G.
+    fn column_square<const C: usize>(self, map: &Self::Map<C>, a: usize) -> f64;
     /// `Gᵀv`.
     fn felt<const C: usize>(self, map: &Self::Map<C>, v: &Self::List) -> SVector<f64, C>;
     /// `S v`.
@@ -98,6 +105,21 @@ impl<const D: usize> Size for Fixed<D> {
     }
 
     #[inline]
+    fn add_mapped<const C: usize>(self, map: &Self::Map<C>, f: &SVector<f64, C>, to: &mut Self::List) {
+        *to += map * f;
+    }
+
+    #[inline]
+    fn mapped_square<const C: usize>(self, map: &Self::Map<C>, f: &SVector<f64, C>) -> f64 {
+        (map * f).norm_squared()
+    }
+
+    #[inline]
+    fn column_square<const C: usize>(self, map: &Self::Map<C>, a: usize) -> f64 {
+        map.column(a).into_owned().norm_squared()
+    }
+
+    #[inline]
     fn felt<const C: usize>(self, map: &Self::Map<C>, v: &Self::List) -> SVector<f64, C> {
         map.tr_mul(v)
     }
@@ -116,7 +138,7 @@ impl<const D: usize> Size for Fixed<D> {
 impl Size for Any {
     type List = Short;
     type Square = Vec<f64>;
-    type Map<const C: usize> = Vec<f64>;
+    type Map<const C: usize> = FewRows;
     type Seen<const C: usize> = Vec<f64>;
     type Indices = Vec<usize>;
 
@@ -155,13 +177,34 @@ impl Size for Any {
     }
 
     #[inline]
-    fn mapped<const C: usize>(self, map: &Vec<f64>, f: &SVector<f64, C>) -> Short {
-        combined(self.0, map, f.as_slice())
+    fn mapped<const C: usize>(self, map: &FewRows, f: &SVector<f64, C>) -> Short {
+        let mut sum = Short::zeros(self.0);
+        self.add_mapped(map, f, &mut sum);
+        sum
     }
 
     #[inline]
-    fn felt<const C: usize>(self, map: &Vec<f64>, v: &Short) -> SVector<f64, C> {
-        SVector::from_fn(|a, _| dot(&map[a * self.0..(a + 1) * self.0], v.slice()))
+    fn add_mapped<const C: usize>(self, map: &FewRows, f: &SVector<f64, C>, to: &mut Short) {
+        to.reach(self.0);
+        let to = to.slice_mut();
+        for_each_mapped(map, f, |k, sum| to[k] += sum);
+    }
+
+    #[inline]
+    fn mapped_square<const C: usize>(self, map: &FewRows, f: &SVector<f64, C>) -> f64 {
+        let mut squares = Lanes::of(self.0);
+        for_each_mapped(map, f, |k, sum| squares.add(k, sum * sum));
+        squares.sum()
+    }
+
+    #[inline]
+    fn column_square<const C: usize>(self, map: &FewRows, a: usize) -> f64 {
+        in_lanes(self.0, map.of_column(a).map(|(k, x)| (k, x * x)))
+    }
+
+    #[inline]
+    fn felt<const C: usize>(self, map: &FewRows, v: &Short) -> SVector<f64, C> {
+        SVector::from_fn(|a, _| map.felt(a, self.0, v.slice()))
     }
 
     #[inline]
@@ -200,13 +243,55 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     (sums[0] + sums[2]) + (sums[1] + sums[3]) + rest
 }
 
+/// The four sums of [`dot`], of terms that come with their places.
+struct Lanes {
+    sums: [f64; 4],
+    rest: f64,
+    /// From here on terms are in the rest.
+    whole: usize,
+}
+
+impl Lanes {
+    fn of(count: usize) -> Self {
+        Self { sums: [0.0; 4], rest: 0.0, whole: count / 4 * 4 }
+    }
+
+    #[inline]
+    fn add(&mut self, k: usize, term: f64) {
+        *(if k < self.whole { &mut self.sums[k % 4] } else { &mut self.rest }) += term;
+    }
+
+    #[inline]
+    fn sum(self) -> f64 {
+        let Self { sums, rest, .. } = self;
+        (sums[0] + sums[2]) + (sums[1] + sums[3]) + rest
+    }
+}
+
+/// The sum that [`dot`] makes of these terms among so many, each with its place; those that are not there are zero.
+#[inline]
+pub(super) fn in_lanes(count: usize, terms: impl Iterator<Item = (usize, f64)>) -> f64 {
+    let mut lanes = Lanes::of(count);
+    terms.for_each(|(k, term)| lanes.add(k, term));
+    lanes.sum()
+}
+
+/// Visits what `G f` has in the rows that are there.
+#[inline]
+fn for_each_mapped<const C: usize>(map: &FewRows, f: &SVector<f64, C>, mut visit: impl FnMut(usize, f64)) {
+    for k in MapEntries::<C>::rows(map) {
+        let terms = (0..C).filter(|a| f[*a] != 0.0).map(|a| MapEntries::<C>::entry(map, k, a) * f[a]);
+        visit(k, terms.fold(0.0, |sum, term| sum + term));
+    }
+}
+
 /// The sum of columns of so many rows, each so many times.
 #[inline]
 fn combined(rows: usize, columns: &[f64], times: &[f64]) -> Short {
     let mut sum = Short::zeros(rows);
     let list = sum.slice_mut();
     for (column, times) in columns.chunks_exact(rows.max(1)).zip(times) {
-        // A map of a hand has entries for one finger.
+        // Many are zero.
         if *times != 0.0 {
             list.iter_mut().zip(column).for_each(|(sum, entry)| *sum += entry * times);
         }
