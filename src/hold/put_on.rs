@@ -25,8 +25,9 @@ impl<D: Size, const C: usize> Engine<D, C> {
             let (what, allowed) = ("most_load of the settings", "more than 0 and at most 1e50");
             return Err(Error::Argument { what, value: settings.most_load, allowed });
         }
-        let onset = self.onset(ramp, settings)?;
-        let mut path = self.follow(&ramp.base, &[Leg::along(ramp)], settings)?;
+        // Rest is the same for both, and of many bodies takes most of the time.
+        let (onset, rest) = self.onset_from_rest(ramp, settings)?;
+        let mut path = self.follow_from_rest((&ramp.base, rest), &[Leg::along(ramp)], settings)?;
         let events = path.run();
         let state = matches!(path.end(), Some(PathEnd::Completed)).then(|| path.state()).flatten();
         let mut gone = 1.0;

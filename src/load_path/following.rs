@@ -34,7 +34,15 @@ impl<'g, D: Size, const C: usize, F: Follower<'g, D, C>> Following<'g, D, C, F> 
         settings: &Settings,
         begin: impl FnOnce(&Journey<'g, D, C>, &Problem<'g, D, C>) -> Result<F, PathEnd<C>>,
     ) -> Result<Self, Error> {
-        let mut journey = Journey::new(grasp, start, settings)?;
+        Self::of(Journey::new(grasp, start, settings)?, legs, begin)
+    }
+
+    /// The path of a journey that has no legs yet.
+    pub(super) fn of(
+        mut journey: Journey<'g, D, C>,
+        legs: &[Leg<C>],
+        begin: impl FnOnce(&Journey<'g, D, C>, &Problem<'g, D, C>) -> Result<F, PathEnd<C>>,
+    ) -> Result<Self, Error> {
         journey.extend(legs, F::STRAIGHT_ONLY)?;
         let problem = journey.problem_at_start();
         let goes = journey.program.begin_leg();

@@ -15,6 +15,9 @@ use crate::numerics::{Size, Vector};
 use crate::object::{Load, Problem};
 use crate::search::{Doubt, Effort, Found, Rung, Settings, Settled, settle};
 
+/// What an equilibrium to start from settled to.
+pub(crate) type Rest<D, const C: usize> = (Settled<D, C>, Effort);
+
 /// A program of legs on its way.
 #[derive(Debug)]
 pub(crate) struct Journey<'g, D: Size, const C: usize> {
@@ -22,6 +25,8 @@ pub(crate) struct Journey<'g, D: Size, const C: usize> {
     pub(super) settings: Settings,
     pub(super) polygon: Arc<Polygon<C>>,
     pub(super) program: Program<C>,
+    /// Where it starts, if that is known already.
+    pub(super) rest: Option<Rest<D, C>>,
 }
 
 impl<'g, D: Size, const C: usize> Journey<'g, D, C> {
@@ -33,7 +38,7 @@ impl<'g, D: Size, const C: usize> Journey<'g, D, C> {
     ) -> Result<Self, Error> {
         grasp.load_alone(start, "start load")?;
         let polygon = Polygon::shared(&settings.cone);
-        Ok(Self { grasp, settings: *settings, polygon, program: Program::new(grasp, *start) })
+        Ok(Self { grasp, settings: *settings, polygon, program: Program::new(grasp, *start), rest: None })
     }
 
     /// The question of one equilibrium with these drives, for the cone of the journey.
@@ -49,7 +54,7 @@ impl<'g, D: Size, const C: usize> Journey<'g, D, C> {
 
     /// The equilibrium to start from; else how the path ends before it begins.
     pub(super) fn start(&self, problem: &Problem<'g, D, C>) -> Result<Found<D, C>, PathEnd<C>> {
-        match settle(problem, &self.settings) {
+        match self.rest.clone().unwrap_or_else(|| settle(problem, &self.settings)) {
             (Settled::Found(found, _), _) => Ok(found),
             (nothing, effort) => {
                 let load = self.program.load_at(0.0);

@@ -8,6 +8,7 @@
 use super::beyond::{Beyond, EquilibriumEnd, beyond_end, continuation};
 use super::end_of_path::leaving_motions;
 use super::first_to_leave::first_to_leave;
+use super::journey::Rest;
 use super::onset::{Onset, OnsetEvent};
 use super::onset_workspace::OnsetMemory;
 use super::ramp::Ramp;
@@ -21,7 +22,7 @@ use crate::equilibrium::{Cone, Equilibrium, Outcome};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Memory, Size};
-use crate::object::{Load, Problem};
+use crate::object::{Load, Problem, are_many};
 use crate::search::{Effort, Found, Rung, Settings, Settled, settle};
 
 impl<D: Size, const C: usize> Engine<D, C> {
@@ -45,6 +46,18 @@ impl<D: Size, const C: usize> Engine<D, C> {
         self.onset_in_memory(ramp, settings, memory)
     }
 
+    /// [`Self::onset`], and what the base settled to if that had to be known: for a path from there.
+    pub(crate) fn onset_from_rest(
+        &self,
+        ramp: &Ramp<C>,
+        settings: &Settings,
+    ) -> Result<(Onset<C>, Option<Rest<D, C>>), Error> {
+        let mut memory = OnsetMemory::default();
+        let onset = self.onset_in_memory(ramp, settings, &mut memory)?;
+        // With few coordinates it is found at once.
+        Ok((onset, memory.rest.filter(|_| are_many(self.size()))))
+    }
+
     fn onset_in_memory(
         &self,
         ramp: &Ramp<C>,
@@ -55,22 +68,27 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let direction = self.inside(&ramp.direction, "load direction")?;
         ramp.drive_changes_into(self, &mut memory.change)?;
         let segment = memory.segment(self, settings, Trajectory::Straight { from: base, rate: direction });
+        memory.rest = None;
         if let Some(first) = first_to_leave(&segment, memory) {
             let load = ramp.load_at(first.factor);
             return Ok(first.onset(segment, load, memory));
         }
         let course = Trajectory::Straight { from: ramp.base, rate: ramp.direction };
-        Ok(self.walked(segment, (course, f64::INFINITY), settings).onset)
+        let rest = settle(&segment.problem, settings);
+        let onset = self.walked(segment, &rest, (course, f64::INFINITY), settings).onset;
+        memory.rest = Some(rest);
+        Ok(onset)
     }
 
-    /// The onset along a course, as the question has it, up to its end, with all that may happen on the way.
+    /// The onset along a course, as the question has it, up to its end, with all that may happen on the way from where its base settled.
     pub(super) fn walked<'a>(
         &'a self,
         segment: Segment<'a, D, C>,
+        rest: &Rest<D, C>,
         (course, end): (Trajectory<Wrench<C>>, f64),
         settings: &'a Settings,
     ) -> TurnOnset<C> {
-        let (found, rule) = match self.sticking_base(&segment, &course, settings) {
+        let (found, rule) = match self.sticking_base(&segment, &course, rest) {
             Ok(base) => base,
             Err(onset) => return TurnOnset { onset: *onset, touches: Vec::new() },
         };
@@ -124,18 +142,17 @@ impl<D: Size, const C: usize> Engine<D, C> {
         &self,
         segment: &Segment<'_, D, C>,
         course: &Trajectory<Wrench<C>>,
-        settings: &Settings,
+        (settled, effort): &Rest<D, C>,
     ) -> Result<(Found<D, C>, Rung), Box<Onset<C>>> {
         let (problem, cone) = (&segment.problem, segment.cone);
         let slides = |found: &Found<D, C>| found.states.iter().any(State::slides);
-        let (settled, effort) = settle(problem, settings);
-        match &settled {
+        match settled {
             Settled::Found(found, rule) if !slides(found) => {
                 return Ok((found.clone(), *rule));
             }
             _ => {}
         }
-        Err(Box::new(match self.outcome(problem, &course.at(0.0), settled, &effort, cone) {
+        Err(Box::new(match self.outcome(problem, &course.at(0.0), settled.clone(), effort, cone) {
             Outcome::Equilibrium(equilibrium) => Onset::AlreadySliding(equilibrium),
             Outcome::NoEquilibrium(none) => Onset::NoBase(none),
             Outcome::Undecided(doubt) => Onset::Undecided(doubt),

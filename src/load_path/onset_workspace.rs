@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::SVector;
 
+use super::journey::Rest;
 use super::onset::{Leaving, Onset, OnsetEvent};
 use super::segment::Segment;
 use super::trajectory::Trajectory;
@@ -34,6 +35,8 @@ pub(super) struct OnsetMemory<D: Size, const C: usize> {
     /// Lists of coordinates of joints.
     pub(super) coordinates: [Vec<f64>; 3],
     place: Option<Box<OnsetEvent<C>>>,
+    /// What the base settled to, if the last question had to know.
+    pub(super) rest: Option<Rest<D, C>>,
 }
 
 impl<D: Size, const C: usize> Default for OnsetMemory<D, C> {
@@ -53,6 +56,7 @@ impl<D: Size, const C: usize> Default for OnsetMemory<D, C> {
             sites: Vec::new(),
             coordinates: Default::default(),
             place: None,
+            rest: None,
         }
     }
 }

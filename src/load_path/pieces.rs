@@ -13,7 +13,7 @@ use super::event::{Event, PathEnd};
 use super::flow::{Reached, Rule};
 use super::follower::{Came, Follower, StandAtEdge};
 use super::following::Following;
-use super::journey::Journey;
+use super::journey::{Journey, Rest};
 use super::leg::Leg;
 use super::node::Node;
 use super::pace::Pace;
@@ -58,6 +58,17 @@ impl<D: Size, const C: usize> Engine<D, C> {
         settings: &Settings,
     ) -> Result<LoadPath<'_, C>, Error> {
         Ok(Path::new(Box::new(Following::start(self, (start, legs), settings, Pieces::at_start)?)))
+    }
+
+    /// [`Self::follow`], from where an onset with these settings found the base at rest.
+    pub(crate) fn follow_from_rest(
+        &self,
+        (start, rest): (&Wrench<C>, Option<Rest<D, C>>),
+        legs: &[Leg<C>],
+        settings: &Settings,
+    ) -> Result<LoadPath<'_, C>, Error> {
+        let journey = Journey { rest, ..Journey::new(self, start, settings)? };
+        Ok(Path::new(Box::new(Following::of(journey, legs, Pieces::at_start)?)))
     }
 }
 

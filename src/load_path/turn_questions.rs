@@ -11,7 +11,7 @@ use super::turn::{Touch, Turn};
 use crate::error::Error;
 use crate::grasp::Engine;
 use crate::numerics::Size;
-use crate::search::Settings;
+use crate::search::{Settings, settle};
 
 /// The answer to "at which angle does the first contact stop sticking?"
 #[derive(Debug, Clone)]
@@ -43,6 +43,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             return Ok(TurnOnset { onset, touches: Vec::new() });
         }
         let course = Trajectory::Turn { load: turn.load, angle: 1.0 };
-        Ok(self.walked(segment, (course, turn.angle), settings))
+        let rest = settle(&segment.problem, settings);
+        Ok(self.walked(segment, &rest, (course, turn.angle), settings))
     }
 }
