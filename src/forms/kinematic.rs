@@ -97,8 +97,16 @@ pub(crate) fn kinematic_form_among<D: Size, const C: usize>(
     for of_contact in jumps.chunk_by(|a, b| a.contact == b.contact) {
         let contact = of_contact[0].contact;
         if let Entry::Vacant(place) = known.entry(contact) {
-            let moved = of_contact.iter().map(|jump| trial.moved_by(contact, &jump.column));
-            place.insert(moved.collect::<Option<_>>()?);
+            let mut moved: Vec<Vec<f64>> = Vec::with_capacity(of_contact.len());
+            for (k, jump) in of_contact.iter().enumerate() {
+                // Facets come in pairs, one the other way than the other.
+                let opposite = of_contact[..k].iter().position(|other| other.column == -jump.column);
+                moved.push(match opposite {
+                    Some(other) => moved[other].iter().map(|x| -x).collect(),
+                    None => trial.moved_by(contact, &jump.column)?,
+                });
+            }
+            place.insert(moved);
         }
     }
     let moved =

@@ -123,8 +123,11 @@ impl BandFactors {
         for (k, pivot) in self.pivots.iter().enumerate() {
             x.swap(k, k + pivot);
             let (known, below) = (x[k], reach.min(count - 1 - k));
-            let factors = &self.column(k, 0)[1..];
-            x[k + 1..=k + below].iter_mut().zip(factors).for_each(|(x, factor)| *x -= factor * known);
+            // A push at one contact is felt from there on.
+            if known != 0.0 {
+                let factors = &self.column(k, 0)[1..];
+                x[k + 1..=k + below].iter_mut().zip(factors).for_each(|(x, factor)| *x -= factor * known);
+            }
         }
         self.back(x);
     }

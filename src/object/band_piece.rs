@@ -134,18 +134,28 @@ impl BandPiece {
         self.factors.is_singular()
     }
 
+    /// Motions in which it is.
+    pub(super) fn loose_motions<D: Size>(&self) -> Vec<Vector<D>> {
+        let motion = |q: Vec<f64>| {
+            let entry = |k: usize| q[self.numbers[k]] * self.right.units[self.numbers[k]];
+            Vector::from_fn(D::of(q.len()), entry)
+        };
+        self.factors.null_vectors().into_iter().map(motion).collect()
+    }
+
     /// T⁻¹ of a load.
     pub(super) fn solve<D: Size>(&self, load: &Vector<D>) -> Vector<D> {
         self.respond(&mut vec![0.0; self.springs.counts.iter().sum()], load)
     }
 
-    /// What the coordinates, by their numbers, move by where springs of a contact push by so much each: T⁻¹Aᵀ of it.
+    /// What the coordinates, by their numbers, move by where springs of a contact push by so much each: T⁻¹Bᵀ of it.
     pub(super) fn moved_by(&self, contact: usize, pushes: &[f64]) -> Vec<f64> {
+        let left = self.left.as_ref().unwrap_or(&self.right);
         let mut q = vec![0.0; self.numbers.len()];
         self.springs.of(contact, |k, felt, range| {
-            felt.iter().zip(&self.right.rows[range]).for_each(|(j, a)| q[*j] += a * pushes[k]);
+            felt.iter().zip(&left.rows[range]).for_each(|(i, b)| q[*i] += b * pushes[k]);
         });
-        q.iter_mut().zip(&self.right.units).for_each(|(q, unit)| *q *= unit);
+        q.iter_mut().zip(&left.units).for_each(|(q, unit)| *q *= unit);
         self.factors.solve(&mut q);
         q.iter_mut().zip(&self.right.units).for_each(|(q, unit)| *q *= unit);
         q

@@ -119,7 +119,7 @@ impl<D: Size, const C: usize> Piece<D, C> {
         self.band.is_some()
     }
 
-    /// Where everything sticks, what coordinates move by where a contact pushes so much along its axes in units of its springs; `None` where it has orthogonal
+    /// What coordinates move by where a contact that sticks pushes so much along its axes in units of its springs; `None` where it has orthogonal
     /// factors.
     pub(crate) fn moved_by(&self, contact: usize, pushes: &SVector<f64, C>) -> Option<Vec<f64>> {
         Some(self.band.as_ref()?.0.moved_by(contact, &self.along_springs(contact, pushes)[..]))

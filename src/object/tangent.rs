@@ -39,6 +39,14 @@ impl<D: Size> TangentFactors<D> {
         }
     }
 
+    /// Motions in which the T of a band is singular.
+    pub(crate) fn loose_motions(&self) -> Vec<Vector<D>> {
+        match self {
+            Self::Whole(_) => Vec::new(),
+            Self::Band(band) => band.loose_motions(),
+        }
+    }
+
     /// Whether T is regular.
     pub(crate) fn is_regular(&self) -> bool {
         match self {

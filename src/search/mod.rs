@@ -22,6 +22,7 @@ mod candidate;
 mod enumerate;
 mod ladder;
 mod least_motion;
+mod near_states;
 mod polish;
 mod proposals;
 mod relaxed;

@@ -1,6 +1,6 @@
 //! Several bodies: are everyday piles decided, how long do walls take, and how thick must an arch be?
 //!
-//! `cargo run --release -p reports --bin several_bodies [piles of each kind [rows of bricks]]` (400 and 10 unless you say otherwise)
+//! `cargo run --release -p reports --bin several_bodies [piles of each kind [rows of bricks]]` (400 and 32 unless you say otherwise)
 
 use grasp_lcp::planar::{Bodies, Wrench};
 use support::best_time::once;
@@ -12,7 +12,7 @@ type Failure = Box<dyn std::error::Error>;
 fn main() -> Result<(), Failure> {
     let mut numbers = std::env::args().skip(1).map(|text| text.parse::<usize>());
     let (each, rows) =
-        (numbers.next().transpose()?.unwrap_or(400), numbers.next().transpose()?.unwrap_or(10));
+        (numbers.next().transpose()?.unwrap_or(400), numbers.next().transpose()?.unwrap_or(32));
     piles(each)?;
     walls(rows)?;
     arches()

@@ -4,9 +4,10 @@
 //! still affordable: what the crate does in general for a few contacts (the dense form for an equilibrium, `Grasp::onset`, `Grasp::follow`), and what one
 //! does today without it (the reduced quadratic program by an interior-point method: once for an equilibrium, bisected for an onset). The
 //! column "of the limit" says which part of the least time that the machine takes for the bytes and operations of the work, see [`limits`]. With
-//! `--features simd` batches use wider vectors.
+//! `--features simd` batches use wider vectors. Of several bodies each row is what one of them costs.
 #![allow(clippy::doc_markdown, unreachable_pub)]
 
+mod bodies;
 mod equilibria;
 mod limits;
 mod onsets;
@@ -24,5 +25,6 @@ fn main() -> Outcome {
     equilibria::patches()?;
     paths::rows()?;
     equilibria::growth()?;
-    equilibria::whole_solve()
+    equilibria::whole_solve()?;
+    bodies::rows()
 }

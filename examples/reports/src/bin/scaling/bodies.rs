@@ -1,0 +1,40 @@
+//! Several bodies: what a verdict costs for each, in rows of books and walls of bricks.
+
+use grasp_lcp::planar::{Bodies, Wrench};
+use support::piles::{books, wall};
+
+use crate::Outcome;
+use crate::report::{Beside, best, row};
+
+/// Rows are as long as one likes, and the cost of a book stays. In a wall of n bricks a band is as wide as a row, √n bricks, so that factors cost √n² for each brick.
+pub fn rows() -> Outcome {
+    let book = |count: usize| (count, books(count), Wrench::force([0.0, -5.0]));
+    grown("book of a row, one pulled: hold, for each book", [10, 100, 1000].map(book))?;
+    let brick =
+        |rows: usize| (rows * rows, wall(rows), Wrench::force_at([5.0, 0.0], [0.5, 0.5 * rows as f64 - 0.1]));
+    grown("brick of a wall, pushed at the top: hold, for each brick", [5, 10, 20, 32].map(brick))
+}
+
+/// Rows of a family that grows, each beside the one before.
+fn grown(work: &str, family: impl IntoIterator<Item = (usize, Bodies, Wrench)>) -> Outcome {
+    let mut before: Option<(usize, f64)> = None;
+    for (count, bodies, load) in family {
+        let grasp = bodies.grasp()?;
+        let mut holds = None;
+        let runs = if count > 500 { 1 } else { 3 };
+        let time =
+            best(runs, || holds = grasp.hold(load).ok().and_then(|verdict| verdict.holds())) / count as f64;
+        let grows = before.map_or_else(String::new, |(fewer, less)| {
+            let (more, longer) = (count as f64 / fewer as f64, time / less);
+            format!(", {more:.1} times as many: each takes {longer:.1} times as long")
+        });
+        let says = match holds {
+            Some(true) => "holds",
+            Some(false) => "does not hold",
+            None => "undecided",
+        };
+        row(&format!("{count}: {work}"), time, Beside::NOTHING, &format!("{says}{grows}"));
+        before = Some((count, time));
+    }
+    Ok(())
+}

@@ -1,0 +1,40 @@
+//! States of many contacts that are nearly those of an equilibrium: what is next to contacts, and what lacks a hold.
+
+use crate::contact::{Mode, State};
+use crate::numerics::Size;
+use crate::object::Problem;
+
+/// How often contacts may be stuck until nothing is loose any more.
+const ROUNDS: usize = 8;
+
+/// The contacts that feel a coordinate which one of these feels, these included, in order.
+pub(super) fn beside<D: Size, const C: usize>(problem: &Problem<D, C>, among: &[usize]) -> Vec<usize> {
+    let felt = |i: usize| problem.sites[i].support.ranges::<C>().into_iter().flatten();
+    let mut is_near = vec![false; problem.size().count()];
+    among.iter().flat_map(|i| felt(*i)).for_each(|k| is_near[k] = true);
+    (0..problem.len()).filter(|i| felt(*i).any(|k| is_near[k])).collect()
+}
+
+/// These states where they leave nothing loose. Of what does not stick the contact that a loose motion moves most sticks, one for each such motion, until none is left;
+/// `None` if that does not end.
+pub(super) fn regular<D: Size, const C: usize>(
+    problem: &Problem<D, C>,
+    mut states: Vec<State<C>>,
+) -> Option<Vec<State<C>>> {
+    for _ in 0..ROUNDS {
+        let loose = problem.tangent_in_a_band(|i| states[i])?.loose_motions();
+        if loose.is_empty() {
+            return Some(states);
+        }
+        for motion in &loose {
+            let moved = |i: usize| {
+                let moved = problem.sites[i].map.tr_mul(motion);
+                if states[i].is_open() { moved.norm() } else { moved.rows(1, C - 1).norm() }
+            };
+            let may_stick = |i: &usize| !states[*i].is_sticking() && !problem.local(*i).is_absent();
+            let most = (0..states.len()).filter(may_stick).max_by(|a, b| moved(*a).total_cmp(&moved(*b)))?;
+            states[most] = Mode::Sticking;
+        }
+    }
+    None
+}
