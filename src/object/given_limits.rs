@@ -6,8 +6,8 @@
 //! Σ G_i F_i(a_i - G_iᵀq) + W = 0      where  Σ φ_i(a_i - G_iᵀq) - W·q  is least
 //! ```
 //!
-//! and Newton's method finds it from anywhere: each step keeps a part of the springs that give way, less and less of it as steps get on. Limits that belong to the
-//! normal forces there come next, until hardly a contact changes its state. Nothing is concluded from what this ends with: a few contacts may be wrong.
+//! and Newton's method finds it from anywhere: each step keeps a part of the springs that give way, less and less of it as steps get on. Limits that
+//! belong to the normal forces there come next, until no contact changes its state. Nothing is concluded from what this ends with: some may be wrong.
 //!
 //! Source: J. Haslinger, I. Hlaváček, J. Nečas, Numerical methods for unilateral problems in solid mechanics, Handbook of Numerical Analysis IV (1996):
 //! friction as a fixed point of problems with given friction.

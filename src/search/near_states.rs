@@ -15,8 +15,8 @@ pub(super) fn beside<D: Size, const C: usize>(problem: &Problem<D, C>, among: &[
     (0..problem.len()).filter(|i| felt(*i).any(|k| is_near[k])).collect()
 }
 
-/// These states where they leave nothing loose. Of what does not stick the contact that a loose motion moves most sticks, one for each such motion, until none is left;
-/// `None` if that does not end.
+/// These states where they leave nothing loose. For each loose motion the contact sticks that it moves most, of those that do not, until none is
+/// left; `None` if that does not end.
 pub(super) fn regular<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     mut states: Vec<State<C>>,

@@ -6,7 +6,8 @@ use support::piles::{books, wall};
 use crate::Outcome;
 use crate::report::{Beside, best, row};
 
-/// Rows are as long as one likes, and the cost of a book stays. In a wall of n bricks a band is as wide as a row, √n bricks, so that factors cost √n² for each brick.
+/// Rows are as long as one likes, and the cost of a book stays. In a wall of n bricks a band is as wide as a row of √n bricks, so that factors cost n
+/// for each.
 pub fn rows() -> Outcome {
     let book = |count: usize| (count, books(count), Wrench::force([0.0, -5.0]));
     grown("book of a row, one pulled: hold, for each book", [10, 100, 1000].map(book))?;
