@@ -3,7 +3,7 @@
 use std::fmt;
 use std::sync::Arc;
 
-use crate::words::printable;
+use crate::words::{LinkKind, printable};
 
 /// Larger numbers are refused: squares of products of three of them would overflow, and a size that overflows makes every
 /// violation look small. No unit of length or force brings a real grasp near this.
@@ -144,6 +144,20 @@ pub enum Error {
         /// What is wrong with it, and what is allowed.
         fault: String,
     },
+    /// One datum of a link between bodies is out of range.
+    #[error("{kind} {name:?}: {field} is {value}, must be {allowed}")]
+    Link {
+        /// What kind of link.
+        kind: &'static str,
+        /// Its name.
+        name: String,
+        /// Which of its data.
+        field: &'static str,
+        /// What was given.
+        value: f64,
+        /// What is allowed.
+        allowed: &'static str,
+    },
     /// One number of one joint, tendon or finger is out of range.
     #[error("{what}: {field} is {value}, must be {allowed}")]
     Hand {
@@ -224,6 +238,9 @@ pub struct ContactLabel {
     /// The user's name for it; not written if it has none.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub name: Option<Arc<str>>,
+    /// What kind of link between bodies it is; not written of a contact.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub link: Option<LinkKind>,
 }
 
 impl ContactLabel {

@@ -23,6 +23,8 @@ pub type ArmMotion = crate::grasp::ArmMotion<2>;
 pub type Body = crate::grasp::Body<2>;
 /// Several bodies; see [`crate::grasp::Bodies`].
 pub type Bodies = crate::grasp::Bodies<2>;
+/// What joins them to each other and to the ground; see [`crate::grasp::Link`].
+pub type Link = crate::grasp::Link<2>;
 /// What becomes of a load that is put on; see [`crate::hold::Verdict`].
 pub type Verdict = crate::hold::Verdict<2>;
 /// A quantity that is sought, with its loads; see [`crate::need::Need`].

@@ -36,7 +36,12 @@ impl<const C: usize> fmt::Display for Equilibrium<C> {
             write!(f, "; {gone}")?;
         }
         let digits = words.digits();
-        self.whole_contacts().try_for_each(|told| write!(f, "\n  {told:.digits$}"))?;
+        for told in self.whole_contacts() {
+            match told.carries(words, self.largest_force()) {
+                Some(carries) => write!(f, "\n  {} {carries}", told.text())?,
+                None => write!(f, "\n  {told:.digits$}")?,
+            }
+        }
         self.joints.iter().try_for_each(|joint| write!(f, "\n  {joint:.digits$}"))?;
         self.tendons.iter().try_for_each(|tendon| write!(f, "\n  {tendon:.digits$}"))
     }

@@ -11,7 +11,7 @@ use crate::grasp::{Engine, WholeContacts, Wrench, displacement_of, of_the_object
 use crate::numerics::{Fixed, Size, Vector};
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
-use crate::words::Words;
+use crate::words::{LinkKind, Words};
 
 /// Sums below this part of the sizes of what they sum are rounding.
 const ROUNDING: f64 = 1e-14;
@@ -103,6 +103,26 @@ impl<const C: usize> WholeAnswer<'_, C> {
         }
     }
 
+    /// What kind of link between bodies it is, if it is no contact.
+    #[must_use]
+    pub fn link(&self) -> Option<LinkKind> {
+        match self {
+            Self::Point(contact) => contact.contact.link,
+            Self::Pad(pad) => pad.contact.link,
+        }
+    }
+
+    /// What a link does, in a sentence without its name, "carries 12 N"; forces that are rounding beside the largest one are none.
+    #[must_use]
+    pub fn carries(&self, words: Words, largest: f64) -> Option<String> {
+        let force = |x: f64| words.beside(x, largest);
+        let moment = match self {
+            Self::Pad(pad) => Some(pad.moment().iter().fold(0.0, |h: f64, x| h.hypot(*x))),
+            Self::Point(_) => None,
+        };
+        Some(self.link()?.carries(words, force(self.force()[0]), force(self.force().norm()), moment))
+    }
+
     /// What it does: "sticks".
     #[must_use]
     pub fn doing(&self) -> String {
@@ -181,7 +201,12 @@ impl<D: Size, const C: usize> Engine<D, C> {
             sums[k][1] += x.abs();
         };
         for (i, contact) in (first..).zip(of) {
-            (0..C).for_each(|a| add(a, contact.force[a]));
+            // Bearings of a link have frames of their own.
+            let force = match contact.contact.link {
+                Some(_) => frame.tr_mul(&contact.force_world),
+                None => contact.force,
+            };
+            (0..C).for_each(|a| add(a, force[a]));
             let arm = self.contacts()[i].point - about;
             // What a force does on a turn about an axis is its moment about that.
             for turn in 0..of_the_object::<C>() - C {

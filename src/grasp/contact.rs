@@ -7,6 +7,7 @@ use nalgebra::SVector;
 use super::commands::Axes;
 use super::stiffness::Stiffness;
 use crate::error::ContactLabel;
+use crate::words::LinkKind;
 
 /// How the contact is held together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -79,6 +80,8 @@ pub struct Contact<const C: usize> {
     pub(crate) on: Option<Arc<str>>,
     /// Of several bodies the one on the other side.
     pub(crate) against: Option<Arc<str>>,
+    /// The kind of link that it is a point of, if it is no contact that is touched.
+    pub(crate) link: Option<LinkKind>,
 }
 
 impl<const C: usize> Contact<C> {
@@ -103,6 +106,7 @@ impl<const C: usize> Contact<C> {
             point_of_pad: None,
             on: None,
             against: None,
+            link: None,
         }
     }
 
@@ -219,7 +223,15 @@ impl<const C: usize> Contact<C> {
         self.label(index).text()
     }
 
+    /// How messages speak of it: "contact 1 (thumb)", of a link "hinge "pin"".
+    pub(crate) fn said_in_full(&self, index: usize) -> String {
+        match (self.link, self.whole_name()) {
+            (Some(kind), Some(name)) => format!("{} {name:?}", kind.name()),
+            _ => format!("contact {}", self.label(index)),
+        }
+    }
+
     pub(crate) fn label(&self, index: usize) -> ContactLabel {
-        ContactLabel { index, point: None, name: self.name.clone() }
+        ContactLabel { index, point: None, name: self.name.clone(), link: self.link }
     }
 }

@@ -52,7 +52,9 @@ mod well_posed;
 mod whole_contact;
 mod wrench;
 
-pub use bodies::{Bodies, Body, BodyMotion};
+#[cfg(feature = "serde")]
+pub(crate) use bodies::LinkPlace;
+pub use bodies::{Bodies, Body, BodyMotion, Link};
 #[cfg(feature = "serde")]
 pub(crate) use commands::Axes;
 pub use contact::{Contact, Hold};
@@ -78,3 +80,5 @@ pub(crate) use vacuum::vacuum_is_gone;
 pub use whole_contact::WholeContact;
 pub(crate) use whole_contact::WholeContacts;
 pub use wrench::{Twist, Wrench};
+
+pub use crate::words::LinkKind;

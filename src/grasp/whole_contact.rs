@@ -9,7 +9,7 @@ use nalgebra::SVector;
 
 use super::contact::Contact;
 use crate::error::ContactLabel;
-use crate::words::printable;
+use crate::words::{LinkKind, printable};
 
 /// A contact that an answer speaks of, or a soft fingertip with those of its points that are meant.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -21,6 +21,9 @@ pub struct WholeContact {
     pub contact: usize,
     /// Its name, or "contact" and that number.
     pub label: String,
+    /// What kind of link between bodies it is; not written of a contact.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub link: Option<LinkKind>,
     /// How many of its points are meant: one for a contact that is a point itself.
     pub points: usize,
     /// How many points it has.
@@ -77,7 +80,8 @@ impl<'c, const C: usize> WholeContacts<'c, C> {
         for (contact, range) in self.ranges.iter().enumerate() {
             let points = range.clone().filter(|i| is_meant(*i)).count();
             if points > 0 {
-                parts.push(WholeContact { contact, label: self.label(contact), points, of: range.len() });
+                let (label, link) = (self.label(contact), self.link(contact));
+                parts.push(WholeContact { contact, label, link, points, of: range.len() });
             }
         }
         parts
@@ -85,7 +89,12 @@ impl<'c, const C: usize> WholeContacts<'c, C> {
 
     /// A part as answers name it.
     pub(crate) fn whole(&self, number: usize) -> ContactLabel {
-        ContactLabel { index: number, point: None, name: self.name(number).map(Arc::from) }
+        ContactLabel {
+            index: number,
+            point: None,
+            name: self.name(number).map(Arc::from),
+            link: self.link(number),
+        }
     }
 
     /// The mean of a quantity of points over each part.
@@ -104,6 +113,11 @@ impl<'c, const C: usize> WholeContacts<'c, C> {
     /// The sum of a quantity of points over each part.
     pub(crate) fn sum(&self, of: &dyn Fn(usize) -> f64) -> Vec<f64> {
         self.ranges.iter().map(|range| range.clone().map(of).sum()).collect()
+    }
+
+    /// What kind of link a part is, if it is one.
+    fn link(&self, number: usize) -> Option<LinkKind> {
+        self.contacts[self.ranges[number].start].link
     }
 
     /// The name of a part, if it has one.

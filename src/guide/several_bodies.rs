@@ -3,6 +3,7 @@
 //! A scene has a list of `bodies`, and each contact says which one its normal points into, `on`, and which one is on the other side, `against`; where that is left
 //! out it is the ground or a finger. Everything else is as with one object: the law of a contact, commands, hands, and all questions. A load of a question acts on
 //! the first body, or on the one that is `loaded`; with `shared_by_mass` it acts on all of them. What is always there, weights say, is the `load` of a body.
+//! What joins bodies stands in a list of `links`: a hinge, a slide, a rigid joint, a spring, or a cable that only pulls, `between` two bodies or `on` one, to the ground.
 //! The scenes are those of `examples/scenes/bodies`, and the commands are typed there.
 //!
 //! # What does it take to drive a wedge under a machine?
@@ -22,7 +23,7 @@
 //! ```
 //!
 //! 300 N, twice 0.3 · 500 N. The moving jaw is a body of its own: it runs on its guide as the screw pushes it and turns a little under the pull, so that the jaws share
-//! the pull unevenly, and the fixed one slips first.
+//! the pull unevenly, and the fixed one slips first. The table below the answer says what the guide, a link, carries: 119 N and 2.1 N m.
 //!
 //! # What do tongs carry?
 //!
@@ -31,7 +32,17 @@
 //! SLIPS OUT at 47.8723 N of 60 N: bar moves along −y; left jaw and right jaw slide. Nothing holds all of it within a kilometre of there
 //! ```
 //!
-//! `2 μ P a / (b - μ c)`: the bar hangs on the jaws and so presses them together. A pin is a bonded contact.
+//! `2 μ P a / (b - μ c)`: the bar hangs on the jaws and so presses them together. The pin is a hinge between the levers, and a stand holds one of them there.
+//!
+//! # How rough must the jaws of lifting tongs be?
+//!
+//! ```text
+//! $ grasp-lcp need scissor.json
+//! NEEDS a coefficient of friction of 0.6 so that nothing slides, a coefficient of friction of 0.666667 if friction is 10 % less and the squeeze is 5 % less. With less: SLIPS OUT at once, under any part of 200 N: block moves along −y. Nothing holds all of it within 0.0333333 mm and 0.00763944° of there
+//! ```
+//!
+//! Ropes under 45° pull the levers up with W/2 each and together with as much. About the pin, with arms of 0.2 m and 0.15 m above it, 0.15 m and 0.3 m below,
+//! each jaw then presses with 0.25/0.3 W and has to carry W/2, whatever W is: `μ = 0.6`. Ropes are links that go slack where they would have to push.
 //!
 //! # Do three parts side by side stay in one gripper?
 //!
@@ -61,6 +72,8 @@
 //! Joints of masonry are two points each, which open where the thrust leaves the middle third; a hinge is a joint of which one point is open.
 //!
 //! # In Rust
+//!
+//! [`Link`](crate::planar::Link) has an example of a lever on a hinge.
 //!
 //! ```
 //! use grasp_lcp::planar::{Bodies, Body, Contact, Wrench};

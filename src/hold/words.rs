@@ -6,7 +6,7 @@ use std::fmt;
 use super::verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
 use super::way_out::{BodyWay, WayOut};
 use crate::grasp::{WholeContact, Wrench, vacuum_is_gone};
-use crate::words::{TOO_FAR, Words, listed, printable};
+use crate::words::{TOO_FAR, Words, listed, open, opens, printable};
 
 /// What happens within this part of a load happens at once, for whoever reads it.
 const AT_ONCE: f64 = 1e-9;
@@ -133,7 +133,7 @@ impl<const C: usize> Verdict<C> {
 impl FirstSlip {
     /// Who leaves, without what they do.
     fn who(&self) -> String {
-        let opens = self.open.iter().map(|part| format!("{} opens", part.text()));
+        let opens = self.open.iter().map(|part| format!("{} {}", part.text(), opens(part.link)));
         let pulls = self.would_pull.iter().map(|part| format!("{} would have to pull", part.text()));
         let names = self.slide.iter().map(|part| part.text().into_owned()).chain(opens).chain(pulls);
         let give_way = self.give_way.iter().map(|name| format!("{} gives way", printable(name)));
@@ -148,7 +148,7 @@ impl fmt::Display for FirstSlip {
         let gives = if give_way.len() == 1 { "gives way" } else { "give way" };
         let all = [
             (!self.slide.is_empty()).then(|| does(&self.slide, "slides", "slide")),
-            (!self.open.is_empty()).then(|| does(&self.open, "opens", "open")),
+            (!self.open.is_empty()).then(|| they_open(&self.open)),
             (!self.would_pull.is_empty())
                 .then(|| does(&self.would_pull, "would have to pull", "would have to pull")),
             (!give_way.is_empty()).then(|| format!("{} {gives}", listed(&give_way))),
@@ -219,7 +219,7 @@ impl<const C: usize> fmt::Display for WayOut<C> {
                 write!(f, "the object {}", self.goes(words, false))
             }
             Self::TipsOver { about, opens } => {
-                write!(f, "the object tips over about {}, {}", listed(about), does(opens, "opens", "open"))
+                write!(f, "the object tips over about {}, {}", listed(about), they_open(opens))
             }
             Self::TurnsAbout { about } if C == 3 && about.len() == 2 => {
                 write!(f, "the object spins about the line {}–{}", about[0].text(), about[1].text())
@@ -265,6 +265,16 @@ impl<const C: usize> WayOut<C> {
             _ => format!("move{ending}"),
         }
     }
+}
+
+/// "left opens", "left and right open, rope goes slack".
+fn they_open(parts: &[WholeContact]) -> String {
+    let (ropes, contacts): (Vec<_>, Vec<_>) = parts.iter().cloned().partition(|part| part.link.is_some());
+    let told = [contacts, ropes].into_iter().filter_map(|list| {
+        let link = list.first()?.link;
+        Some(does(&list, opens(link), open(link)))
+    });
+    told.collect::<Vec<_>>().join(", ")
 }
 
 /// Who does what: "left slides", "left and right slide".

@@ -5,9 +5,9 @@ use std::fmt;
 use super::beyond::Beyond;
 use super::drive_change::{DriveChange, PartChange};
 use super::event::{Change, Loss, LossKind, PathEnd};
-use super::onset::{Departure, Onset, OnsetEvent};
+use super::onset::{Departure, Leaving, Onset, OnsetEvent};
 use crate::grasp::vacuum_is_gone;
-use crate::words::Words;
+use crate::words::{Words, opens};
 
 impl<const C: usize> fmt::Display for Onset<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -48,6 +48,17 @@ impl<const C: usize> fmt::Display for Change<C> {
     }
 }
 
+impl<const C: usize> Leaving<C> {
+    /// What the contact does, "slides", or the cable, "goes slack".
+    #[must_use]
+    pub fn verb(&self) -> &'static str {
+        match self.how {
+            Departure::Opens => opens(self.contact.link),
+            how => how.verb(),
+        }
+    }
+}
+
 impl<const C: usize> Departure<C> {
     /// What the contact does: "slides".
     #[must_use]
@@ -66,7 +77,7 @@ impl<const C: usize> fmt::Display for OnsetEvent<C> {
         write!(f, "at factor {}:", Words::of(f).number(self.factor))?;
         let mut between = " ";
         for leaving in &self.leaving {
-            write!(f, "{between}{} {}", leaving.contact.text(), leaving.how.verb())?;
+            write!(f, "{between}{} {}", leaving.contact.text(), leaving.verb())?;
             between = ", ";
         }
         for PartChange { part, what } in &self.drives {

@@ -132,7 +132,7 @@ impl<const C: usize> OnsetEvent<C> {
 impl<const C: usize> Leaving<C> {
     /// Of a site, which has no name yet.
     pub(super) fn new(site: usize, how: Departure<C>) -> Self {
-        Self { contact: ContactLabel { index: site, point: None, name: None }, how }
+        Self { contact: ContactLabel { index: site, point: None, name: None, link: None }, how }
     }
 
     /// How the load drives a contact out of its cone where no equilibrium shows which way it goes.

@@ -5,7 +5,7 @@ use std::fmt;
 use super::event::{Change, ContactChange, Event};
 use crate::equilibrium::{ContactState, Equilibrium, PadAnswer};
 use crate::error::ContactLabel;
-use crate::words::Words;
+use crate::words::{Words, opens};
 
 /// What changes at an event, points of one soft fingertip together.
 #[derive(Debug, Clone, PartialEq)]
@@ -66,7 +66,12 @@ impl<const C: usize> fmt::Display for Doing<C> {
 /// "left begins to slide".
 impl<const C: usize> fmt::Display for WholeChange<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} {:.*}", self.contact.text(), Words::of(f).digits(), self.what)
+        let name = self.contact.text();
+        match (self.contact.link, self.what) {
+            (link @ Some(_), Doing::Point(Change::Opens)) => write!(f, "{name} {}", opens(link)),
+            (Some(_), Doing::Point(Change::Closes)) => write!(f, "{name} pulls tight"),
+            (_, what) => write!(f, "{name} {what:.*}", Words::of(f).digits()),
+        }
     }
 }
 

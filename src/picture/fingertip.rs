@@ -7,13 +7,15 @@ use nalgebra::SVector;
 use super::contact_look::word;
 use crate::equilibrium::{ContactAnswer, ContactState, Equilibrium};
 use crate::grasp::{Contact, WholeContacts};
-use crate::words::Words;
+use crate::words::{LinkKind, Words};
 
 /// Consecutive contacts of a grasp.
 #[derive(Debug, Clone)]
 pub(super) struct ContactGroup {
     pub(super) name: String,
     pub(super) contacts: Range<usize>,
+    /// The kind of link that it is, if it is no contact.
+    pub(super) link: Option<LinkKind>,
 }
 
 /// What a fingertip does as a whole.
@@ -33,8 +35,11 @@ pub(super) struct Resultant<const C: usize> {
 /// The contacts of a grasp as people count them.
 pub(super) fn fingertips<const C: usize>(contacts: &[Contact<C>]) -> Vec<ContactGroup> {
     let whole = WholeContacts::of(contacts);
-    let group =
-        |(k, range): (usize, &Range<usize>)| ContactGroup { name: whole.label(k), contacts: range.clone() };
+    let group = |(k, range): (usize, &Range<usize>)| ContactGroup {
+        name: whole.label(k),
+        contacts: range.clone(),
+        link: contacts[range.start].link,
+    };
     whole.ranges().iter().enumerate().map(group).collect()
 }
 
@@ -65,8 +70,8 @@ impl ContactGroup {
         // A point of its own has no mean to be rounded.
         let share = |answer: &ContactAnswer<C>| match pressed > 0.0 {
             _ if answers.len() == 1 => 1.0,
-            true => answer.normal_force().max(0.0) / pressed,
-            false => 1.0 / answers.len() as f64,
+            true if self.link.is_none() => answer.normal_force().max(0.0) / pressed,
+            _ => 1.0 / answers.len() as f64,
         };
         let words = ["sticking", "about to slide", "sliding", "frictionless", "separated"];
         let does = |what: &&str| answers.iter().any(|answer| word(answer) == *what);

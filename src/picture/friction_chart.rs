@@ -10,6 +10,7 @@ use crate::equilibrium::{ContactAnswer, ContactState, Equilibrium};
 use crate::error::Error;
 use crate::grasp::{Contact, Hold, Wrench};
 use crate::load_path::{Change, Event, Leg, LoadPath, PathEnd};
+use crate::words::opens;
 
 /// Places at which states are drawn on a leg along which the load turns, events besides.
 const OF_A_TURN: usize = 180;
@@ -228,7 +229,7 @@ fn left_by<const C: usize>(event: &Event<C>, tips: &[ContactGroup]) -> Option<St
         let tip = name(change.contact.index)?;
         let does = match (&change.what, tip.is_soft()) {
             (Change::Slides { .. }, false) => "slides",
-            (Change::Opens, false) => "opens",
+            (Change::Opens, false) => opens(change.contact.link),
             (Change::Slides { .. }, true) => "begins to slide",
             (Change::Opens, true) => "begins to open",
             _ => return None,

@@ -12,6 +12,7 @@ use super::force_scale::metres_per_newton;
 use super::labels::Labels;
 use super::painting::{Painting, flat};
 use super::palette::{GREY, VERMILION};
+use super::planar_link::PlanarLink;
 use super::planar_load::{LoadOnPaper, PlanarLoad};
 use super::planar_picture::PlanarPicture;
 use super::sheet::{Place, sheet};
@@ -90,6 +91,7 @@ struct Tip {
     middle: Vector2<f64>,
     frame: Matrix2<f64>,
     slope: f64,
+    link: Option<PlanarLink>,
     does: Option<Resultant<2>>,
 }
 
@@ -110,6 +112,7 @@ impl<'a> Picture<'a> {
             middle: tip.middle(contacts),
             frame: frames[tip.contacts.start],
             slope: slope(&contacts[tip.contacts.start]),
+            link: PlanarLink::of(&tip, contacts),
             does: state.map(|state| tip.resultant(contacts, state)),
             of: tip,
         };
@@ -181,6 +184,10 @@ impl<'a> Picture<'a> {
                 // Behind the finger, away from the object.
                 let at = axes.place(tip.middle - tip.frame.column(0) * (FINGER * self.span));
                 match &tip.does {
+                    Some(does) if self.tips.len() <= MANY && tip.link.is_some() => {
+                        let force = format!("{} N", short(does.force.norm()));
+                        labels.write(paper, at, &[&tip.of.name, &force], LETTERS);
+                    }
                     Some(does) if self.tips.len() <= MANY => {
                         let force = format!("|F| = {} N", short(does.force.norm()));
                         labels.write(paper, at, &[&tip.of.name, does.word, &force], LETTERS);
@@ -223,6 +230,10 @@ impl<'a> Picture<'a> {
             .copied()
             .collect();
         for tip in &self.tips {
+            if let Some(link) = &tip.link {
+                points.extend(link.ends);
+                continue;
+            }
             points.extend(self.finger(tip));
             if let Some(does) = &tip.does {
                 points.extend([does.at, does.at + does.force * self.scale]);
@@ -264,7 +275,9 @@ impl<'a> Picture<'a> {
 
     fn paint_tip(&self, axes: &EqualScales, painting: &mut Painting, tip: &Tip) {
         let place = |point| axes.place(point);
-        if self.of.grasp.contacts()[tip.of.contacts.start].against.is_none() {
+        if let Some(link) = &tip.link {
+            link.paint(axes, painting);
+        } else if self.of.grasp.contacts()[tip.of.contacts.start].against.is_none() {
             painting.area(self.finger(tip).map(place), PALE.to_rgba(), -2.0);
         }
         let Some(does) = &tip.does else {

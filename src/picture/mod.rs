@@ -21,6 +21,7 @@ mod legend_corner;
 mod page;
 mod painting;
 mod palette;
+mod planar_link;
 mod planar_load;
 mod planar_picture;
 mod polar;

@@ -1,5 +1,7 @@
 //! Questions of a scene, put to its grasp.
 
+use std::sync::Arc;
+
 use nalgebra::SVector;
 
 use super::answer::Answer;
@@ -86,6 +88,7 @@ impl<const C: usize> Setup<C> {
         for (entry, command) in self.entries().zip(&commands.0) {
             all.resize(all.len() + entry.count()?, *command);
         }
+        all.resize(all.len() + self.points_of_links()?.len(), SVector::zeros());
         Ok(all)
     }
 
@@ -115,6 +118,12 @@ impl<const C: usize> Setup<C> {
             } else {
                 labels.push(label(None));
             }
+        }
+        let mut number = self.entries().count();
+        for (k, point) in self.points_of_links()?.iter().enumerate() {
+            number += usize::from(k > 0 && point.begins_a_whole());
+            let name = point.whole_name().map(Arc::from);
+            labels.push(ContactLabel { index: number, point: point.point_of_pad, name, link: point.link });
         }
         Ok(SceneNames(labels))
     }

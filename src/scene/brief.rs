@@ -149,7 +149,7 @@ impl SceneNames {
                 let contact = event
                     .leaving
                     .first()
-                    .map(|leaving| (self.0[leaving.contact.index].text(), leaving.how.verb()));
+                    .map(|leaving| (self.0[leaving.contact.index].text(), leaving.verb()));
                 let part = || event.drives.first().map(|change| (change.part.text(), drive(change.what)));
                 let (first, does) = contact.or_else(part).unzip();
                 let beyond_small_motions = is_far(grasp.state_at_onset(event).as_ref());

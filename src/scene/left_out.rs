@@ -1,12 +1,14 @@
 //! Stiffness that a scene leaves out: a default takes its place, and whether answers depend on that is tried.
 
 use super::fingertip::Fingertip;
+use super::link::LinkSetup;
 use super::question::Question;
 use super::setup::Setup;
 use super::warning::Warning;
 use crate::ask::Grasp;
 use crate::equilibrium::{ContactAnswer, Outcome};
 use crate::error::Error;
+use crate::grasp::Link;
 use crate::load_path::Ramp;
 
 /// What a contact without a stiffness has, N/m, in all directions.
@@ -14,6 +16,12 @@ pub(super) const DEFAULT_STIFFNESS: f64 = 1e4;
 
 /// Answers that differ by less than this part are the same.
 const SAME: f64 = 1e-6;
+
+/// A link is stiff beside what is gripped, or it is said how stiff: answers that differ by less than this part are the same whatever stiffness it has.
+const SAME_BY_LINKS: f64 = 1e-3;
+
+/// Beside the largest figure of an answer this part is rounding.
+const ROUNDING: f64 = 1e-12;
 
 /// Each stiffness that was left out is tried this many times as large or as small, one and all of its directions differently.
 const RANGE: f64 = 10.0;
@@ -31,23 +39,64 @@ impl<const C: usize> Setup<C> {
         if contacts.is_empty() || self.questions.is_empty() {
             return Ok(None);
         }
+        let is_motion = |question: &Question<C>| matches!(question, Question::Solve { .. });
+        let questions = self.questions_that_depend(|trial| self.with_springs(trial), is_motion, SAME)?;
+        let depends = !questions.is_empty();
+        let stiffness = DEFAULT_STIFFNESS;
+        Ok(depends.then_some(Warning::StiffnessLeftOut { contacts, names, stiffness, questions }))
+    }
+
+    /// Tells of links without a stiffness if an answer depends on it by more than a thousandth, in the same way.
+    ///
+    /// # Errors
+    /// As for [`Self::answers`].
+    pub(super) fn stiffness_of_links_left_out(&self) -> Result<Option<Warning>, Error> {
+        let first = self.entries().count();
+        let who = self.links.iter().enumerate().filter(|(_, link)| link.link.stiffness.is_none());
+        let (contacts, names): (Vec<_>, Vec<_>) =
+            who.map(|(number, link)| (first + number, link.link.called(number))).unzip();
+        if contacts.is_empty() || self.questions.is_empty() {
+            return Ok(None);
+        }
+        let questions =
+            self.questions_that_depend(|trial| self.with_links(trial), |_| false, SAME_BY_LINKS)?;
+        let (depends, stiffness) = (!questions.is_empty(), Link::<C>::STIFF);
+        Ok(depends.then_some(Warning::StiffnessLeftOut { contacts, names, stiffness, questions }))
+    }
+
+    /// The questions whose answers two trials change, or that are known to depend.
+    fn questions_that_depend(
+        &self,
+        trial: impl Fn(usize) -> Self,
+        is_known: impl Fn(&Question<C>) -> bool,
+        same_within: f64,
+    ) -> Result<Vec<usize>, Error> {
         let told = self.grasp()?;
-        let others = [1, 2].map(|trial| self.with_springs(trial).grasp());
+        let others = [1, 2].map(|number| trial(number).grasp());
         let mut questions = Vec::new();
         for (number, question) in self.questions.iter().enumerate() {
             let figures = self.figures(&told, question)?;
-            let mut depends = matches!(question, Question::Solve { .. });
+            let mut depends = is_known(question);
             for other in &others {
-                depends |= !same(&figures, &self.figures(other.as_ref().map_err(Clone::clone)?, question)?);
+                let others = self.figures(other.as_ref().map_err(Clone::clone)?, question)?;
+                depends |= !same(&figures, &others, same_within);
             }
             if depends {
                 questions.push(number);
             }
         }
-        let warning = Warning::StiffnessLeftOut { contacts, names, stiffness: DEFAULT_STIFFNESS, questions };
-        let depends =
-            matches!(&warning, Warning::StiffnessLeftOut { questions, .. } if !questions.is_empty());
-        Ok(depends.then_some(warning))
+        Ok(questions)
+    }
+
+    /// With other stiffnesses of links where they were left out.
+    fn with_links(&self, trial: usize) -> Self {
+        let mut setup = self.clone();
+        for (number, LinkSetup { link, .. }) in setup.links.iter_mut().enumerate() {
+            if link.stiffness.is_none() {
+                link.stiffness = Some(Link::<C>::STIFF * RANGE.powf(2.0 * part(trial + 2 * number) - 1.0));
+            }
+        }
+        setup
     }
 
     /// With other springs where they were left out.
@@ -56,11 +105,8 @@ impl<const C: usize> Setup<C> {
         let fingers = setup.fingers.iter_mut().flat_map(|finger| &mut finger.contacts);
         for (index, entry) in setup.contacts.iter_mut().chain(fingers).enumerate() {
             if entry.no_stiffness {
-                // Parts of the golden ratio fall everywhere, and nowhere twice.
-                let part =
-                    |axis: usize| (0.618_033_988_749_895 * (trial + 2 * (C * index + axis)) as f64).fract();
                 let springs = std::array::from_fn::<_, C, _>(|axis| {
-                    DEFAULT_STIFFNESS * RANGE.powf(2.0 * part(axis) - 1.0)
+                    DEFAULT_STIFFNESS * RANGE.powf(2.0 * part(trial + 2 * (C * index + axis)) - 1.0)
                 });
                 entry.contact = entry.contact.clone().series_stiffness_axes(springs);
             }
@@ -108,7 +154,14 @@ impl<const C: usize> Fingertip<C> {
     }
 }
 
-fn same(one: &[f64], other: &[f64]) -> bool {
-    let close = |(a, b): (&f64, &f64)| a == b || (a - b).abs() <= SAME * a.abs().max(b.abs());
+/// Parts of the golden ratio fall everywhere, and nowhere twice.
+fn part(number: usize) -> f64 {
+    (0.618_033_988_749_895 * number as f64).fract()
+}
+
+fn same(one: &[f64], other: &[f64], within: f64) -> bool {
+    let finite = one.iter().filter(|x| x.is_finite());
+    let rounding = ROUNDING * finite.fold(0.0, |largest: f64, x| largest.max(x.abs()));
+    let close = |(a, b): (&f64, &f64)| a == b || (a - b).abs() <= rounding.max(within * a.abs().max(b.abs()));
     one.len() == other.len() && one.iter().zip(other).all(close)
 }

@@ -26,6 +26,7 @@
 //! | `fingers` | a list of fingers with joints, see below | none |
 //! | `tendons` | a list of tendons over their joints, see below | none |
 //! | `bodies` | a list of bodies where there are several, see below | one object |
+//! | `links` | a list of hinges, slides, springs, cables between bodies or to the ground, see below | none |
 //! | `gravity` | acceleration on the masses of bodies, m/s², beside the loads of questions | none |
 //! | `loaded` | the name of the body that loads of questions act on | the first |
 //! | `shared_by_mass` | `true`: loads of questions act on all bodies, on each with the share of its mass | `false` |
@@ -72,6 +73,24 @@
 //! | `mass`, `centre_of_mass` | what `gravity` pulls at | kg, m | 0, the origin |
 //! | `load` | a wrench that is always there | N, N m | none |
 //! | `outline` | corners in order; only drawn | m | none |
+//!
+//! A link (see [`Link`](crate::grasp::Link)) is one of these, with what it joins:
+//!
+//! | field | value | unit | if left out |
+//! |---|---|---|---|
+//! | `name`, `comment` | texts | | what it is, and its number |
+//! | `hinge` | `{"point": …}`, in space with its `axis` and the `length` between its bearings | m | |
+//! | `ball` | in space `{"point": …}` | m | |
+//! | `slide` | `{"point": …, "direction": …, "length": …}` with the length between its bearings | m | |
+//! | `rigid` | `{"point": …, "size": …}` | m | |
+//! | `spring`, `cable` | `{"from": …, "to": …}` | m | |
+//! | `between` | names of two bodies; `from` is on the first, `to` on the second | | to the ground |
+//! | `on` | the body that it joins to the ground | | must be said of several bodies without `between` |
+//! | `stiffness` | along each direction that it holds | N/m | 1e9; of a spring an error |
+//! | `pretension` | what a spring or a cable pulls with before anything moves | N | 0 |
+//! | `slack` | how much longer a cable is than its way | m | 0 |
+//!
+//! Lists with an entry for each contact have none for links.
 //!
 //! A finger (see [`FingerSetup`](crate::grasp::Finger) for signs):
 //!
@@ -297,6 +316,7 @@ mod held;
 mod joint;
 mod labels;
 mod left_out;
+mod link;
 mod matrix;
 mod motion;
 mod need_asked;
@@ -326,6 +346,7 @@ pub use fault::{Fault, FaultKind, TextPosition};
 pub use finger::FingerSetup;
 pub use fingertip::{Fingertip, MovedBy};
 pub use held::{HoldAnswer, NeedAnswer};
+pub use link::LinkSetup;
 pub use need_asked::NeedAsked;
 pub use onset::{Angle, Factor, OnsetAnswer, OnsetAt, TurnAnswer};
 pub use patch::Tip;

@@ -6,6 +6,7 @@ use serde::de::{Deserialize, Deserializer};
 use super::body::BodySetup;
 use super::finger::FingerSetup;
 use super::fingertip::Fingertip;
+use super::link::LinkSetup;
 use super::object;
 use super::question::Question;
 use crate::ask::Grasp;
@@ -54,6 +55,9 @@ pub struct Setup<const C: usize> {
     /// Of several bodies, each; contacts then say which ones they touch. None where there is one object.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub bodies: Vec<BodySetup<C>>,
+    /// What joins bodies to each other and to the ground; one object may be joined to the ground.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub links: Vec<LinkSetup<C>>,
     /// Gravity on bodies, m/s², beside the loads of questions.
     #[serde(with = "AsComputed::<Option<SVector<f64, C>>>", skip_serializing_if = "Option::is_none")]
     pub gravity: Option<SVector<f64, C>>,
@@ -100,6 +104,9 @@ struct Written<const C: usize> {
     /// Of several bodies, each.
     #[serde(default)]
     bodies: Vec<BodySetup<C>>,
+    /// What joins bodies to each other and to the ground.
+    #[serde(default)]
+    links: Vec<LinkSetup<C>>,
     /// Gravity on bodies, m/s².
     #[serde(default)]
     gravity: Option<AxisRow<Given, C>>,
@@ -129,6 +136,7 @@ impl<'de, const C: usize> Deserialize<'de> for Setup<C> {
                 fingers: written.fingers,
                 tendons: written.tendons,
                 bodies: written.bodies,
+                links: written.links,
                 gravity: written.gravity.map(|row| row.0),
                 loaded: written.loaded,
                 shared_by_mass: written.shared_by_mass,
@@ -137,7 +145,7 @@ impl<'de, const C: usize> Deserialize<'de> for Setup<C> {
                 settings: written.settings,
             };
             setup.check_bodies()?;
-            if setup.entries().next().is_none() {
+            if setup.entries().next().is_none() && setup.links.is_empty() {
                 return Err(Error::EmptyGrasp.to_string());
             }
             if setup.is_held_by_a_hand() || !setup.bodies.is_empty() {
@@ -168,6 +176,7 @@ impl<const C: usize> Setup<C> {
             fingers: Vec::new(),
             tendons: Vec::new(),
             bodies: Vec::new(),
+            links: Vec::new(),
             gravity: None,
             loaded: None,
             shared_by_mass: false,
@@ -210,12 +219,13 @@ impl<const C: usize> Setup<C> {
         self.contacts.iter().chain(self.fingers.iter().flat_map(|finger| &finger.contacts))
     }
 
-    /// Number of contacts that its grasp has: soft fingertips count as many as they have points.
+    /// Number of contacts that its grasp has: soft fingertips and links count as many as they have points.
     ///
     /// # Errors
     /// [`Error::Fingertip`] for a patch that cannot be built.
     pub fn points(&self) -> Result<usize, Error> {
-        self.entries().map(Fingertip::count).sum()
+        let points = self.entries().map(Fingertip::count).sum::<Result<usize, _>>()?;
+        Ok(points + self.points_of_links()?.len())
     }
 
     /// Whether there are fingers or tendons, or forces that hold contacts: the grasp is then that of a [`Hand`], see [`Self::hand`].
@@ -240,6 +250,7 @@ impl<const C: usize> Setup<C> {
             for (index, entry) in self.contacts.iter().enumerate() {
                 points.extend(entry.points(index)?);
             }
+            points.extend(self.points_of_links()?);
             Grasp::new(points)
         };
         Ok(grasp.map_err(|error| self.in_the_scene(error))?.with(&self.settings))
@@ -259,6 +270,7 @@ impl<const C: usize> Setup<C> {
             fingers.push(finger.spread(first)?);
             first += finger.contacts.len();
         }
+        fingers.extend(self.points_of_links()?.into_iter().map(grasp::Finger::fixed));
         Ok(self.tendons.iter().cloned().fold(Hand::new(fingers), Hand::tendon))
     }
 
@@ -294,7 +306,7 @@ impl<const C: usize> Setup<C> {
 
     /// The index of a contact in a message is that of the scene, whatever number of points come before it.
     fn in_the_scene(&self, error: Error) -> Error {
-        let Error::Contact { contact: ContactLabel { index, name, .. }, field, value, allowed } = error
+        let Error::Contact { contact: ContactLabel { index, name, link, .. }, field, value, allowed } = error
         else {
             return error;
         };
@@ -303,7 +315,7 @@ impl<const C: usize> Setup<C> {
             behind += entry.count().unwrap_or(1);
             index < behind
         });
-        let contact = ContactLabel { index: entry.unwrap_or(index), point: None, name };
+        let contact = ContactLabel { index: entry.unwrap_or(index), point: None, name, link };
         Error::Contact { contact, field, value, allowed }
     }
 }

@@ -7,13 +7,14 @@ use nalgebra::SVector;
 use serde::Serialize;
 
 use super::fingertip::Fingertip;
+use super::link::LinkSetup;
 use super::question::Question;
 use super::setup::Setup;
 use super::written::{Scene, Space};
 use crate::ask::Grasp;
 use crate::equilibrium::{ContactAnswer, Outcome};
 use crate::error::Error;
-use crate::grasp::Wrench;
+use crate::grasp::{Hold, Wrench};
 use crate::words::{Words, listed, printable};
 
 /// Something that a scene says and hardly means.
@@ -137,6 +138,7 @@ impl<const C: usize> Setup<C> {
         warnings.extend(self.presses_otherwise(&grasp)?);
         warnings.extend(self.same_names());
         warnings.extend(self.stiffness_left_out()?);
+        warnings.extend(self.stiffness_of_links_left_out()?);
         for (contact, entry) in self.entries().enumerate() {
             let (point, normal) = (entry.contact.point(), entry.contact.normal);
             if points_out(self.outline_around(entry), &point, &normal) {
@@ -210,7 +212,15 @@ impl<const C: usize> Setup<C> {
             normal.iter().zip(load.components()).map(|(n, force)| n * force).sum::<f64>() / normal.norm()
         };
         let size = load.components()[..C].iter().map(|force| force * force).sum::<f64>().sqrt();
+        let hangs = |link: &LinkSetup<C>| {
+            link.link.contacts().is_ok_and(|points| {
+                points
+                    .iter()
+                    .any(|point| point.hold != Hold::Unilateral || along(&point.normal) < -ALONG * size)
+            })
+        };
         self.entries().any(|entry| along(&entry.contact.normal) < -ALONG * size)
+            || self.links.iter().any(hangs)
     }
 }
 

@@ -18,9 +18,12 @@
 /// What a sentence adds where its answer lies beyond small motions.
 pub(crate) const TOO_FAR: &str = "The object turns too far for that: all this is good for small motions";
 
+mod link_kind;
 mod names;
 mod numbers;
 
+pub use link_kind::LinkKind;
+pub(crate) use link_kind::{open, opens};
 pub(crate) use names::listed;
 pub use names::printable;
 pub use numbers::Words;

@@ -7,6 +7,7 @@ mod enumerated;
 mod everyday;
 mod invariance;
 mod law;
+mod links;
 mod loads;
 mod malformed;
 mod many;

@@ -31,7 +31,10 @@ fn refused<const C: usize>(
     let error = Grasp::<C>::new(contacts).expect_err("the broken grasp is refused");
     match &error {
         Error::Contact { contact, field: named, value: shown, allowed: said } => {
-            assert_eq!(*contact, ContactLabel { index: 1, point: None, name: Some("thumb".into()) });
+            assert_eq!(
+                *contact,
+                ContactLabel { index: 1, point: None, name: Some("thumb".into()), link: None }
+            );
             assert_eq!(*named, field);
             assert!(equal_or_both_nan(*shown, value), "{error}: shows {shown}, was given {value}");
             assert_eq!(*said, allowed);

@@ -7,6 +7,7 @@ mod format;
 mod friction_charts;
 mod hands;
 mod lines;
+mod links;
 mod load_arrows;
 mod messages;
 mod names_apart;

@@ -139,7 +139,7 @@ fn what_is_missing_doubled_or_unknown_is_named() {
         (
             "\"settings\"",
             "\"setting\"",
-            "planar.setting: unknown field `setting` (`settings`?), must be one of `contacts`, `fingers`, `tendons`, `bodies`, `gravity`, `loaded`, `shared_by_mass`, `outline`, `questions`, `settings`",
+            "planar.setting: unknown field `setting` (`settings`?), must be one of `contacts`, `fingers`, `tendons`, `bodies`, `links`, `gravity`, `loaded`, `shared_by_mass`, `outline`, `questions`, `settings`",
         ),
         (
             "\"planar\"",

@@ -28,8 +28,17 @@ pub(crate) fn print<const C: usize>(
             writeln!(out, "{}", printable(&comment.lines().collect::<Vec<_>>().join(" ")))?;
         }
         let (contacts, points) = (setup.entries().count(), setup.points().unwrap_or_default());
-        let of = if points > contacts { format!(", {points} points of contact") } else { String::new() };
-        writeln!(out, "{contacts} {}{of}", if contacts == 1 { "contact" } else { "contacts" })?;
+        let links = match setup.links.len() {
+            0 => String::new(),
+            1 => ", 1 link".to_owned(),
+            more => format!(", {more} links"),
+        };
+        let of = if points > contacts && setup.links.is_empty() {
+            format!(", {points} points of contact")
+        } else {
+            String::new()
+        };
+        writeln!(out, "{contacts} {}{of}{links}", if contacts == 1 { "contact" } else { "contacts" })?;
     }
     let mut report = Report { out, style };
     for (question, answer) in setup.questions.iter().zip(answers) {
@@ -189,14 +198,14 @@ impl Report<'_> {
     fn leaving<const C: usize, At>(&mut self, event: &OnsetAt<C, At>) -> io::Result<()> {
         let digits = self.style.digits();
         if self.style.points {
-            for Leaving { contact, how, .. } in &event.leaving {
+            for leaving @ Leaving { contact, how, .. } in &event.leaving {
                 let along = match how {
                     Departure::Slides { direction } => {
                         format!(" over the object along {}", self.style.words.along(direction))
                     }
                     _ => String::new(),
                 };
-                self.line(&format!("{} {}{along}", contact.text(), how.verb()))?;
+                self.line(&format!("{} {}{along}", contact.text(), leaving.verb()))?;
             }
         } else {
             for change in event.whole_changes() {

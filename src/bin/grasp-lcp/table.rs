@@ -17,12 +17,20 @@ pub(crate) fn table<const C: usize>(
     } else {
         state.whole_contacts().collect()
     };
+    let is_told_apart = |row: &WholeAnswer<'_, C>| row.link().is_some() && !style.points;
+    let (links, rows): (Vec<_>, Vec<_>) = rows.into_iter().partition(is_told_apart);
     let numbers = Cleaned { words: style.words, largest: state.largest_force() };
-    let heads = heads::<C>(!state.pads.is_empty() && !style.points);
+    let heads = heads::<C>(rows.iter().any(|row| matches!(row, WholeAnswer::Pad(_))));
     let columns = heads.len();
     let lines: Vec<_> =
         std::iter::once(heads).chain(rows.iter().map(|row| cells(row, numbers, columns))).collect();
-    print(out, &lines)?;
+    if !rows.is_empty() {
+        print(out, &lines)?;
+    }
+    for link in links {
+        let carries = link.carries(style.words, state.largest_force()).unwrap_or_default();
+        writeln!(out, "  {} {carries}", link.text())?;
+    }
     let digits = style.digits();
     state.joints.iter().try_for_each(|joint| writeln!(out, "  {joint:.digits$}"))?;
     state.tendons.iter().try_for_each(|tendon| writeln!(out, "  {tendon:.digits$}"))?;

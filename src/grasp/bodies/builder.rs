@@ -5,6 +5,7 @@ use std::sync::Arc;
 use nalgebra::SVector;
 
 use super::body::Body;
+use super::link::Link;
 use super::place::{PlacedBodies, Sharing};
 use crate::error::{Error, MODERATE, is_moderate};
 use crate::grasp::contact::Contact;
@@ -38,6 +39,7 @@ use crate::grasp::wrench::Wrench;
 pub struct Bodies<const C: usize> {
     list: Vec<Body<C>>,
     hand: Hand<C>,
+    links: Vec<Link<C>>,
     gravity: SVector<f64, C>,
     loaded: Loaded,
 }
@@ -56,6 +58,7 @@ impl<const C: usize> Bodies<C> {
         Self {
             list: bodies.into_iter().collect(),
             hand: Hand::new([]),
+            links: Vec::new(),
             gravity: SVector::zeros(),
             loaded: Loaded::First,
         }
@@ -65,6 +68,13 @@ impl<const C: usize> Bodies<C> {
     #[must_use]
     pub fn contacts(mut self, contacts: impl IntoIterator<Item = Contact<C>>) -> Self {
         self.hand = contacts.into_iter().map(Finger::fixed).fold(self.hand, Hand::finger);
+        self
+    }
+
+    /// Hinges, slides, springs, cables between them or to the ground, behind all contacts.
+    #[must_use]
+    pub fn links(mut self, links: impl IntoIterator<Item = Link<C>>) -> Self {
+        self.links.extend(links);
         self
     }
 
@@ -107,9 +117,13 @@ impl<const C: usize> Bodies<C> {
     /// The hand that holds them, and the bodies checked.
     ///
     /// # Errors
-    /// [`Error::Body`] naming the body, and what is wrong with it.
+    /// [`Error::Body`] naming the body, [`Error::Link`] naming the link, and what is wrong with it.
     pub(crate) fn checked(self) -> Result<(Hand<C>, PlacedBodies<C>), Error> {
-        let Self { list: bodies, hand, gravity, loaded } = self;
+        let Self { list: bodies, mut hand, links, gravity, loaded } = self;
+        for (number, link) in links.iter().enumerate() {
+            let points = link.contacts_called(&link.called(number))?;
+            hand = points.into_iter().map(Finger::fixed).fold(hand, Hand::finger);
+        }
         let names: Vec<Arc<str>> = bodies.iter().map(|body| body.name.clone()).collect();
         let refuse = |name: &Arc<str>, fault: String| Err(Error::Body { name: name.to_string(), fault });
         if names.is_empty() {

@@ -8,14 +8,19 @@
 //! ```
 //!
 //! The contact law is untouched. One body stands in the coordinates of the object, the one that loads act on; all others stand behind the joints, and
-//! their motions reach a contact like those of a joint.
+//! their motions reach a contact like those of a joint. Links between bodies are contacts that do not open.
 
 mod assembled;
 mod body;
 mod builder;
 mod coordinates;
+mod link;
+mod link_points;
 mod place;
 
 pub use body::{Body, BodyMotion};
 pub use builder::Bodies;
+pub use link::Link;
+#[cfg(feature = "serde")]
+pub(crate) use link::LinkPlace;
 pub(crate) use place::{PlacedBodies, refuse_sides};

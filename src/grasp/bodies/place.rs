@@ -86,24 +86,22 @@ impl<const C: usize> PlacedBodies<C> {
         let find = |name: &Arc<str>| {
             self.names.iter().position(|other| other == name).ok_or_else(|| {
                 let names: Vec<_> = self.names.iter().map(|name| printable(name)).collect();
-                let of = contact.label(index);
-                refuse(name, format!("is named by contact {of}, and is none of {}", names.join(", ")))
+                let who = contact.said_in_full(index);
+                refuse(name, format!("is named by {who}, and is none of {}", names.join(", ")))
             })
         };
         let on = match &contact.on {
             Some(name) => find(name)?,
             None if self.names.len() == 1 => 0,
             None => {
-                let fault = format!(
-                    "may be what contact {} is on, or another one: it must be said",
-                    contact.label(index)
-                );
+                let who = contact.said_in_full(index);
+                let fault = format!("may be what {who} is on, or another one: it must be said");
                 return Err(refuse(&self.names[0], fault));
             }
         };
         let against = contact.against.as_ref().map(find).transpose()?;
         if against == Some(on) {
-            let fault = format!("is on both sides of contact {}", contact.label(index));
+            let fault = format!("is on both sides of {}", contact.said_in_full(index));
             return Err(refuse(&self.names[on], fault));
         }
         Ok((on, against))
@@ -191,7 +189,7 @@ impl<const C: usize> PlacedBodies<C> {
 pub(crate) fn refuse_sides<const C: usize>(contacts: &[Contact<C>]) -> Result<(), Error> {
     for (i, contact) in contacts.iter().enumerate() {
         if let Some(name) = contact.on.as_ref().or(contact.against.as_ref()) {
-            let fault = format!("is named by contact {}, and the scene has no bodies", contact.label(i));
+            let fault = format!("is named by {}, and the scene has no bodies", contact.said_in_full(i));
             return Err(Error::Body { name: name.to_string(), fault });
         }
     }

@@ -11,7 +11,7 @@ use crate::picture::contact_look::{no_friction_left, word};
 use crate::picture::error::PictureError;
 use crate::picture::fingertip::{ContactGroup, without_rounding};
 use crate::picture::words::{escaped, short};
-use crate::words::Words;
+use crate::words::{LinkKind, Words};
 
 /// Headings, and what they mean.
 const COLUMNS: [(&str, &str); 9] = [
@@ -116,14 +116,14 @@ fn write_rows<const C: usize>(
         let contact = &grasp.contacts()[tip.contacts.start];
         if tip.is_soft() {
             let row = ContactRow::of_tip(tip, grasp.contacts(), state, frame);
-            row.write(page, number, "", &tip.name, contact.hold)?;
+            row.write(page, number, "", &tip.name, contact)?;
         }
         for i in tip.contacts.clone() {
             let (contact, answer) = (&grasp.contacts()[i], &state.contacts[i]);
             let class = if tip.is_soft() { " class=\"point\"" } else { "" };
             let name = if tip.is_soft() { contact.label_text(i) } else { tip.name.clone() };
             let friction = frame.friction(i, contact.friction_coefficient());
-            ContactRow::of_point(answer, friction, state).write(page, number, class, &name, contact.hold)?;
+            ContactRow::of_point(answer, friction, state).write(page, number, class, &name, contact)?;
         }
     }
     page.push_str("</tbody>\n</table>\n</div>\n");
@@ -180,27 +180,31 @@ impl ContactRow {
         Self { state: does.word, numbers }
     }
 
-    fn write(
+    fn write<const C: usize>(
         &self,
         page: &mut String,
         tip: usize,
         class: &str,
         name: &str,
-        hold: Hold,
+        contact: &Contact<C>,
     ) -> Result<(), PictureError> {
         if self.numbers.iter().any(|x| x.is_nan()) {
             return Err(PictureError(format!("a number of {name} is not a number")));
         }
         let mut words = self.numbers.map(short);
-        if hold == Hold::Bonded {
+        if contact.hold == Hold::Bonded || contact.link.is_some() {
             // Glued, it has no friction to use.
-            (words[2], words[3]) = ("–".into(), "bonded".into());
+            (words[2], words[3]) = ("–".into(), contact.link.map_or("bonded", LinkKind::name).into());
         }
-        let (name, state) = (escaped(name), self.state);
+        let (name, class_of_state) = (escaped(name), self.state.replace(' ', "-"));
+        let state = match contact.link {
+            Some(LinkKind::Cable) if self.state == "separated" => "slack",
+            Some(_) => "carries",
+            None => self.state,
+        };
         let _ = write!(
             page,
-            "<tr data-contact=\"{tip}\"{class}><th>{name}</th><td class=\"{}\">{state}</td>",
-            state.replace(' ', "-")
+            "<tr data-contact=\"{tip}\"{class}><th>{name}</th><td class=\"{class_of_state}\">{state}</td>"
         );
         for words in words {
             let _ = write!(page, "<td>{words}</td>");

@@ -1,7 +1,7 @@
 //! The question that is asked for every direction, and its answer.
 
 use grasp_lcp::Error;
-use grasp_lcp::load_path::{Onset, Ramp};
+use grasp_lcp::load_path::{Leaving, Onset, Ramp};
 use grasp_lcp::scene::{Question, Setup};
 use grasp_lcp::squeeze::WeakestDirection;
 use grasp_lcp::words::Words;
@@ -56,13 +56,13 @@ pub(crate) fn quick<const C: usize>(grasp: &Grasp<C>) -> Grasp<C> {
 pub(crate) fn first<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>) -> Result<First, Error> {
     Ok(match grasp.onset(ramp)? {
         Onset::At(event) => {
-            let mut verbs: Vec<_> = event.leaving.iter().map(|leaving| leaving.how.verb()).collect();
+            let mut verbs: Vec<_> = event.leaving.iter().map(Leaving::verb).collect();
             verbs.sort_unstable();
             verbs.dedup();
             // Points of a soft fingertip leave by the dozen, and are one contact.
             let who = verbs.into_iter().rev().flat_map(|verb| {
                 let does = |i: usize| {
-                    event.leaving.iter().any(|left| left.contact.index == i && left.how.verb() == verb)
+                    event.leaving.iter().any(|left| left.contact.index == i && left.verb() == verb)
                 };
                 grasp.whole_contacts(does).into_iter().map(move |part| format!("{part} {verb}"))
             });

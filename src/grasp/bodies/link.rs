@@ -1,0 +1,216 @@
+//! What joins bodies to each other and to the ground: hinges, slides, rigid joints, springs, cables.
+
+use std::sync::Arc;
+
+use nalgebra::SVector;
+
+use crate::words::LinkKind;
+
+/// A link between two bodies, or between a body and the ground: a hinge, a slide, a rigid joint, a spring, a cable.
+///
+/// It is made of contacts that never open, and of one that pulls for a cable, so that all questions are answered as ever; answers tell of it as one
+/// thing. Nothing in it slips or breaks. Its own compliance is that of its [stiffness](Self::stiffness).
+///
+/// | link | leaves free | carries |
+/// |---|---|---|
+/// | [`hinge`](Link::hinge) in the plane, `ball` in space | turning | forces |
+/// | `hinge` in space | turning about its axis | forces, moments across the axis |
+/// | `slide` | moving along its direction | forces across it, moments |
+/// | `rigid` | nothing | forces, moments |
+/// | [`spring`](Self::spring) | all but its length | a pull or a push along it |
+/// | [`cable`](Self::cable) | all but its length | a pull along it, until it goes slack |
+///
+/// ```
+/// use grasp_lcp::planar::{Bodies, Body, Contact, Link, Wrench};
+///
+/// // A lever on a hinge is pressed down at 0.3 m, and presses with its nose at 0.1 m on a plate, which is pulled: μ = 0.4 above and below.
+/// let clamp = Bodies::new([
+///     Body::new("plate"),
+///     Body::new("lever").load(Wrench::force_at([0.0, -50.0], [0.3, 0.02])),
+/// ])
+/// .links([Link::hinge([0.0, 0.02]).name("pin").to_ground("lever")])
+/// .contacts([
+///     Contact::new([0.1, 0.0], [0.0, 1.0]).series_stiffness(1e6, 1e6).friction(0.4).on("plate").name("bed"),
+///     Contact::new([0.1, 0.01], [0.0, -1.0]).series_stiffness(1e6, 1e6).friction(0.4).on("plate").against("lever").name("nose"),
+/// ])
+/// .grasp()?;
+/// // The pull lifts the nose by its friction, which acts 10 mm below the pin: N 0.1 = 50 · 0.3 - 0.4 N 0.01.
+/// let verdict = clamp.hold(Wrench::force_at([200.0, 0.0], [0.1, 0.005]))?;
+/// let nose = 15.0 / 0.104;
+/// assert!((200.0 * verdict.lost.expect("pulled out").factor - 2.0 * 0.4 * nose).abs() < 1e-9);
+/// # Ok::<(), grasp_lcp::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Link<const C: usize> {
+    pub(crate) name: Option<Arc<str>>,
+    pub(crate) place: LinkPlace<C>,
+    pub(crate) on: Option<Arc<str>>,
+    pub(crate) against: Option<Arc<str>>,
+    pub(crate) stiffness: Option<f64>,
+    pub(crate) pretension: f64,
+    pub(crate) slack: f64,
+}
+
+/// Where a link is, and what it leaves free.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum LinkPlace<const C: usize> {
+    /// In space an axis, of any length, and how far its two bearings are apart, m.
+    Hinge {
+        point: SVector<f64, C>,
+        bearings: Option<(SVector<f64, C>, f64)>,
+    },
+    Ball {
+        point: SVector<f64, C>,
+    },
+    /// A direction of any length, and how far its bearings are apart, m.
+    Slide {
+        point: SVector<f64, C>,
+        direction: SVector<f64, C>,
+        length: f64,
+    },
+    /// How far apart the points are that carry moments, m.
+    Rigid {
+        point: SVector<f64, C>,
+        size: f64,
+    },
+    /// From a point of the body that it is on to one of the other body, or of the ground.
+    Spring {
+        from: SVector<f64, C>,
+        to: SVector<f64, C>,
+    },
+    Cable {
+        from: SVector<f64, C>,
+        to: SVector<f64, C>,
+    },
+}
+
+impl<const C: usize> LinkPlace<C> {
+    pub(crate) fn kind(&self) -> LinkKind {
+        match self {
+            Self::Hinge { .. } => LinkKind::Hinge,
+            Self::Ball { .. } => LinkKind::Ball,
+            Self::Slide { .. } => LinkKind::Slide,
+            Self::Rigid { .. } => LinkKind::Rigid,
+            Self::Spring { .. } => LinkKind::Spring,
+            Self::Cable { .. } => LinkKind::Cable,
+        }
+    }
+}
+
+impl Link<2> {
+    /// A hinge at this point, m.
+    pub fn hinge(point: impl Into<[f64; 2]>) -> Self {
+        Self::at(LinkPlace::Hinge { point: SVector::from(point.into()), bearings: None })
+    }
+}
+
+impl Link<3> {
+    /// A hinge about an axis through this point, m, with two bearings that are so far apart, m: they share what it carries, moments across the axis
+    /// too.
+    pub fn hinge(point: impl Into<[f64; 3]>, axis: impl Into<[f64; 3]>, length: f64) -> Self {
+        let bearings = Some((SVector::from(axis.into()), length));
+        Self::at(LinkPlace::Hinge { point: SVector::from(point.into()), bearings })
+    }
+
+    /// A ball joint at this point, m.
+    pub fn ball(point: impl Into<[f64; 3]>) -> Self {
+        Self::at(LinkPlace::Ball { point: SVector::from(point.into()) })
+    }
+}
+
+impl<const C: usize> Link<C> {
+    /// What a link has that is not told [how stiff](Self::stiffness) it is, N/m: stiff beside most of what is gripped.
+    pub const STIFF: f64 = 1e9;
+
+    pub(crate) fn at(place: LinkPlace<C>) -> Self {
+        Self { name: None, place, on: None, against: None, stiffness: None, pretension: 0.0, slack: 0.0 }
+    }
+
+    /// A slide: bodies move past each other along this direction alone. Its bearings are as far apart as `length` says, m, about this point.
+    pub fn slide(point: impl Into<[f64; C]>, direction: impl Into<[f64; C]>, length: f64) -> Self {
+        let (point, direction) = (SVector::from(point.into()), SVector::from(direction.into()));
+        Self::at(LinkPlace::Slide { point, direction, length })
+    }
+
+    /// A rigid joint: a weld or a screwed flange of this size, m, about this point.
+    pub fn rigid(point: impl Into<[f64; C]>, size: f64) -> Self {
+        Self::at(LinkPlace::Rigid { point: SVector::from(point.into()), size })
+    }
+
+    /// A spring of this stiffness, N/m, from a point of the first body to one of the second, or of the ground, m.
+    pub fn spring(from: impl Into<[f64; C]>, to: impl Into<[f64; C]>, stiffness: f64) -> Self {
+        let (from, to) = (SVector::from(from.into()), SVector::from(to.into()));
+        Self::at(LinkPlace::Spring { from, to }).stiffness(stiffness)
+    }
+
+    /// A cable or rope from a point of the first body to one of the second, or of the ground, m. It only pulls, along the line between both: to first
+    /// order, as everything here, so that it does not turn with the bodies.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Grasp, Link, Wrench};
+    ///
+    /// // A lamp of 30 N on two ropes under 45°; they meet in one point.
+    /// let rope = |x: f64, name: &str| Link::cable([0.0, 0.0], [x, 1.0]).name(name).contacts();
+    /// let lamp = Grasp::new([rope(-1.0, "left")?, rope(1.0, "right")?].concat())?;
+    /// let hangs = lamp.solve(&Wrench::force([0.0, -30.0]))?;
+    /// let told = hangs.to_string();
+    /// assert!(told.contains("left pulls with 21.2132 N"), "{told}");
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    pub fn cable(from: impl Into<[f64; C]>, to: impl Into<[f64; C]>) -> Self {
+        Self::at(LinkPlace::Cable { from: SVector::from(from.into()), to: SVector::from(to.into()) })
+    }
+
+    /// A name for messages and tables; without one a link is called what it is.
+    #[must_use]
+    pub fn name(mut self, name: impl Into<String>) -> Self {
+        self.name = Some(name.into().into());
+        self
+    }
+
+    /// The two bodies that it joins. Of a spring or a cable the first has its beginning and the second its end.
+    #[must_use]
+    pub fn between(mut self, one: impl Into<String>, other: impl Into<String>) -> Self {
+        (self.on, self.against) = (Some(one.into().into()), Some(other.into().into()));
+        self
+    }
+
+    /// The body that it joins to the ground.
+    #[must_use]
+    pub fn to_ground(mut self, body: impl Into<String>) -> Self {
+        (self.on, self.against) = (Some(body.into().into()), None);
+        self
+    }
+
+    /// How stiff it is, N/m: along each direction that it holds, all its points together. [`Self::STIFF`] until it is said.
+    #[must_use]
+    pub fn stiffness(mut self, stiffness: f64) -> Self {
+        self.stiffness = Some(stiffness);
+        self
+    }
+
+    /// What a cable or a spring pulls with before anything moves, N; below zero a spring pushes.
+    #[must_use]
+    pub fn pretension(mut self, force: f64) -> Self {
+        self.pretension = force;
+        self
+    }
+
+    /// How much longer a cable is than the way from its beginning to its end, m.
+    #[must_use]
+    pub fn slack(mut self, length: f64) -> Self {
+        self.slack = length;
+        self
+    }
+
+    /// Its name, or what it is and its number.
+    pub(crate) fn called(&self, number: usize) -> String {
+        self.name.as_deref().map_or_else(|| format!("{} {number}", self.kind().name()), str::to_owned)
+    }
+
+    /// What kind of link it is.
+    #[must_use]
+    pub fn kind(&self) -> LinkKind {
+        self.place.kind()
+    }
+}

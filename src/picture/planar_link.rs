@@ -1,0 +1,66 @@
+//! Links between bodies in the plane: a hinge is a circle, a slide two rails, a rigid joint a bar, a cable a thin line, a spring a zigzag.
+
+use nalgebra::Vector2;
+
+use super::axes::EqualScales;
+use super::fingertip::ContactGroup;
+use super::painting::{Painting, flat};
+use super::palette::GREY;
+use crate::grasp::Contact;
+use crate::words::LinkKind;
+
+/// Radius of a hinge, and how far rails are from the middle, pixels.
+const PIN: f64 = 7.0;
+const RAIL: f64 = 4.0;
+/// Turns of a spring, and how far they go to either side, pixels.
+const TURNS: usize = 12;
+const COIL: f64 = 6.0;
+
+/// Where a link is drawn.
+pub(super) struct PlanarLink {
+    kind: LinkKind,
+    /// Its ends; of a hinge twice the same.
+    pub(super) ends: [Vector2<f64>; 2],
+}
+
+impl PlanarLink {
+    /// A group of contacts that is a link.
+    pub(super) fn of(group: &ContactGroup, contacts: &[Contact<2>]) -> Option<Self> {
+        let kind = group.link?;
+        let own = &contacts[group.contacts.clone()];
+        let (first, last) = (own.first()?, own.last()?);
+        let ends = match kind {
+            // The normal of a line goes from its beginning to its end.
+            LinkKind::Spring | LinkKind::Cable => [first.point, first.point + first.normal],
+            _ => [first.point, last.point],
+        };
+        Some(Self { kind, ends })
+    }
+
+    pub(super) fn paint(&self, axes: &EqualScales, painting: &mut Painting) {
+        let [from, to] = self.ends.map(|end| flat(axes.place(end)));
+        let along = to - from;
+        let side = match along.norm() {
+            long if long > 0.0 => flat((-along.y / long, along.x / long)),
+            _ => along,
+        };
+        let mut line = |ends, width| painting.line(ends, GREY, width);
+        match self.kind {
+            LinkKind::Cable => line([from, to], 1.5),
+            LinkKind::Rigid => line([from, to], 6.0),
+            LinkKind::Slide => {
+                for x in [-RAIL, RAIL] {
+                    line([from + side * x, to + side * x], 2.0);
+                }
+            }
+            LinkKind::Spring => {
+                let at = |k: usize| {
+                    let swing = if k == 0 || k == TURNS { 0.0 } else { [COIL, -COIL][k % 2] };
+                    from + along * (k as f64 / TURNS as f64) + side * swing
+                };
+                (0..TURNS).for_each(|k| line([at(k), at(k + 1)], 1.5));
+            }
+            _ => painting.dot(from, PIN, GREY, true),
+        }
+    }
+}

@@ -1,0 +1,272 @@
+//! A link between bodies, as a scene has it.
+
+use std::sync::Arc;
+
+use nalgebra::SVector;
+use serde::de::{Deserialize, Deserializer};
+use serde::ser::{Serialize, Serializer};
+
+use super::object;
+use super::setup::Setup;
+use crate::error::Error;
+use crate::grasp::{Contact, Link, LinkPlace};
+use crate::serial::{AsGiven, AxisRow, Given};
+
+/// A link of a scene, and a word for the reader of the file; see [`Link`].
+///
+/// ```
+/// use grasp_lcp::planar::Link;
+/// use grasp_lcp::scene::LinkSetup;
+///
+/// let written = r#"{ "name": "pin", "hinge": { "point": [0, 0.1] }, "between": ["left lever", "right lever"] }"#;
+/// let pin: LinkSetup<2> = serde_json::from_str(written)?;
+/// assert_eq!(pin.link, Link::hinge([0.0, 0.1]).name("pin").between("left lever", "right lever"));
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct LinkSetup<const C: usize> {
+    /// The link.
+    pub link: Link<C>,
+    /// For the reader of the file.
+    pub comment: Option<String>,
+}
+
+impl<const C: usize> From<Link<C>> for LinkSetup<C> {
+    fn from(link: Link<C>) -> Self {
+        Self { link, comment: None }
+    }
+}
+
+/// A link as it stands in a file: one of hinge, ball, slide, rigid, spring and cable.
+#[derive(serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+struct Written<const C: usize> {
+    /// What messages and answers call it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    name: Option<Arc<str>>,
+    /// For the reader of the file.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    comment: Option<String>,
+    /// Bodies turn about a point, in space about an axis.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    hinge: Option<Hinge<C>>,
+    /// In space bodies turn about a point any way.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    ball: Option<Point<C>>,
+    /// Bodies move past each other along a direction alone.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    slide: Option<Slide<C>>,
+    /// Bodies move as one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    rigid: Option<Rigid<C>>,
+    /// A spring pulls and pushes along a line.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    spring: Option<Line<C>>,
+    /// A cable pulls along a line.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    cable: Option<Line<C>>,
+    /// The two bodies that it joins: a line begins on the first and ends on the second.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    between: Option<[Arc<str>; 2]>,
+    /// The body that it joins to the ground, in place of `between`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    on: Option<Arc<str>>,
+    /// N/m along each direction that it holds; 1e9 if left out.
+    #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
+    stiffness: Option<f64>,
+    /// What a spring or a cable pulls with before anything moves, N; 0 if left out.
+    #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
+    pretension: Option<f64>,
+    /// How much longer a cable is than its way, m; 0 if left out.
+    #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
+    slack: Option<f64>,
+}
+
+#[derive(serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+struct Hinge<const C: usize> {
+    /// Where it is, m.
+    point: AxisRow<Given, C>,
+    /// In space its axis, of any length.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    axis: Option<AxisRow<Given, C>>,
+    /// In space how far its two bearings are apart, m.
+    #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
+    length: Option<f64>,
+}
+
+#[derive(serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(rename = "BallJoint"))]
+#[serde(deny_unknown_fields)]
+struct Point<const C: usize> {
+    /// Where it is, m.
+    point: AxisRow<Given, C>,
+}
+
+#[derive(serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+struct Slide<const C: usize> {
+    /// The middle of its bearings, m.
+    point: AxisRow<Given, C>,
+    /// Where it moves, of any length.
+    direction: AxisRow<Given, C>,
+    /// How far its bearings are apart, m.
+    #[serde(with = "AsGiven::<f64>")]
+    length: f64,
+}
+
+#[derive(serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+struct Rigid<const C: usize> {
+    /// The middle of it, m.
+    point: AxisRow<Given, C>,
+    /// How wide it is, m.
+    #[serde(with = "AsGiven::<f64>")]
+    size: f64,
+}
+
+#[derive(serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(rename = "Between"))]
+#[serde(deny_unknown_fields)]
+struct Line<const C: usize> {
+    /// Where it begins, on the body or on the first of two, m.
+    from: AxisRow<Given, C>,
+    /// Where it ends, on the ground or on the second body, m.
+    to: AxisRow<Given, C>,
+}
+
+impl<const C: usize> Serialize for LinkSetup<C> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Self { link, comment } = self;
+        let row = |x: SVector<f64, C>| AxisRow::new(x);
+        let line = |from, to| Some(Line { from: row(from), to: row(to) });
+        let unless_zero = |x: f64| (x != 0.0).then_some(x);
+        let mut written = Written {
+            name: link.name.clone(),
+            comment: comment.clone(),
+            hinge: None,
+            ball: None,
+            slide: None,
+            rigid: None,
+            spring: None,
+            cable: None,
+            between: link.on.clone().zip(link.against.clone()).map(|(one, other)| [one, other]),
+            on: if link.against.is_none() { link.on.clone() } else { None },
+            stiffness: link.stiffness,
+            pretension: unless_zero(link.pretension),
+            slack: unless_zero(link.slack),
+        };
+        match link.place {
+            LinkPlace::Hinge { point, bearings } => {
+                let (axis, length) = bearings.map(|(axis, length)| (row(axis), length)).unzip();
+                written.hinge = Some(Hinge { point: row(point), axis, length });
+            }
+            LinkPlace::Ball { point } => written.ball = Some(Point { point: row(point) }),
+            LinkPlace::Slide { point, direction, length } => {
+                written.slide = Some(Slide { point: row(point), direction: row(direction), length });
+            }
+            LinkPlace::Rigid { point, size } => written.rigid = Some(Rigid { point: row(point), size }),
+            LinkPlace::Spring { from, to } => written.spring = line(from, to),
+            LinkPlace::Cable { from, to } => written.cable = line(from, to),
+        }
+        written.serialize(serializer)
+    }
+}
+
+impl<'de, const C: usize> Deserialize<'de> for LinkSetup<C> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        object::read(deserializer, "a link", |written: Written<C>| {
+            let called = written.name.as_ref().map_or_else(String::new, |name| format!("{name}: "));
+            Self::of_written(written).map_err(|fault| format!("{called}{fault}"))
+        })
+    }
+}
+
+impl<const C: usize> LinkSetup<C> {
+    fn of_written(written: Written<C>) -> Result<Self, String> {
+        let Written { hinge, ball, slide, rigid, spring, cable, .. } = written;
+        let line = |Line { from, to }: &Line<C>| (from.0, to.0);
+        let mut places = Vec::new();
+        if let Some(hinge) = hinge {
+            places.push(hinge.place()?);
+        }
+        if let Some(Point { point }) = ball {
+            if C == 2 {
+                return Err(
+                    "ball: given, must be left out in the plane, where a hinge is what turns".to_owned()
+                );
+            }
+            places.push(LinkPlace::Ball { point: point.0 });
+        }
+        places.extend(slide.map(|Slide { point, direction, length }| LinkPlace::Slide {
+            point: point.0,
+            direction: direction.0,
+            length,
+        }));
+        places.extend(rigid.map(|Rigid { point, size }| LinkPlace::Rigid { point: point.0, size }));
+        if spring.is_some() && written.stiffness.is_none() {
+            return Err("stiffness: left out, must be given of a spring, N/m".to_owned());
+        }
+        places.extend(spring.as_ref().map(line).map(|(from, to)| LinkPlace::Spring { from, to }));
+        places.extend(cable.as_ref().map(line).map(|(from, to)| LinkPlace::Cable { from, to }));
+        let [place] = places[..] else {
+            let ball = if C == 3 { "ball, " } else { "" };
+            let kinds = format!("one of hinge, {ball}slide, rigid, spring, cable");
+            return Err(format!("{} kinds of link given, must be {kinds}", places.len()));
+        };
+        let mut link = Link::at(place);
+        link.name = written.name;
+        (link.on, link.against) = match (written.between, written.on) {
+            (Some(_), Some(_)) => return Err("between and on: a link has one of them".to_owned()),
+            (Some([one, other]), None) => (Some(one), Some(other)),
+            (None, on) => (on, None),
+        };
+        link.stiffness = written.stiffness;
+        link.pretension = written.pretension.unwrap_or(0.0);
+        link.slack = written.slack.unwrap_or(0.0);
+        // Its name is said by whoever reads it.
+        link.contacts().map_err(|error| match error {
+            Error::Link { kind, field, value, allowed, .. } => {
+                format!("{field} of the {kind} is {value}, must be {allowed}")
+            }
+            other => other.to_string(),
+        })?;
+        Ok(Self { link, comment: written.comment })
+    }
+}
+
+impl<const C: usize> Hinge<C> {
+    fn place(self) -> Result<LinkPlace<C>, String> {
+        let Self { point, axis, length } = self;
+        let bearings = match (axis, length) {
+            (Some(axis), Some(length)) if C == 3 => Some((axis.0, length)),
+            (None, None) if C == 2 => None,
+            _ if C == 2 => {
+                return Err("hinge: axis or length given, must be left out in the plane".to_owned());
+            }
+            _ => return Err("hinge: axis or length left out, must both be given in space".to_owned()),
+        };
+        Ok(LinkPlace::Hinge { point: point.0, bearings })
+    }
+}
+
+impl<const C: usize> Setup<C> {
+    /// What links are made of, behind all contacts of the grasp.
+    pub(super) fn points_of_links(&self) -> Result<Vec<Contact<C>>, Error> {
+        let mut points = Vec::new();
+        for (number, LinkSetup { link, .. }) in self.links.iter().enumerate() {
+            points.extend(link.contacts_called(&link.called(number))?);
+        }
+        Ok(points)
+    }
+}
+
+#[cfg(feature = "schema")]
+schema_as_written!("Link", LinkSetup<C>, Written<C>, C);

@@ -1,0 +1,180 @@
+//! Links of a scene: read, written, refused, told of as one thing each; what is taken for a stiffness is said where an answer depends on it.
+
+use grasp_lcp::scene::{Scene, Space, Warning};
+use serde_json::Value;
+
+/// A lever on a hinge presses a plate on a bed; a rope keeps the plate.
+const CLAMP: &str = r#"{
+"format": "grasp-lcp/1",
+"planar": {
+"bodies": [{ "name": "plate" }, { "name": "lever", "load": { "force": [0, -50], "at": [0.3, 0.02] } }],
+"contacts": [
+{ "name": "bed", "on": "plate", "point": [0.1, 0], "normal": [0, 1], "friction": 0.4, "stiffness": 1000000, "soft": { "pair": { "width": 0.1 } } },
+{ "name": "nose", "on": "plate", "against": "lever", "point": [0.1, 0.01], "normal": [0, -1], "friction": 0.4, "stiffness": 1000000 }
+],
+"links": [
+{ "name": "pin", "comment": "of steel", "hinge": { "point": [0, 0.02] }, "on": "lever" },
+{ "name": "rope", "cable": { "from": [0.2, 0], "to": [0.5, 0] }, "on": "plate", "stiffness": 50000, "slack": 0.00007 },
+{ "spring": { "from": [0.3, 0.02], "to": [0.3, 0.5] }, "between": ["lever", "plate"], "stiffness": 1 }
+],
+"questions": [{ "solve": { "load": { "force": [-100, 0], "at": [0.1, 0.005] } } }, { "follow": { "legs": [{ "load_to": { "force": [-160, 0] }, "commands_by": [[0, 0], [0, 0]] }] } }]
+}
+}"#;
+
+fn scene(text: &str) -> Scene {
+    Scene::from_json(text.as_bytes()).unwrap_or_else(|fault| panic!("{fault}"))
+}
+
+fn answers(text: &str) -> Value {
+    serde_json::to_value(scene(text).answers().expect("well posed")).expect("written")
+}
+
+#[test]
+fn it_is_written_as_it_was_read() {
+    let clamp = scene(CLAMP);
+    let written = serde_json::to_string(&clamp).expect("written");
+    assert_eq!(scene(&written), clamp);
+    let Space::Planar(setup) = &clamp.space else { panic!("planar") };
+    assert_eq!(setup.links[0].comment.as_deref(), Some("of steel"));
+    assert_eq!((setup.links.len(), setup.points().expect("well posed")), (3, 6));
+}
+
+#[test]
+fn in_space_too() {
+    let text = r#"{"format": "grasp-lcp/1", "spatial": {"links": [
+        {"hinge": {"point": [0, 0, 1], "axis": [0, 0, 2], "length": 0.5}},
+        {"name": "rope", "cable": {"from": [1, 0, 1], "to": [1, 1, 1]}, "stiffness": 1000}
+    ], "questions": [{"solve": {"load": {"force": [0, -3, 0], "at": [1, 0, 1]}}}]}}"#;
+    let door = scene(text);
+    assert_eq!(scene(&serde_json::to_string(&door).expect("written")), door);
+    let state = &answers(text)[0]["solve"];
+    // One object needs no bodies; the points of the hinge are told as those of one contact.
+    let told: Vec<_> = state["contacts"]
+        .as_array()
+        .expect("a list")
+        .iter()
+        .map(|contact| {
+            (
+                contact["contact"].as_u64(),
+                contact["point"].as_u64(),
+                contact["name"].as_str(),
+                contact["link"].as_str(),
+            )
+        })
+        .collect();
+    assert_eq!(
+        told,
+        [
+            (Some(0), Some(0), Some("hinge 0"), Some("hinge")),
+            (Some(0), Some(1), Some("hinge 0"), Some("hinge")),
+            (Some(1), None, Some("rope"), Some("cable")),
+        ]
+    );
+    assert!((state["contacts"][2]["force"][0].as_f64().expect("a force") - 3.0).abs() < 1e-12);
+}
+
+#[test]
+fn answers_say_what_is_a_link() {
+    let answers = answers(CLAMP);
+    let contacts = answers[0]["solve"]["contacts"].as_array().expect("a list");
+    let link = |contact: &Value| contact["link"].as_str().map(str::to_owned);
+    assert_eq!(
+        contacts.iter().map(link).collect::<Vec<_>>(),
+        [None, None, None, Some("hinge".into()), Some("cable".into()), Some("spring".into())]
+    );
+    assert_eq!(contacts[5]["name"], "spring 2");
+    // The plate gives way to the left until the rope is tight.
+    let events = answers[1]["follow"]["events"].as_array().expect("a list");
+    let tight = events.iter().flat_map(|event| event["changes"].as_array().expect("a list"));
+    let tight: Vec<_> =
+        tight.filter(|change| change["link"] == "cable").map(|change| &change["what"]).collect();
+    assert_eq!(tight, ["closes"]);
+}
+
+#[test]
+fn refused() {
+    let message = |from: &str, to: &str| {
+        assert!(CLAMP.contains(from), "{from}");
+        Scene::from_json(CLAMP.replacen(from, to, 1).as_bytes()).expect_err(to).message
+    };
+    let hinge = r#""hinge": { "point": [0, 0.02] }"#;
+    let told = [
+        (
+            hinge,
+            r#""hinge": { "point": [0, 0.02] }, "rigid": { "point": [0, 0], "size": 0.1 }"#,
+            "pin: 2 kinds of link given, must be one of hinge, slide, rigid, spring, cable",
+        ),
+        (
+            hinge,
+            r#""stiffness": 3"#,
+            "pin: 0 kinds of link given, must be one of hinge, slide, rigid, spring, cable",
+        ),
+        (
+            hinge,
+            r#""hinge": { "point": [0, 0], "length": 0.1 }"#,
+            "pin: hinge: axis or length given, must be left out in the plane",
+        ),
+        (
+            hinge,
+            r#""ball": { "point": [0, 0] }"#,
+            "pin: ball: given, must be left out in the plane, where a hinge is what turns",
+        ),
+        (
+            hinge,
+            r#""slide": { "point": [0, 0], "direction": [0, 0], "length": 0.1 }"#,
+            "pin: direction of the slide is 0, must be of a length above zero",
+        ),
+        (r#""slack": 0.00007"#, r#""slack": -1"#, "rope: slack of the cable is -1, must be from 0 to 1e50"),
+        (
+            r#""slack": 0.00007"#,
+            r#""pretension": -1"#,
+            "rope: pretension of the cable is -1, must be 0 or more: a cable only pulls",
+        ),
+        (r#""stiffness": 1 }"#, r#""slack": 0 }"#, "stiffness: left out, must be given of a spring, N/m"),
+        (
+            r#""stiffness": 1 }"#,
+            r#""stiffness": 0 }"#,
+            "stiffness of the spring is 0, must be above 0 and at most 1e50",
+        ),
+        (
+            r#""on": "plate", "stiffness": 50000"#,
+            r#""on": "plate", "between": ["plate", "lever"]"#,
+            "rope: between and on: a link has one of them",
+        ),
+    ];
+    for (from, to, words) in told {
+        assert_eq!(message(from, to), words);
+    }
+    let nobody = CLAMP.replacen(r#""on": "lever""#, r#""on": "arm""#, 1);
+    let message = Scene::from_json(nobody.as_bytes()).expect_err("there is none").message;
+    assert_eq!(message, "body \"arm\" is named by hinge \"pin\", and is none of plate, lever");
+}
+
+/// A beam on three props, of which one is a link: what it carries depends on its stiffness. A link that stands alone is as stiff as one likes.
+#[test]
+fn a_stiffness_that_counts_is_told() {
+    let beam = |prop: &str| {
+        format!(
+            r#"{{"format": "grasp-lcp/1", "planar": {{"contacts": [
+            {{"point": [-1, 0], "normal": [0, 1], "stiffness": 1e9, "friction": 0.5}},
+            {{"point": [1, 0], "normal": [0, 1], "stiffness": 1e9, "friction": 0.5}}],
+            "links": [{{"name": "rod", {prop}}}],
+            "questions": [{{"solve": {{"load": {{"force": [0, -3]}}}}}}]}}}}"#
+        )
+    };
+    let warnings = |prop: &str| scene(&beam(prop)).warnings().expect("well posed");
+    let rod = r#""spring": {"from": [0, 0], "to": [0, 1]}"#;
+    assert_eq!(warnings(&format!(r#"{rod}, "stiffness": 1e9"#)), []);
+    let cable = warnings(r#""cable": {"from": [0, 0], "to": [0, 1]}"#);
+    let told = Warning::StiffnessLeftOut {
+        contacts: vec![2],
+        names: vec!["rod".into()],
+        stiffness: 1e9,
+        questions: vec![0],
+    };
+    assert_eq!(cable, [told]);
+    let alone = r#"{"format": "grasp-lcp/1", "planar": {"links": [
+        {"cable": {"from": [0, 0], "to": [-1, 1]}}, {"cable": {"from": [0, 0], "to": [1, 1]}}],
+        "questions": [{"solve": {"load": {"force": [0, -3]}}}]}}"#;
+    assert_eq!(scene(alone).warnings().expect("well posed"), []);
+}
