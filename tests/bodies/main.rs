@@ -11,3 +11,4 @@ mod links;
 mod loads;
 mod malformed;
 mod many;
+mod wedges;

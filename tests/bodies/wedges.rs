@@ -1,0 +1,88 @@
+//! Wedges of textbooks and benchmarks: pushed up, drawn out, driven into a gap.
+
+use grasp_lcp::planar::{Bodies, Body, Contact, ContactAnswer, Link, Wrench};
+
+/// Two points on a flat face from `a` to `b`, whose normal is on the left of that way; `stiffness` as it likes.
+fn face(a: [f64; 2], b: [f64; 2], friction: f64) -> impl Iterator<Item = Contact> {
+    let along = [b[0] - a[0], b[1] - a[1]];
+    let normal = [-along[1], along[0]];
+    [0.1, 0.9].into_iter().map(move |s| {
+        Contact::new([a[0] + s * along[0], a[1] + s * along[1]], normal)
+            .series_stiffness(3e6, 2e6)
+            .friction(friction)
+    })
+}
+
+fn lost_at(bodies: Bodies, load: Wrench) -> f64 {
+    let verdict = bodies.grasp().expect("well posed").hold(load).expect("well posed");
+    verdict.lost.unwrap_or_else(|| panic!("{:?}", verdict.holding)).factor
+}
+
+fn assert_close(x: f64, exact: f64) {
+    assert!((x / exact - 1.0).abs() < 1e-12, "{x} in place of {exact}");
+}
+
+/// NAFEMS CGS-4 (sliding wedge): up a slope of tan α = 0.1 with μ = 0.3 a push of `(tan α + μ) / (1 - μ tan α)` = 0.412371 of the weight is needed,
+/// whatever stiffness the slope is welded on with.
+#[test]
+fn a_wedge_is_pushed_up_a_slope() {
+    let (rise, mu, weight): (f64, f64, f64) = (0.1, 0.3, 1500.0);
+    for weld in [1e5, 1e9] {
+        let bodies = Bodies::new([
+            Body::new("wedge").load(Wrench::force_at([0.0, -weight], [3.0, 1.0])),
+            Body::new("slope"),
+        ])
+        .contacts(face([0.0, 0.0], [6.0, 6.0 * rise], mu).map(|contact| contact.on("wedge").against("slope")))
+        .links([Link::rigid([3.0, -1.0], 2.0).stiffness(weld).to_ground("slope")]);
+        let pushed = lost_at(bodies, Wrench::force_at([weight, 0.0], [0.0, 0.5]));
+        assert_close(pushed, (rise + mu) / (1.0 - mu * rise));
+        assert!((pushed - 0.412_371).abs() < 5e-7);
+    }
+}
+
+/// The lower one of two wedges under 3000 lb is drawn out: 15° between them with μ = 0.1, 0.2 at the floor and at the wall that guides the upper one
+/// (Hibbeler, *Statics*, problems on wedges; there 106 lb).
+#[test]
+fn a_wedge_is_drawn_out() {
+    let (sin, cos) = 15f64.to_radians().sin_cos();
+    let bodies = Bodies::new([
+        Body::new("lower"),
+        Body::new("upper").load(Wrench::force_at([0.0, -3000.0], [0.4, 2.0])),
+    ])
+    .contacts(face([0.0, 0.0], [2.0, 0.0], 0.2).map(|contact| contact.on("lower").name("floor")))
+    .contacts(
+        face([0.0, 0.1], [1.0, 0.1 + sin / cos], 0.1).map(|contact| contact.on("upper").against("lower")),
+    )
+    .contacts(face([0.0, 2.0], [0.0, 0.5], 0.2).map(|contact| contact.on("upper").name("wall")));
+    let drawn = 100.0 * lost_at(bodies, Wrench::force_at([100.0, 0.0], [2.0, 0.15]));
+    // The upper one sinks: its faces push on it with N and N', friction holds it up.
+    let wall = sin - 0.1 * cos;
+    let between = 3000.0 / (cos + 0.1 * sin + 0.2 * wall);
+    assert_close(drawn, between * (0.2 * (cos + 0.1 * sin) + 0.1 * cos - sin));
+    assert!((drawn - 105.838).abs() < 5e-4);
+}
+
+/// A wedge that 1760 N push along into the gap between a slope of 0.115 with μ = 0.2 and a guide without friction: it presses on the slope with
+/// `1760 √(1 + 0.115²) / (0.115 + 0.2)` = 5624.1 N, spread as it likes. The numbers are those of FrontISTR's work item 859; its push is not stated
+/// in what is known of it here, and is the one that makes this sum.
+#[test]
+fn a_wedge_is_driven_into_a_gap() {
+    let (rise, mu, push) = (0.115, 0.2, 1760.0);
+    for stiffness in [1e6, 1e8, 1e10] {
+        let grasp = Bodies::new([Body::new("wedge")])
+            .contacts(
+                face([0.0, 0.0], [4.0, 4.0 * rise], mu).map(|contact| contact.on("wedge").name("slope")),
+            )
+            .contacts(
+                face([4.0, 1.0], [0.0, 1.0], 0.0)
+                    .map(|contact| contact.series_stiffness(stiffness, stiffness).on("wedge").name("guide")),
+            )
+            .grasp()
+            .expect("well posed");
+        let outcome = grasp.solve(&Wrench::force_at([push, 0.0], [0.0, 0.6])).expect("well posed");
+        let state = outcome.equilibrium().expect("the guide holds it");
+        let total: f64 = state.contacts[..2].iter().map(ContactAnswer::normal_force).sum();
+        assert_close(total, push * f64::hypot(1.0, rise) / (rise + mu));
+        assert!((total - 5624.1).abs() < 0.05);
+    }
+}
