@@ -11,4 +11,5 @@ mod links;
 mod loads;
 mod malformed;
 mod many;
+mod rigid_limit;
 mod wedges;

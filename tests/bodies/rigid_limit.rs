@@ -1,0 +1,166 @@
+//! Forces between elastic bodies go to those between rigid ones as surfaces stiffen, where these are unique: the (W, q, μ) of the same scene, built
+//! here from its numbers alone.
+//!
+//! Three bodies hang on springs, which turn forces into motions, and touch each other and the ground. With K the stiffness of the springs and G the
+//! contact forces' wrenches, `W = Gᵀ K⁻¹ G` and `q = Gᵀ K⁻¹ f`. Elastic surfaces add their compliances to the diagonal of W. Three points of contact
+//! for nine coordinates leave W regular, and little friction leaves one solution.
+
+use grasp_lcp::friction::PlanarContacts;
+use grasp_lcp::planar::{Bodies, Body, Contact, Link, Wrench};
+use nalgebra::{DMatrix, DVector, Vector2, Vector3};
+use support::splitmix::Random;
+
+/// Stiffness of each spring that a body hangs on, N/m.
+const SPRING: f64 = 1e3;
+/// Normal over tangential stiffness of surfaces.
+const SOFTER_ALONG: f64 = 0.7;
+const BODIES: usize = 3;
+
+/// What a scene is made of.
+struct Hanging {
+    /// For each body three springs, each from a point to another, and a load: force and moment about the origin.
+    springs: [[(Vector2<f64>, Vector2<f64>); 3]; BODIES],
+    loads: [Vector3<f64>; BODIES],
+    contacts: Vec<Touch>,
+    friction: f64,
+}
+
+/// The wrench about the origin of a unit force along a direction.
+fn wrench(point: &Vector2<f64>, along: &Vector2<f64>) -> Vector3<f64> {
+    Vector3::new(along.x, along.y, point.perp(along))
+}
+
+/// Point, unit normal, the body that it points into, the one on the other side.
+type Touch = (Vector2<f64>, Vector2<f64>, usize, Option<usize>);
+
+impl Hanging {
+    fn new(random: &mut Random) -> Self {
+        let mut within = |most: f64| most * (2.0 * random.uniform() - 1.0);
+        let mut springs = [[(Vector2::zeros(), Vector2::zeros()); 3]; BODIES];
+        for (b, own) in springs.iter_mut().enumerate() {
+            for (k, spring) in own.iter_mut().enumerate() {
+                let way = Vector2::new(0.3, 0.0) + Vector2::new(within(0.1), within(0.1));
+                let turned = [way, Vector2::new(-way.y, way.x), Vector2::new(way.x, -way.y) * 1.3][k];
+                // The two that pull across hold it against turning.
+                let beside = [0.0, -0.15, 0.15][k];
+                let from = Vector2::new(b as f64 * 0.2 + beside + within(0.05), within(0.1));
+                *spring = (from, from + turned);
+            }
+        }
+        let loads = std::array::from_fn(|_| Vector3::new(within(20.0), within(20.0), within(2.0)));
+        // The first rests on the ground, the second on the first, the third on the second.
+        let contacts = (0..BODIES).map(|on| {
+            let normal = Vector2::new(within(0.5), 1.0).normalize();
+            let point = Vector2::new(on as f64 * 0.2 + within(0.1), within(0.1));
+            (point, normal, on, on.checked_sub(1))
+        });
+        let contacts = contacts.collect();
+        Self { springs, loads, contacts, friction: 0.05 + within(0.05).abs() }
+    }
+
+    /// W and q, with this stiffness of surfaces: infinite between rigid ones.
+    fn delassus(&self, surface: f64) -> PlanarContacts {
+        let (bodies, forces) = (3 * BODIES, 2 * self.contacts.len());
+        let (mut k, mut f) = (DMatrix::zeros(bodies, bodies), DVector::zeros(bodies));
+        for (b, (springs, load)) in self.springs.iter().zip(&self.loads).enumerate() {
+            for (from, to) in springs {
+                let line = wrench(from, &(to - from).normalize());
+                let mut own = k.view_mut((3 * b, 3 * b), (3, 3));
+                own += line * line.transpose() * SPRING;
+            }
+            f.rows_mut(3 * b, 3).copy_from(load);
+        }
+        let mut g = DMatrix::zeros(bodies, forces);
+        let mut compliance = DVector::zeros(forces);
+        for (i, (point, normal, on, against)) in self.contacts.iter().enumerate() {
+            let tangent = Vector2::new(normal.y, -normal.x);
+            for (axis, along) in [normal, &tangent].into_iter().enumerate() {
+                let wrench = wrench(point, along);
+                g.view_mut((3 * on, 2 * i + axis), (3, 1)).copy_from(&wrench);
+                if let Some(against) = against {
+                    g.view_mut((3 * against, 2 * i + axis), (3, 1)).copy_from(&-wrench);
+                }
+                compliance[2 * i + axis] = [1.0, 1.0 / SOFTER_ALONG][axis] / surface;
+            }
+        }
+        let softness = k.try_inverse().expect("every body hangs on three springs");
+        let w = g.transpose() * &softness * &g + DMatrix::from_diagonal(&compliance);
+        let q = g.transpose() * softness * f;
+        PlanarContacts::new(w, q, vec![self.friction; self.contacts.len()]).expect("well posed")
+    }
+
+    /// Contact forces between rigid or elastic bodies by (W, q, μ).
+    fn posed(&self, surface: f64) -> DVector<f64> {
+        self.delassus(surface).solve().solution().expect("springs hold all loads").r.clone()
+    }
+
+    /// The same by a scene of several bodies, whose last body has its load from the question.
+    fn of_bodies(&self, surface: f64) -> DVector<f64> {
+        let name = |body: usize| format!("body {body}");
+        let load = |body: usize| {
+            let load = &self.loads[body];
+            Wrench::new([load.x, load.y], load.z)
+        };
+        let bodies = Bodies::new((0..BODIES).map(|b| {
+            let always = if b + 1 < BODIES { load(b) } else { Wrench::ZERO };
+            Body::new(name(b)).load(always)
+        }));
+        let contacts = self.contacts.iter().map(|(point, normal, on, against)| {
+            let contact = Contact::new(*point, *normal)
+                .series_stiffness(surface, SOFTER_ALONG * surface)
+                .friction(self.friction)
+                .on(name(*on));
+            against.map_or(contact.clone(), |against| contact.against(name(against)))
+        });
+        let springs = self.springs.iter().enumerate().flat_map(|(b, springs)| {
+            springs.map(|(from, to)| Link::spring(from, to, SPRING).to_ground(format!("body {b}")))
+        });
+        let grasp =
+            bodies.contacts(contacts).links(springs).loaded(name(BODIES - 1)).grasp().expect("well posed");
+        let outcome = grasp.solve(&load(BODIES - 1)).expect("well posed");
+        let state = outcome.equilibrium().expect("springs hold all loads");
+        let forces = state.contacts[..self.contacts.len()]
+            .iter()
+            .flat_map(|contact| [contact.force[0], contact.force[1]]);
+        DVector::from_iterator(2 * self.contacts.len(), forces)
+    }
+}
+
+#[test]
+fn forces_go_to_those_between_rigid_bodies() {
+    let mut random = Random(44);
+    let (mut pressed, mut sliding, mut converged) = (0, 0, 0);
+    for scene in 0..300 {
+        let hanging = Hanging::new(&mut random);
+        let rigid = hanging.posed(f64::INFINITY);
+        let size = rigid.amax();
+        if size < 0.1 {
+            continue;
+        }
+        pressed += 1;
+        sliding += (0..BODIES)
+            .filter(|i| {
+                rigid[2 * i] > 0.0
+                    && (rigid[2 * i + 1].abs() - hanging.friction * rigid[2 * i]).abs() < 1e-9 * size
+            })
+            .count();
+        // The same law at any stiffness, to the last digits.
+        let off = |surface: f64| {
+            let elastic = hanging.of_bodies(surface);
+            let same = (&elastic - hanging.posed(surface)).amax();
+            assert!(same < 1e-9 * size, "scene {scene} at {surface:e} N/m: {same:e} N of {size} N apart");
+            (elastic - &rigid).amax() / size
+        };
+        let [soft, stiff, stiffest] = [1e6, 1e8, 1e10].map(off);
+        assert!(stiffest < 1e-6, "scene {scene}: off by {stiffest:e}");
+        if stiff > 1e-9 {
+            converged += 1;
+            assert!(
+                stiff < 0.02 * soft && stiffest < 0.02 * stiff,
+                "scene {scene}: {soft:e}, {stiff:e}, {stiffest:e}"
+            );
+        }
+    }
+    println!("{pressed} scenes press, {sliding} contacts slide, {converged} differ from the limit");
+    assert!(pressed > 200 && sliding > 100 && converged > 150, "{pressed}, {sliding}, {converged}");
+}
