@@ -7,6 +7,7 @@ use nalgebra::SVector;
 use super::grasp::Grasp;
 use super::questions::Questions;
 use crate::error::Error;
+use crate::grasp::Wrench;
 
 impl<const C: usize> Grasp<C> {
     /// This grasp by other contacts or commands.
@@ -85,6 +86,43 @@ impl<const C: usize> Grasp<C> {
     /// [`Error::JointCommands`] if there are more or fewer than joints, [`Error::Hand`] if one is not finite.
     pub fn with_joint_torques(&self, torques: &[f64]) -> Result<Self, Error> {
         self.changed(self.engine.with_joint_torques(torques))
+    }
+
+    /// These bodies where other loads grow with a load: a question that puts on τ times `load` puts on τ times each of the others, too, each on its body.
+    /// All loads of questions, base loads included, are then multiples of `load`, and what of them is not along it is left out; what is always there
+    /// belongs to the bodies ([`Body::load`](crate::grasp::Body::load)).
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Bodies, Body, Contact, Link, Wrench};
+    ///
+    /// // Pliers whose pin hangs in a stand, and a rod between their jaws, 10 mm from the pin. A hand presses the handles together at 100 mm.
+    /// let jaw = |side: f64, lever: &str| {
+    ///     Contact::new([0.01, 0.002 * side], [0.0, -side]).series_stiffness(1e6, 1e6).friction(0.2).on("rod").against(lever)
+    /// };
+    /// let pliers = Bodies::new([Body::new("rod"), Body::new("upper jaw"), Body::new("lower jaw")])
+    ///     .contacts([jaw(1.0, "upper jaw"), jaw(-1.0, "lower jaw")])
+    ///     .links([Link::hinge([0.0, 0.0]).between("upper jaw", "lower jaw"), Link::hinge([0.0, 0.0]).to_ground("lower jaw")])
+    ///     .loaded("upper jaw")
+    ///     .grasp()?;
+    /// let press = |newtons: f64| Wrench::force_at([0.0, newtons], [-0.1, 0.0]);
+    /// let pressed = pliers.growing_with(&press(1.0), [("lower jaw", press(-1.0))])?;
+    /// let state = pressed.solve(&press(10.0))?;
+    /// let rod = &state.equilibrium().expect("holds").contacts[0];
+    /// assert!((rod.normal_force() - 10.0 * 0.1 / 0.01).abs() < 1e-9);
+    /// // One hand alone turns all of it about the pin.
+    /// assert!(pliers.solve(&press(10.0))?.equilibrium().is_none());
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Body`] for a body that is not there, [`Error::NothingChanges`] if `load` is none, [`Error::Wrench`] if a component is not finite.
+    pub fn growing_with<N: Into<String>>(
+        &self,
+        load: &Wrench<C>,
+        others: impl IntoIterator<Item = (N, Wrench<C>)>,
+    ) -> Result<Self, Error> {
+        let named = others.into_iter().map(|(name, load)| (Arc::from(name.into()), load));
+        self.changed(self.engine.growing_with(load, &named.collect::<Vec<_>>()))
     }
 
     /// This grasp with other coefficients of friction, from the number of each contact and what it has.

@@ -1,5 +1,6 @@
 //! Questions of a scene, put to its grasp.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use nalgebra::SVector;
@@ -71,10 +72,53 @@ impl<const C: usize> Setup<C> {
     /// Whether the lists of a question that have one entry a contact are as long as that.
     pub(super) fn check(&self, question: &Question<C>) -> Result<(), Error> {
         match question {
-            Question::Hold { .. } | Question::Solve { .. } | Question::OnsetOfTurn(_) => Ok(()),
+            Question::Hold { base, load, together_with } => self.check_growing(base, load, together_with),
+            Question::Solve { .. } | Question::OnsetOfTurn(_) => Ok(()),
             Question::Need(asked) => self.need(asked).map(drop),
-            Question::Onset(asked) => self.ramp(asked).map(drop),
+            Question::Onset(asked) => {
+                self.check_growing(&asked.base, &asked.direction, &asked.together_with)?;
+                self.ramp(asked).map(drop)
+            }
             Question::Follow { legs, .. } => self.legs(legs).map(drop),
+        }
+    }
+
+    /// The grasp of a question, with the loads that grow together in it.
+    ///
+    /// # Errors
+    /// As for [`Grasp::growing_with`].
+    pub fn grasp_of(&self, grasp: &Grasp<C>, question: &Question<C>) -> Result<Grasp<C>, Error> {
+        let (load, together_with) = match question {
+            Question::Hold { load, together_with, .. } => (load, together_with),
+            Question::Onset(asked) => (&asked.direction, &asked.together_with),
+            _ => return Ok(grasp.clone()),
+        };
+        if together_with.is_empty() {
+            return Ok(grasp.clone());
+        }
+        grasp.growing_with(load, together_with.iter().map(|(name, load)| (name, *load)))
+    }
+
+    /// Refuses what cannot grow together.
+    fn check_growing(
+        &self,
+        base: &Wrench<C>,
+        load: &Wrench<C>,
+        together_with: &BTreeMap<String, Wrench<C>>,
+    ) -> Result<(), Error> {
+        let refuse =
+            |fault| Err(Error::Question { question: "hold or onset", field: "together_with", fault });
+        match together_with.keys().find(|name| self.bodies.iter().all(|body| *body.name != ***name)) {
+            _ if together_with.is_empty() => Ok(()),
+            Some(name) => {
+                let fault = "is to be loaded, and is none of the scene".to_owned();
+                Err(Error::Body { name: name.clone(), fault })
+            }
+            None if *base != Wrench::ZERO => {
+                refuse("given, must be left out beside a base: what is always there is the `load` of a body")
+            }
+            None if *load == Wrench::ZERO => refuse("given, must be left out without a load to grow with"),
+            None => Ok(()),
         }
     }
 
@@ -153,8 +197,9 @@ impl<const C: usize> Setup<C> {
         question: &Question<C>,
         words: Words,
     ) -> Result<Answer<C>, Error> {
+        let grasp = &self.grasp_of(grasp, question)?;
         Ok(match question {
-            Question::Hold { base, load } => {
+            Question::Hold { base, load, .. } => {
                 Answer::Hold(labels.verdict(grasp.hold(Ramp::load(*base, *load))?, words))
             }
             Question::Need(asked) => {

@@ -77,8 +77,9 @@ impl<const C: usize> Setup<C> {
     }
 
     fn brief(&self, grasp: &Grasp<C>, labels: &SceneNames, question: &Question<C>) -> Result<Brief, Error> {
+        let grasp = &self.grasp_of(grasp, question)?;
         Ok(match question {
-            Question::Hold { base, load } => held_briefly(&grasp.hold(Ramp::load(*base, *load))?),
+            Question::Hold { base, load, .. } => held_briefly(&grasp.hold(Ramp::load(*base, *load))?),
             Question::Need(asked) => needed_briefly(&grasp.need(&self.need(asked)?)?),
             Question::Solve { load } => labels.solved_briefly("solve", &grasp.solve(load)?),
             Question::Onset(asked) => labels.onset_briefly("onset", grasp, &grasp.onset(&self.ramp(asked)?)?),

@@ -117,8 +117,9 @@ impl<const C: usize> Setup<C> {
     /// What is told of an answer, in numbers.
     fn figures(&self, grasp: &Grasp<C>, question: &Question<C>) -> Result<Vec<f64>, Error> {
         let known = |answer: Option<bool>| answer.map_or(2.0, f64::from);
+        let grasp = &self.grasp_of(grasp, question)?;
         match question {
-            Question::Hold { base, load } => {
+            Question::Hold { base, load, .. } => {
                 let verdict = grasp.hold(Ramp::load(*base, *load))?;
                 let (first, lost) = (verdict.first_slip.as_ref(), verdict.lost.as_ref());
                 // Of a load that is lost the first slip is not told.

@@ -135,12 +135,14 @@
 //!
 //! | field | with | asks for |
 //! |---|---|---|
-//! | `hold` | `base`, `load` (wrenches) | what becomes of the load as it is put on from rest |
+//! | `hold` | `base`, `load` (wrenches), `together_with` | what becomes of the load as it is put on from rest |
 //! | `need` | `quantity`, loads | the amount that it takes, see [`NeedAsked`] |
 //! | `solve` | `load` (a wrench) | the equilibrium under it |
-//! | `onset` | `base`, `direction` (wrenches), `command_change`, `joint_change` | the onset of sliding under `base + τ direction`, commands changing by τ times their change |
+//! | `onset` | `base`, `direction` (wrenches), `command_change`, `joint_change`, `together_with` | the onset of sliding under `base + τ direction`, commands changing by τ times their change |
 //! | `onset_of_turn` | a turn | the onset of sliding while the load turns |
 //! | `follow` | `start` (a wrench), `legs` | the load path of a program |
+//!
+//! Of several bodies `together_with` has loads by name, `{"upper": {"force": [-5, 0]}}`, which grow as the load does; a `base` is then none.
 //!
 //! Wrenches that are left out are zero. `command_change` and all other commands are one row for
 //! each contact of the scene (m, in its contact frame); all points of a soft fingertip follow it. A

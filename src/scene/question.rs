@@ -1,5 +1,7 @@
 //! What is asked of a scene: an equilibrium, an onset of sliding along a ramp or while the load turns, a load path.
 
+use std::collections::BTreeMap;
+
 use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
@@ -24,6 +26,9 @@ pub enum Question<const C: usize> {
         base: Wrench<C>,
         /// What is put on beside it.
         load: Wrench<C>,
+        /// Of several bodies those that have loads which grow with it; then without a base.
+        #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+        together_with: BTreeMap<String, Wrench<C>>,
     },
     /// How much does it need? See [`Grasp::need`](crate::ask::Grasp::need).
     Need(Box<NeedAsked<C>>),
@@ -89,13 +94,22 @@ pub struct RampAsked<const C: usize> {
     /// What one unit of the factor adds to the commands of a hand, if to them at all: one for each joint and then each tendon.
     #[serde(default, with = "AsGiven::<Option<Vec<f64>>>", skip_serializing_if = "Option::is_none")]
     pub joint_change: Option<Vec<f64>>,
+    /// Of several bodies those that have loads which grow with the direction; then without a base.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub together_with: BTreeMap<String, Wrench<C>>,
 }
 
 impl<const C: usize> RampAsked<C> {
     /// From no load along a direction, all commands as they are.
     #[must_use]
     pub fn along(direction: Wrench<C>) -> Self {
-        Self { base: Wrench::ZERO, direction, command_change: None, joint_change: None }
+        Self {
+            base: Wrench::ZERO,
+            direction,
+            command_change: None,
+            joint_change: None,
+            together_with: BTreeMap::new(),
+        }
     }
 }
 

@@ -192,7 +192,7 @@ impl<const C: usize> Setup<C> {
     /// Whether a question does, or none is asked yet.
     fn begins_without_load(&self) -> bool {
         let without = |question: &Question<C>| match question {
-            Question::Hold { base, load } => *base == Wrench::ZERO && !self.lies_on_a_contact(load),
+            Question::Hold { base, load, .. } => *base == Wrench::ZERO && !self.lies_on_a_contact(load),
             Question::Need(asked) => {
                 asked.begins_without_load() && !asked.put_on().any(|load| self.lies_on_a_contact(load))
             }

@@ -47,6 +47,45 @@ fn a_scene_is_the_bodies_that_it_says() {
     assert!(says(BOXES).starts_with("SLIPS OUT at 3 N of 6 N: upper moves along +x"), "{}", says(BOXES));
 }
 
+/// The lower box is pulled one way and the upper one the other, twice as hard: it slides at 3 N.
+#[test]
+fn loads_of_bodies_grow_together() {
+    let hold = r#"{ "hold": { "load": { "force": [6, 0], "at": [0, 0.2] } } }"#;
+    let growing = |more: &str| {
+        let asked = format!(
+            r#"{{ "hold": {{ "load": {{ "force": [6, 0], "at": [0, 0.2] }}, "together_with": {{ "lower": {{ "force": [-12, 0], "at": [0, 0.1] }} }}{more} }} }}"#
+        );
+        BOXES.replacen(hold, &asked, 1)
+    };
+    assert!(
+        says(&growing("")).starts_with("SLIPS OUT at 3 N of 6 N: upper moves along +x"),
+        "{}",
+        says(&growing(""))
+    );
+    let scene: Scene = serde_json::from_str(&growing("")).expect("a scene");
+    let written = serde_json::to_string(&scene).expect("written");
+    assert_eq!(serde_json::from_str::<Scene>(&written).expect("a scene"), scene);
+    let refused = |text: &str| serde_json::from_str::<Scene>(text).expect_err("refused").to_string();
+    let told = [
+        (
+            growing(r#", "base": { "force": [1, 0] }"#),
+            "hold or onset: together_with given, must be left out beside a base: what is always there is the `load` of a body",
+        ),
+        (
+            growing("").replacen(r#""force": [6, 0]"#, r#""force": [0, 0]"#, 1),
+            "hold or onset: together_with given, must be left out without a load to grow with",
+        ),
+        (
+            growing("").replacen(r#"{ "lower": { "force""#, r#"{ "lid": { "force""#, 1),
+            "body \"lid\" is to be loaded, and is none of the scene",
+        ),
+    ];
+    for (text, words) in told {
+        let message = refused(&text);
+        assert!(message.contains(words), "{message}");
+    }
+}
+
 #[test]
 fn it_is_written_as_it_was_read() {
     let scene: Scene = serde_json::from_str(BOXES).expect("a scene");

@@ -1,5 +1,6 @@
 //! Questions of a scene, or of the command line in their place.
 
+use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
@@ -186,7 +187,7 @@ impl<const C: usize> Meaning<C> {
     /// Does it hold?
     fn hold(&self, load: &LoadArguments, base: Option<&Numbers>) -> Result<Option<Question<C>>, Failure> {
         let base = self.base(base, load.at.as_ref())?;
-        Ok(self.wrench(load)?.map(|load| Question::Hold { base, load }))
+        Ok(self.wrench(load)?.map(|load| Question::Hold { base, load, together_with: BTreeMap::new() }))
     }
 
     /// How much does it need?

@@ -1,9 +1,12 @@
 //! Loads and motions of several bodies, in inside coordinates and as the user sees them.
 
+use std::sync::Arc;
+
 use nalgebra::SVector;
 
 use super::body::BodyMotion;
 use super::place::{BodyPlace, PlacedBodies};
+use crate::error::Error;
 use crate::grasp::engine::Engine;
 use crate::grasp::rotation::{moved_twist, moved_wrench, object_alone, of_the_object, wrench_of};
 use crate::grasp::wrench::{Twist, Wrench};
@@ -75,6 +78,22 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let shared = bodies.shared(base);
         let loads = bodies.loads.iter().zip(shared).map(|(own, base)| *own + base).collect();
         Some(self.with_bodies(bodies.growing_together(loads)))
+    }
+
+    /// [`Grasp::growing_with`](crate::ask::Grasp::growing_with).
+    pub(crate) fn growing_with(
+        &self,
+        one: &Wrench<C>,
+        others: &[(Arc<str>, Wrench<C>)],
+    ) -> Result<Self, Error> {
+        match (self.bodies(), others.first()) {
+            (Some(bodies), _) => Ok(self.with_bodies(bodies.growing_with(one, others)?)),
+            (None, None) => Ok(self.clone()),
+            (None, Some((name, _))) => {
+                let fault = "is to be loaded, and the scene has no bodies".to_owned();
+                Err(Error::Body { name: name.to_string(), fault })
+            }
+        }
     }
 
     /// How each body moves with these coordinates, as the user sees them.

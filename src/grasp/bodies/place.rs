@@ -30,8 +30,8 @@ pub(super) enum Sharing<const C: usize> {
     OnObject,
     /// Of each body its part, and where its part of the force acts.
     ByParts(Vec<(f64, SVector<f64, C>)>),
-    /// These loads, for each newton along the first axis.
-    Together(Vec<Wrench<C>>),
+    /// These loads, as many times as a load is this one.
+    Together { one: Wrench<C>, loads: Vec<Wrench<C>> },
 }
 
 /// Several bodies as the engine knows them.
@@ -148,8 +148,12 @@ impl<const C: usize> PlacedBodies<C> {
                 let on = |body: usize| if body == self.object { *load } else { Wrench::ZERO };
                 return (0..self.names.len()).map(on).collect();
             }
-            Sharing::Together(loads) => {
-                return loads.iter().map(|of| *of * load.components()[0]).collect();
+            Sharing::Together { one, loads } => {
+                let along = |x: &Wrench<C>| {
+                    x.components().iter().zip(one.components()).map(|(x, one)| x * one).sum::<f64>()
+                };
+                let times = along(load) / along(one);
+                return loads.iter().map(|of| *of * times).collect();
             }
             Sharing::ByParts(list) => list,
         };
@@ -178,10 +182,37 @@ impl<const C: usize> PlacedBodies<C> {
         !matches!(self.sharing, Sharing::OnObject)
     }
 
-    /// With these loads growing together, and nothing beside them.
+    /// With these loads growing together, for each newton along the first axis, and nothing beside them.
     pub(super) fn growing_together(&self, loads: Vec<Wrench<C>>) -> Self {
         let none = vec![Wrench::ZERO; loads.len()];
-        Self { loads: none, sharing: Sharing::Together(loads), ..self.clone() }
+        let sharing = Sharing::Together { one: Wrench::from_components(&[1.0]), loads };
+        Self { loads: none, sharing, ..self.clone() }
+    }
+
+    /// With other loads that grow as one does.
+    ///
+    /// # Errors
+    /// [`Error::Body`] for a body that is not there, [`Error::NothingChanges`] for a load that is none.
+    pub(super) fn growing_with(
+        &self,
+        one: &Wrench<C>,
+        others: &[(Arc<str>, Wrench<C>)],
+    ) -> Result<Self, Error> {
+        if *one == Wrench::ZERO {
+            return Err(Error::NothingChanges);
+        }
+        one.check("load")?;
+        let mut loads = self.shared(one);
+        for (name, load) in others {
+            load.check("load that grows with another")?;
+            let Some(body) = self.names.iter().position(|other| other == name) else {
+                let names: Vec<_> = self.names.iter().map(|name| printable(name)).collect();
+                let fault = format!("is to be loaded, and is none of {}", names.join(", "));
+                return Err(Error::Body { name: name.to_string(), fault });
+            };
+            loads[body] = loads[body] + *load;
+        }
+        Ok(Self { sharing: Sharing::Together { one: *one, loads }, ..self.clone() })
     }
 }
 

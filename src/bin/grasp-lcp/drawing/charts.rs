@@ -19,8 +19,9 @@ pub(super) fn chart<const C: usize>(
     question: &Question<C>,
     title: &str,
 ) -> Result<Option<Chart>, Failure> {
+    let grasp = &setup.grasp_of(grasp, question)?;
     Ok(match question {
-        Question::Hold { base, load } => {
+        Question::Hold { base, load, .. } => {
             let ramp = Ramp::load(*base, *load);
             let verdict = grasp.hold(ramp.clone())?;
             let marks = [verdict.first_slip.map(|first| first.factor), verdict.lost.map(|lost| lost.factor)];

@@ -50,8 +50,9 @@ pub(super) fn shown<const C: usize>(
     grasp: &Grasp<C>,
     question: &Question<C>,
 ) -> Result<ShownAnswers<C>, Failure> {
+    let grasp = &setup.grasp_of(grasp, question)?;
     Ok(ShownAnswers(match question {
-        Question::Hold { base, load } => {
+        Question::Hold { base, load, .. } => {
             let ramp = Ramp::load(*base, *load);
             held(grasp.hold(ramp.clone())?, ramp.load_at(1.0))
         }
