@@ -60,6 +60,20 @@ impl ContactGroup {
         points.sum::<SVector<f64, C>>() / self.contacts.len() as f64
     }
 
+    /// Of a link its ends: those of a line, or its first two bearings; of a single point twice the same.
+    pub(super) fn ends_of_link<const C: usize>(
+        &self,
+        contacts: &[Contact<C>],
+    ) -> Option<[SVector<f64, C>; 2]> {
+        let own = &contacts[self.contacts.clone()];
+        let (first, second) = (own.first()?, own.get(1).or(own.first())?);
+        match self.link? {
+            // The normal of a line goes from its beginning to its end.
+            LinkKind::Spring | LinkKind::Cable => Some([first.point, first.point + first.normal]),
+            _ => Some([first.point, second.point]),
+        }
+    }
+
     pub(super) fn resultant<const C: usize>(
         &self,
         contacts: &[Contact<C>],

@@ -26,15 +26,7 @@ pub(super) struct PlanarLink {
 impl PlanarLink {
     /// A group of contacts that is a link.
     pub(super) fn of(group: &ContactGroup, contacts: &[Contact<2>]) -> Option<Self> {
-        let kind = group.link?;
-        let own = &contacts[group.contacts.clone()];
-        let (first, last) = (own.first()?, own.last()?);
-        let ends = match kind {
-            // The normal of a line goes from its beginning to its end.
-            LinkKind::Spring | LinkKind::Cable => [first.point, first.point + first.normal],
-            _ => [first.point, last.point],
-        };
-        Some(Self { kind, ends })
+        Some(Self { kind: group.link?, ends: group.ends_of_link(contacts)? })
     }
 
     pub(super) fn paint(&self, axes: &EqualScales, painting: &mut Painting) {

@@ -22,8 +22,11 @@ impl Drawing<'_> {
             let frame = frames[tip.contacts.start];
             let points =
                 list(&contacts[tip.contacts.clone()], |contact| json_row(contact.point().as_slice()))?;
+            let row = |end: Vector3<f64>| json_row(end.as_slice());
+            let line = tip.ends_of_link(contacts).map(|ends| list(ends, row)).transpose()?;
+            let line = line.map_or(String::new(), |line| format!(",\"line\":{line}"));
             Ok(format!(
-                "{{\"name\":{},\"point\":{},\"points\":{points},\"normal\":{},\"tangents\":[{},{}]}}",
+                "{{\"name\":{},\"point\":{},\"points\":{points},\"normal\":{},\"tangents\":[{},{}]{line}}}",
                 json_string(&tip.name),
                 json_row(tip.middle(contacts).as_slice())?,
                 json_row(frame.column(0).as_slice())?,

@@ -120,10 +120,11 @@ pub(super) fn marks(drawing: &Drawing, frame: Option<&Frame<3>>) -> Vec<Mark> {
     for tip in &drawing.tips {
         let axes = frames[tip.contacts.start];
         let [n, t, b] = [0, 1, 2].map(|k| Point::new(axes[(0, k)], axes[(1, k)], axes[(2, k)]));
-        // The finger, behind the contact.
+        // The finger, behind the contact, or a link.
         let at = tip.middle(contacts);
         let tail = at - n * (FINGER * drawing.span);
-        marks.push(Mark::Line { corners: vec![tail, at], ink: GREY, width: 5.0, dashes: None });
+        let corners = tip.ends_of_link(contacts).map_or(vec![tail, at], |ends| ends.to_vec());
+        marks.push(Mark::Line { corners, ink: GREY, width: 5.0, dashes: None });
         match state {
             Some(state) => {
                 let resultant = tip.resultant(contacts, state);

@@ -23,8 +23,8 @@ const drawDot = (at, state, size) => {
 };
 const drawContact = (contact, answer, i) => {
   const { point, points, normal, name } = contact;
-  // The finger, behind the contact.
-  line(add(point, normal, -scene.finger), point, GREY, 5);
+  // The finger, behind the contact, or a link.
+  line(...(contact.line ?? [add(point, normal, -scene.finger), point]), GREY, 5);
   if (answer) {
     const { at } = answer, ink = COLOURS[answer.state];
     if (layers.cones) drawCone(contact, answer.mu, at, answer.normal_force, ink);
