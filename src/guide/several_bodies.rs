@@ -3,8 +3,8 @@
 //! A scene has a list of `bodies`, and each contact says which one its normal points into, `on`, and which one is on the other side, `against`; where that is left
 //! out it is the ground or a finger. Everything else is as with one object: the law of a contact, commands, hands, and all questions. A load of a question acts on
 //! the first body, or on the one that is `loaded`; with `shared_by_mass` it acts on all of them. What is always there, weights say, is the `load` of a body.
-//! What joins bodies stands in a list of `links`: a hinge, a slide, a rigid joint, a spring, or a cable that only pulls, `between` two bodies or `on` one, to the ground.
-//! The scenes are those of `examples/scenes/bodies`, and the commands are typed there.
+//! What joins bodies stands in a list of `links`: a hinge, a slide, a rigid joint, a spring, or a cable that only pulls, `between` two bodies or `on`
+//! one, to the ground. The scenes are those of `examples/scenes/bodies`, and the commands are typed there.
 //!
 //! # What does it take to drive a wedge under a machine?
 //!
@@ -94,7 +94,9 @@
 //!
 //! # What is not there yet
 //!
-//! Measures of a grasp (force closure, Ferrari and Canny's), the least squeeze over loads and screening are questions to one object. Many bodies are solved in an order in which
-//! those that touch are near each other. A wall of 1 000 bricks settles in about a second, and `hold` follows a push until it is lost in some
-//! seconds: the reports `several_bodies` and `scaling` have the times. That is in the plane; in space a few hundred contacts that slide or open at rest
-//! are what a path can bear. Pages of spatial scenes show bodies where they were.
+//! Measures of a grasp (force closure, Ferrari and Canny's), the least squeeze over loads and screening are questions to one object. Loads of several
+//! bodies grow in one proportion ([`Grasp::growing_with`](crate::ask::Grasp::growing_with), in scenes `together_with`); a program in which each goes
+//! its own way cannot be said. Links are exact to first order, as everything here: what a cable's tension does as its line turns is left out. Many
+//! bodies are solved in an order in which those that touch are near each other. A wall of 1 000 bricks settles in about a second, and `hold` follows a
+//! push until it is lost in some seconds: the reports `several_bodies` and `scaling` have the times. That is in the plane; in space a few hundred contacts
+//! that slide or open at rest are what a path can bear. Pages of spatial scenes show bodies where they were.
