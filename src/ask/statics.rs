@@ -1,6 +1,7 @@
 //! Which loads any contact forces could balance.
 
 use super::grasp::Grasp;
+use crate::equilibrium::{Decomposition, Equilibrium};
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::statics::{Budget, Closure, LoadLimit, WrenchBall, WrenchScale};
@@ -132,5 +133,30 @@ impl<const C: usize> Statics<'_, C> {
             LoadLimit::Factor { at_least, at_most, .. } => [1.0 / at_most, 1.0 / at_least],
             LoadLimit::NoBase { .. } | LoadLimit::Undecided => [0.0, f64::INFINITY],
         })
+    }
+
+    /// Splits the contact forces of an equilibrium of this grasp into equilibrating and interaction forces (section
+    /// 5.2 of the paper).
+    ///
+    /// The equilibrating forces are the least-squares solution of `Σ G_i F_i = -W`. In it the difference of the forces of any two
+    /// frictional contacts has no component along the line that joins them. Separated contacts carry neither. Lists as long as the shorter of grasp and equilibrium, if that is one of another grasp.
+    ///
+    /// ```
+    /// use grasp_lcp::nalgebra::Vector2;
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
+    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
+    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
+    ///
+    /// let outcome = grasp.solve(&Wrench::force([0.0, -4.0]))?;
+    /// let split = grasp.statics().decompose(outcome.equilibrium().expect("holds"));
+    /// assert!((split.equilibrating[0] - Vector2::new(0.0, 2.0)).norm() < 1e-14);
+    /// assert!((split.interaction[0] - Vector2::new(10.0, 0.0)).norm() < 1e-14);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[must_use]
+    pub fn decompose(&self, equilibrium: &Equilibrium<C>) -> Decomposition<C> {
+        self.0.engine.decompose(equilibrium)
     }
 }

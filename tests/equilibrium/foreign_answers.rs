@@ -14,7 +14,7 @@ fn forces_of_fewer_or_more_contacts_are_split() -> Result<(), Box<dyn Error>> {
     let (two, three) = (on_feet(&[-1.0, 1.0])?, on_feet(&[-1.0, 0.0, 1.0])?);
     for (grasp, other) in [(&two, &three), (&three, &two)] {
         let outcome = other.solve(&Wrench::force([0.0, -6.0]))?;
-        let split = grasp.decompose(outcome.equilibrium().ok_or("the feet stand")?);
+        let split = grasp.statics().decompose(outcome.equilibrium().ok_or("the feet stand")?);
         assert_eq!((split.equilibrating.len(), split.interaction.len()), (2, 2));
     }
     Ok(())

@@ -94,7 +94,7 @@ fn ask<const D: usize, const C: usize>(
         }
     }
     for e in &answers {
-        let parts = grasp.decompose(e);
+        let parts = grasp.statics().decompose(e);
         let numbers = e.twist.components().iter().chain([&e.stored_energy]);
         let per_contact = e
             .contacts

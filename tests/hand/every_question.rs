@@ -61,7 +61,7 @@ fn nothing_panics_and_what_agrees_agrees() {
         let stability = grasp.energy().stability(held);
         assert_eq!(stability.verdict, StabilityVerdict::Stable);
 
-        let split = grasp.decompose(held);
+        let split = grasp.statics().decompose(held);
         let sum = |forces: &[grasp_lcp::nalgebra::Vector2<f64>]| {
             forces.iter().sum::<grasp_lcp::nalgebra::Vector2<f64>>()
         };

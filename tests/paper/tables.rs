@@ -115,7 +115,7 @@ fn the_first_table() {
     }
     // Section 5.2: equilibrating and interaction forces of the same answer.
     let state = comparison.equilibrium.equilibrium().unwrap();
-    let parts = grasp.decompose(state);
+    let parts = grasp.statics().decompose(state);
     for (i, part) in parts.equilibrating.iter().enumerate() {
         let print = DISK_FORCES[1].1[i].misprint.map_or(DISK_FORCES[1].1[i].force, |(_, value)| value);
         assert!((part[0] - print[0]).abs() < 2e-4 && (part[1] - print[1]).abs() < 2e-4);

@@ -26,7 +26,7 @@ fn disk_tables() -> Result<(), Box<dyn std::error::Error>> {
     );
     let (computed, unit) = (disk(true)?, disk(false)?);
     let states = (hold(&computed, &disk_load())?, hold(&unit, &disk_load())?);
-    let parts = (computed.decompose(&states.0), unit.decompose(&states.1));
+    let parts = (computed.statics().decompose(&states.0), unit.statics().decompose(&states.1));
     println!(
         "{:14} finger     printed (N)          as computed (N)       difference (1e-4)   unit normals (N)",
         "forces"
