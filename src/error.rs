@@ -102,6 +102,14 @@ pub enum Error {
     /// An onset of sliding is asked along a ramp that does not change anything, of a scene.
     #[error("onset: direction, command_change and joint_change are zero, one of them must change something")]
     NothingChanges,
+    /// A cycle of legs that does not end where it begins.
+    #[error("cycle: the {what} at its end is {off} away from that at its beginning, must be the same")]
+    NotClosed {
+        /// What is elsewhere.
+        what: &'static str,
+        /// By how much at most, in its own unit.
+        off: f64,
+    },
     /// A question that bounds normal forces, asked of a contact whose force they do not bound.
     #[error("{question} bounds normal forces: contact {contact} pulls, is bonded or has infinite friction")]
     Unlimited {

@@ -125,6 +125,7 @@ pub mod screening;
 mod search;
 #[cfg(feature = "serde")]
 mod serial;
+pub mod shake;
 pub mod spatial;
 pub mod squeeze;
 pub mod statics;

@@ -4,6 +4,7 @@ use super::grasp::Grasp;
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::load_path::{Leg, LoadPath, PatchPath, SteppedPath};
+use crate::shake::Shaken;
 
 impl<const C: usize> Grasp<C> {
     /// Follows a load program from the equilibrium under `start` (that of [`Self::solve`]) with the finger commands of the grasp, on the
@@ -16,6 +17,35 @@ impl<const C: usize> Grasp<C> {
     #[doc(alias = "gross slip")]
     pub fn follow(&self, start: &Wrench<C>, legs: &[Leg<C>]) -> Result<LoadPath<'_, C>, Error> {
         self.engine.follow(start, legs, &self.settings)
+    }
+
+    /// Does it survive a load that repeats? From rest under `base` a cycle of legs, which leads back to where it begins, is gone again and again: the grasp comes to rest,
+    /// contacts slide to and fro for ever, the object walks on by as much in every cycle, or it is lost in one of them. [`Shaken`] says which, for all time, in a
+    /// sentence; see [`shake`](crate::shake). It follows up to [`Settings::most_cycles`](crate::Settings::most_cycles) cycles.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
+    ///
+    /// // A block of 10 N on two feet 2 m apart, μ = 0.5, that is pulled sideways by 3.5 N: put on once, 5 N are held.
+    /// let foot = |x: f64, name| Contact::new([x, 0.0], [0.0, 1.0]).name(name).series_stiffness(1000.0, 1000.0).friction(0.5);
+    /// let block = Grasp::new([foot(-1.0, "left"), foot(1.0, "right")])?;
+    /// let pulled = Wrench::new([3.5, -10.0], 0.0);
+    /// assert_eq!(block.hold(pulled)?.sticks(), Some(true));
+    ///
+    /// // Rocked by 3 N m it leans on one foot and then on the other. The foot that carries 2 N slides, and the other one next time.
+    /// let cycle = [3.0, -3.0].map(|rocked| Leg::there_and_back(Wrench::new([0.0, 0.0], rocked))).concat();
+    /// let shaken = block.shake(&pulled, &cycle)?;
+    /// let words = shaken.to_string();
+    /// assert!(words.starts_with("WALKS: the object moves 3 mm along +x in every cycle, left and right slide"), "{words}");
+    /// assert_eq!(shaken.stays(), Some(false));
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As for [`Self::follow`]; [`Error::NotClosed`] for a cycle that ends elsewhere.
+    #[doc(alias = "shakedown", alias = "ratcheting", alias = "vibration", alias = "cyclic load")]
+    pub fn shake(&self, base: &Wrench<C>, cycle: &[Leg<C>]) -> Result<Shaken<C>, Error> {
+        self.engine.shake(base, cycle, &self.settings)
     }
 
     /// Follows a load program from the equilibrium under `start` with the finger commands of the

@@ -20,6 +20,7 @@ use crate::load_path::{
     PatchPath, Ramp, Response, SteppedPath, StickingRange, Turn, TurnOnset,
 };
 use crate::numerics::{Any, Fixed, Memory};
+use crate::shake::Shaken;
 use crate::squeeze::{Bounds, LeastOnset, LeastSqueeze, Loads, WeakestDirection};
 use crate::statics::{Budget, Closure, LoadLimit, WrenchBall, WrenchScale};
 use crate::structured::{Search, SearchSettings};
@@ -140,6 +141,7 @@ questions! {
         fn state_at_onset(&self, event: &OnsetEvent<C>) -> Option<Equilibrium<C>>;
         fn beyond(&self, event: &OnsetEvent<C>, settings: &Settings) -> Option<Beyond<C>>;
         fn follow(&self, start: &Wrench<C>, legs: &[Leg<C>], settings: &Settings) -> Result<LoadPath<'_, C>, Error>;
+        fn shake(&self, base: &Wrench<C>, cycle: &[Leg<C>], settings: &Settings) -> Result<Shaken<C>, Error>;
         fn sticking_range(&self, ramp: &Ramp<C>, settings: &Settings) -> Result<Option<StickingRange>, Error>;
         fn response(&self, equilibrium: &Equilibrium<C>) -> Option<Response>;
         fn joint_response(&self, equilibrium: &Equilibrium<C>) -> Option<Response>;

@@ -4,6 +4,8 @@
 //! Wrenches and twists of a question are moved there and those of an answer are moved back, so that
 //! neither a far away reference point nor the unit of the user costs digits.
 
+use nalgebra::SVector;
+
 use crate::numerics::{Size, Vector};
 
 use super::bodies::PlacedBodies;
@@ -49,6 +51,11 @@ impl<D: Size, const C: usize> Engine<D, C> {
             rest[C + k] = moment.value() / self.length;
         }
         rest
+    }
+
+    /// Centroid of the contact points.
+    pub(crate) fn origin(&self) -> &SVector<f64, C> {
+        &self.origin
     }
 
     /// Root mean square distance of the contact points from their centroid.

@@ -28,3 +28,4 @@ mod words;
 
 pub use verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
 pub use way_out::WayOut;
+pub(crate) use words::does;

@@ -143,7 +143,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 
     /// How an equilibrium is lost when the load is on so many times.
-    fn lost(&self, factor: f64, loss: &Loss<C>, state: Option<Equilibrium<C>>) -> Lost<C> {
+    pub(crate) fn lost(&self, factor: f64, loss: &Loss<C>, state: Option<Equilibrium<C>>) -> Lost<C> {
         let weightless = state.as_ref().map_or(0.0, |state| WEIGHTLESS * state.largest_force());
         let of = |i: usize| state.as_ref().map(|state| &state.contacts[i]);
         let presses = |i: usize| of(i).is_none_or(|contact| contact.force.norm() > weightless);

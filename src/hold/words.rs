@@ -158,7 +158,7 @@ impl fmt::Display for FirstSlip {
 }
 
 impl<const C: usize> Lost<C> {
-    fn verb(&self) -> &'static str {
+    pub(crate) fn verb(&self) -> &'static str {
         match &self.way_out {
             WayOut::LiftsOff { .. } => "LIFTS OFF",
             WayOut::SlidesOut { .. } => "SLIPS OUT",
@@ -278,6 +278,6 @@ fn they_open(parts: &[WholeContact]) -> String {
 }
 
 /// Who does what: "left slides", "left and right slide".
-fn does(parts: &[WholeContact], one: &str, many: &str) -> String {
+pub(crate) fn does(parts: &[WholeContact], one: &str, many: &str) -> String {
     format!("{} {}", listed(parts), if parts.len() == 1 { one } else { many })
 }

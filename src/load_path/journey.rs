@@ -5,7 +5,8 @@ use std::sync::Arc;
 use nalgebra::SVector;
 
 use super::event::{Loss, LossKind, PathEnd};
-use super::leg::{Leg, Program};
+use super::leg::Leg;
+use super::program::Program;
 use super::segment::Segment;
 use crate::contact::Polygon;
 use crate::equilibrium::{Cone, Equilibrium};

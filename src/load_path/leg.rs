@@ -6,10 +6,10 @@ use nalgebra::SVector;
 
 use super::ramp::{Ramp, vectors};
 use super::trajectory::Trajectory;
-use super::turn::{Turn, inside};
+use super::turn::Turn;
 use crate::error::{Error, Field};
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::{Size, Vector};
+use crate::numerics::Size;
 
 /// One leg of a load program: the load, the finger commands, or both go straight to where they are told.
 ///
@@ -41,13 +41,13 @@ use crate::numerics::{Size, Vector};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Leg<const C: usize> {
-    load: LoadGoal<C>,
-    commands: StepGoal<Vec<SVector<f64, C>>>,
-    joints: StepGoal<Vec<f64>>,
+    pub(super) load: LoadGoal<C>,
+    pub(super) commands: StepGoal<Vec<SVector<f64, C>>>,
+    pub(super) joints: StepGoal<Vec<f64>>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
-enum StepGoal<T> {
+pub(super) enum StepGoal<T> {
     Stay,
     By(T),
     To(T),
@@ -192,7 +192,20 @@ impl<const C: usize> Leg<C> {
         }
     }
 
-    fn check<D: Size>(&self, grasp: &Engine<D, C>) -> Result<(), Error> {
+    /// The load grows by this much, and is taken off again.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Leg, Wrench};
+    ///
+    /// let pull = Wrench::force([2.0, 0.0]);
+    /// assert_eq!(Leg::there_and_back(pull), [Leg::load_by(pull), Leg::load_by(pull * -1.0)]);
+    /// ```
+    #[must_use]
+    pub fn there_and_back(change: Wrench<C>) -> [Self; 2] {
+        [Self::load_by(change), Self::load_by(change * -1.0)]
+    }
+
+    pub(super) fn check<D: Size>(&self, grasp: &Engine<D, C>) -> Result<(), Error> {
         match &self.load {
             LoadGoal::Straight(StepGoal::Stay) => {}
             LoadGoal::Straight(StepGoal::By(load) | StepGoal::To(load)) => {
@@ -217,7 +230,7 @@ impl<const C: usize> Leg<C> {
 
 /// What the load does along a leg.
 #[derive(Debug, Clone, PartialEq)]
-enum LoadGoal<const C: usize> {
+pub(super) enum LoadGoal<const C: usize> {
     Straight(StepGoal<Wrench<C>>),
     /// It changes as this one does.
     Turn(Turn<C>),
@@ -225,7 +238,7 @@ enum LoadGoal<const C: usize> {
 
 impl<const C: usize> LoadGoal<C> {
     /// The way from a load on, and where it ends.
-    fn course(&self, from: &Wrench<C>) -> (Trajectory<Wrench<C>>, Wrench<C>) {
+    pub(super) fn course(&self, from: &Wrench<C>) -> (Trajectory<Wrench<C>>, Wrench<C>) {
         let to = match self {
             Self::Straight(StepGoal::Stay) => *from,
             Self::Straight(StepGoal::By(change)) => *from + *change,
@@ -241,7 +254,7 @@ impl<const C: usize> LoadGoal<C> {
 
 impl<T: Copy + Add<Output = T>> StepGoal<Vec<T>> {
     /// From commands at the end of the last leg, behind those at its beginning, to commands at both ends of this one.
-    fn lead_on(&self, commands: &mut [Vec<T>; 2]) {
+    pub(super) fn lead_on(&self, commands: &mut [Vec<T>; 2]) {
         commands.swap(0, 1);
         let [from, to] = commands;
         to.clear();
@@ -250,122 +263,5 @@ impl<T: Copy + Add<Output = T>> StepGoal<Vec<T>> {
             Self::By(change) => to.extend(from.iter().zip(change).map(|(u, du)| *u + *du)),
             Self::To(goal) => to.extend_from_slice(goal),
         }
-    }
-}
-
-/// A program on its way: the present leg, and the goals between which it leads.
-#[derive(Debug, Clone)]
-pub(super) struct Program<const C: usize> {
-    /// From the first on that was not done when legs were added last.
-    legs: Vec<Leg<C>>,
-    /// How many were done then.
-    done: usize,
-    /// The present leg; as many as there are legs when all are done.
-    pub(super) leg: usize,
-    /// How the load goes along the present leg.
-    pub(super) course: Trajectory<Wrench<C>>,
-    /// The load at the end of the present leg.
-    goal: Wrench<C>,
-    /// Finger commands at the beginning and at the end of the present leg.
-    pub(super) commands: [Vec<SVector<f64, C>>; 2],
-    /// Those of the joints.
-    joints: [Vec<f64>; 2],
-}
-
-impl<const C: usize> Program<C> {
-    /// Without legs, at rest under a load and the commands of a grasp.
-    pub(super) fn new<D: Size>(grasp: &Engine<D, C>, start: Wrench<C>) -> Self {
-        let commands: Vec<_> = grasp.contacts().iter().map(|c| c.command).collect();
-        let joints = grasp.joint_commands().to_vec();
-        Self {
-            legs: Vec::new(),
-            done: 0,
-            leg: 0,
-            course: Trajectory::Straight { from: start, rate: Wrench::ZERO },
-            goal: start,
-            commands: [commands.clone(), commands],
-            joints: [joints.clone(), joints],
-        }
-    }
-
-    /// Appends legs, all or none of them; none along which the load turns where a method takes `straight_only`.
-    pub(super) fn extend<D: Size>(
-        &mut self,
-        grasp: &Engine<D, C>,
-        legs: &[Leg<C>],
-        straight_only: Option<&'static str>,
-    ) -> Result<(), Error> {
-        if let Some(method) = straight_only
-            && legs.iter().any(|leg| matches!(leg.load, LoadGoal::Turn(_)))
-        {
-            return Err(Error::StraightOnly { method });
-        }
-        legs.iter().try_for_each(|leg| leg.check(grasp))?;
-        // Programs that go on and on need no more memory.
-        self.legs.drain(..(self.leg - self.done).min(self.legs.len()));
-        self.done = self.leg;
-        self.legs.extend_from_slice(legs);
-        Ok(())
-    }
-
-    /// Sets out from where the last leg ended; false if there is no leg to go.
-    pub(super) fn begin_leg(&mut self) -> bool {
-        let Some(leg) = self.legs.get(self.leg - self.done) else { return false };
-        (self.course, self.goal) = leg.load.course(&self.goal);
-        leg.commands.lead_on(&mut self.commands);
-        leg.joints.lead_on(&mut self.joints);
-        true
-    }
-
-    /// Whether there is a leg to go.
-    pub(super) fn goes(&self) -> bool {
-        self.leg - self.done < self.legs.len()
-    }
-
-    /// Goes on to the next leg; false if there is none.
-    pub(super) fn next_leg(&mut self) -> bool {
-        self.leg += 1;
-        self.begin_leg()
-    }
-
-    /// Drives, commands less clearances, at the beginning of the present leg, and what they change by.
-    pub(super) fn drives<D: Size>(&self, grasp: &Engine<D, C>) -> [Vec<SVector<f64, C>>; 2] {
-        let mut drives = [Vec::new(), Vec::new()];
-        self.drives_into(grasp, &mut drives);
-        drives
-    }
-
-    /// [`Self::drives`] in memory that is there.
-    pub(super) fn drives_into<D: Size>(
-        &self,
-        grasp: &Engine<D, C>,
-        [base, change]: &mut [Vec<SVector<f64, C>>; 2],
-    ) {
-        let ([from, to], [joints_from, joints_to]) = (&self.commands, &self.joints);
-        grasp.driven_by(from.iter().copied(), joints_from, base);
-        let of_joints: Vec<_> = joints_to.iter().zip(joints_from).map(|(to, from)| to - from).collect();
-        grasp.changed_by(to.iter().zip(from).map(|(to, from)| to - from), Some(&of_joints), change);
-    }
-
-    /// How the load goes along the present leg, in inside coordinates.
-    pub(super) fn inside_course<D: Size>(&self, grasp: &Engine<D, C>) -> Trajectory<Vector<D>> {
-        match &self.course {
-            Trajectory::Straight { from, .. } => {
-                let [from, to] = [from, &self.goal].map(|load| grasp.load_unchecked(load));
-                let rate = to - &from;
-                Trajectory::Straight { from, rate }
-            }
-            Trajectory::Turn { load, angle } => Trajectory::Turn { load: inside(grasp, load), angle: *angle },
-        }
-    }
-
-    /// The leg of which this fraction has been gone: the last one when all are done.
-    pub(super) fn place(&self, fraction: f64) -> (usize, f64) {
-        if self.goes() || self.leg == 0 { (self.leg, fraction) } else { (self.leg - 1, 1.0) }
-    }
-
-    /// The load at a fraction of the present leg.
-    pub(super) fn load_at(&self, fraction: f64) -> Wrench<C> {
-        self.course.at(fraction)
     }
 }

@@ -138,7 +138,10 @@ impl<'g, D: Size, const C: usize> Follower<'g, D, C> for Pieces<'g, D, C> {
 
 impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
     /// Stands at the equilibrium to start from, if there is one.
-    fn at_start(journey: &Journey<'g, D, C>, problem: &Problem<'g, D, C>) -> Result<Self, PathEnd<C>> {
+    pub(super) fn at_start(
+        journey: &Journey<'g, D, C>,
+        problem: &Problem<'g, D, C>,
+    ) -> Result<Self, PathEnd<C>> {
         let found = journey.start(problem)?;
         // At rest: nothing changes yet.
         let change = journey.grasp.drive_changes(None, None);

@@ -72,6 +72,8 @@ struct WrittenSettings {
     /// So many times the load `hold` looks for where it is lost.
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     most_load: f64,
+    /// So many cycles of a load that repeats are followed.
+    most_cycles: usize,
 }
 
 impl Default for WrittenSettings {
@@ -90,11 +92,12 @@ impl From<&Settings> for WrittenSettings {
             step_error: settings.step_error,
             most_steps: settings.most_steps,
             most_load: settings.most_load,
+            most_cycles: settings.most_cycles,
         }
     }
 }
 
-/// `{"cone": "round", "polygon": …, "max_pivots": …, "most_states": …, "step_error": …, "most_steps": …, "most_load": …}`
+/// `{"cone": "round", "polygon": …, "max_pivots": …, "most_states": …, "step_error": …, "most_steps": …, "most_load": …, "most_cycles": …}`
 /// (feature `serde`), see [`crate::scene`].
 impl Serialize for Settings {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -106,8 +109,9 @@ impl Serialize for Settings {
 impl<'de> Deserialize<'de> for Settings {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         object::read(deserializer, "settings", |written: WrittenSettings| {
-            let WrittenSettings { cone, polygon, max_pivots, most_states, step_error, most_steps, most_load } =
+            let WrittenSettings { cone, polygon, max_pivots, most_states, step_error, most_steps, .. } =
                 written;
+            let WrittenSettings { most_load, most_cycles, .. } = written;
             if !(step_error > 0.0 && step_error < 1.0) {
                 return Err(format!("step_error is {step_error}, must be between 0 and 1"));
             }
@@ -115,7 +119,8 @@ impl<'de> Deserialize<'de> for Settings {
                 return Err(format!("most_load is {most_load}, must be more than 0 and at most 1e50"));
             }
             let round = matches!(cone, Cone::Round);
-            Ok(Self { cone: polygon, round, max_pivots, most_states, step_error, most_steps, most_load })
+            let polygonal = Self { cone: polygon, round, max_pivots, most_states, ..Self::default() };
+            Ok(Self { step_error, most_steps, most_load, most_cycles, ..polygonal })
         })
     }
 }

@@ -44,6 +44,8 @@ pub struct Settings {
     /// So many times the load that is asked about [`hold`](crate::ask::Grasp::hold) looks for where it is lost (default 100; up to 1 it stops where all of
     /// the load is on).
     pub most_load: f64,
+    /// So many cycles of a load that repeats are followed at most (default 1 000), see [`shake`](crate::ask::Grasp::shake).
+    pub most_cycles: usize,
 }
 
 impl Default for Settings {
@@ -56,6 +58,7 @@ impl Default for Settings {
             step_error: 1e-9,
             most_steps: 20_000,
             most_load: 100.0,
+            most_cycles: 1_000,
         }
     }
 }
@@ -105,6 +108,13 @@ impl Settings {
     #[must_use]
     pub fn with_most_load(mut self, most_load: f64) -> Self {
         self.most_load = most_load;
+        self
+    }
+
+    /// The same, following so many cycles of a load that repeats at most.
+    #[must_use]
+    pub fn with_most_cycles(mut self, most_cycles: usize) -> Self {
+        self.most_cycles = most_cycles;
         self
     }
 

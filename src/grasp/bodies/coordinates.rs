@@ -112,6 +112,16 @@ impl<D: Size, const C: usize> Engine<D, C> {
         bodies.places.iter().enumerate().map(of).collect()
     }
 
+    /// How each body moves with these inside coordinates, as the user sees it; the object where there is one.
+    pub(crate) fn each_moves(&self, inside: &Vector<D>) -> Vec<BodyMotion<C>> {
+        let outside = self.outside_coordinates(inside);
+        if self.bodies().is_some() {
+            return self.body_motions(&outside);
+        }
+        let (twist, centre, reach) = (Twist::among(&outside), *self.origin(), self.length());
+        vec![BodyMotion { body: "the object".into(), twist, centre, reach }]
+    }
+
     /// The lengths that measure rotations of bodies behind the object.
     pub(crate) fn rotation_lengths(&self, bodies: &PlacedBodies<C>) -> Vec<f64> {
         let Some(linkage) = self.linkage() else { return Vec::new() };

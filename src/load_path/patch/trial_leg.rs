@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use crate::grasp::{Engine, Site};
-use crate::load_path::leg::Program;
+use crate::load_path::program::Program;
 use crate::numerics::{Orthogonal, Size, Vector, without};
 use crate::object::{spring_rows, stretched_into, worked_on};
 

@@ -31,6 +31,7 @@ pub mod programs;
 pub mod ramps;
 pub mod random;
 pub mod scene;
+pub mod shaken;
 pub mod soft_tips;
 pub mod splitmix;
 pub mod stacks;

@@ -1,0 +1,188 @@
+//! A cycle of legs that is gone again and again.
+
+use nalgebra::{Matrix, SVector};
+
+use super::event::PathEnd;
+use super::following::{AnyPath, Following};
+use super::leg::Leg;
+use super::pieces::Pieces;
+use super::stretch::Stretch;
+use crate::contact::State;
+use crate::equilibrium::Equilibrium;
+use crate::error::Error;
+use crate::grasp::{Engine, Wrench};
+use crate::numerics::{Size, Vector};
+use crate::search::Settings;
+
+/// Loads and commands that differ by no more than this part of the largest on the way are one: a cycle that ends there is closed.
+const CLOSED: f64 = 1e-12;
+/// Forces that differ by no more than this part of the largest are those that a state was made of.
+const SAME: f64 = 1e-9;
+
+/// A cycle on its way.
+#[derive(Debug)]
+pub(crate) struct Cycles<'g, D: Size, const C: usize> {
+    path: Following<'g, D, C, Pieces<'g, D, C>>,
+    legs: Vec<Leg<C>>,
+    base: Wrench<C>,
+    gone: usize,
+}
+
+/// Where a grasp stands between two cycles.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Standing<D: Size, const C: usize> {
+    pub(crate) forces: Vec<SVector<f64, C>>,
+    /// Of what is open, m; zero of what is closed.
+    pub(crate) gaps: Vec<f64>,
+    pub(crate) slips: Vec<SVector<f64, C>>,
+    pub(crate) twist: Vector<D>,
+}
+
+/// What has happened in one cycle.
+#[derive(Debug, Clone)]
+pub(crate) struct Gone<const C: usize> {
+    /// The way that each site has slid, m.
+    pub(crate) slid: Vec<f64>,
+    /// Heat from friction, J.
+    pub(crate) dissipated: f64,
+    /// The largest force on the way, N.
+    pub(crate) largest: f64,
+    /// The smallest gap of each site that was open all the way, m.
+    pub(crate) open: Vec<Option<f64>>,
+    pub(crate) step_error: f64,
+    /// What sites did, one state after the other, with the leg of each.
+    states: Vec<(usize, Vec<State<C>>)>,
+}
+
+impl<const C: usize> Gone<C> {
+    /// Whether the same events have happened in both cycles.
+    pub(crate) fn is_like(&self, other: &Self) -> bool {
+        let kinds = |a: &[State<C>], b: &[State<C>]| a.iter().zip(b).all(|(a, b)| a.is_kind_of(b));
+        self.states.len() == other.states.len()
+            && self.states.iter().zip(&other.states).all(|(a, b)| a.0 == b.0 && kinds(&a.1, &b.1))
+    }
+}
+
+impl<'g, D: Size, const C: usize> Cycles<'g, D, C> {
+    /// Before the first cycle, at rest under a load.
+    ///
+    /// # Errors
+    /// As for [`Grasp::follow`](crate::ask::Grasp::follow), and [`Error::NotClosed`] for legs that do not lead back.
+    pub(crate) fn at_rest(
+        grasp: &'g Engine<D, C>,
+        (base, legs): (&Wrench<C>, &[Leg<C>]),
+        settings: &Settings,
+    ) -> Result<Self, Error> {
+        let path = Following::start(grasp, (base, legs), settings, |journey, problem| {
+            Pieces::at_start(journey, problem)
+        })?;
+        path.journey.program.check_closed(CLOSED)?;
+        Ok(Self { path, legs: legs.to_vec(), base: *base, gone: 0 })
+    }
+
+    /// Before a cycle that begins elsewhere; `None` if that is no equilibrium of the grasp with these slips.
+    pub(crate) fn beginning_at(&self, from: &Standing<D, C>, settings: &Settings) -> Option<Self> {
+        let grasp = self.path.journey.grasp;
+        let begin = Following::start(grasp, (&self.base, &self.legs), settings, |journey, problem| {
+            let mut slipped = problem.clone();
+            slipped.drives.iter_mut().zip(&from.slips).for_each(|(drive, slip)| *drive -= slip);
+            slipped.slips.clone_from(&from.slips);
+            Pieces::at_start(journey, &slipped)
+        });
+        let path = begin.ok()?;
+        let begun = Self { path, legs: self.legs.clone(), base: self.base, gone: 0 };
+        let forces = &begun.path.follower.as_ref()?.node.at.forces;
+        let largest = from.forces.iter().map(Matrix::norm).fold(0.0, f64::max);
+        let is_there = forces.iter().zip(&from.forces).all(|(a, b)| (a - b).norm() <= SAME * largest);
+        is_there.then_some(begun)
+    }
+
+    /// How the path has ended, where it has.
+    pub(crate) fn end(&self) -> Option<&PathEnd<C>> {
+        self.path.end().filter(|end| !matches!(end, PathEnd::Completed))
+    }
+
+    /// The leg of the cycle and the fraction of it where the path stands.
+    pub(crate) fn place(&self) -> (usize, f64) {
+        let (leg, fraction) = self.path.place();
+        (leg - self.gone.saturating_sub(1) * self.legs.len(), fraction)
+    }
+
+    /// The equilibrium there.
+    pub(crate) fn state(&self) -> Option<Equilibrium<C>> {
+        self.path.state()
+    }
+
+    /// Goes through one cycle; `None` if the path [ends](Self::end) on the way.
+    pub(crate) fn go(&mut self) -> Option<Gone<C>> {
+        if self.gone > 0 && self.path.end().is_some() {
+            self.path.journey.program.return_to(self.path.journey.grasp, &self.base);
+            self.path.continue_with(&self.legs).ok()?;
+        }
+        self.gone += 1;
+        while self.path.next().is_some() {}
+        self.end().is_none().then_some(())?;
+        let first = (self.gone - 1) * self.legs.len();
+        let follower = self.path.follower.as_mut()?;
+        let energies = std::mem::take(&mut follower.energy);
+        let behind = std::mem::take(&mut follower.behind);
+        let slips_at_the_end = &follower.segment.problem.slips;
+        let n = slips_at_the_end.len();
+        let mut gone = Gone {
+            slid: vec![0.0; n],
+            dissipated: energies.iter().map(|leg| leg.dissipated).sum(),
+            largest: 0.0,
+            open: vec![Some(f64::INFINITY); n],
+            step_error: std::mem::take(&mut follower.step_error),
+            states: Vec::new(),
+        };
+        for (k, stretch) in behind.iter().enumerate() {
+            let after = behind.get(k + 1).map_or(slips_at_the_end, |next| &next.problem.slips);
+            gone.add(stretch, after, first);
+        }
+        // The state there is told from the piece that leads to it.
+        follower.behind.extend(behind.into_iter().last());
+        Some(gone)
+    }
+
+    /// Where the grasp stands after the cycles so far.
+    pub(crate) fn standing(&self) -> Option<Standing<D, C>> {
+        let follower = self.path.follower.as_ref()?;
+        let (at, segment) = (&follower.node.at, &follower.segment);
+        let drives = segment.drives(follower.factor);
+        let gap = |i: usize| {
+            let open = follower.node.states[i].is_open();
+            if open { -segment.grasp.sites()[i].stretch(&drives[i], &at.twist)[0] } else { 0.0 }
+        };
+        Some(Standing {
+            forces: at.forces.clone(),
+            gaps: (0..at.forces.len()).map(gap).collect(),
+            slips: segment.problem.slips.clone(),
+            twist: at.twist.clone(),
+        })
+    }
+}
+
+impl<const C: usize> Gone<C> {
+    /// Adds a piece of the way, with the slips after it.
+    fn add<D: Size>(&mut self, piece: &Stretch<'_, D, C>, after: &[SVector<f64, C>], first: usize) {
+        let forces = piece.here.lines.iter().map(|line| line.force).chain(piece.there.forces.iter().copied());
+        self.largest = forces.map(|force| force.norm()).fold(self.largest, f64::max);
+        for (i, state) in piece.states.iter().enumerate() {
+            if state.slides() {
+                self.slid[i] += (after[i] - piece.problem.slips[i]).norm();
+            }
+            let (here, rate) = (&piece.here.gaps[i], piece.here.gaps[i].rate);
+            let at_the_end = here.gap + rate * (piece.to - piece.from);
+            self.open[i] =
+                self.open[i].filter(|_| state.is_open()).map(|gap| gap.min(here.gap).min(at_the_end));
+        }
+        let leg = piece.leg.saturating_sub(first);
+        let goes_on = self.states.last().is_some_and(|(last, states)| {
+            *last == leg && states.iter().zip(&piece.states).all(|(a, b)| a.is_kind_of(b))
+        });
+        if !goes_on {
+            self.states.push((leg, piece.states.clone()));
+        }
+    }
+}

@@ -1,0 +1,168 @@
+//! A load program on its way: which leg it is on, and between which loads and commands that leads.
+
+use nalgebra::{Matrix, SVector};
+
+use super::leg::{Leg, LoadGoal};
+use super::trajectory::Trajectory;
+use super::turn::inside;
+use crate::error::Error;
+use crate::grasp::{Engine, Wrench};
+use crate::numerics::{Size, Vector};
+
+/// A program on its way: the present leg, and the goals between which it leads.
+#[derive(Debug, Clone)]
+pub(super) struct Program<const C: usize> {
+    /// From the first on that was not done when legs were added last.
+    legs: Vec<Leg<C>>,
+    /// How many were done then.
+    done: usize,
+    /// The present leg; as many as there are legs when all are done.
+    pub(super) leg: usize,
+    /// How the load goes along the present leg.
+    pub(super) course: Trajectory<Wrench<C>>,
+    /// The load at the end of the present leg.
+    goal: Wrench<C>,
+    /// Finger commands at the beginning and at the end of the present leg.
+    pub(super) commands: [Vec<SVector<f64, C>>; 2],
+    /// Those of the joints.
+    joints: [Vec<f64>; 2],
+}
+
+impl<const C: usize> Program<C> {
+    /// Without legs, at rest under a load and the commands of a grasp.
+    pub(super) fn new<D: Size>(grasp: &Engine<D, C>, start: Wrench<C>) -> Self {
+        let commands: Vec<_> = grasp.contacts().iter().map(|c| c.command).collect();
+        let joints = grasp.joint_commands().to_vec();
+        Self {
+            legs: Vec::new(),
+            done: 0,
+            leg: 0,
+            course: Trajectory::Straight { from: start, rate: Wrench::ZERO },
+            goal: start,
+            commands: [commands.clone(), commands],
+            joints: [joints.clone(), joints],
+        }
+    }
+
+    /// Appends legs, all or none of them; none along which the load turns where a method takes `straight_only`.
+    pub(super) fn extend<D: Size>(
+        &mut self,
+        grasp: &Engine<D, C>,
+        legs: &[Leg<C>],
+        straight_only: Option<&'static str>,
+    ) -> Result<(), Error> {
+        if let Some(method) = straight_only
+            && legs.iter().any(|leg| matches!(leg.load, LoadGoal::Turn(_)))
+        {
+            return Err(Error::StraightOnly { method });
+        }
+        legs.iter().try_for_each(|leg| leg.check(grasp))?;
+        // Programs that go on and on need no more memory.
+        self.legs.drain(..(self.leg - self.done).min(self.legs.len()));
+        self.done = self.leg;
+        self.legs.extend_from_slice(legs);
+        Ok(())
+    }
+
+    /// Sets out from where the last leg ended; false if there is no leg to go.
+    pub(super) fn begin_leg(&mut self) -> bool {
+        let Some(leg) = self.legs.get(self.leg - self.done) else { return false };
+        (self.course, self.goal) = leg.load.course(&self.goal);
+        leg.commands.lead_on(&mut self.commands);
+        leg.joints.lead_on(&mut self.joints);
+        true
+    }
+
+    /// Whether these legs, all before them, lead back to where they begin: load and commands within this part of the largest on the way.
+    ///
+    /// # Errors
+    /// [`Error::NotClosed`] saying what is elsewhere at their end.
+    pub(super) fn check_closed(&self, part: f64) -> Result<(), Error> {
+        let mut gone = self.clone();
+        let (load, [commands, _], [joints, _]) =
+            (self.course.at(0.0), self.commands.clone(), self.joints.clone());
+        let largest = |sizes: &mut dyn Iterator<Item = f64>| sizes.fold(0.0, f64::max);
+        let size = |load: &Wrench<C>| largest(&mut load.components().iter().map(|x| x.abs()));
+        let mut most = [
+            size(&load),
+            largest(&mut commands.iter().map(Matrix::amax)),
+            largest(&mut joints.iter().map(|x| x.abs())),
+        ];
+        let mut goes = gone.goes();
+        while goes {
+            most[0] = most[0].max(size(&gone.goal)).max(size(&gone.course.at(0.5)));
+            most[1] = most[1].max(largest(&mut gone.commands[1].iter().map(Matrix::amax)));
+            most[2] = most[2].max(largest(&mut gone.joints[1].iter().map(|x| x.abs())));
+            goes = gone.next_leg();
+        }
+        let off = [
+            size(&(gone.goal - load)),
+            largest(&mut gone.commands[1].iter().zip(&commands).map(|(end, start)| (end - start).amax())),
+            largest(&mut gone.joints[1].iter().zip(&joints).map(|(end, start)| (end - start).abs())),
+        ];
+        let what = ["load", "commands of contacts", "commands of joints"];
+        match (0..what.len()).find(|&k| off[k] > part * most[k]) {
+            Some(k) => Err(Error::NotClosed { what: what[k], off: off[k] }),
+            None => Ok(()),
+        }
+    }
+
+    /// Where all legs are done, stands at this load again and at the commands of a grasp: what rounding has left of the way back is gone.
+    pub(super) fn return_to<D: Size>(&mut self, grasp: &Engine<D, C>, load: &Wrench<C>) {
+        self.goal = *load;
+        self.commands[1] = grasp.contacts().iter().map(|contact| contact.command).collect();
+        self.joints[1] = grasp.joint_commands().to_vec();
+    }
+
+    /// Whether there is a leg to go.
+    pub(super) fn goes(&self) -> bool {
+        self.leg - self.done < self.legs.len()
+    }
+
+    /// Goes on to the next leg; false if there is none.
+    pub(super) fn next_leg(&mut self) -> bool {
+        self.leg += 1;
+        self.begin_leg()
+    }
+
+    /// Drives, commands less clearances, at the beginning of the present leg, and what they change by.
+    pub(super) fn drives<D: Size>(&self, grasp: &Engine<D, C>) -> [Vec<SVector<f64, C>>; 2] {
+        let mut drives = [Vec::new(), Vec::new()];
+        self.drives_into(grasp, &mut drives);
+        drives
+    }
+
+    /// [`Self::drives`] in memory that is there.
+    pub(super) fn drives_into<D: Size>(
+        &self,
+        grasp: &Engine<D, C>,
+        [base, change]: &mut [Vec<SVector<f64, C>>; 2],
+    ) {
+        let ([from, to], [joints_from, joints_to]) = (&self.commands, &self.joints);
+        grasp.driven_by(from.iter().copied(), joints_from, base);
+        let of_joints: Vec<_> = joints_to.iter().zip(joints_from).map(|(to, from)| to - from).collect();
+        grasp.changed_by(to.iter().zip(from).map(|(to, from)| to - from), Some(&of_joints), change);
+    }
+
+    /// How the load goes along the present leg, in inside coordinates.
+    pub(super) fn inside_course<D: Size>(&self, grasp: &Engine<D, C>) -> Trajectory<Vector<D>> {
+        match &self.course {
+            Trajectory::Straight { from, .. } => {
+                let [from, to] = [from, &self.goal].map(|load| grasp.load_unchecked(load));
+                let rate = to - &from;
+                Trajectory::Straight { from, rate }
+            }
+            Trajectory::Turn { load, angle } => Trajectory::Turn { load: inside(grasp, load), angle: *angle },
+        }
+    }
+
+    /// The leg of which this fraction has been gone: the last one when all are done.
+    pub(super) fn place(&self, fraction: f64) -> (usize, f64) {
+        if self.goes() || self.leg == 0 { (self.leg, fraction) } else { (self.leg - 1, 1.0) }
+    }
+
+    /// The load at a fraction of the present leg.
+    pub(super) fn load_at(&self, fraction: f64) -> Wrench<C> {
+        self.course.at(fraction)
+    }
+}

@@ -1,0 +1,284 @@
+//! Cycle after cycle from rest, until they repeat.
+
+use super::cycle::Cycle;
+use super::recurrence::Recurrence;
+use super::verdict::{Repeats, Shaken};
+use crate::error::Error;
+use crate::grasp::{BodyMotion, Engine, WholeContact, WholeContacts, Wrench};
+use crate::load_path::{Cycles, Leg, PathEnd, Ramp, Standing};
+use crate::numerics::Size;
+use crate::search::Settings;
+
+/// So many places between the last cycles are kept for what they lead to.
+const KEPT: usize = 12;
+/// After as many cycles with the same events what comes is looked at, and again after this many more.
+const BETWEEN_LOOKS: usize = 3;
+/// Changes of this size are near to what they lead to: events there are those of all cycles on the way.
+const NEAR: f64 = 1e-6;
+/// The same where something slides along arcs, which are known to the error of steps.
+const NEAR_ON_ARCS: f64 = 1e-4;
+/// A change is the one that was foretold but for this part.
+const FORETOLD: f64 = 1e-3;
+/// Nearer places are tried by this factor, and none that is nearer than so many cycles.
+const SHORTER: usize = 4;
+const SHORTEST: usize = 4;
+
+impl<D: Size, const C: usize> Engine<D, C> {
+    /// [`Grasp::shake`](crate::ask::Grasp::shake).
+    pub(crate) fn shake(
+        &self,
+        base: &Wrench<C>,
+        legs: &[Leg<C>],
+        settings: &Settings,
+    ) -> Result<Shaken<C>, Error> {
+        let cycles = Cycles::at_rest(self, (base, legs), settings)?;
+        let Some(rest) = cycles.standing() else {
+            let repeats =
+                Repeats::NoRest { rest: Box::new(self.hold(&Ramp::load(*base, Wrench::ZERO), settings)?) };
+            return Ok(Shaken {
+                base: *base,
+                repeats,
+                cycles: 0,
+                followed: 0,
+                change: 0.0,
+                ratio: 0.0,
+                moved: Vec::new(),
+                state: None,
+            });
+        };
+        let slid = vec![false; rest.forces.len()];
+        let places = vec![rest.clone()];
+        let shaking = Shaking {
+            engine: self,
+            settings,
+            base: *base,
+            rest,
+            cycles,
+            places,
+            slid,
+            alike: 0,
+            followed: 0,
+            cycles_gone: 0,
+        };
+        Ok(shaking.until_it_repeats())
+    }
+}
+
+/// A grasp that is shaken.
+struct Shaking<'g, 's, D: Size, const C: usize> {
+    engine: &'g Engine<D, C>,
+    settings: &'s Settings,
+    base: Wrench<C>,
+    rest: Standing<D, C>,
+    cycles: Cycles<'g, D, C>,
+    /// Where it stood between the last cycles with the same events.
+    places: Vec<Standing<D, C>>,
+    /// Which sites have slid so far.
+    slid: Vec<bool>,
+    /// How many cycles had the same events as the one before.
+    alike: usize,
+    /// How many cycles were followed, those that were tried elsewhere included.
+    followed: usize,
+    /// How many have passed, those that were passed over included.
+    cycles_gone: usize,
+}
+
+impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
+    fn until_it_repeats(mut self) -> Shaken<C> {
+        let (mut last, mut change): (Option<Cycle<D, C>>, _) = (None, 0.0);
+        while self.followed < self.settings.most_cycles {
+            self.followed += 1;
+            self.cycles_gone += 1;
+            let Some(cycle) = Cycle::next(self.engine, &mut self.cycles) else {
+                let repeats = self.ended(self.cycles_gone);
+                return self.shaken(repeats, (change, 0.0), None);
+            };
+            change = cycle.change();
+            if change <= cycle.same() {
+                let Some(more) = cycle.ends_walk() else {
+                    let repeats = self.told(&cycle, Some(self.cycles_gone));
+                    return self.shaken(repeats, (change, 0.0), Some(&cycle.to));
+                };
+                // Until then every cycle is like this one.
+                let there = cycle.to.moved_on(&cycle.from, more as f64);
+                if more > 0
+                    && let Some(further) = self.cycles.beginning_at(&there, self.settings)
+                {
+                    self.note(&cycle);
+                    (self.cycles, last) = (further, None);
+                    self.begin_at(there, more);
+                    continue;
+                }
+            }
+            self.note(&cycle);
+            if self.has_walked_out(&cycle) {
+                let repeats = self.told(&cycle, Some(self.cycles_gone));
+                return self.shaken(repeats, (change, 0.0), Some(&cycle.to));
+            }
+            let is_alike = last.as_ref().is_some_and(|last| last.gone.is_like(&cycle.gone));
+            self.alike = if is_alike { self.alike + 1 } else { 0 };
+            if !is_alike {
+                self.places.drain(..self.places.len() - 1);
+            }
+            self.places.push(cycle.to.clone());
+            self.places.drain(..self.places.len().saturating_sub(KEPT));
+            if self.alike > 0 && self.alike.is_multiple_of(BETWEEN_LOOKS) {
+                match self.ahead(&cycle) {
+                    Ahead::To { limit, ratio, error } => {
+                        let repeats = self.told(&limit, None);
+                        return self.shaken(repeats, (error, ratio), Some(&limit.to));
+                    }
+                    Ahead::Further { cycle, cycles, passed } => {
+                        self.cycles = *cycles;
+                        self.begin_at(cycle.to.clone(), passed + 1);
+                        last = Some(*cycle);
+                        continue;
+                    }
+                    Ahead::NotKnown => {}
+                }
+            }
+            last = Some(cycle);
+        }
+        self.shaken(Repeats::Undecided { doubt: None }, (change, 0.0), None)
+    }
+
+    /// Goes on from elsewhere, so many cycles later.
+    fn begin_at(&mut self, there: Standing<D, C>, passed: usize) {
+        self.places = vec![there];
+        self.alike = 0;
+        self.cycles_gone += passed;
+    }
+
+    /// What comes after cycles with the same events.
+    ///
+    /// The places from which these events happen are convex, and changes die out along a way between the first and the last place: if the events are the
+    /// same at both ends, they are on all of it. Two events that change their order there, and nothing else, leave the map as it is.
+    fn ahead(&mut self, last: &Cycle<D, C>) -> Ahead<'g, D, C> {
+        let places = self.places.clone();
+        let numbers: Vec<_> = places.iter().map(|place| last.numbers(place)).collect();
+        let Some(recurrence) = Recurrence::of(&places, &numbers, last.same()) else {
+            return Ahead::NotKnown;
+        };
+        let near = if last.gone.step_error > 0.0 { NEAR_ON_ARCS } else { NEAR };
+        let farthest = recurrence.until(near);
+        let mut passed = farthest;
+        loop {
+            let (there, foretold) = recurrence.after(passed);
+            self.followed += 1;
+            let tried = Cycle::beginning_at(self.engine, &self.cycles, &there, self.settings);
+            let is_so = |cycle: &Cycle<D, C>| {
+                let off = (last.numbers(&cycle.to) - last.numbers(&cycle.from) - &foretold).amax();
+                off <= last.same() || (cycle.gone.is_like(&last.gone) && off <= FORETOLD * foretold.amax())
+            };
+            match tried.filter(|(cycle, _)| is_so(cycle)) {
+                Some((cycle, cycles)) if passed >= SHORTEST || passed == farthest => {
+                    if passed == farthest
+                        && foretold.amax() <= 2.0 * near
+                        && let Some(limit) = self.limit(&recurrence, last)
+                    {
+                        let (error, ratio) = (limit.change(), recurrence.ratio());
+                        return Ahead::To { limit: Box::new(limit), ratio, error };
+                    }
+                    return Ahead::Further { cycle: Box::new(cycle), cycles: Box::new(cycles), passed };
+                }
+                _ if passed >= SHORTER * SHORTEST => passed /= SHORTER,
+                _ => return Ahead::NotKnown,
+            }
+        }
+    }
+
+    /// The cycle that others lead to.
+    fn limit(&mut self, recurrence: &Recurrence<'_, D, C>, last: &Cycle<D, C>) -> Option<Cycle<D, C>> {
+        self.followed += 1;
+        let there = recurrence.fixed_point().filter(|_| recurrence.ratio() < 1.0)?;
+        let (limit, _) = Cycle::beginning_at(self.engine, &self.cycles, &there, self.settings)?;
+        (limit.change() <= last.same() && limit.ends_walk().is_none()).then_some(limit)
+    }
+
+    /// Whether the object has walked farther than it is large: small motions say nothing there.
+    fn has_walked_out(&self, cycle: &Cycle<D, C>) -> bool {
+        let is_out = |moved: &BodyMotion<C>| moved.speed() > moved.reach && moved.reach > 0.0;
+        cycle.walks() && self.moves(&self.rest, &cycle.to).iter().any(is_out)
+    }
+
+    fn note(&mut self, cycle: &Cycle<D, C>) {
+        self.slid.iter_mut().enumerate().for_each(|(i, slid)| *slid |= cycle.slides(i));
+    }
+
+    /// How the path has ended within a cycle.
+    fn ended(&self, cycle: usize) -> Repeats<C> {
+        match self.cycles.end() {
+            Some(PathEnd::Lost(loss)) => {
+                let (leg, fraction) = self.cycles.place();
+                let lost = Box::new(self.engine.lost(fraction, loss, self.cycles.state()));
+                Repeats::Lost { cycle, leg, load: loss.load, lost }
+            }
+            Some(PathEnd::Undecided { doubt, .. }) => Repeats::Undecided { doubt: Some(*doubt) },
+            _ => Repeats::Undecided { doubt: None },
+        }
+    }
+
+    fn parts(&self, is_meant: &dyn Fn(usize) -> bool) -> Vec<WholeContact> {
+        WholeContacts::of(self.engine.contacts()).with(is_meant)
+    }
+
+    /// What all cycles to come are like, from one that repeats itself: from rest that with this number, else one that cycles lead to.
+    fn told(&self, cycle: &Cycle<D, C>, number: Option<usize>) -> Repeats<C> {
+        let (slides, dissipated) = (self.parts(&|i| cycle.slides(i)), cycle.gone.dissipated);
+        if !(0..self.slid.len()).any(|i| cycle.slides(i)) {
+            let slid = self.parts(&|i| self.slid[i]);
+            return match number {
+                Some(number) => Repeats::Rests { after: number - 1, slid },
+                None => Repeats::DiesOut { slid },
+            };
+        }
+        if cycle.walks() {
+            return Repeats::Walks { by: self.moves(&cycle.from, &cycle.to), slides, dissipated };
+        }
+        let way = cycle.gone.slid.iter().take(self.engine.len()).copied().fold(0.0, f64::max);
+        Repeats::Alternates { slides, way, dissipated }
+    }
+
+    fn moves(&self, from: &Standing<D, C>, to: &Standing<D, C>) -> Vec<BodyMotion<C>> {
+        self.engine.each_moves(&(&to.twist - &from.twist))
+    }
+
+    /// The answer, with where the grasp then stands: where the path does unless said otherwise.
+    fn shaken(
+        &self,
+        repeats: Repeats<C>,
+        (change, ratio): (f64, f64),
+        at: Option<&Standing<D, C>>,
+    ) -> Shaken<C> {
+        let here = self.cycles.standing();
+        let moved = at.or(here.as_ref()).map(|at| self.moves(&self.rest, at)).unwrap_or_default();
+        let state = self.cycles.end().is_none().then(|| self.cycles.state()).flatten().map(Box::new);
+        Shaken {
+            base: self.base,
+            repeats,
+            cycles: self.cycles_gone,
+            followed: self.followed,
+            change,
+            ratio,
+            moved,
+            state,
+        }
+    }
+}
+
+/// What comes after cycles with the same events.
+enum Ahead<'g, D: Size, const C: usize> {
+    /// They lead to one that repeats itself.
+    To {
+        limit: Box<Cycle<D, C>>,
+        ratio: f64,
+        error: f64,
+    },
+    /// They are the same for so many cycles, and one more that is gone.
+    Further {
+        cycle: Box<Cycle<D, C>>,
+        cycles: Box<Cycles<'g, D, C>>,
+        passed: usize,
+    },
+    NotKnown,
+}

@@ -1,0 +1,83 @@
+//! What becomes of a load that repeats, in a sentence.
+
+use std::fmt;
+
+use super::verdict::{Repeats, Shaken};
+use crate::grasp::BodyMotion;
+use crate::hold::does;
+use crate::words::{Words, listed};
+
+/// Forces that change by less than this part of the largest are the same, for whoever reads of them.
+const SAME: f64 = 1e-6;
+
+impl<const C: usize> fmt::Display for Shaken<C> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (words, digits) = (Words::of(f), Words::of(f).digits());
+        match &self.repeats {
+            Repeats::Rests { after: 0, .. } => f.write_str("RESTS: nothing ever slides"),
+            Repeats::Rests { after, slid } => {
+                write!(f, "RESTS after {}: until then {}", cycles(*after), does(slid, "slides", "slide"))?;
+                self.write_moved(f, words)
+            }
+            Repeats::DiesOut { slid } => {
+                let (slides, ratio) = (does(slid, "slides", "slide"), words.number(self.ratio));
+                write!(f, "COMES TO REST: {slides} less and less, {ratio} of it left from cycle to cycle")?;
+                self.write_moved(f, words)
+            }
+            Repeats::Alternates { slides, way, dissipated } => {
+                write!(f, "SLIDES TO AND FRO: {} ", does(slides, "slides", "slide"))?;
+                let heat = words.number(*dissipated);
+                write!(
+                    f,
+                    "by up to {} in every cycle, which takes {heat} J; the object stays",
+                    words.length(*way)
+                )
+            }
+            Repeats::Walks { by, slides, .. } => {
+                let slide = does(slides, "slides", "slide");
+                let moved = moves(words, by);
+                if self.change <= SAME {
+                    write!(f, "WALKS: {moved} in every cycle")?;
+                } else {
+                    write!(
+                        f,
+                        "WALKS: {moved} in cycle {}, and farther than it is large until then",
+                        self.cycles
+                    )?;
+                }
+                if slides.is_empty() { Ok(()) } else { write!(f, ", {slide}") }
+            }
+            Repeats::Lost { cycle, lost, load, .. } => {
+                let load = words.load(load);
+                write!(f, "{} in cycle {cycle} under {load}: {lost:.digits$}", lost.verb())
+            }
+            Repeats::NoRest { rest } => write!(f, "{rest:.digits$}"),
+            Repeats::Undecided { doubt: Some(doubt) } => {
+                write!(f, "UNDECIDED in cycle {}: {doubt}", self.cycles)
+            }
+            Repeats::Undecided { doubt: None } => {
+                let change = words.number(self.change);
+                write!(
+                    f,
+                    "UNDECIDED after {}: forces still change by {change} of the largest in each",
+                    cycles(self.cycles)
+                )
+            }
+        }
+    }
+}
+
+impl<const C: usize> Shaken<C> {
+    fn write_moved(&self, f: &mut fmt::Formatter<'_>, words: Words) -> fmt::Result {
+        write!(f, "; in all {}", moves(words, &self.moved))
+    }
+}
+
+fn cycles(many: usize) -> String {
+    if many == 1 { "a cycle".to_owned() } else { format!("{many} cycles") }
+}
+
+/// "the object moves 3 mm along +x", or what each of several bodies does.
+fn moves<const C: usize>(words: Words, by: &[BodyMotion<C>]) -> String {
+    listed(&by.iter().map(|body| words.body_motion(body)).collect::<Vec<_>>())
+}

@@ -1,0 +1,71 @@
+//! Verdicts for all time against cycles that are followed one after the other: `SHAKEN=10000 SHAKEN_CYCLES=1000` for many.
+
+use grasp_lcp::Error;
+use grasp_lcp::shake::Repeats;
+use support::shaken::{Cycle, fault, in_space, in_the_plane, rocked_in_space, rocked_in_the_plane};
+use support::splitmix::Random;
+
+fn asked_for(name: &str, otherwise: usize) -> usize {
+    std::env::var(name).ok().and_then(|value| value.parse().ok()).unwrap_or(otherwise)
+}
+
+/// How many of each verdict there are: every one is what the cycles show, and all but one in a thousand are decided.
+fn judge<const C: usize>(
+    many: usize,
+    error: f64,
+    mut draw: impl FnMut(&mut Random) -> Result<Cycle<C>, Error>,
+) -> Result<(), Error> {
+    let (many, cycles) = (asked_for("SHAKEN", many), asked_for("SHAKEN_CYCLES", 30));
+    let mut random = Random(asked_for("SHAKEN_SEED", 45) as u64);
+    let mut counts = [0; 7];
+    let (mut wrong, mut followed) = (Vec::new(), Vec::new());
+    for k in 0..many {
+        let cycle = draw(&mut random)?;
+        let shaken = cycle.grasp.shake(&cycle.base, &cycle.legs)?;
+        counts[match &shaken.repeats {
+            Repeats::Rests { .. } => 0,
+            Repeats::DiesOut { .. } => 1,
+            Repeats::Alternates { .. } => 2,
+            Repeats::Walks { .. } => 3,
+            Repeats::Lost { .. } => 4,
+            Repeats::NoRest { .. } => 5,
+            _ => 6,
+        }] += 1;
+        followed.push(shaken.followed);
+        if let Some(fault) = fault(&cycle, &shaken, cycles, error)? {
+            wrong.push(format!("case {k}: {shaken}, and {fault}"));
+        }
+        if matches!(shaken.repeats, Repeats::Undecided { .. }) {
+            println!("case {k}: {shaken}");
+        }
+    }
+    followed.sort_unstable();
+    println!(
+        "rests, dies out, alternates, walks, lost, no rest, undecided: {counts:?}; cycles followed: {} in the median, {} at most",
+        followed[many / 2],
+        followed[many - 1]
+    );
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    assert!(counts[6] * 1000 <= many, "{} of {many} undecided", counts[6]);
+    Ok(())
+}
+
+#[test]
+fn in_the_plane_every_verdict_is_what_cycles_show() -> Result<(), Error> {
+    judge(60, 1e-6, in_the_plane)
+}
+
+#[test]
+fn on_the_round_cone_every_verdict_is_what_cycles_show() -> Result<(), Error> {
+    judge(10, 1e-5, in_space)
+}
+
+#[test]
+fn what_is_rocked_in_the_plane_walks_as_cycles_show() -> Result<(), Error> {
+    judge(40, 1e-6, rocked_in_the_plane)
+}
+
+#[test]
+fn what_is_rocked_in_space_walks_as_cycles_show() -> Result<(), Error> {
+    judge(12, 1e-5, rocked_in_space)
+}

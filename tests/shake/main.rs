@@ -1,0 +1,6 @@
+//! Loads that repeat: by closed forms, and against cycles that are followed.
+
+mod asked;
+mod followed_cycles;
+mod rocked_ball;
+mod walking_block;

@@ -1,0 +1,1 @@
+//! Verdicts for all time against cycles that are followed one after the other.

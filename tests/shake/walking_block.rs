@@ -1,0 +1,38 @@
+//! A block on two feet that is rocked from one to the other while something pulls: it walks by 2 (Q - μ (P - 2 m)) / k_t in every cycle, or rests.
+//!
+//! The feet carry P/2 ± m in turn. What a foot cannot hold while it carries P/2 - m the other one takes over, and when the block is rocked back it slides
+//! in its turn. In each half of a cycle both feet together carry at most μ (P/2 - m) and what they have been left with.
+
+use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
+use grasp_lcp::shake::Repeats;
+use proptest::prelude::*;
+
+/// Twist per cycle of a block of weight `p` pulled by `q`, rocked so that each foot carries `m` less in turn.
+fn walk(p: f64, q: f64, m: f64, mu: f64, k_t: f64) -> Repeats<2> {
+    let foot = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(3.0 * k_t, k_t).friction(mu);
+    let block = Grasp::new([foot(-1.0), foot(1.0)]).expect("well posed");
+    let pulled = Wrench::new([q, -p], 0.0);
+    // Two feet at a distance of two carry half of the moment more and less each.
+    let cycle =
+        [2.0 * m, -2.0 * m].map(|moment| Leg::there_and_back(Wrench::new([0.0, 0.0], moment))).concat();
+    block.shake(&pulled, &cycle).expect("well posed").repeats
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+    #[test]
+    fn walks_or_rests_as_the_closed_form_says(
+        p in 1.0..100.0, part in 0.02..0.98, rocked in 0.05..0.45, mu in 0.1..1.5, k_t in 1e2..1e6,
+    ) {
+        let (q, m): (f64, f64) = (part * mu * p, rocked * p);
+        let by = 2.0 * (q - mu * (p - 2.0 * m)) / k_t;
+        match walk(p, q, m, mu, k_t) {
+            Repeats::Walks { by: motion, .. } => {
+                let moved = motion[0].twist.translation()[0];
+                prop_assert!((moved - by).abs() <= 1e-12 * p / k_t, "{moved} {by}");
+            }
+            Repeats::Rests { .. } | Repeats::DiesOut { .. } => prop_assert!(by <= 1e-9 * p / k_t, "rests, {by}"),
+            other => prop_assert!(false, "{other:?}, {by}"),
+        }
+    }
+}

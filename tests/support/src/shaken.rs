@@ -1,0 +1,230 @@
+//! Random grasps whose load repeats, and their verdicts against cycles that are followed one after the other.
+
+use crate::splitmix::Random;
+use grasp_lcp::ask::Grasp;
+use grasp_lcp::grasp::{Twist, Wrench};
+use grasp_lcp::load_path::{Leg, PathEnd, Ramp};
+use grasp_lcp::shake::{Repeats, Shaken};
+use grasp_lcp::{Error, planar, spatial};
+use nalgebra::DVector;
+
+/// Most cycles that are followed one after the other.
+const MOST: usize = 400;
+
+/// A grasp, the load at rest, and the legs of a cycle.
+pub struct Cycle<const C: usize> {
+    /// Who holds.
+    pub grasp: Grasp<C>,
+    /// At rest.
+    pub base: Wrench<C>,
+    /// Of one cycle.
+    pub legs: Vec<Leg<C>>,
+}
+
+/// Two to five fingers around a disc, and its weight; two to four accelerations in turn, up to 2.5 times what slides first.
+pub fn in_the_plane(random: &mut Random) -> Result<Cycle<2>, Error> {
+    let (count, loads) = (random.index(2, 5), random.index(2, 4));
+    let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
+    let from = between(0.0, std::f64::consts::TAU);
+    let fingers = (0..count).map(|i| {
+        let angle = from + std::f64::consts::TAU * (i as f64 + between(-0.15, 0.15)) / count as f64;
+        let lean = angle + between(-0.3, 0.3);
+        let press = between(5.0, 30.0);
+        planar::Contact::new([0.05 * angle.cos(), 0.05 * angle.sin()], [-lean.cos(), -lean.sin()])
+            .series_stiffness(10f64.powf(between(3.0, 5.0)), 10f64.powf(between(3.0, 5.0)))
+            .friction(between(0.2, 1.0))
+            .pressed_with(press)
+    });
+    let grasp = Grasp::new(fingers.collect::<Vec<_>>())?;
+    let base = planar::Wrench::new([0.0, -between(0.0, 4.0)], 0.0);
+    let loads: Vec<_> = (0..loads)
+        .map(|_| {
+            let angle = between(0.0, std::f64::consts::TAU);
+            planar::Wrench::new([angle.cos(), angle.sin()], 0.03 * between(-1.0, 1.0))
+        })
+        .collect();
+    turned_up(grasp, base, &loads, between(0.7, 2.5))
+}
+
+/// A block on two to five feet that is pulled, and rocked: it may walk.
+pub fn rocked_in_the_plane(random: &mut Random) -> Result<Cycle<2>, Error> {
+    let count = random.index(2, 5);
+    let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
+    let friction = between(0.2, 1.0);
+    let feet = (0..count).map(|i| {
+        let x = 2.0 * (i as f64 + between(-0.2, 0.2)) / (count - 1) as f64 - 1.0;
+        planar::Contact::new([x, between(-0.1, 0.1)], [between(-0.2, 0.2), 1.0])
+            .series_stiffness(10f64.powf(between(3.0, 5.0)), 10f64.powf(between(3.0, 5.0)))
+            .friction(friction)
+    });
+    let grasp = Grasp::new(feet.collect::<Vec<_>>())?;
+    let weight = between(5.0, 20.0);
+    let base = planar::Wrench::new([between(-0.7, 0.7) * friction * weight, -weight], 0.0);
+    let rock = between(0.2, 0.8) * weight;
+    let legs = [rock, -rock].map(|moment| {
+        let lift = between(-0.1, 0.1) * weight;
+        Leg::there_and_back(planar::Wrench::new([0.0, lift], moment))
+    });
+    Ok(Cycle { grasp, base, legs: legs.concat() })
+}
+
+/// A plate on three to five feet that is pulled, and rocked about two axes.
+pub fn rocked_in_space(random: &mut Random) -> Result<Cycle<3>, Error> {
+    let count = random.index(3, 5);
+    let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
+    let friction = between(0.2, 1.0);
+    let feet = (0..count).map(|i| {
+        let angle = std::f64::consts::TAU * (i as f64 + between(-0.2, 0.2)) / count as f64;
+        spatial::Contact::new([angle.cos(), angle.sin(), 0.0], [0.0, 0.0, 1.0])
+            .series_stiffness(10f64.powf(between(3.0, 5.0)), 10f64.powf(between(3.0, 5.0)))
+            .friction(friction)
+    });
+    let grasp = Grasp::new(feet.collect::<Vec<_>>())?;
+    let weight = between(5.0, 20.0);
+    let pull = between(0.0, 0.7) * friction * weight;
+    let base = spatial::Wrench::new([pull, 0.0, -weight], [0.0; 3]);
+    let rock = between(0.1, 0.4) * weight;
+    let legs = [[rock, 0.0, 0.0], [0.0, rock, 0.0], [-rock, 0.0, 0.0], [0.0, -rock, 0.0]]
+        .map(|moment| Leg::there_and_back(spatial::Wrench::new([0.0; 3], moment)));
+    Ok(Cycle { grasp, base, legs: legs.concat() })
+}
+
+/// Three to five fingers around a ball, and its weight; accelerations to and fro along three axes.
+pub fn in_space(random: &mut Random) -> Result<Cycle<3>, Error> {
+    let count = random.index(3, 5);
+    let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
+    let from = between(0.0, std::f64::consts::TAU);
+    let fingers = (0..count).map(|i| {
+        let angle = from + std::f64::consts::TAU * (i as f64 + between(-0.15, 0.15)) / count as f64;
+        let height: f64 = between(-0.4, 0.4);
+        let normal = [-angle.cos() * height.cos(), -angle.sin() * height.cos(), -height.sin()];
+        spatial::Contact::new(normal.map(|x| -0.04 * x), normal)
+            .series_stiffness(10f64.powf(between(3.0, 5.0)), 10f64.powf(between(3.0, 5.0)))
+            .friction(between(0.3, 1.0))
+            .pressed_with(between(5.0, 30.0))
+    });
+    let grasp = Grasp::new(fingers.collect::<Vec<_>>())?;
+    let weight = between(0.5, 4.0);
+    let base = spatial::Wrench::new([0.0, 0.0, -weight], [0.0; 3]);
+    let loads = [0, 1, 2, 3, 4, 5].map(|k| {
+        let mut force = [0.0; 3];
+        force[k / 2] = if k % 2 == 0 { 1.0 } else { -1.0 };
+        spatial::Wrench::new(force, [0.0; 3])
+    });
+    turned_up(grasp, base, &loads, between(0.7, 2.5))
+}
+
+/// These loads in turn, so many times as large as the first of them that makes something slide.
+fn turned_up<const C: usize>(
+    grasp: Grasp<C>,
+    base: Wrench<C>,
+    loads: &[Wrench<C>],
+    times: f64,
+) -> Result<Cycle<C>, Error> {
+    let mut least = 1e3;
+    for load in loads {
+        if let Some(first) = grasp.hold(Ramp::load(base, *load))?.first_slip {
+            least = first.factor.min(least);
+        }
+    }
+    let legs = loads.iter().flat_map(|load| Leg::there_and_back(*load * (times * least))).collect();
+    Ok(Cycle { grasp, base, legs })
+}
+
+/// What is wrong with a verdict, seen by so many cycles that are followed, and as many more as it speaks of; `None` where nothing is. Amounts may be off by
+/// `error`, of the largest.
+pub fn fault<const C: usize>(
+    cycle: &Cycle<C>,
+    shaken: &Shaken<C>,
+    cycles: usize,
+    error: f64,
+) -> Result<Option<String>, Error> {
+    let cycles = match shaken.repeats {
+        Repeats::Lost { cycle, .. } => cycles.max(cycle),
+        _ if shaken.ratio > 0.0 => shaken.cycles + until(shaken.ratio, error * error),
+        // A walk that still changes has to be looked at where it is told.
+        Repeats::Walks { .. } if shaken.change > error => shaken.cycles,
+        _ => cycles.max(shaken.cycles + 5),
+    };
+    // What is told of cycles that nobody follows is judged by the first of them alone: nothing is lost there.
+    let (is_all, cycles) = (cycles <= MOST, if cycles <= MOST { cycles } else { 100 });
+    let mut path = cycle.grasp.follow(&cycle.base, &[])?;
+    path.by_ref().for_each(drop);
+    let rest = path.state().map(|state| numbers(&state.twist));
+    let (mut heats, mut twists) = (Vec::new(), vec![rest]);
+    for k in 1..=cycles {
+        path.continue_with(&cycle.legs)?;
+        path.by_ref().for_each(drop);
+        match path.end() {
+            Some(PathEnd::Completed) => {}
+            Some(PathEnd::Lost(_)) => {
+                let right = matches!(shaken.repeats, Repeats::Lost { cycle, .. } if cycle == k);
+                return Ok((!right).then(|| format!("lost in cycle {k}")));
+            }
+            Some(PathEnd::Undecided { doubt, .. }) => {
+                // Slips that are all but gone are followed no further.
+                let died_out = shaken.ratio > 0.0 && until(shaken.ratio, 1e-6) < k;
+                let right = died_out || matches!(shaken.repeats, Repeats::Undecided { .. });
+                return Ok((!right).then(|| format!("undecided in cycle {k}: {doubt}")));
+            }
+            _ => {
+                let right = matches!(shaken.repeats, Repeats::NoRest { .. });
+                return Ok((!right).then(|| "no rest".to_owned()));
+            }
+        }
+        let legs = path.energies().len();
+        heats.push(path.energies()[legs - cycle.legs.len()..].iter().map(|leg| leg.dissipated).sum::<f64>());
+        twists.push(path.state().map(|state| numbers(&state.twist)));
+    }
+    if !is_all {
+        return Ok(None);
+    }
+    let (Some(Some(first)), Some(Some(before)), Some(Some(last))) =
+        (twists.first(), twists.get(cycles - 1), twists.last())
+    else {
+        return Ok(Some("no state".to_owned()));
+    };
+    let heat = heats[cycles - 1];
+    let most_heat = heats.iter().copied().fold(0.0, f64::max);
+    let step = last - before;
+    let most = twists
+        .windows(2)
+        .filter_map(|two| Some((two[1].as_ref()? - two[0].as_ref()?).norm()))
+        .fold(0.0, f64::max);
+    // What cycles are away from the one that they lead to.
+    let left = error + shaken.ratio.powf(0.5 * cycles.saturating_sub(shaken.cycles) as f64);
+    let right = match &shaken.repeats {
+        Repeats::Rests { after, .. } => {
+            heats[*after..].iter().all(|heat| *heat <= error * most_heat) && step.norm() <= error * most
+        }
+        Repeats::DiesOut { .. } => {
+            let moved = numbers(&shaken.moved[0].twist);
+            (last - first - &moved).norm() <= left * moved.norm().max(most) && heat <= left * most_heat
+        }
+        Repeats::Alternates { dissipated, .. } => {
+            (heat - dissipated).abs() <= left * most_heat && step.norm() <= left * most
+        }
+        Repeats::Walks { by, dissipated, .. } => {
+            (heat - dissipated).abs() <= left * most_heat
+                && (numbers(&by[0].twist) - &step).norm() <= left * most
+        }
+        Repeats::Undecided { .. } => true,
+        _ => false,
+    };
+    Ok((!right).then(|| format!("heat {heat} of {most_heat}, step {} of {most}", step.norm())))
+}
+
+/// How often a ratio has to be taken until no more than a part is left; a million at most.
+fn until(ratio: f64, part: f64) -> usize {
+    let mut left = 1.0;
+    (0..1_000_000)
+        .take_while(|_| {
+            left *= ratio;
+            left > part
+        })
+        .count()
+}
+
+fn numbers<const C: usize>(twist: &Twist<C>) -> DVector<f64> {
+    DVector::from_column_slice(twist.components())
+}
