@@ -99,6 +99,7 @@ where
         Some(Answer::Onset(answer)) => json(&answer),
         Some(Answer::OnsetOfTurn(answer)) => json(&answer),
         Some(Answer::Follow(answer)) => json(&answer),
+        Some(Answer::Shake(answer)) => json(&answer),
         _ => Err(wrong("question: is of a kind that is not answered here")),
     }
 }

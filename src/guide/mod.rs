@@ -9,6 +9,7 @@
 //! | What does it mean that Lemke's method ended on a ray? | [`reading_a_ray`] |
 //! | Round cone or polygon, and how many facets? | [`choosing_facets`] |
 //! | How are wedges, vices, stacks and arches said, with more bodies than one? | [`several_bodies`] |
+//! | Does it survive shaking, and what walks out? | [`loads_that_repeat`] |
 //! | How is a suction cup said, and when does it let go? | [`suction_cups`] |
 //! | How are joints, tendons, stalled motors and held forces said, and what do they change? | [`hands`] |
 //!
@@ -17,6 +18,7 @@
 pub mod choosing_facets;
 pub mod everyday;
 pub mod hands;
+pub mod loads_that_repeat;
 pub mod reading_a_ray;
 pub mod several_bodies;
 pub mod several_equilibria;

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::held::{HoldAnswer, NeedAnswer};
 use super::onset::{OnsetAnswer, TurnAnswer};
 use super::path::PathAnswer;
+use super::shake_asked::ShakeAnswer;
 use super::solved::SolveAnswer;
 
 /// The answer to a [`Question`](super::Question), under the same name.
@@ -26,4 +27,6 @@ pub enum Answer<const C: usize> {
     OnsetOfTurn(TurnAnswer<C>),
     /// To `follow`.
     Follow(PathAnswer<C>),
+    /// To `shake`.
+    Shake(ShakeAnswer<C>),
 }

@@ -80,6 +80,7 @@ impl<const C: usize> Setup<C> {
                 self.ramp(asked).map(drop)
             }
             Question::Follow { legs, .. } => self.legs(legs).map(drop),
+            Question::Shake(asked) => self.cycle(asked).map(drop),
         }
     }
 
@@ -221,6 +222,9 @@ impl<const C: usize> Setup<C> {
                 let mut path = grasp.follow(start, &self.legs(legs)?)?;
                 let events = path.run();
                 Answer::Follow(labels.path(&path, events))
+            }
+            Question::Shake(asked) => {
+                Answer::Shake(labels.shaken(grasp.shake(&asked.base, &self.cycle(asked)?)?, words))
             }
         })
     }

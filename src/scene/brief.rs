@@ -8,9 +8,11 @@ use super::setup::Setup;
 use crate::ask::Grasp;
 use crate::equilibrium::{ContactState, Equilibrium, Outcome};
 use crate::error::Error;
+use crate::grasp::WholeContact;
 use crate::hold::{Holding, Verdict};
 use crate::load_path::{DriveChange, Onset, PathEnd, Ramp};
 use crate::need::{Amount, Needed, Quantity};
+use crate::shake::{Repeats, Shaken};
 
 /// An answer in short. Little is computed beside it: not what lies beyond an onset or the end of a path, which a full answer has.
 ///
@@ -95,6 +97,7 @@ impl<const C: usize> Setup<C> {
                 let state = path.state();
                 Brief { beyond_small_motions: is_far(state.as_ref()), ..labels.path_briefly(path.end()) }
             }
+            Question::Shake(asked) => shaken_briefly(&grasp.shake(&asked.base, &self.cycle(asked)?)?),
         })
     }
 }
@@ -220,6 +223,22 @@ fn needed_briefly(needed: &Needed) -> Brief {
     let amount = needed.amount.bound();
     let (factor, angle) = if needed.quantity == Quantity::Angle { (None, amount) } else { (amount, None) };
     Brief { factor, angle, ..Brief::new("need", outcome) }
+}
+
+/// What becomes of a load that repeats, with the contact that slides.
+fn shaken_briefly<const C: usize>(shaken: &Shaken<C>) -> Brief {
+    let first = |contacts: &[WholeContact]| contacts.first().map(|part| part.label.clone());
+    let (outcome, slides, on) = match &shaken.repeats {
+        Repeats::Rests { slid, .. } => ("rests", first(slid), None),
+        Repeats::DiesOut { slid } => ("dies_out", first(slid), None),
+        Repeats::Alternates { slides, .. } => ("alternates", first(slides), None),
+        Repeats::Walks { slides, .. } => ("walks", first(slides), None),
+        Repeats::Lost { leg, lost, .. } => ("lost", first(&lost.slide), Some(*leg)),
+        Repeats::NoRest { .. } => ("no_rest", None, None),
+        Repeats::Undecided { .. } => ("undecided", None, None),
+    };
+    let beyond_small_motions = is_far(shaken.state.as_deref());
+    Brief { leg: on, first: slides, beyond_small_motions, ..Brief::new("shake", outcome) }
 }
 
 fn doing<const C: usize>(state: &ContactState<C>) -> &'static str {

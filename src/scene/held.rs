@@ -50,7 +50,7 @@ impl NeedAnswer {
     }
 }
 
-fn said(answer: &impl fmt::Display, words: Words) -> String {
+pub(super) fn said(answer: &impl fmt::Display, words: Words) -> String {
     let digits = words.digits();
     format!("{answer:.digits$}")
 }

@@ -141,6 +141,7 @@
 //! | `onset` | `base`, `direction` (wrenches), `command_change`, `joint_change`, `together_with` | the onset of sliding under `base + τ direction`, commands changing by τ times their change |
 //! | `onset_of_turn` | a turn | the onset of sliding while the load turns |
 //! | `follow` | `start` (a wrench), `legs` | the load path of a program |
+//! | `shake` | `base` (a wrench), `loads` or `legs` | what becomes of loads that are put on and taken off again and again, or of a cycle of legs, see [`ShakeAsked`] |
 //!
 //! Of several bodies `together_with` has loads by name, `{"upper": {"force": [-5, 0]}}`, which grow as the load does; a `base` is then none.
 //!
@@ -284,6 +285,7 @@
 //! | `onset` | `at`, `never`, `already_sliding`, `no_base`, `gives_way`, `undecided` | [`OnsetAnswer`] |
 //! | `onset_of_turn` | the same, with `angle_rad` for the factor, and the edges that are touched | [`TurnAnswer`] |
 //! | `follow` | `completed`, `lost`, `no_start`, `undecided` | [`PathAnswer`] |
+//! | `shake` | the sentence `says`, and as `repeats` one of `rests`, `dies_out`, `alternates`, `walks`, `lost`, `no_rest`, `undecided` | [`ShakeAnswer`] |
 //!
 //! The names in the text are those of the fields and variants of these types, in lower case with
 //! underscores. They consist of the answers of a grasp as those are declared, with what is computed on request beside them. Contacts are named by their place in the scene and, for a soft fingertip, the point
@@ -331,6 +333,7 @@ mod plain_words;
 mod question;
 mod settings;
 mod setup;
+mod shake_asked;
 mod solved;
 mod springs;
 mod turn;
@@ -355,6 +358,7 @@ pub use patch::Tip;
 pub use path::{BalancedEnergy, PathAnswer, PathOutcome};
 pub use question::{Commands, Goal, LegAsked, LoadGoal, Question, RampAsked};
 pub use setup::Setup;
+pub use shake_asked::{ShakeAnswer, ShakeAsked};
 pub use solved::SolveAnswer;
 pub use warning::Warning;
 pub use written::{Answers, FORMAT, Id, Scene, Space};

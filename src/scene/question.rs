@@ -8,12 +8,13 @@ use serde::ser::{Serialize, Serializer};
 
 use super::need_asked::NeedAsked;
 use super::object;
+use super::shake_asked::ShakeAsked;
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::load_path::Turn;
 use crate::serial::AsGiven;
 
-/// One question, `{"hold": …}`, `{"need": …}`, `{"solve": …}`, `{"onset": …}`, `{"onset_of_turn": …}` or `{"follow": …}`.
+/// One question, `{"hold": …}`, `{"need": …}`, `{"solve": …}`, `{"onset": …}`, `{"onset_of_turn": …}`, `{"follow": …}` or `{"shake": …}`.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(remote = "Self", rename_all = "snake_case", deny_unknown_fields)]
@@ -50,6 +51,8 @@ pub enum Question<const C: usize> {
         /// The program.
         legs: Vec<LegAsked<C>>,
     },
+    /// Does it survive a load that repeats? See [`Grasp::shake`](crate::ask::Grasp::shake).
+    Shake(Box<ShakeAsked<C>>),
 }
 
 /// Told to whoever writes no object, such as `"onset"` alone.
@@ -113,7 +116,7 @@ impl<const C: usize> RampAsked<C> {
     }
 }
 
-fn no_load<const C: usize>() -> Wrench<C> {
+pub(super) fn no_load<const C: usize>() -> Wrench<C> {
     Wrench::ZERO
 }
 

@@ -108,7 +108,7 @@ fn scenes_that_are_seldom_meant() {
         assert!(message.contains(expected), "{message}");
     }
     // The scenes of the repository mean what they say: a ladder, a glass on a tray need no finger that presses.
-    let files = ["", "everyday"].map(|folder| std::fs::read_dir(scene(folder)).expect("is there"));
+    let files = ["", "everyday", "repeat"].map(|folder| std::fs::read_dir(scene(folder)).expect("is there"));
     for file in files.into_iter().flatten() {
         let file = file.expect("is there").path();
         if file.extension().is_some_and(|end| end == "json") {

@@ -210,6 +210,42 @@ class Verdict(Answer):
         return f"<Verdict: {self.says}>"
 
 
+class Shaken(Answer):
+    """What becomes of a load that repeats: ``"rests"``, ``"dies_out"``, ``"alternates"``, ``"walks"``, ``"lost"``, ``"no_rest"`` or
+    ``"undecided"``; printed, it is a sentence."""
+
+    @property
+    def outcome(self) -> str:
+        """How it ended, in the words of the scene format."""
+        return str(self._tree["repeats"])
+
+    @property
+    def says(self) -> str:
+        """The answer in a sentence."""
+        return str(self._tree["says"])
+
+    @property
+    def rests(self) -> bool | None:
+        """Whether the grasp comes to rest; None where that is not known."""
+        return None if self.outcome == "undecided" else self.outcome in ("rests", "dies_out")
+
+    @property
+    def stays(self) -> bool | None:
+        """Whether the object stays, contacts sliding to and fro under it or not; None where that is not known."""
+        return True if self.outcome == "alternates" else self.rests
+
+    @property
+    def cycles(self) -> int:
+        """How many cycles have passed until then."""
+        return int(self._tree["cycles"])
+
+    def __str__(self) -> str:
+        return self.says
+
+    def __repr__(self) -> str:
+        return f"<Shaken: {self.says}>"
+
+
 class Needed(Answer):
     """How much of a quantity it takes: ``"bound"``, ``"any"``, ``"none"`` or ``"undecided"``; printed, it is a sentence."""
 

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from . import _grasp_lcp
 from ._columns import as_written, columns, dumped, finite, floats, listed, one_each, plain, wrench_json
-from .answers import Answer, Needed, Onset, Path, Solution, TurnOnset, Verdict
+from .answers import Answer, Needed, Onset, Path, Shaken, Solution, TurnOnset, Verdict
 from .equilibrium import Equilibrium
 from .quality import Closure, LeastSqueeze, LoadLimit, Quality, WeakestDirection, WrenchBall
 
@@ -264,6 +264,21 @@ class Grasp:
             asked["base"] = wrench_json("base", base, self.axes)
         return Verdict(self._held.ask(dumped({"hold": asked})))
 
+    def shake(
+        self,
+        loads: Sequence[ArrayLike | Mapping[str, Any]],
+        base: ArrayLike | Mapping[str, Any] | None = None,
+    ) -> Shaken:
+        """Does it survive a load that repeats? Loads are put on and taken off again in turn, cycle after cycle; the answer is for all time.
+
+        :param loads: what is put on one after the other, N and N m, each of shape (c,) or (d,).
+        :param base: the load at rest; none unless said otherwise.
+        """
+        asked: dict[str, Any] = {"loads": [wrench_json("load", load, self.axes) for load in loads]}
+        if base is not None:
+            asked["base"] = wrench_json("base", base, self.axes)
+        return Shaken(self._held.ask(dumped({"shake": asked})))
+
     def need(
         self,
         quantity: str,
@@ -498,6 +513,7 @@ class Grasp:
 
 _KINDS: dict[str, type[Answer]] = {
     "hold": Verdict,
+    "shake": Shaken,
     "need": Needed,
     "solve": Solution,
     "onset": Onset,

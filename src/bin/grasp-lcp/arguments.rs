@@ -9,7 +9,7 @@ use clap_complete::Shell;
 use crate::map::Unsure;
 use crate::new::{FIELDS, Template};
 pub(crate) use crate::numbers::Numbers;
-use crate::numbers::{count, kilograms, newtons, percent};
+use crate::numbers::{acceleration, count, kilograms, newtons, percent};
 
 /// Does the grasp hold? At which load does a contact start to slide, and what comes after?
 ///
@@ -115,6 +115,28 @@ pub(crate) enum Command {
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         from: Option<Numbers>,
         /// Where the forces act, m; the origin if left out.
+        #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
+        at: Option<Numbers>,
+        #[command(flatten)]
+        ask: Ask,
+    },
+    /// Does it survive a load that repeats, or does the object walk out?
+    ///
+    /// Forces are put on and taken off again in turn, cycle after cycle, beside what is there at rest. The answer holds for all time.
+    Shake {
+        /// A force that is put on and taken off again, N; several are put on one after the other.
+        #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
+        force: Vec<Numbers>,
+        /// The mass of the object, kg, with 9.81 m/s² down along the last axis, there at rest.
+        #[arg(long, allow_hyphen_values = true, value_parser = kilograms, value_name = "KG")]
+        mass: Option<f64>,
+        /// Accelerations of this size, m/s², to and fro along every axis in turn: the mass pulls the other way.
+        #[arg(long, allow_hyphen_values = true, value_parser = acceleration, value_name = "A", requires = "mass")]
+        acceleration: Option<f64>,
+        /// A force that is there at rest, N.
+        #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
+        base: Option<Numbers>,
+        /// Where forces and weight act, m; the origin if left out.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         at: Option<Numbers>,
         #[command(flatten)]

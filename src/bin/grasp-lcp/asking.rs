@@ -12,12 +12,14 @@ use grasp_lcp::need::{Amount, Demand, Quantity};
 use grasp_lcp::scene::{
     Answer, Answers, Goal, LegAsked, NeedAsked, OnsetAnswer, PathOutcome, Question, RampAsked, Setup, Space,
 };
+use grasp_lcp::shake::Repeats;
 use grasp_lcp::words::{Words, printable};
 use grasp_lcp::{planar, spatial};
 
 use crate::arguments::{Ask, LoadArguments, Numbers, QuantityAsked, Wanted};
 use crate::failure::{Failure, UNDECIDED};
 use crate::loads::{direction, point, pull_of_mass, total_force, weight_of};
+use crate::shakes::Shakes;
 use crate::words::Style;
 use crate::{files, report};
 
@@ -43,6 +45,7 @@ pub(crate) enum Asked {
         from: Option<Numbers>,
         at: Option<Numbers>,
     },
+    Shake(Shakes),
 }
 
 /// Asks and prints. The code says whether everything is decided.
@@ -96,8 +99,8 @@ pub(crate) fn ask(ask: &Ask, asked: &Asked) -> Result<ExitCode, Failure> {
 type TurnOf<const C: usize> = fn([f64; C], Option<&Numbers>, Option<&Numbers>) -> Result<Turn<C>, Failure>;
 
 /// What the numbers of the command line mean in the plane, or in space.
-struct Meaning<const C: usize> {
-    force_at: fn([f64; C], [f64; C]) -> Wrench<C>,
+pub(crate) struct Meaning<const C: usize> {
+    pub(crate) force_at: fn([f64; C], [f64; C]) -> Wrench<C>,
     /// Of as many components as there are planes to turn in.
     moment: fn(&[f64]) -> Wrench<C>,
     turn: TurnOf<C>,
@@ -123,6 +126,7 @@ fn put<const C: usize>(setup: &mut Setup<C>, asked: &Asked, words: &Meaning<C>) 
             Some(Question::OnsetOfTurn(turn.beside(words.base(base.as_ref(), at.as_ref())?)))
         }
         Asked::Follow { to, from, at } => words.follow(to, from.as_ref(), at.as_ref())?,
+        Asked::Shake(shakes) => words.shake(shakes)?,
     };
     match question {
         Some(question) => setup.questions = vec![question],
@@ -131,7 +135,7 @@ fn put<const C: usize>(setup: &mut Setup<C>, asked: &Asked, words: &Meaning<C>) 
     if setup.questions.is_empty() {
         let message = match asked {
             Asked::Everything => {
-                "the scene asks nothing: use `hold`, `need`, `onset`, `solve`, `turn` or `follow` with a load"
+                "the scene asks nothing: use `hold`, `need`, `onset`, `solve`, `turn`, `follow` or `shake` with a load"
             }
             Asked::Hold { .. } | Asked::Solve(_) | Asked::Onset(_) => {
                 "the scene has no such question: say --mass, --force or --moment"
@@ -141,6 +145,7 @@ fn put<const C: usize>(setup: &mut Setup<C>, asked: &Asked, words: &Meaning<C>) 
             }
             Asked::Turn { .. } => "the scene has no such question: say --mass or --weight",
             Asked::Follow { .. } => "the scene has no such question: say --to",
+            Asked::Shake(_) => "the scene has no such question: say --force, or --mass and --acceleration",
         };
         return Err(Failure::Usage(message.to_owned()));
     }
@@ -156,6 +161,7 @@ fn is_of_kind<const C: usize>(question: &Question<C>, asked: &Asked) -> bool {
         Asked::Onset(_) => matches!(question, Question::Onset(_)),
         Asked::Turn { .. } => matches!(question, Question::OnsetOfTurn(_)),
         Asked::Follow { .. } => matches!(question, Question::Follow { .. }),
+        Asked::Shake(_) => matches!(question, Question::Shake(_)),
     }
 }
 
@@ -271,13 +277,18 @@ impl<const C: usize> Meaning<C> {
     }
 
     /// A force at a point.
-    fn push(&self, force: &Numbers, option: &str, at: Option<&Numbers>) -> Result<Wrench<C>, Failure> {
+    pub(crate) fn push(
+        &self,
+        force: &Numbers,
+        option: &str,
+        at: Option<&Numbers>,
+    ) -> Result<Wrench<C>, Failure> {
         let force = force.array(option).map_err(Failure::Usage)?;
         Ok((self.force_at)(force, point(at)?))
     }
 
     /// What acts besides, nothing if left out.
-    fn base(&self, base: Option<&Numbers>, at: Option<&Numbers>) -> Result<Wrench<C>, Failure> {
+    pub(crate) fn base(&self, base: Option<&Numbers>, at: Option<&Numbers>) -> Result<Wrench<C>, Failure> {
         base.map_or(Ok(Wrench::ZERO), |base| self.push(base, "base", at))
     }
 
@@ -325,6 +336,7 @@ fn is_undecided<const C: usize>(answer: &Answer<C>) -> bool {
         Answer::Solve(answer) => matches!(answer.outcome, Outcome::Undecided(_)),
         Answer::Onset(answer) => matches!(answer, OnsetAnswer::Undecided(_)),
         Answer::OnsetOfTurn(answer) => matches!(answer.onset, OnsetAnswer::Undecided(_)),
+        Answer::Shake(answer) => matches!(answer.shaken.repeats, Repeats::Undecided { .. }),
         Answer::Follow(answer) => match &answer.end {
             PathOutcome::NoStart { start } => matches!(**start, Outcome::Undecided(_)),
             end => matches!(end, PathOutcome::Undecided { .. }),

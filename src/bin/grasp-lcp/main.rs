@@ -16,6 +16,7 @@ mod map;
 mod new;
 mod numbers;
 mod report;
+mod shakes;
 mod table;
 mod values;
 mod words;
@@ -31,6 +32,7 @@ use arguments::{Arguments, Command};
 use asking::Asked;
 use failure::Failure;
 use files::Pictures;
+use shakes::Shakes;
 
 fn main() -> ExitCode {
     match asked().and_then(|code| io::stdout().flush().map(|()| code).map_err(Failure::from)) {
@@ -67,6 +69,9 @@ fn run(command: Command) -> Result<ExitCode, Failure> {
         }
         Command::Follow { to, from, at, ask } => {
             return asking::ask(&ask, &Asked::Follow { to, from, at });
+        }
+        Command::Shake { force, mass, acceleration, base, at, ask } => {
+            return asking::ask(&ask, &Asked::Shake(Shakes { force, mass, acceleration, base, at }));
         }
         Command::Map { scene, at, unsure, json, output } => {
             let pictures = Pictures::new(&output, &scene);

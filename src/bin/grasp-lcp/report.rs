@@ -20,7 +20,8 @@ pub(crate) fn print<const C: usize>(
     setup: &Setup<C>,
     answers: &[Answer<C>],
 ) -> io::Result<()> {
-    let is_a_sentence = |answer: &Answer<C>| matches!(answer, Answer::Hold(_) | Answer::Need(_));
+    let is_a_sentence =
+        |answer: &Answer<C>| matches!(answer, Answer::Hold(_) | Answer::Need(_) | Answer::Shake(_));
     // A sentence is what was asked for, and comes first.
     if !answers.iter().all(is_a_sentence) {
         // In one line: none of its lines passes for an answer.
@@ -76,6 +77,10 @@ impl Report<'_> {
             (_, Answer::Hold(answer)) => {
                 writeln!(self.out, "{:.digits$}", answer.verdict)?;
                 answer.verdict.state.as_ref().map_or(Ok(()), |state| self.table(state))
+            }
+            (_, Answer::Shake(answer)) => {
+                writeln!(self.out, "{:.digits$}", answer.shaken)?;
+                answer.shaken.state.as_ref().map_or(Ok(()), |state| self.table(state))
             }
             (_, Answer::Need(answer)) => writeln!(self.out, "{:.digits$}", answer.needed),
             (Question::Solve { load }, Answer::Solve(answer)) => {

@@ -7,6 +7,7 @@ use grasp_lcp::hold::Verdict;
 use grasp_lcp::load_path::{Event, Leg, LoadPath, Onset, PathEnd, Ramp};
 use grasp_lcp::need::Amount;
 use grasp_lcp::scene::{NeedAsked, Question, Setup};
+use grasp_lcp::shake::Shaken;
 use grasp_lcp::words::Words;
 
 use crate::failure::Failure;
@@ -69,6 +70,7 @@ pub(super) fn shown<const C: usize>(
             vec![onset(grasp, onset_of_turn, &turn.load_at(0.0), Leg::turn(turn), &at)?]
         }
         Question::Follow { start, legs } => followed(grasp, start, &setup.legs(legs)?)?,
+        Question::Shake(asked) => shaken(grasp.shake(&asked.base, &setup.cycle(asked)?)?),
         _ => vec![nothing("no picture", NO_WORDS.to_owned(), None)],
     }))
 }
@@ -99,6 +101,18 @@ fn held<const C: usize>(verdict: Verdict<C>, load: Wrench<C>) -> Vec<Shown<C>> {
         None => answers.push(nothing("does it hold?", says, Some(load))),
     }
     answers
+}
+
+/// The grasp between two cycles, with the motion that it makes in each of them.
+fn shaken<const C: usize>(shaken: Shaken<C>) -> Vec<Shown<C>> {
+    let (says, drift, base) = (shaken.to_string(), shaken.drift(), shaken.base);
+    let Some(between) = shaken.state else { return vec![nothing("does it survive?", says, Some(base))] };
+    let mut shown = state("between two cycles", *between);
+    if let What::State { leaving, .. } = &mut shown.what {
+        *leaving = drift;
+    }
+    shown.says.push(says);
+    vec![shown]
 }
 
 /// The grasp with what it needs, under the load that uses most of it.

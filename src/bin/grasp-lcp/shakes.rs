@@ -1,0 +1,45 @@
+//! Loads of the command line that repeat.
+
+use grasp_lcp::scene::{Question, ShakeAsked};
+
+use crate::arguments::Numbers;
+use crate::asking::Meaning;
+use crate::failure::Failure;
+use crate::loads::{point, weight_of};
+
+/// What is put on and taken off again in turn, and what is there at rest.
+pub(crate) struct Shakes {
+    pub(crate) force: Vec<Numbers>,
+    pub(crate) mass: Option<f64>,
+    pub(crate) acceleration: Option<f64>,
+    pub(crate) base: Option<Numbers>,
+    pub(crate) at: Option<Numbers>,
+}
+
+impl<const C: usize> Meaning<C> {
+    /// Does it survive?
+    pub(crate) fn shake(&self, shakes: &Shakes) -> Result<Option<Question<C>>, Failure> {
+        let at = shakes.at.as_ref();
+        let mut base = self.base(shakes.base.as_ref(), at)?;
+        let mut loads = Vec::new();
+        for force in &shakes.force {
+            loads.push(self.push(force, "force", at)?);
+        }
+        if let Some(mass) = shakes.mass {
+            base = base + (self.force_at)(weight_of(mass)?, point(at)?);
+            if let Some(acceleration) = shakes.acceleration {
+                for (axis, sign) in (0..C).flat_map(|axis| [(axis, 1.0), (axis, -1.0)]) {
+                    let mut pull = [0.0; C];
+                    pull[axis] = sign * mass * acceleration;
+                    loads.push((self.force_at)(pull, point(at)?));
+                }
+            }
+        }
+        if loads.is_empty() {
+            let given = shakes.mass.is_some() || shakes.base.is_some() || at.is_some();
+            let missing = "say what repeats: --force, or --mass and --acceleration".to_owned();
+            return if given { Err(Failure::Usage(missing)) } else { Ok(None) };
+        }
+        Ok(Some(Question::Shake(Box::new(ShakeAsked::in_turn(base, loads)))))
+    }
+}

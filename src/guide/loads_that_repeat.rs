@@ -1,0 +1,58 @@
+//! Loads that repeat: what is held when it is put on once may walk out when it is put on a thousand times.
+//!
+//! The scenes are those of `examples/scenes/repeat`, and the commands are typed there. Loads are put on and taken off again in turn, beside what is there at rest, cycle after
+//! cycle; what is told holds for all time, see [`shake`](crate::shake). A program of legs, turns among them, is a cycle too if it leads back to where it begins:
+//! in a scene `legs` in place of `loads`.
+//!
+//! | it | and that means |
+//! |---|---|
+//! | rests | after some cycles nothing slides any more |
+//! | comes to rest | slips become ever smaller; how much the object moves in all is told |
+//! | slides to and fro | contacts rub in every cycle and wear; the object stays |
+//! | walks | the object moves on by as much in every cycle |
+//! | is lost | in the cycle that is told |
+//!
+//! # A block stands on a shaking tray that leans. Does it stay?
+//!
+//! ```text
+//! $ grasp-lcp shake block.json
+//! WALKS: the object moves 0.01 mm along +x in every cycle, left foot and right foot slide
+//! ```
+//!
+//! 3.5 N pull at a block of 10 N with a friction of 0.5: put on once, 5 N would be held. But the block leans on one foot and then on the other, 3 N and 7 N. What the foot that carries less cannot hold the other one
+//! takes over: in every cycle it walks by `2 (Q - μ (P - 2 m)) / k = 2 (3.5 - 0.5 (10 - 4)) / 10⁵` metres. Up to 3 N it rests.
+//!
+//! # A hammer jerks along its handle. Does it creep out of the hand?
+//!
+//! ```text
+//! $ grasp-lcp shake tool.json --base 0,-5.886 --at=-0.05,0 --force 24,0 --force=-24,0
+//! RESTS after a cycle: until then palm, index and middle slide; in all the object turns 1.77516° anticlockwise about (-0.00321429, -0.0100621) m
+//! ```
+//!
+//! The first blow shifts it a little, and then friction locks it: no later blow moves it on. With more the fingers rub:
+//!
+//! ```text
+//! $ grasp-lcp shake tool.json
+//! SLIDES TO AND FRO: index slides by up to 2.92666 mm in every cycle, which takes 0.0146145 J; the object stays
+//! ```
+//!
+//! # A milling cutter pushes one way and the other. Does the part creep out of its fixture?
+//!
+//! ```text
+//! $ grasp-lcp shake fixture.json
+//! SLIDES TO AND FRO: lower left slides by up to 0.0180734 mm in every cycle, which takes 0.000513745 J; the object stays
+//! ```
+//!
+//! It does not, but the locator is worn: 0.5 mJ a tooth.
+//!
+//! # Does a parcel survive being shaken with 2 g?
+//!
+//! Its mass and the size of the acceleration are enough: it pulls to and fro along every axis in turn.
+//!
+//! ```text
+//! $ grasp-lcp shake ../box.json --mass 0.2 --acceleration 19.6
+//! RESTS: nothing ever slides
+//! ```
+//!
+//! A roller that is rocked to and fro under a shear rests up to `1 - 3 w / 2 + w³ / 2` of what friction holds, w the rocking over half the width of its contact; a test of the repository
+//! approaches that with 81 springs.

@@ -1,0 +1,101 @@
+//! A load that repeats, as a scene asks about it.
+
+use serde::{Deserialize, Serialize};
+
+use super::held::said;
+use super::labels::SceneNames;
+use super::question::{LegAsked, no_load};
+use super::setup::Setup;
+use crate::error::Error;
+use crate::grasp::Wrench;
+use crate::load_path::Leg;
+use crate::shake::Shaken;
+use crate::words::Words;
+
+/// Does it survive a load that repeats? The cycle is a list of loads that are put on and taken off in turn, or of legs. See [`Grasp::shake`](crate::ask::Grasp::shake).
+///
+/// ```
+/// use grasp_lcp::scene::Scene;
+///
+/// let scene: Scene = serde_json::from_str(r#"{
+///     "format": "grasp-lcp/1",
+///     "planar": {
+///         "contacts": [
+///             { "name": "left foot", "point": [-1, 0], "normal": [0, 1], "stiffness": 1e3, "friction": 0.5 },
+///             { "name": "right foot", "point": [1, 0], "normal": [0, 1], "stiffness": 1e3, "friction": 0.5 }
+///         ],
+///         "questions": [{ "shake": { "base": { "force": [1.5, -10] }, "loads": [{ "moment": 3 }, { "moment": -3 }] } }]
+///     }
+/// }"#)?;
+/// let answers = serde_json::to_value(scene.answers()?)?;
+/// assert_eq!(answers[0]["shake"]["repeats"], "rests");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct ShakeAsked<const C: usize> {
+    /// The load at rest, where every cycle begins and ends; none unless said otherwise.
+    #[serde(default = "no_load::<C>")]
+    pub base: Wrench<C>,
+    /// Loads beside it, each put on and taken off again in turn.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub loads: Vec<Wrench<C>>,
+    /// In place of loads the legs of a cycle, which lead back to where they begin.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub legs: Vec<LegAsked<C>>,
+}
+
+/// What becomes of a load that repeats; see [`Shaken`].
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub struct ShakeAnswer<const C: usize> {
+    /// The answer in a sentence.
+    pub says: String,
+    /// The answer.
+    #[serde(flatten)]
+    pub shaken: Shaken<C>,
+}
+
+impl<const C: usize> ShakeAsked<C> {
+    /// These loads beside what is there at rest, each put on and taken off in turn.
+    #[must_use]
+    pub fn in_turn(base: Wrench<C>, loads: impl IntoIterator<Item = Wrench<C>>) -> Self {
+        Self { base, loads: loads.into_iter().collect(), legs: Vec::new() }
+    }
+}
+
+impl<const C: usize> Setup<C> {
+    /// The legs of a cycle as the grasp has them.
+    ///
+    /// # Errors
+    /// As for [`Self::legs`]; [`Error::Question`] unless there are loads or legs.
+    pub fn cycle(&self, asked: &ShakeAsked<C>) -> Result<Vec<Leg<C>>, Error> {
+        match (asked.loads.is_empty(), asked.legs.is_empty()) {
+            (false, true) => Ok(asked.loads.iter().flat_map(|load| Leg::there_and_back(*load)).collect()),
+            (true, false) => self.legs(&asked.legs),
+            (true, true) => Err(Error::Question {
+                question: "shake",
+                field: "loads",
+                fault: "missing, must be given, or legs",
+            }),
+            (false, false) => Err(Error::Question {
+                question: "shake",
+                field: "legs",
+                fault: "given beside loads, must be one of them",
+            }),
+        }
+    }
+}
+
+impl SceneNames {
+    pub(super) fn shaken<const C: usize>(&self, mut shaken: Shaken<C>, words: Words) -> ShakeAnswer<C> {
+        let says = said(&shaken, words);
+        if let Some(state) = shaken.state.as_mut() {
+            **state = self.equilibrium(state.as_ref().clone());
+        }
+        ShakeAnswer { says, shaken }
+    }
+}
