@@ -4,7 +4,7 @@ use super::grasp::Grasp;
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::Wrench;
-use crate::load_path::{Beyond, Onset, OnsetEvent, Ramp, StickingRange, Turn, TurnOnset};
+use crate::load_path::{Beyond, Onset, OnsetEvent, Ramp, Turn, TurnOnset};
 
 impl<const C: usize> Grasp<C> {
     /// The onset of sliding from a base load along a load direction: exact in the plane, on
@@ -116,28 +116,5 @@ impl<const C: usize> Grasp<C> {
     /// most 1e6.
     pub fn onset_of_turn(&self, turn: &Turn<C>) -> Result<TurnOnset<C>, Error> {
         self.engine.onset_of_turn(turn, &self.settings)
-    }
-
-    /// The range of factors of a ramp, around 0, in which everything that touches sticks: for an affine choice of load or
-    /// commands all the values that a planner may take without sliding. Two onsets, one each way. `None` where at 0 something slides, nothing
-    /// holds, or neither is known.
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
-    ///
-    /// // Two fingers that each press with 1000 N/m · 0.01 m = 10 N; μ = 0.5.
-    /// let finger = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).command([0.01, 0.0]);
-    /// let grasp = Grasp::new([finger(-1.0), finger(1.0)])?;
-    ///
-    /// let ramp = Ramp::load(Wrench::ZERO, Wrench::force([0.0, -1.0]));
-    /// let range = grasp.sticking_range(&ramp)?.expect("sticks without load");
-    /// assert!((range.from - -10.0).abs() < 1e-13 && (range.to - 10.0).abs() < 1e-13);
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// As for [`Self::onset`].
-    pub fn sticking_range(&self, ramp: &Ramp<C>) -> Result<Option<StickingRange>, Error> {
-        self.engine.sticking_range(ramp, &self.settings)
     }
 }

@@ -6,7 +6,7 @@ use crate::grasp::Engine;
 use crate::numerics::Size;
 use crate::search::Settings;
 
-/// The range of load factors in which nothing stops sticking; see [`Grasp::sticking_range`](crate::ask::Grasp::sticking_range).
+/// The range of load factors in which nothing stops sticking; see [`Sensitivity::sticking_range`](crate::ask::Sensitivity::sticking_range).
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct StickingRange {
@@ -25,7 +25,7 @@ impl StickingRange {
 }
 
 impl<D: Size, const C: usize> Engine<D, C> {
-    /// [`Grasp::sticking_range`](crate::ask::Grasp::sticking_range).
+    /// [`Sensitivity::sticking_range`](crate::ask::Sensitivity::sticking_range).
     pub(crate) fn sticking_range(
         &self,
         ramp: &Ramp<C>,
