@@ -89,6 +89,40 @@ pub fn rocked_in_space(random: &mut Random) -> Result<Cycle<3>, Error> {
     Ok(Cycle { grasp, base, legs: legs.concat() })
 }
 
+/// A roller on so many springs, under a shear of this part of μ P, that is rocked to and fro by `w` half widths of its contact.
+pub fn roller(springs: i32, w: f64, part: f64) -> Result<Cycle<2>, Error> {
+    // The half width is one; what is pressed in there, 1 mm.
+    let (k, depth, mu) = (1e3, 1e-3, 0.4);
+    let h = 2.8 / f64::from(springs);
+    let spring = |i: i32| {
+        let x = h * (f64::from(i) - 0.5 * f64::from(springs - 1));
+        planar::Contact::new([x, 0.0], [0.0, 1.0])
+            .series_stiffness(k * h, k * h)
+            .friction(mu)
+            .command([-depth * x * x, 0.0])
+    };
+    let grasp = Grasp::new((0..springs).map(spring))?;
+    let pressed = k * depth * 4.0 / 3.0;
+    let base = planar::Wrench::new([part * mu * pressed, -pressed], 0.0);
+    let legs = [w, -w].map(|w| Leg::there_and_back(planar::Wrench::new([0.0, 0.0], w * pressed)));
+    Ok(Cycle { grasp, base, legs: legs.concat() })
+}
+
+/// Up to which part of μ P such a roller comes to rest, to a thousandth or so; `None` where that is not known.
+pub fn roller_rests_up_to(springs: i32, w: f64) -> Result<Option<f64>, Error> {
+    let (mut below, mut above) = (0.0, 1.0);
+    for _ in 0..10 {
+        let middle = 0.5 * (below + above);
+        let cycle = roller(springs, w, middle)?;
+        match cycle.grasp.shake(&cycle.base, &cycle.legs)?.rests() {
+            Some(true) => below = middle,
+            Some(false) => above = middle,
+            None => return Ok(None),
+        }
+    }
+    Ok(Some(0.5 * (below + above)))
+}
+
 /// Three to five fingers around a ball, and its weight; accelerations to and fro along three axes.
 pub fn in_space(random: &mut Random) -> Result<Cycle<3>, Error> {
     let count = random.index(3, 5);
