@@ -64,7 +64,7 @@ impl<D: Size, const C: usize> Site<D, C> {
     pub(crate) fn with_map(&self, mut map: Map<D, C>) -> Self {
         let mut map_rest = Map::zeros(map.size());
         let (size, support) = (map.norm(), Support::of(&mut map, &mut map_rest));
-        Self { size, support, map, map_rest, ..self.clone() }
+        Self { map, map_rest, size, support, ..self.clone() }
     }
 
     /// A site whose only force acts along one axis of its own: a drive of a hand.

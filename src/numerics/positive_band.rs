@@ -36,14 +36,15 @@ impl PositiveBand {
         for (j, least) in least.into_iter().enumerate() {
             let (before, behind) = self.entries.split_at_mut((j + 1) * height);
             let column = &mut before[j * height..];
-            // Written so that it also turns away what is not a number.
-            if !(column[0] > least) {
+            if column[0].is_nan() || column[0] <= least {
                 return None;
             }
             let root = column[0].sqrt();
             column[0] = root;
             let below = &mut column[1..];
-            below.iter_mut().for_each(|x| *x /= root);
+            for x in below.iter_mut() {
+                *x /= root;
+            }
             for (k, other) in behind.chunks_exact_mut(height).take(height - 1).enumerate() {
                 let factor = below[k];
                 if factor != 0.0 {

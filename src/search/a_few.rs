@@ -42,7 +42,9 @@ impl<D: Size, const C: usize> Base<D, C> {
     /// The same with these contacts sticking; itself if they do. `None` where that leaves something loose.
     fn sticking_at(self, problem: &Problem<D, C>, among: &[usize], moved: &mut Moved) -> Option<Self> {
         let mut states = self.states.clone();
-        among.iter().for_each(|i| states[*i] = problem.local(*i).unjumped());
+        for i in among {
+            states[*i] = problem.local(*i).unjumped();
+        }
         if states == self.states {
             return Some(self);
         }

@@ -80,7 +80,9 @@ impl<D: Size, const C: usize> Map<D, C> {
         column.iter().enumerate().for_each(|(k, x)| self.entries.set(k, a, *x));
         // All components behind the end of a list are zero.
         let behind: Vec<usize> = self.rows().filter(|k| *k >= given).collect();
-        behind.into_iter().for_each(|k| self.entries.set(k, a, 0.0));
+        for k in behind {
+            self.entries.set(k, a, 0.0);
+        }
     }
 
     pub(crate) fn set_row(&mut self, k: usize, row: &SVector<f64, C>) {
