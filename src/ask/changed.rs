@@ -105,7 +105,7 @@ impl<const C: usize> Grasp<C> {
     ///     .loaded("upper jaw")
     ///     .grasp()?;
     /// let press = |newtons: f64| Wrench::force_at([0.0, newtons], [-0.1, 0.0]);
-    /// let pressed = pliers.growing_with(&press(1.0), [("lower jaw", press(-1.0))])?;
+    /// let pressed = pliers.growing_together(&press(1.0), [("lower jaw", press(-1.0))])?;
     /// let state = pressed.solve(&press(10.0))?;
     /// let rod = &state.equilibrium().expect("holds").contacts[0];
     /// assert!((rod.normal_force() - 10.0 * 0.1 / 0.01).abs() < 1e-9);
@@ -116,13 +116,13 @@ impl<const C: usize> Grasp<C> {
     ///
     /// # Errors
     /// [`Error::Body`] for a body that is not there, [`Error::NothingChanges`] if `load` is none, [`Error::Wrench`] if a component is not finite.
-    pub fn growing_with<N: Into<String>>(
+    pub fn growing_together<N: Into<String>>(
         &self,
         load: &Wrench<C>,
         others: impl IntoIterator<Item = (N, Wrench<C>)>,
     ) -> Result<Self, Error> {
         let named = others.into_iter().map(|(name, load)| (Arc::from(name.into()), load));
-        self.changed(self.engine.growing_with(load, &named.collect::<Vec<_>>()))
+        self.changed(self.engine.growing_together(load, &named.collect::<Vec<_>>()))
     }
 
     /// This grasp with other coefficients of friction, from the number of each contact and what it has.

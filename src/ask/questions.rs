@@ -60,7 +60,7 @@ macro_rules! questions {
             fn with_commands(&self, commands: &[SVector<f64, C>]) -> Changed<C>;
             fn with_joint_commands(&self, commands: &[f64]) -> Changed<C>;
             fn with_joint_torques(&self, torques: &[f64]) -> Changed<C>;
-            fn growing_with(&self, one: &Wrench<C>, others: &[(Arc<str>, Wrench<C>)]) -> Changed<C>;
+            fn growing_together(&self, one: &Wrench<C>, others: &[(Arc<str>, Wrench<C>)]) -> Changed<C>;
             fn with_friction(&self, friction: &dyn Fn(usize, f64) -> f64) -> Changed<C>;
             fn squeezed(&self, factor: f64) -> Changed<C>;
             fn sample(&self, uncertainty: &Uncertainty, number: u64) -> Changed<C>;
@@ -91,8 +91,8 @@ macro_rules! questions {
             Ok(Arc::new(Engine::with_joint_torques(self, torques)?))
         }
 
-        fn growing_with(&self, one: &Wrench<C>, others: &[(Arc<str>, Wrench<C>)]) -> Changed<C> {
-            Ok(Arc::new(Engine::growing_with(self, one, others)?))
+        fn growing_together(&self, one: &Wrench<C>, others: &[(Arc<str>, Wrench<C>)]) -> Changed<C> {
+            Ok(Arc::new(Engine::growing_together(self, one, others)?))
         }
 
         fn with_friction(&self, friction: &dyn Fn(usize, f64) -> f64) -> Changed<C> {

@@ -95,7 +95,7 @@
 //! # What is not there yet
 //!
 //! Measures of a grasp (force closure, Ferrari and Canny's), the least squeeze over loads and screening are questions to one object. Loads of several
-//! bodies grow in one proportion ([`Grasp::growing_with`](crate::ask::Grasp::growing_with), in scenes `together_with`); a program in which each goes
+//! bodies grow in one proportion ([`Grasp::growing_together`](crate::ask::Grasp::growing_together), in scenes `together_with`); a program in which each goes
 //! its own way cannot be said. Links are exact to first order, as everything here: what a cable's tension does as its line turns is left out. Many
 //! bodies are solved in an order in which those that touch are near each other. A wall of 1 000 bricks settles in about a second, and `hold` follows a
 //! push until it is lost in some seconds: the reports `several_bodies` and `scaling` have the times. That is in the plane; in space a few hundred contacts

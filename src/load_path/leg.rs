@@ -41,13 +41,13 @@ use crate::numerics::Size;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Leg<const C: usize> {
-    pub(super) load: LoadGoal<C>,
-    pub(super) commands: StepGoal<Vec<SVector<f64, C>>>,
-    pub(super) joints: StepGoal<Vec<f64>>,
+    pub(super) load: LegLoad<C>,
+    pub(super) commands: LegGoal<Vec<SVector<f64, C>>>,
+    pub(super) joints: LegGoal<Vec<f64>>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum StepGoal<T> {
+pub(super) enum LegGoal<T> {
     Stay,
     By(T),
     To(T),
@@ -55,18 +55,18 @@ pub(super) enum StepGoal<T> {
 
 impl<const C: usize> Leg<C> {
     const STAY: Self =
-        Self { load: LoadGoal::Straight(StepGoal::Stay), commands: StepGoal::Stay, joints: StepGoal::Stay };
+        Self { load: LegLoad::Straight(LegGoal::Stay), commands: LegGoal::Stay, joints: LegGoal::Stay };
 
     /// The load changes by this much.
     #[must_use]
     pub fn load_by(change: Wrench<C>) -> Self {
-        Self { load: LoadGoal::Straight(StepGoal::By(change)), ..Self::STAY }
+        Self { load: LegLoad::Straight(LegGoal::By(change)), ..Self::STAY }
     }
 
     /// The load changes to this.
     #[must_use]
     pub fn load_to(load: Wrench<C>) -> Self {
-        Self { load: LoadGoal::Straight(StepGoal::To(load)), ..Self::STAY }
+        Self { load: LegLoad::Straight(LegGoal::To(load)), ..Self::STAY }
     }
 
     /// The load changes as this one does: from what it is, by what the turn takes away and adds. What else acts stays; the constant part of
@@ -93,43 +93,43 @@ impl<const C: usize> Leg<C> {
     /// ```
     #[must_use]
     pub fn turn(turn: &Turn<C>) -> Self {
-        Self { load: LoadGoal::Turn(*turn), ..Self::STAY }
+        Self { load: LegLoad::Turn(*turn), ..Self::STAY }
     }
 
     /// The finger commands change by this much: one displacement a contact, each in its contact frame (m).
     #[must_use]
     pub fn commands_by(change: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
-        Self { commands: StepGoal::By(vectors(change)), ..Self::STAY }
+        Self { commands: LegGoal::By(vectors(change)), ..Self::STAY }
     }
 
     /// The finger commands change to these: one displacement a contact, each in its contact frame (m).
     #[must_use]
     pub fn commands_to(commands: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
-        Self { commands: StepGoal::To(vectors(commands)), ..Self::STAY }
+        Self { commands: LegGoal::To(vectors(commands)), ..Self::STAY }
     }
 
     /// Meanwhile the load changes by this much.
     #[must_use]
     pub fn and_load_by(self, change: Wrench<C>) -> Self {
-        Self { load: LoadGoal::Straight(StepGoal::By(change)), ..self }
+        Self { load: LegLoad::Straight(LegGoal::By(change)), ..self }
     }
 
     /// Meanwhile the load changes to this.
     #[must_use]
     pub fn and_load_to(self, load: Wrench<C>) -> Self {
-        Self { load: LoadGoal::Straight(StepGoal::To(load)), ..self }
+        Self { load: LegLoad::Straight(LegGoal::To(load)), ..self }
     }
 
     /// Meanwhile the finger commands change by this much.
     #[must_use]
     pub fn and_commands_by(self, change: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
-        Self { commands: StepGoal::By(vectors(change)), ..self }
+        Self { commands: LegGoal::By(vectors(change)), ..self }
     }
 
     /// Meanwhile the finger commands change to these.
     #[must_use]
     pub fn and_commands_to(self, commands: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
-        Self { commands: StepGoal::To(vectors(commands)), ..self }
+        Self { commands: LegGoal::To(vectors(commands)), ..self }
     }
 
     /// The joint commands of a hand change by this much: one displacement for each joint and then each tendon, rad or m.
@@ -166,29 +166,29 @@ impl<const C: usize> Leg<C> {
     /// Meanwhile the joint commands change by this much.
     #[must_use]
     pub fn and_joints_by(self, change: impl IntoIterator<Item = f64>) -> Self {
-        Self { joints: StepGoal::By(change.into_iter().collect()), ..self }
+        Self { joints: LegGoal::By(change.into_iter().collect()), ..self }
     }
 
     /// Meanwhile the joint commands change to these.
     #[must_use]
     pub fn and_joints_to(self, commands: impl IntoIterator<Item = f64>) -> Self {
-        Self { joints: StepGoal::To(commands.into_iter().collect()), ..self }
+        Self { joints: LegGoal::To(commands.into_iter().collect()), ..self }
     }
 
     /// Whether the load turns along it.
     #[cfg(feature = "plot")]
     pub(crate) fn turns(&self) -> bool {
-        matches!(self.load, LoadGoal::Turn(_))
+        matches!(self.load, LegLoad::Turn(_))
     }
 
     /// What a ramp changes for one unit of its factor.
     #[must_use]
     pub fn along(ramp: &Ramp<C>) -> Self {
-        let by = |change: &Vec<_>| StepGoal::By(change.clone());
+        let by = |change: &Vec<_>| LegGoal::By(change.clone());
         Self {
-            load: LoadGoal::Straight(StepGoal::By(ramp.direction)),
-            commands: ramp.command_change.as_ref().map_or(StepGoal::Stay, by),
-            joints: ramp.joint_change.as_ref().map_or(StepGoal::Stay, |change| StepGoal::By(change.clone())),
+            load: LegLoad::Straight(LegGoal::By(ramp.direction)),
+            commands: ramp.command_change.as_ref().map_or(LegGoal::Stay, by),
+            joints: ramp.joint_change.as_ref().map_or(LegGoal::Stay, |change| LegGoal::By(change.clone())),
         }
     }
 
@@ -207,21 +207,21 @@ impl<const C: usize> Leg<C> {
 
     pub(super) fn check<D: Size>(&self, grasp: &Engine<D, C>) -> Result<(), Error> {
         match &self.load {
-            LoadGoal::Straight(StepGoal::Stay) => {}
-            LoadGoal::Straight(StepGoal::By(load) | StepGoal::To(load)) => {
+            LegLoad::Straight(LegGoal::Stay) => {}
+            LegLoad::Straight(LegGoal::By(load) | LegGoal::To(load)) => {
                 grasp.inside(load, "load of a leg")?;
             }
-            LoadGoal::Turn(turn) => {
+            LegLoad::Turn(turn) => {
                 turn.check()?;
-                if self.commands != StepGoal::Stay || self.joints != StepGoal::Stay {
+                if self.commands != LegGoal::Stay || self.joints != LegGoal::Stay {
                     return Err(Error::CommandsWhileTurning);
                 }
             }
         }
-        if let StepGoal::By(commands) | StepGoal::To(commands) = &self.commands {
+        if let LegGoal::By(commands) | LegGoal::To(commands) = &self.commands {
             grasp.check_commands(commands, "commands of a leg", Field::CommandChange)?;
         }
-        if let StepGoal::By(commands) | StepGoal::To(commands) = &self.joints {
+        if let LegGoal::By(commands) | LegGoal::To(commands) = &self.joints {
             grasp.check_joint_commands(commands, "joint commands of a leg")?;
         }
         Ok(())
@@ -230,19 +230,19 @@ impl<const C: usize> Leg<C> {
 
 /// What the load does along a leg.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum LoadGoal<const C: usize> {
-    Straight(StepGoal<Wrench<C>>),
+pub(super) enum LegLoad<const C: usize> {
+    Straight(LegGoal<Wrench<C>>),
     /// It changes as this one does.
     Turn(Turn<C>),
 }
 
-impl<const C: usize> LoadGoal<C> {
+impl<const C: usize> LegLoad<C> {
     /// The way from a load on, and where it ends.
     pub(super) fn course(&self, from: &Wrench<C>) -> (Trajectory<Wrench<C>>, Wrench<C>) {
         let to = match self {
-            Self::Straight(StepGoal::Stay) => *from,
-            Self::Straight(StepGoal::By(change)) => *from + *change,
-            Self::Straight(StepGoal::To(goal)) => *goal,
+            Self::Straight(LegGoal::Stay) => *from,
+            Self::Straight(LegGoal::By(change)) => *from + *change,
+            Self::Straight(LegGoal::To(goal)) => *goal,
             Self::Turn(turn) => {
                 let course = turn.beginning_with(from);
                 return (course, course.at(1.0));
@@ -252,7 +252,7 @@ impl<const C: usize> LoadGoal<C> {
     }
 }
 
-impl<T: Copy + Add<Output = T>> StepGoal<Vec<T>> {
+impl<T: Copy + Add<Output = T>> LegGoal<Vec<T>> {
     /// From commands at the end of the last leg, behind those at its beginning, to commands at both ends of this one.
     pub(super) fn lead_on(&self, commands: &mut [Vec<T>; 2]) {
         commands.swap(0, 1);

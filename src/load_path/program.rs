@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix, SVector};
 
-use super::leg::{Leg, LoadGoal};
+use super::leg::{Leg, LegLoad};
 use super::trajectory::Trajectory;
 use super::turn::inside;
 use crate::error::Error;
@@ -52,7 +52,7 @@ impl<const C: usize> Program<C> {
         straight_only: Option<&'static str>,
     ) -> Result<(), Error> {
         if let Some(method) = straight_only
-            && legs.iter().any(|leg| matches!(leg.load, LoadGoal::Turn(_)))
+            && legs.iter().any(|leg| matches!(leg.load, LegLoad::Turn(_)))
         {
             return Err(Error::StraightOnly { method });
         }

@@ -87,7 +87,7 @@ impl<const C: usize> Setup<C> {
     /// The grasp of a question, with the loads that grow together in it.
     ///
     /// # Errors
-    /// As for [`Grasp::growing_with`].
+    /// As for [`Grasp::growing_together`].
     pub fn grasp_of(&self, grasp: &Grasp<C>, question: &Question<C>) -> Result<Grasp<C>, Error> {
         let (load, together_with) = match question {
             Question::Hold { load, together_with, .. } => (load, together_with),
@@ -97,7 +97,7 @@ impl<const C: usize> Setup<C> {
         if together_with.is_empty() {
             return Ok(grasp.clone());
         }
-        grasp.growing_with(load, together_with.iter().map(|(name, load)| (name, *load)))
+        grasp.growing_together(load, together_with.iter().map(|(name, load)| (name, *load)))
     }
 
     /// Refuses what cannot grow together.

@@ -26,7 +26,8 @@ fn pull(newtons: f64, height: f64) -> Wrench {
 #[test]
 fn boxes_that_are_pulled_apart() {
     for (p, q, lost) in [(10.0, 2.0, 1.5), (10.0, 5.0, 0.6), (20.0, -2.0, 15.0 / 22.0)] {
-        let grasp = boxes().growing_with(&pull(p, 0.01), [("upper", pull(-q, 0.21))]).expect("well posed");
+        let grasp =
+            boxes().growing_together(&pull(p, 0.01), [("upper", pull(-q, 0.21))]).expect("well posed");
         let verdict = grasp.hold(pull(p, 0.01)).expect("well posed");
         let factor = verdict.lost.as_ref().unwrap_or_else(|| panic!("{verdict}")).factor;
         assert!((factor - lost).abs() < 1e-12, "{factor} in place of {lost}");
@@ -37,7 +38,7 @@ fn boxes_that_are_pulled_apart() {
 #[test]
 fn every_question_takes_multiples() {
     let one = pull(10.0, 0.01);
-    let grasp = boxes().growing_with(&one, [("upper", pull(-5.0, 0.21))]).expect("well posed");
+    let grasp = boxes().growing_together(&one, [("upper", pull(-5.0, 0.21))]).expect("well posed");
     let Onset::At(event) = grasp.onset_of_sliding(&Wrench::ZERO, &one).expect("well posed") else {
         panic!("slides")
     };
@@ -71,14 +72,15 @@ fn hands_on_pliers() {
         .grasp()
         .expect("well posed");
     let press = |newtons: f64| Wrench::force_at([0.0, newtons], [-0.1, 0.0]);
-    let pressed = pliers.growing_with(&press(1.0), [("lower", press(-1.0))]).expect("well posed");
+    let pressed = pliers.growing_together(&press(1.0), [("lower", press(-1.0))]).expect("well posed");
     let holds = |newtons: f64| pressed.solve(&press(newtons)).expect("well posed").equilibrium().is_some();
     assert_eq!([holds(2.88 - 1e-9), holds(2.88 + 1e-9)], [false, true]);
 }
 
 #[test]
 fn refused() {
-    let grow = |load: Wrench, name: &str, other: Wrench| boxes().growing_with(&load, [(name, other)]).err();
+    let grow =
+        |load: Wrench, name: &str, other: Wrench| boxes().growing_together(&load, [(name, other)]).err();
     let one = pull(1.0, 0.0);
     assert_eq!(grow(Wrench::ZERO, "upper", one), Some(Error::NothingChanges));
     assert!(matches!(grow(one, "upper", pull(f64::NAN, 0.0)), Some(Error::Wrench { .. })));
@@ -86,6 +88,6 @@ fn refused() {
     assert_eq!(told, "body \"lid\" is to be loaded, and is none of lower, upper");
     let alone =
         Grasp::new([Contact::new([0.0; 2], [0.0, 1.0]).series_stiffness(1.0, 1.0)]).expect("well posed");
-    let told = alone.growing_with(&one, [("lid", one)]).expect_err("refused").to_string();
+    let told = alone.growing_together(&one, [("lid", one)]).expect_err("refused").to_string();
     assert_eq!(told, "body \"lid\" is to be loaded, and the scene has no bodies");
 }

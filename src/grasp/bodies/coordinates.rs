@@ -80,14 +80,14 @@ impl<D: Size, const C: usize> Engine<D, C> {
         Some(self.with_bodies(bodies.growing_together(loads)))
     }
 
-    /// [`Grasp::growing_with`](crate::ask::Grasp::growing_with).
-    pub(crate) fn growing_with(
+    /// [`Grasp::growing_together`](crate::ask::Grasp::growing_together).
+    pub(crate) fn growing_together(
         &self,
         one: &Wrench<C>,
         others: &[(Arc<str>, Wrench<C>)],
     ) -> Result<Self, Error> {
         match (self.bodies(), others.first()) {
-            (Some(bodies), _) => Ok(self.with_bodies(bodies.growing_with(one, others)?)),
+            (Some(bodies), _) => Ok(self.with_bodies(bodies.with_others_growing(one, others)?)),
             (None, None) => Ok(self.clone()),
             (None, Some((name, _))) => {
                 let fault = "is to be loaded, and the scene has no bodies".to_owned();

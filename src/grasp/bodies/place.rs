@@ -193,7 +193,7 @@ impl<const C: usize> PlacedBodies<C> {
     ///
     /// # Errors
     /// [`Error::Body`] for a body that is not there, [`Error::NothingChanges`] for a load that is none.
-    pub(super) fn growing_with(
+    pub(super) fn with_others_growing(
         &self,
         one: &Wrench<C>,
         others: &[(Arc<str>, Wrench<C>)],
