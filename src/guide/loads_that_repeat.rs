@@ -25,15 +25,15 @@
 //! # A hammer jerks along its handle. Does it creep out of the hand?
 //!
 //! ```text
-//! $ grasp-lcp shake tool.json --base 0,-5.886 --at=-0.05,0 --force 24,0 --force=-24,0
-//! RESTS after a cycle: until then palm, index and middle slide; in all the object turns 1.77516° anticlockwise about (-0.00321429, -0.0100621) m
+//! $ grasp-lcp shake tool.json
+//! RESTS after a cycle: until then index slides; in all the object turns 0.700577° anticlockwise about (-0.00321429, -0.0220179) m
 //! ```
 //!
-//! The first blow shifts it a little, and then friction locks it: no later blow moves it on. With more the fingers rub:
+//! The first blow of 35 N shifts it a little, and then friction locks it: no later blow moves it on. With 45 N a finger rubs:
 //!
 //! ```text
-//! $ grasp-lcp shake tool.json
-//! SLIDES TO AND FRO: index slides by up to 2.92666 mm in every cycle, which takes 0.0146145 J; the object stays
+//! $ grasp-lcp shake tool.json --base 0,-5.886 --at=-0.05,0 --force 45,0 --force=-45,0
+//! SLIDES TO AND FRO: index slides by up to 3.49266 mm in every cycle, which takes 0.0230909 J; the object stays
 //! ```
 //!
 //! # A milling cutter pushes one way and the other. Does the part creep out of its fixture?
