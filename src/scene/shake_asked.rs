@@ -79,12 +79,12 @@ impl<const C: usize> Setup<C> {
             (true, true) => Err(Error::Question {
                 question: "shake",
                 field: "loads",
-                fault: "missing, must be given, or legs",
+                fault: "are missing, must be given, or legs in their place",
             }),
             (false, false) => Err(Error::Question {
                 question: "shake",
                 field: "legs",
-                fault: "given beside loads, must be one of them",
+                fault: "are given beside loads, must be one of them",
             }),
         }
     }
