@@ -32,11 +32,11 @@ impl<const C: usize> Grasp<C> {
     /// let pulled = Wrench::new([3.5, -10.0], 0.0);
     /// assert_eq!(block.hold(pulled)?.sticks(), Some(true));
     ///
-    /// // Rocked by 3 N m it leans on one foot and then on the other. The foot that carries 2 N slides, and the other one next time.
-    /// let cycle = [3.0, -3.0].map(|rocked| Leg::there_and_back(Wrench::new([0.0, 0.0], rocked))).concat();
+    /// // Rocked by 4 N m it leans on one foot and then on the other. The foot that carries 3 N slides, and the other one next time.
+    /// let cycle = [4.0, -4.0].map(|rocked| Leg::there_and_back(Wrench::new([0.0, 0.0], rocked))).concat();
     /// let shaken = block.shake(&pulled, &cycle)?;
     /// let words = shaken.to_string();
-    /// assert!(words.starts_with("WALKS: the object moves 3 mm along +x in every cycle, left and right slide"), "{words}");
+    /// assert!(words.starts_with("WALKS: the object moves 1 mm along +x in every cycle, left and right slide"), "{words}");
     /// assert_eq!(shaken.stays(), Some(false));
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```

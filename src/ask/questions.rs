@@ -20,7 +20,7 @@ use crate::load_path::{
     PatchPath, Ramp, Response, SteppedPath, StickingRange, Turn, TurnOnset,
 };
 use crate::numerics::{Any, Fixed, Memory};
-use crate::shake::Shaken;
+use crate::shake::{Shakedown, Shaken};
 use crate::squeeze::{Bounds, LeastOnset, LeastSqueeze, Loads, WeakestDirection};
 use crate::statics::{Budget, Closure, LoadLimit, WrenchBall, WrenchScale};
 use crate::structured::{Search, SearchSettings};
@@ -150,6 +150,7 @@ questions! {
         fn agreement_with_minimum_energy(&self, ramp: &Ramp<C>, settings: &Settings) -> Result<Agreement<C>, Error>;
         fn compare_with_minimum_energy(&self, load: &Wrench<C>, settings: &Settings) -> Result<Comparison<C>, Error>;
         fn minimum_energy(&self, load: &Wrench<C>, settings: &Settings) -> Result<MinimumOutcome<C>, Error>;
+        fn shakedown(&self, base: &Wrench<C>, loads: &[Wrench<C>], settings: &Settings) -> Result<Option<Shakedown<C>>, Error>;
         fn stability(&self, equilibrium: &Equilibrium<C>) -> Stability<C>;
         fn solve_each(&self, loads: &[Wrench<C>], settings: &Settings) -> Vec<Result<Outcome<C>, Error>>;
         fn onset_each(&self, ramps: &[Ramp<C>], settings: &Settings) -> Vec<Result<Onset<C>, Error>>;

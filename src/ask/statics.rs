@@ -4,6 +4,7 @@ use super::grasp::Grasp;
 use crate::equilibrium::{Decomposition, Equilibrium};
 use crate::error::Error;
 use crate::grasp::Wrench;
+use crate::shake::Shakedown;
 use crate::statics::{Budget, Closure, LoadLimit, WrenchBall, WrenchScale};
 
 /// Static questions to a grasp, made by [`Grasp::statics`]: springs and commands do not matter.
@@ -158,5 +159,29 @@ impl<const C: usize> Statics<'_, C> {
     #[must_use]
     pub fn decompose(&self, equilibrium: &Equilibrium<C>) -> Decomposition<C> {
         self.0.engine.decompose(equilibrium)
+    }
+
+    /// Up to how many times these loads, beside a base load and in whichever order they come, some slips could keep everything from sliding: the shakedown
+    /// factor. With more the grasp never comes to rest as long as no contact opens; whether it does with less [`Grasp::shake`] says. In space
+    /// with a polygon around the round cone, of as many facets as [`Settings::cone`](crate::Settings::cone) has. `None` where no slips keep what is there at rest, or nothing resists a load.
+    ///
+    /// It is the one static question that springs and commands matter to: slips push contacts against each other.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // A block of 10 N on two feet, μ = 0.5, pulled by 3.5 N and rocked by ±3 N m: it rests as long as the foot that carries less, 5 N - λ 1.5 N, holds half of the pull.
+    /// let foot = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1000.0, 1000.0).friction(0.5);
+    /// let block = Grasp::new([foot(-1.0), foot(1.0)])?;
+    /// let rocked = [3.0, -3.0].map(|moment| Wrench::new([0.0, 0.0], moment));
+    /// let found = block.statics().shakedown(&Wrench::force([3.5, -10.0]), &rocked)?.expect("rests without rocking");
+    /// assert!((found.factor - 1.5 / 1.5).abs() < 1e-9 && !found.slips_change_normal_forces);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if a load is not finite, or beyond 1e50.
+    pub fn shakedown(&self, base: &Wrench<C>, loads: &[Wrench<C>]) -> Result<Option<Shakedown<C>>, Error> {
+        self.0.engine.shakedown(base, loads, &self.0.settings)
     }
 }

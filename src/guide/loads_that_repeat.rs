@@ -54,5 +54,10 @@
 //! RESTS: nothing ever slides
 //! ```
 //!
+//! # Could it come to rest at all?
+//!
+//! [`Statics::shakedown`](crate::ask::Statics::shakedown) bounds it from above without following anything: with more than so many times the loads the grasp never comes to rest, in
+//! whichever order they come.
+//!
 //! A roller that is rocked to and fro under a shear rests up to `1 - 3 w / 2 + w³ / 2` of what friction holds, w the rocking over half the width of its contact; a test of the repository
 //! approaches that with 81 springs.

@@ -21,7 +21,9 @@
 mod cycle;
 mod followed;
 mod recurrence;
+mod shakedown;
 mod verdict;
 mod words;
 
+pub use shakedown::Shakedown;
 pub use verdict::{Repeats, Shaken};

@@ -3,4 +3,5 @@
 mod asked;
 mod followed_cycles;
 mod rocked_ball;
+mod shakedown;
 mod walking_block;

@@ -1,0 +1,175 @@
+//! Up to which size of loads that repeat some slips could keep everything from sliding: the static theorem of shakedown.
+//!
+//! While all contacts are closed and stick, with slips s that stay as they are, forces under `W₀ + λ W_k` are `F(W₀) + λ F(W_k) - P s`, with F the elastic answer and P what slips
+//! do to forces. If the grasp comes to rest under all loads of a cycle, then its slips keep all of them inside their cones. So the greatest λ for which there are any such s,
+//! a linear program, is a bound on rest; its multipliers prove that no slips do better. Where slips change no normal force it is no bound alone: the
+//! grasp does come to rest (Melan's theorem for friction). Elsewhere the path decides, which [`shake`](super) follows.
+
+use nalgebra::{DMatrix, DVector, Matrix, SVector};
+
+use crate::contact::{Edges, Fit, Polygon, PolygonCone};
+use crate::error::Error;
+use crate::grasp::{Engine, WholeContact, WholeContacts, Wrench};
+use crate::lcp::{self, Lcp};
+use crate::numerics::Size;
+use crate::object::Load;
+use crate::search::Settings;
+
+/// Beyond so many times the loads nobody asks: what is kept there is kept for any factor.
+const FARTHEST: f64 = 1e6;
+/// Conditions and multipliers that are off by less, of numbers near one, are met.
+const MET: f64 = 1e-9;
+
+/// Up to which size of loads that repeat any slips could keep everything from sliding; see [`Statics::shakedown`](crate::ask::Statics::shakedown).
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Shakedown<const C: usize> {
+    /// So many times the loads; infinite where nothing slides however large they are. With more the grasp never comes to rest, in whichever order they come,
+    /// as long as no contact opens: a proof, by linear programming, up to 1e-9.
+    pub factor: f64,
+    /// Slips with which nothing slides at that factor, m in contact frames; zero normal components.
+    pub slips: Vec<SVector<f64, C>>,
+    /// Who would slide first with more, and under which of the loads; `None` for that at rest.
+    pub binding: Vec<(Option<usize>, WholeContact)>,
+    /// Whether slips change normal forces. Where they do not, the grasp comes to rest up to that factor; where they do, it may not.
+    pub slips_change_normal_forces: bool,
+}
+
+impl<D: Size, const C: usize> Engine<D, C> {
+    /// [`Statics::shakedown`](crate::ask::Statics::shakedown).
+    pub(crate) fn shakedown(
+        &self,
+        base: &Wrench<C>,
+        loads: &[Wrench<C>],
+        settings: &Settings,
+    ) -> Result<Option<Shakedown<C>>, Error> {
+        let at_rest = self.load_alone(base, "base load")?;
+        let loads: Vec<_> =
+            loads.iter().map(|load| self.inside(load, "load that repeats")).collect::<Result<_, _>>()?;
+        // A bound on rest has to lie outside the round cone.
+        let around = PolygonCone::new(settings.cone.facets(), Fit::Circumscribed)?;
+        let cone = if settings.is_round::<C>() { around } else { settings.cone };
+        let problem = self.problem(Polygon::shared(&cone), false, self.drives(), &Load::from(&at_rest));
+        let (piece, n) = (problem.trial(), problem.len());
+        let none = vec![SVector::<f64, C>::zeros(); n];
+        let Ok(rest) = piece.solve(problem.sites, &problem.drives, problem.load()) else { return Ok(None) };
+        let mut under = Vec::new();
+        for load in &loads {
+            let Ok(answer) = piece.solve(problem.sites, &none, load) else { return Ok(None) };
+            under.push(answer.forces);
+        }
+        let mut slips = Vec::new();
+        for (i, axis) in
+            (0..n).filter(|i| problem.local(*i).may_slide()).flat_map(|i| (1..C).map(move |a| (i, a)))
+        {
+            let mut drives = none.clone();
+            drives[i][axis] = -1.0;
+            let Ok(answer) = piece.solve(problem.sites, &drives, &(&at_rest * 0.0)) else { return Ok(None) };
+            slips.push(((i, axis), answer.forces));
+        }
+        let edges: Vec<Vec<SVector<f64, C>>> = problem.each(|local| match local.edges() {
+            Edges::Rows(rows) => rows,
+            Edges::Round { .. } => Vec::new(),
+        });
+        let program =
+            Program::new(&edges, &rest.forces, &under, &slips.iter().map(|(_, f)| f).collect::<Vec<_>>());
+        let Some((factor, sizes, multipliers)) = program.solved() else { return Ok(None) };
+        let mut told = none;
+        for (((i, axis), _), size) in slips.iter().zip(&sizes) {
+            told[*i][*axis] = *size;
+        }
+        let parts = WholeContacts::of(self.contacts());
+        let most = multipliers.iter().copied().fold(0.0, f64::max);
+        let mut binding = Vec::new();
+        for k in 0..=under.len() {
+            let binds = |i: usize| {
+                let of =
+                    |((load, site), y): (&(usize, usize), &f64)| *load == k && *site == i && *y > MET * most;
+                program.of.iter().zip(&multipliers).any(of)
+            };
+            binding.extend(parts.with(&binds).into_iter().map(|part| (k.checked_sub(1), part)));
+        }
+        let normal = slips.iter().flat_map(|(_, forces)| forces).map(|f| f[0].abs()).fold(0.0, f64::max);
+        let all = slips.iter().flat_map(|(_, forces)| forces).map(Matrix::norm).fold(0.0, f64::max);
+        let slips_change_normal_forces = normal > 1e-12 * all;
+        Ok(Some(Shakedown { factor, slips: told, binding, slips_change_normal_forces }))
+    }
+}
+
+/// The greatest λ >= 0 with `b + λ a + S s >= 0`, in numbers near one.
+struct Program {
+    /// Of each row the load, zero for that at rest, and the site.
+    of: Vec<(usize, usize)>,
+    b: Vec<f64>,
+    a: Vec<f64>,
+    s: DMatrix<f64>,
+    /// What one unit of the factor and of each slip is.
+    units: (f64, Vec<f64>),
+}
+
+impl Program {
+    fn new<const C: usize>(
+        edges: &[Vec<SVector<f64, C>>],
+        rest: &[SVector<f64, C>],
+        under: &[Vec<SVector<f64, C>>],
+        slips: &[&Vec<SVector<f64, C>>],
+    ) -> Self {
+        let size = |forces: &[SVector<f64, C>]| forces.iter().map(Matrix::norm).fold(0.0, f64::max);
+        let or_one = |x: f64| if x > 0.0 { x } else { 1.0 };
+        let force = or_one(size(rest));
+        let unit = force / or_one(under.iter().map(|forces| size(forces)).fold(0.0, f64::max));
+        let units: Vec<f64> = slips.iter().map(|forces| force / or_one(size(forces))).collect();
+        let (mut of, mut b, mut a, mut rows) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        for k in 0..=under.len() {
+            for (i, row) in
+                edges.iter().enumerate().flat_map(|(i, rows)| rows.iter().map(move |row| (i, row)))
+            {
+                of.push((k, i));
+                b.push(row.dot(&rest[i]) / force);
+                a.push(if k == 0 { 0.0 } else { row.dot(&under[k - 1][i]) * unit / force });
+                rows.extend(
+                    slips.iter().zip(&units).map(|(forces, unit)| row.dot(&forces[i]) * unit / force),
+                );
+            }
+        }
+        let s = DMatrix::from_row_slice(b.len(), slips.len(), &rows);
+        Self { of, b, a, s, units: (unit, units) }
+    }
+
+    /// The factor, the slips and the multipliers of the rows; `None` where no slips keep what is there at rest, or rounding is in the way.
+    ///
+    /// The conditions of an optimum are a complementarity problem, solved by Lemke's method: its matrix is skew-symmetric, and so it ends at a solution if there is one.
+    fn solved(&self) -> Option<(f64, Vec<f64>, Vec<f64>)> {
+        let (rows, slips) = self.s.shape();
+        // λ, slips to either side, then the rows, and behind them the bound on λ.
+        let (first, n) = (1 + 2 * slips, 2 + 2 * slips + rows);
+        let mut m = DMatrix::zeros(n, n);
+        let mut q = DVector::zeros(n);
+        q[0] = -1.0;
+        for r in 0..rows {
+            let column = |k: usize| match k {
+                0 => self.a[r],
+                k if k <= slips => self.s[(r, k - 1)],
+                k => -self.s[(r, k - 1 - slips)],
+            };
+            for k in 0..first {
+                (m[(first + r, k)], m[(k, first + r)]) = (column(k), -column(k));
+            }
+            q[first + r] = self.b[r];
+        }
+        (m[(n - 1, 0)], m[(0, n - 1)], q[n - 1]) = (-1.0, 1.0, FARTHEST);
+        let lcp::Outcome::Solved(solution) = Lcp::new(m, q).ok()?.solve() else { return None };
+        let z = &solution.z;
+        let size = |k: usize| z[1 + k] - z[1 + slips + k];
+        let kept = |r: usize| {
+            self.b[r] + self.a[r] * z[0] + (0..slips).map(|k| self.s[(r, k)] * size(k)).sum::<f64>()
+        };
+        let scale = 1.0 + z.rows(0, first).amax();
+        if (0..rows).any(|r| kept(r) < -MET * scale) {
+            return None;
+        }
+        let factor = if z[0] >= FARTHEST * (1.0 - MET) { f64::INFINITY } else { z[0] * self.units.0 };
+        let sizes = self.units.1.iter().enumerate().map(|(k, unit)| size(k) * unit).collect();
+        Some((factor, sizes, z.rows(first, rows).iter().copied().collect()))
+    }
+}

@@ -1,0 +1,111 @@
+//! The shakedown factor: by a closed form, by Melan's theorem where slips change no normal force, and never below what a path rests under.
+
+use grasp_lcp::load_path::{Change, ContactChange};
+use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
+use grasp_lcp::{Error, spatial};
+use support::shaken::in_the_plane;
+use support::splitmix::Random;
+
+/// Whether it comes to rest under so many times these loads in turn.
+fn rests(grasp: &Grasp, base: &Wrench, loads: &[Wrench], times: f64) -> Result<Option<bool>, Error> {
+    let legs: Vec<_> = loads.iter().flat_map(|load| Leg::there_and_back(*load * times)).collect();
+    Ok(grasp.shake(base, &legs)?.rests())
+}
+
+#[test]
+fn feet_in_a_row_rest_up_to_it_and_not_beyond() -> Result<(), Error> {
+    let mut random = Random(7);
+    let mut asked = 0;
+    for _ in 0..40 {
+        let count = random.index(2, 4);
+        let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
+        let feet = (0..count).map(|i| {
+            Contact::new([i as f64 + between(-0.2, 0.2), 0.0], [0.0, 1.0])
+                .series_stiffness(10f64.powf(between(3.0, 4.0)), 10f64.powf(between(3.0, 4.0)))
+                .friction(between(0.3, 0.8))
+        });
+        let grasp = Grasp::new(feet.collect::<Vec<_>>())?;
+        let middle = 0.5 * (count - 1) as f64;
+        let base = Wrench::force_at([between(-1.0, 1.0), -10.0], [middle, 0.0]);
+        let loads = [1.0, -1.0].map(|sign| Wrench::new([between(-0.5, 0.5), 0.0], sign * between(0.5, 1.0)));
+        let Some(found) = grasp.statics().shakedown(&base, &loads)? else { continue };
+        assert!(!found.slips_change_normal_forces && found.factor > 0.0);
+        // No foot may open: what the loads do to normal forces is less than what is there.
+        let most = loads.map(|load| load * (1.02 * found.factor) + base);
+        let closed = |load: &Wrench| -> Result<bool, Error> {
+            let rigid = Grasp::new(
+                grasp.contacts().iter().map(|c| c.clone().friction(f64::INFINITY)).collect::<Vec<_>>(),
+            )?;
+            let outcome = rigid.solve(load)?;
+            Ok(outcome
+                .equilibrium()
+                .is_some_and(|held| held.contacts.iter().all(|c| c.normal_force() > 0.01)))
+        };
+        if !(closed(&most[0])? && closed(&most[1])? && closed(&base)?) {
+            continue;
+        }
+        asked += 1;
+        assert_eq!(rests(&grasp, &base, &loads, 0.98 * found.factor)?, Some(true), "{found:?}");
+        assert_eq!(rests(&grasp, &base, &loads, 1.02 * found.factor)?, Some(false), "{found:?}");
+        assert!(!found.binding.is_empty());
+    }
+    assert!(asked > 15, "{asked}");
+    Ok(())
+}
+
+#[test]
+fn no_path_rests_beyond_it_while_contacts_are_closed() -> Result<(), Error> {
+    let mut random = Random(11);
+    let (mut beyond, mut coupled, mut kept) = (0, 0, [0; 3]);
+    for _ in 0..240 {
+        let drawn = in_the_plane(&mut random)?;
+        let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
+        let loads =
+            [0, 1].map(|_| Wrench::new([between(-1.0, 1.0), between(-1.0, 1.0)], 0.02 * between(-1.0, 1.0)));
+        let rests = drawn.grasp.hold(drawn.base)?.holds() == Some(true);
+        let Some(found) = drawn.grasp.statics().shakedown(&drawn.base, &loads)? else {
+            kept[usize::from(rests)] += 1;
+            continue;
+        };
+        kept[2] += 1;
+        if !found.factor.is_finite() {
+            continue;
+        }
+        coupled += usize::from(found.slips_change_normal_forces);
+        let legs: Vec<_> =
+            loads.iter().flat_map(|load| Leg::there_and_back(*load * (1.02 * found.factor))).collect();
+        let shaken = drawn.grasp.shake(&drawn.base, &legs)?;
+        let cycles = vec![legs; shaken.cycles.clamp(2, 300)].concat();
+        let mut path = drawn.grasp.follow(&drawn.base, &cycles)?;
+        let is_open = path.state().is_none_or(|rest| rest.contacts.iter().any(|contact| contact.gap > 0.0));
+        let is_opening = |change: &ContactChange<2>| change.what == Change::Opens;
+        let opens = path.run().iter().any(|event| event.changes.iter().any(is_opening));
+        if opens || is_open {
+            continue;
+        }
+        beyond += 1;
+        assert_ne!(shaken.rests(), Some(true), "{found:?}");
+    }
+    println!(
+        "no slips found: {} that do not rest, {} that do; {} found; {beyond} asked",
+        kept[0], kept[1], kept[2]
+    );
+    assert!(beyond > 20 && coupled > 20, "{beyond} {coupled}");
+    Ok(())
+}
+
+#[test]
+fn in_space_a_polygon_around_the_cone_bounds_it() -> Result<(), Error> {
+    // Four feet, pulled along a corner of the polygon by 3 N of 5, rocked about one axis: feet carry 2.5 ± m / 4 N.
+    let foot = |x: f64, y: f64| {
+        spatial::Contact::new([x, y, 0.0], [0.0, 0.0, 1.0]).series_stiffness(1e3, 1e3).friction(0.5)
+    };
+    let table = spatial::Grasp::new([foot(1.0, 1.0), foot(-1.0, 1.0), foot(1.0, -1.0), foot(-1.0, -1.0)])?;
+    let base = spatial::Wrench::force([3.0, 0.0, -10.0]);
+    let rocked = [1.0, -1.0].map(|moment| spatial::Wrench::new([0.0; 3], [0.0, moment, 0.0]));
+    let found = table.statics().shakedown(&base, &rocked)?.expect("rests without rocking");
+    // Both feet that are left light hold 2 μ (2.5 - λ / 4) each time, those under pressure the rest; slips share the pull as they like: Σ μ (2.5 - λ / 4) over all four.
+    let exact = 4.0 * (2.5 - 3.0 / (4.0 * 0.5));
+    assert!(found.factor >= exact * (1.0 - 1e-9) && found.factor < 1.2 * exact, "{} {exact}", found.factor);
+    Ok(())
+}
