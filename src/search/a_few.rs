@@ -18,7 +18,7 @@ use crate::object::{Piece, PieceState, Problem, states_by_given_limits};
 /// How often others may join: a disturbance spreads from contact to contact, and fades.
 const ROUNDS: usize = 32;
 /// Multiplications that one path may take where the caller sets no limit on pivots: some seconds, where any other way takes minutes.
-const MOST_WORK: usize = 10_000_000_000;
+const MOST_WORK: usize = 500_000_000_usize.saturating_mul(20);
 /// If so many leave the trial nearer states are looked for: a path takes as long as the cube of their number.
 const MANY_LEAVE: usize = 128;
 /// With more contacts than these a path from nearer states is none of a few.
