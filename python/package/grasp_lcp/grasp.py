@@ -26,6 +26,7 @@ class Settings(TypedDict, total=False):
     step_error: float
     most_steps: int
     most_load: float
+    most_cycles: int
 
 
 class Leg(TypedDict, total=False):
