@@ -30,7 +30,7 @@ pub(crate) struct Cycles<'g, D: Size, const C: usize> {
 
 /// Where a grasp stands between two cycles.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Standing<D: Size, const C: usize> {
+pub(crate) struct CycleState<D: Size, const C: usize> {
     pub(crate) forces: Vec<SVector<f64, C>>,
     /// Of what is open, m; zero of what is closed.
     pub(crate) gaps: Vec<f64>,
@@ -40,7 +40,7 @@ pub(crate) struct Standing<D: Size, const C: usize> {
 
 /// What has happened in one cycle.
 #[derive(Debug, Clone)]
-pub(crate) struct Gone<const C: usize> {
+pub(crate) struct CycleRecord<const C: usize> {
     /// The way that each site has slid, m.
     pub(crate) slid: Vec<f64>,
     /// Heat from friction, J.
@@ -54,13 +54,18 @@ pub(crate) struct Gone<const C: usize> {
     states: Vec<(usize, Vec<State<C>>)>,
 }
 
-impl<const C: usize> Gone<C> {
+impl<const C: usize> CycleRecord<C> {
     /// Whether the same events have happened in both cycles.
     pub(crate) fn is_like(&self, other: &Self) -> bool {
-        let kinds = |a: &[State<C>], b: &[State<C>]| a.iter().zip(b).all(|(a, b)| a.is_kind_of(b));
+        let mut both = self.states.iter().zip(&other.states);
         self.states.len() == other.states.len()
-            && self.states.iter().zip(&other.states).all(|(a, b)| a.0 == b.0 && kinds(&a.1, &b.1))
+            && both.all(|((leg, a), (other, b))| leg == other && are_alike(a, b))
     }
+}
+
+/// Whether all sites do the same but for directions on the round cone.
+fn are_alike<const C: usize>(a: &[State<C>], b: &[State<C>]) -> bool {
+    a.iter().zip(b).all(|(a, b)| a.is_kind_of(b))
 }
 
 impl<'g, D: Size, const C: usize> Cycles<'g, D, C> {
@@ -73,15 +78,13 @@ impl<'g, D: Size, const C: usize> Cycles<'g, D, C> {
         (base, legs): (&Wrench<C>, &[Leg<C>]),
         settings: &Settings,
     ) -> Result<Self, Error> {
-        let path = Following::start(grasp, (base, legs), settings, |journey, problem| {
-            Pieces::at_start(journey, problem)
-        })?;
+        let path = Following::start(grasp, (base, legs), settings, Pieces::at_start)?;
         path.journey.program.check_closed(CLOSED)?;
         Ok(Self { path, legs: legs.to_vec(), base: *base, gone: 0 })
     }
 
     /// Before a cycle that begins elsewhere; `None` if that is no equilibrium of the grasp with these slips.
-    pub(crate) fn beginning_at(&self, from: &Standing<D, C>, settings: &Settings) -> Option<Self> {
+    pub(crate) fn beginning_at(&self, from: &CycleState<D, C>, settings: &Settings) -> Option<Self> {
         let grasp = self.path.journey.grasp;
         let begin = Following::start(grasp, (&self.base, &self.legs), settings, |journey, problem| {
             let mut slipped = problem.clone();
@@ -114,7 +117,7 @@ impl<'g, D: Size, const C: usize> Cycles<'g, D, C> {
     }
 
     /// Goes through one cycle; `None` if the path [ends](Self::end) on the way.
-    pub(crate) fn go(&mut self) -> Option<Gone<C>> {
+    pub(crate) fn go(&mut self) -> Option<CycleRecord<C>> {
         if self.gone > 0 && self.path.end().is_some() {
             self.path.journey.program.return_to(self.path.journey.grasp, &self.base);
             self.path.continue_with(&self.legs).ok()?;
@@ -128,7 +131,7 @@ impl<'g, D: Size, const C: usize> Cycles<'g, D, C> {
         let behind = std::mem::take(&mut follower.behind);
         let slips_at_the_end = &follower.segment.problem.slips;
         let n = slips_at_the_end.len();
-        let mut gone = Gone {
+        let mut record = CycleRecord {
             slid: vec![0.0; n],
             dissipated: energies.iter().map(|leg| leg.dissipated).sum(),
             largest: 0.0,
@@ -138,15 +141,15 @@ impl<'g, D: Size, const C: usize> Cycles<'g, D, C> {
         };
         for (k, stretch) in behind.iter().enumerate() {
             let after = behind.get(k + 1).map_or(slips_at_the_end, |next| &next.problem.slips);
-            gone.add(stretch, after, first);
+            record.add(stretch, after, first);
         }
         // The state there is told from the piece that leads to it.
         follower.behind.extend(behind.into_iter().last());
-        Some(gone)
+        Some(record)
     }
 
     /// Where the grasp stands after the cycles so far.
-    pub(crate) fn standing(&self) -> Option<Standing<D, C>> {
+    pub(crate) fn standing(&self) -> Option<CycleState<D, C>> {
         let follower = self.path.follower.as_ref()?;
         let (at, segment) = (&follower.node.at, &follower.segment);
         let drives = segment.drives(follower.factor);
@@ -154,7 +157,7 @@ impl<'g, D: Size, const C: usize> Cycles<'g, D, C> {
             let open = follower.node.states[i].is_open();
             if open { -segment.grasp.sites()[i].stretch(&drives[i], &at.twist)[0] } else { 0.0 }
         };
-        Some(Standing {
+        Some(CycleState {
             forces: at.forces.clone(),
             gaps: (0..at.forces.len()).map(gap).collect(),
             slips: segment.problem.slips.clone(),
@@ -163,7 +166,7 @@ impl<'g, D: Size, const C: usize> Cycles<'g, D, C> {
     }
 }
 
-impl<const C: usize> Gone<C> {
+impl<const C: usize> CycleRecord<C> {
     /// Adds a piece of the way, with the slips after it.
     fn add<D: Size>(&mut self, piece: &Stretch<'_, D, C>, after: &[SVector<f64, C>], first: usize) {
         let forces = piece.here.lines.iter().map(|line| line.force).chain(piece.there.forces.iter().copied());
@@ -178,9 +181,8 @@ impl<const C: usize> Gone<C> {
                 self.open[i].filter(|_| state.is_open()).map(|gap| gap.min(here.gap).min(at_the_end));
         }
         let leg = piece.leg.saturating_sub(first);
-        let goes_on = self.states.last().is_some_and(|(last, states)| {
-            *last == leg && states.iter().zip(&piece.states).all(|(a, b)| a.is_kind_of(b))
-        });
+        let last = self.states.last();
+        let goes_on = last.is_some_and(|(last, states)| *last == leg && are_alike(states, &piece.states));
         if !goes_on {
             self.states.push((leg, piece.states.clone()));
         }

@@ -96,7 +96,7 @@ mod watch;
 mod whole_change;
 
 pub use beyond::{Beyond, Continuation};
-pub(crate) use cycles::{Cycles, Gone, Standing};
+pub(crate) use cycles::{CycleRecord, CycleState, Cycles};
 pub use drive_change::{DriveChange, PartChange};
 pub use energy::LegEnergy;
 pub use event::{Change, ContactChange, Event, Loss, LossKind, PathEnd};

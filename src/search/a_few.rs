@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use super::candidate::breaking;
 use super::near_states::{beside, regular};
-use super::proposals::propose_dense;
+use super::proposals::{MOST_WORK, propose_dense};
 use super::scene::{Log, TrialScene};
 use super::settings::Settings;
 use crate::contact::State;
@@ -18,7 +18,7 @@ use crate::object::{Piece, PieceState, Problem, states_by_given_limits};
 /// How often others may join: a disturbance spreads from contact to contact, and fades.
 const ROUNDS: usize = 32;
 /// Multiplications that one path may take where the caller sets no limit on pivots: some seconds, where any other way takes minutes.
-const MOST_WORK: usize = 500_000_000_usize.saturating_mul(20);
+const MOST_WORK_OF_A_FEW: usize = MOST_WORK.saturating_mul(20);
 /// If so many leave the trial nearer states are looked for: a path takes as long as the cube of their number.
 const MANY_LEAVE: usize = 128;
 /// With more contacts than these a path from nearer states is none of a few.
@@ -88,7 +88,8 @@ fn pivoted<D: Size, const C: usize>(
         among.sort_unstable();
         base = base.sticking_at(problem, &among, &mut moved)?;
         let form = kinematic_form_among(problem, &base.piece, &base.at, &among, &mut moved)?;
-        let proposed = propose_dense(problem, settings, (Some(form), MOST_WORK), kinematic_states, log);
+        let proposed =
+            propose_dense(problem, settings, (Some(form), MOST_WORK_OF_A_FEW), kinematic_states, log);
         let Some(mut states) = proposed else {
             among = beside(problem, &among);
             if among.len() > most {

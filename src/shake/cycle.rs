@@ -3,7 +3,7 @@
 use nalgebra::{DVector, SVector};
 
 use crate::grasp::{Engine, Site};
-use crate::load_path::{Cycles, Gone, Standing};
+use crate::load_path::{CycleRecord, CycleState, Cycles};
 use crate::numerics::Size;
 use crate::search::Settings;
 
@@ -26,9 +26,9 @@ pub(super) struct Scale {
 /// What is known after a cycle.
 #[derive(Debug)]
 pub(super) struct Cycle<D: Size, const C: usize> {
-    pub(super) from: Standing<D, C>,
-    pub(super) to: Standing<D, C>,
-    pub(super) gone: Gone<C>,
+    pub(super) from: CycleState<D, C>,
+    pub(super) to: CycleState<D, C>,
+    pub(super) record: CycleRecord<C>,
     pub(super) scale: Scale,
 }
 
@@ -36,16 +36,16 @@ impl<D: Size, const C: usize> Cycle<D, C> {
     /// The next cycle; `None` where it is not gone to its end.
     pub(super) fn next(engine: &Engine<D, C>, cycles: &mut Cycles<'_, D, C>) -> Option<Self> {
         let from = cycles.standing()?;
-        let gone = cycles.go()?;
+        let record = cycles.go()?;
         let to = cycles.standing()?;
-        Some(Self { scale: scale_of(engine, &gone, &to), from, to, gone })
+        Some(Self { scale: scale_of(engine, &record, &to), from, to, record })
     }
 
     /// The one that begins somewhere else, with who goes it.
     pub(super) fn beginning_at<'g>(
         engine: &'g Engine<D, C>,
         cycles: &Cycles<'g, D, C>,
-        there: &Standing<D, C>,
+        there: &CycleState<D, C>,
         settings: &Settings,
     ) -> Option<(Self, Cycles<'g, D, C>)> {
         let mut others = cycles.beginning_at(there, settings)?;
@@ -53,8 +53,8 @@ impl<D: Size, const C: usize> Cycle<D, C> {
     }
 
     /// Forces and gaps somewhere, as numbers without unit; gaps left out of what was open all the way.
-    pub(super) fn numbers(&self, place: &Standing<D, C>) -> DVector<f64> {
-        place.numbers(&self.scale, &|i| self.gone.open[i].is_some())
+    pub(super) fn numbers(&self, place: &CycleState<D, C>) -> DVector<f64> {
+        place.numbers(&self.scale, &|i| self.record.open[i].is_some())
     }
 
     /// By what they differ at its end.
@@ -69,7 +69,7 @@ impl<D: Size, const C: usize> Cycle<D, C> {
 
     /// What is no change.
     pub(super) fn same(&self) -> f64 {
-        SAME.max(self.gone.step_error)
+        SAME.max(self.record.step_error)
     }
 
     /// How many more cycles like this one there can be: until what is open would close. `None` where nothing comes nearer.
@@ -78,10 +78,10 @@ impl<D: Size, const C: usize> Cycle<D, C> {
         clippy::cast_sign_loss,
         reason = "whole, and from 0 to a billion"
     )]
-    pub(super) fn ends_walk(&self) -> Option<usize> {
+    pub(super) fn cycles_until_closing(&self) -> Option<usize> {
         let still = NO_SLIP * self.scale.stretch;
         let nearer = |i: usize| self.from.gaps[i] - self.to.gaps[i];
-        let open = self.gone.open.iter().enumerate().filter_map(|(i, gap)| gap.map(|gap| (i, gap)));
+        let open = self.record.open.iter().enumerate().filter_map(|(i, gap)| gap.map(|gap| (i, gap)));
         let cycles = open.filter(|(i, _)| nearer(*i) > still).map(|(i, gap)| (gap / nearer(i)).floor() - 1.0);
         let first = cycles.min_by(f64::total_cmp).filter(|cycles| *cycles < FOR_EVER);
         first.map(|cycles| cycles.max(0.0) as usize)
@@ -89,12 +89,12 @@ impl<D: Size, const C: usize> Cycle<D, C> {
 
     /// Whether a site slides.
     pub(super) fn slides(&self, site: usize) -> bool {
-        self.gone.slid[site] > NO_SLIP * self.scale.stretch
+        self.record.slid[site] > NO_SLIP * self.scale.stretch
     }
 
     /// Whether the object has moved on.
     pub(super) fn walks(&self) -> bool {
-        let still = NO_SLIP.max(WAYS * self.gone.step_error) * self.scale.stretch;
+        let still = NO_SLIP.max(WAYS * self.record.step_error) * self.scale.stretch;
         let slips = self.to.slips.iter().zip(&self.from.slips);
         slips.enumerate().any(|(i, (to, from))| self.slides(i) && (to - from).norm() > still)
             && (&self.to.twist - &self.from.twist).amax() > still
@@ -102,12 +102,16 @@ impl<D: Size, const C: usize> Cycle<D, C> {
 }
 
 /// The largest force of a cycle, and what it stretches springs by.
-fn scale_of<D: Size, const C: usize>(engine: &Engine<D, C>, gone: &Gone<C>, at: &Standing<D, C>) -> Scale {
+fn scale_of<D: Size, const C: usize>(
+    engine: &Engine<D, C>,
+    record: &CycleRecord<C>,
+    at: &CycleState<D, C>,
+) -> Scale {
     let softness = |(site, force): (&Site<D, C>, &SVector<f64, C>)| {
         let size = force.norm();
         if size > 0.0 { site.springs.give(force).norm() / size } else { 0.0 }
     };
     let softest = engine.sites().iter().zip(&at.forces).map(softness).fold(0.0, f64::max);
-    let force = if gone.largest > 0.0 { gone.largest } else { 1.0 };
+    let force = if record.largest > 0.0 { record.largest } else { 1.0 };
     Scale { force, stretch: if softest > 0.0 { force * softest } else { engine.length() } }
 }

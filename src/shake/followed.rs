@@ -5,7 +5,7 @@ use super::recurrence::Recurrence;
 use super::verdict::{Repeats, Shaken};
 use crate::error::Error;
 use crate::grasp::{BodyMotion, Engine, WholeContact, WholeContacts, Wrench};
-use crate::load_path::{Cycles, Leg, PathEnd, Ramp, Standing};
+use crate::load_path::{CycleState, Cycles, Leg, PathEnd, Ramp};
 use crate::numerics::Size;
 use crate::search::Settings;
 
@@ -69,10 +69,10 @@ struct Shaking<'g, 's, D: Size, const C: usize> {
     engine: &'g Engine<D, C>,
     settings: &'s Settings,
     base: Wrench<C>,
-    rest: Standing<D, C>,
+    rest: CycleState<D, C>,
     cycles: Cycles<'g, D, C>,
     /// Where it stood between the last cycles with the same events.
-    places: Vec<Standing<D, C>>,
+    places: Vec<CycleState<D, C>>,
     /// Which sites have slid so far.
     slid: Vec<bool>,
     /// How many cycles had the same events as the one before.
@@ -95,7 +95,7 @@ impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
             };
             change = cycle.change();
             if change <= cycle.same() {
-                let Some(more) = cycle.ends_walk() else {
+                let Some(more) = cycle.cycles_until_closing() else {
                     let repeats = self.told(&cycle, Some(self.cycles_gone));
                     return self.shaken(repeats, (change, 0.0), Some(&cycle.to));
                 };
@@ -115,7 +115,7 @@ impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
                 let repeats = self.told(&cycle, Some(self.cycles_gone));
                 return self.shaken(repeats, (change, 0.0), Some(&cycle.to));
             }
-            let is_alike = last.as_ref().is_some_and(|last| last.gone.is_like(&cycle.gone));
+            let is_alike = last.as_ref().is_some_and(|last| last.record.is_like(&cycle.record));
             self.alike = if is_alike { self.alike + 1 } else { 0 };
             if !is_alike {
                 self.places.drain(..self.places.len() - 1);
@@ -143,7 +143,7 @@ impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
     }
 
     /// Goes on from elsewhere, so many cycles later.
-    fn begin_at(&mut self, there: Standing<D, C>, passed: usize) {
+    fn begin_at(&mut self, there: CycleState<D, C>, passed: usize) {
         self.places = vec![there];
         self.alike = 0;
         self.cycles_gone += passed;
@@ -159,7 +159,7 @@ impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
         let Some(recurrence) = Recurrence::of(&places, &numbers, last.same()) else {
             return Ahead::NotKnown;
         };
-        let near = if last.gone.step_error > 0.0 { NEAR_ON_ARCS } else { NEAR };
+        let near = if last.record.step_error > 0.0 { NEAR_ON_ARCS } else { NEAR };
         let farthest = recurrence.until(near);
         let mut passed = farthest;
         loop {
@@ -168,7 +168,8 @@ impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
             let tried = Cycle::beginning_at(self.engine, &self.cycles, &there, self.settings);
             let is_so = |cycle: &Cycle<D, C>| {
                 let off = (last.numbers(&cycle.to) - last.numbers(&cycle.from) - &foretold).amax();
-                off <= last.same() || (cycle.gone.is_like(&last.gone) && off <= FORETOLD * foretold.amax())
+                off <= last.same()
+                    || (cycle.record.is_like(&last.record) && off <= FORETOLD * foretold.amax())
             };
             match tried.filter(|(cycle, _)| is_so(cycle)) {
                 Some((cycle, cycles)) if passed >= SHORTEST || passed == farthest => {
@@ -192,7 +193,7 @@ impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
         self.followed += 1;
         let there = recurrence.fixed_point().filter(|_| recurrence.ratio() < 1.0)?;
         let (limit, _) = Cycle::beginning_at(self.engine, &self.cycles, &there, self.settings)?;
-        (limit.change() <= last.same() && limit.ends_walk().is_none()).then_some(limit)
+        (limit.change() <= last.same() && limit.cycles_until_closing().is_none()).then_some(limit)
     }
 
     /// Whether the object has walked farther than it is large: small motions say nothing there.
@@ -224,7 +225,7 @@ impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
 
     /// What all cycles to come are like, from one that repeats itself: from rest that with this number, else one that cycles lead to.
     fn told(&self, cycle: &Cycle<D, C>, number: Option<usize>) -> Repeats<C> {
-        let (slides, dissipated) = (self.parts(&|i| cycle.slides(i)), cycle.gone.dissipated);
+        let (slides, dissipated) = (self.parts(&|i| cycle.slides(i)), cycle.record.dissipated);
         if !(0..self.slid.len()).any(|i| cycle.slides(i)) {
             let slid = self.parts(&|i| self.slid[i]);
             return match number {
@@ -235,11 +236,11 @@ impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
         if cycle.walks() {
             return Repeats::Walks { by: self.moves(&cycle.from, &cycle.to), slides, dissipated };
         }
-        let way = cycle.gone.slid.iter().take(self.engine.len()).copied().fold(0.0, f64::max);
+        let way = cycle.record.slid.iter().take(self.engine.len()).copied().fold(0.0, f64::max);
         Repeats::Alternates { slides, way, dissipated }
     }
 
-    fn moves(&self, from: &Standing<D, C>, to: &Standing<D, C>) -> Vec<BodyMotion<C>> {
+    fn moves(&self, from: &CycleState<D, C>, to: &CycleState<D, C>) -> Vec<BodyMotion<C>> {
         self.engine.each_moves(&(&to.twist - &from.twist))
     }
 
@@ -248,7 +249,7 @@ impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
         &self,
         repeats: Repeats<C>,
         (change, ratio): (f64, f64),
-        at: Option<&Standing<D, C>>,
+        at: Option<&CycleState<D, C>>,
     ) -> Shaken<C> {
         let here = self.cycles.standing();
         let moved = at.or(here.as_ref()).map(|at| self.moves(&self.rest, at)).unwrap_or_default();

@@ -7,7 +7,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::cycle::Scale;
-use crate::load_path::Standing;
+use crate::load_path::CycleState;
 use crate::numerics::Size;
 
 /// So many modes are told apart at most: cycles that have more go on until fewer are left.
@@ -22,7 +22,7 @@ const FARTHEST: usize = 1 << 20;
 /// Places between the last cycles, and what each change is of those before it.
 pub(super) struct Recurrence<'p, D: Size, const C: usize> {
     /// The last ones: one more than there are changes.
-    places: &'p [Standing<D, C>],
+    places: &'p [CycleState<D, C>],
     changes: Vec<DVector<f64>>,
     /// Of the changes but the last, what makes the last.
     coefficients: Vec<f64>,
@@ -30,7 +30,7 @@ pub(super) struct Recurrence<'p, D: Size, const C: usize> {
 
 impl<'p, D: Size, const C: usize> Recurrence<'p, D, C> {
     /// Of as few modes as tell the last change but for an error; `None` where these cycles do not tell.
-    pub(super) fn of(places: &'p [Standing<D, C>], numbers: &[DVector<f64>], error: f64) -> Option<Self> {
+    pub(super) fn of(places: &'p [CycleState<D, C>], numbers: &[DVector<f64>], error: f64) -> Option<Self> {
         let n = places.len();
         (1..=MOST_MODES.min(n.saturating_sub(2))).find_map(|modes| {
             let places = &places[n - modes - 2..];
@@ -61,7 +61,7 @@ impl<'p, D: Size, const C: usize> Recurrence<'p, D, C> {
     }
 
     /// Where they lead to.
-    pub(super) fn fixed_point(&self) -> Option<Standing<D, C>> {
+    pub(super) fn fixed_point(&self) -> Option<CycleState<D, C>> {
         let rest = 1.0 - self.coefficients.iter().sum::<f64>();
         if rest.abs() <= NOWHERE {
             return None;
@@ -73,7 +73,7 @@ impl<'p, D: Size, const C: usize> Recurrence<'p, D, C> {
     }
 
     /// Where the grasp stands after so many more cycles, and what changes in the one after them.
-    pub(super) fn after(&self, cycles: usize) -> (Standing<D, C>, DVector<f64>) {
+    pub(super) fn after(&self, cycles: usize) -> (CycleState<D, C>, DVector<f64>) {
         let modes = self.coefficients.len();
         // Changes to come as combinations of the last ones but the first, which is spent.
         let unit = |k: usize| DVector::from_fn(modes, |i, _| if i == k { 1.0 } else { 0.0 });
@@ -101,7 +101,7 @@ impl<'p, D: Size, const C: usize> Recurrence<'p, D, C> {
     }
 
     /// An affine combination of the places: of one load all of them are balanced, and so is it.
-    fn combination(&self, weights: &[f64]) -> Standing<D, C> {
+    fn combination(&self, weights: &[f64]) -> CycleState<D, C> {
         let from = &self.places[self.places.len() - 1];
         let mut sum = from.clone();
         for (place, weight) in self.places.iter().zip(weights) {
@@ -120,7 +120,7 @@ impl<'p, D: Size, const C: usize> Recurrence<'p, D, C> {
     }
 }
 
-impl<D: Size, const C: usize> Standing<D, C> {
+impl<D: Size, const C: usize> CycleState<D, C> {
     /// Forces and gaps, as numbers without unit; gaps of what is `aside` left out.
     pub(super) fn numbers(&self, scale: &Scale, aside: &dyn Fn(usize) -> bool) -> DVector<f64> {
         let forces = self.forces.iter().flat_map(|force| force.iter().map(|x| x / scale.force));

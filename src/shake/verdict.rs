@@ -22,7 +22,8 @@ pub struct Shaken<const C: usize> {
     pub cycles: usize,
     /// How many were followed for that. Of many in a row with the same events a few are enough.
     pub followed: usize,
-    /// By how much forces differed at both ends of the last cycle, over the largest of them: what the verdict may be off by.
+    /// By how much forces and gaps differed at both ends of the last cycle, over the largest force and what it stretches springs by. Zero but for rounding, along sliding
+    /// arcs of the round cone below the error of their steps, unless it is undecided, lost or walks on changing.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub change: f64,
     /// Zero where the last cycle repeats itself. Else the verdict is that of the cycle which they lead to, and so much of what they differ by from it is left from

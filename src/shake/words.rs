@@ -5,13 +5,25 @@ use std::fmt;
 use super::verdict::{Repeats, Shaken};
 use crate::grasp::BodyMotion;
 use crate::hold::does;
-use crate::words::{Words, listed};
+use crate::words::{TOO_FAR, Words, listed};
 
 /// Forces that change by less than this part of the largest are the same, for whoever reads of them.
 const SAME: f64 = 1e-6;
 
 impl<const C: usize> fmt::Display for Shaken<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.write_verdict(f)?;
+        let at_the_loss =
+            || if let Repeats::Lost { lost, .. } = &self.repeats { lost.state.as_ref() } else { None };
+        match self.state.as_ref().or_else(at_the_loss) {
+            Some(state) if state.is_beyond_small_motions() => write!(f, ". {TOO_FAR}"),
+            _ => Ok(()),
+        }
+    }
+}
+
+impl<const C: usize> Shaken<C> {
+    fn write_verdict(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (words, digits) = (Words::of(f), Words::of(f).digits());
         match &self.repeats {
             Repeats::Rests { after: 0, .. } => f.write_str("RESTS: nothing ever slides"),
@@ -65,9 +77,7 @@ impl<const C: usize> fmt::Display for Shaken<C> {
             }
         }
     }
-}
 
-impl<const C: usize> Shaken<C> {
     fn write_moved(&self, f: &mut fmt::Formatter<'_>, words: Words) -> fmt::Result {
         write!(f, "; in all {}", moves(words, &self.moved))
     }

@@ -1,27 +1,7 @@
 //! Loads at which bodies that touch each other give way, from textbooks and by hand.
 
+use super::faces::{assert_close, face, lost_at};
 use grasp_lcp::planar::{Bodies, Body, Contact, Wrench};
-
-/// Two points on a flat face from `a` to `b`, whose normal is on the left of that way; `stiffness` as it likes.
-fn face(a: [f64; 2], b: [f64; 2], friction: f64) -> impl Iterator<Item = Contact> {
-    let along = [b[0] - a[0], b[1] - a[1]];
-    let normal = [-along[1], along[0]];
-    [0.1, 0.9].into_iter().map(move |s| {
-        Contact::new([a[0] + s * along[0], a[1] + s * along[1]], normal)
-            .series_stiffness(3e6, 2e6)
-            .friction(friction)
-    })
-}
-
-fn lost_at(bodies: Bodies, load: Wrench) -> f64 {
-    let verdict = bodies.grasp().expect("well posed").hold(load).expect("well posed");
-    println!("{verdict}");
-    verdict.lost.expect("gives way").factor
-}
-
-fn assert_close(x: f64, exact: f64) {
-    assert!((x / exact - 1.0).abs() < 1e-12, "{x} in place of {exact}");
-}
 
 /// A box of 10 N on one of 20 N on a table: μ 0.3 and 0.5. The upper one is pushed, too.
 #[test]

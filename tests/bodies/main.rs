@@ -5,6 +5,7 @@ mod at_rest;
 mod closed_forms;
 mod enumerated;
 mod everyday;
+mod faces;
 mod growing;
 mod invariance;
 mod law;

@@ -1,26 +1,7 @@
 //! Wedges of textbooks and benchmarks: pushed up, drawn out, driven into a gap.
 
-use grasp_lcp::planar::{Bodies, Body, Contact, ContactAnswer, Link, Wrench};
-
-/// Two points on a flat face from `a` to `b`, whose normal is on the left of that way; `stiffness` as it likes.
-fn face(a: [f64; 2], b: [f64; 2], friction: f64) -> impl Iterator<Item = Contact> {
-    let along = [b[0] - a[0], b[1] - a[1]];
-    let normal = [-along[1], along[0]];
-    [0.1, 0.9].into_iter().map(move |s| {
-        Contact::new([a[0] + s * along[0], a[1] + s * along[1]], normal)
-            .series_stiffness(3e6, 2e6)
-            .friction(friction)
-    })
-}
-
-fn lost_at(bodies: Bodies, load: Wrench) -> f64 {
-    let verdict = bodies.grasp().expect("well posed").hold(load).expect("well posed");
-    verdict.lost.unwrap_or_else(|| panic!("{:?}", verdict.holding)).factor
-}
-
-fn assert_close(x: f64, exact: f64) {
-    assert!((x / exact - 1.0).abs() < 1e-12, "{x} in place of {exact}");
-}
+use super::faces::{assert_close, face, lost_at};
+use grasp_lcp::planar::{Bodies, Body, ContactAnswer, Link, Wrench};
 
 /// NAFEMS CGS-4 (sliding wedge): up a slope of tan α = 0.1 with μ = 0.3 a push of `(tan α + μ) / (1 - μ tan α)` = 0.412371 of the weight is needed,
 /// whatever stiffness the slope is welded on with.

@@ -22,6 +22,7 @@ fn every_command_says_so() {
         (&["onset", "--moment", "1"], far),
         (&["solve", "--moment", "0.02"], far),
         (&["hold", "--moment", "0.02"], sentence),
+        (&["shake", "--base", "0,0.2", "--at", "0.1,0", "--force", "0,0.01"], sentence),
         (&["hold", "--moment", "0.6"], sentence),
         (&["need", "load", "--moment", "0.1"], sentence),
         (&["need", "friction", "--moment", "0.1"], sentence),

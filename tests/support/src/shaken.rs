@@ -8,6 +8,8 @@ use grasp_lcp::shake::{Repeats, Shaken};
 use grasp_lcp::{Error, planar, spatial};
 use nalgebra::DVector;
 
+/// A motion is known to this part of where the object is.
+const ROUNDING: f64 = 1e-13;
 /// Most cycles that are followed one after the other.
 const MOST: usize = 400;
 
@@ -229,7 +231,9 @@ pub fn fault<const C: usize>(
     let left = error + shaken.ratio.powf(0.5 * cycles.saturating_sub(shaken.cycles) as f64);
     let right = match &shaken.repeats {
         Repeats::Rests { after, .. } => {
-            heats[*after..].iter().all(|heat| *heat <= error * most_heat) && step.norm() <= error * most
+            // Where nothing ever slides both are rounding.
+            let moved = error * most + ROUNDING * last.norm();
+            heats[*after..].iter().all(|heat| *heat <= error * most_heat) && step.norm() <= moved
         }
         Repeats::DiesOut { .. } => {
             let moved = numbers(&shaken.moved[0].twist);
