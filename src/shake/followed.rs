@@ -17,6 +17,8 @@ const BETWEEN_LOOKS: usize = 3;
 const NEAR: f64 = 1e-6;
 /// The same where something slides along arcs, which are known to the error of steps.
 const NEAR_ON_ARCS: f64 = 1e-4;
+/// From a change that is near already the next place is nearer by this part of it.
+const NEARER: f64 = 1e-3;
 /// A change is the one that was foretold but for this part.
 const FORETOLD: f64 = 1e-3;
 /// Nearer places are tried by this factor, and none that is nearer than so many cycles.
@@ -160,6 +162,8 @@ impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
             return Ahead::NotKnown;
         };
         let near = if last.record.step_error > 0.0 { NEAR_ON_ARCS } else { NEAR };
+        // Where the limit could not be told from so near, nearer.
+        let near = near.min(NEARER * last.change()).max(last.same());
         let farthest = recurrence.until(near);
         let mut passed = farthest;
         loop {
