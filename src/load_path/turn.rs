@@ -61,6 +61,15 @@ impl<const C: usize> Turn<C> {
         self
     }
 
+    /// The way back from its end: where it ends to where it begins.
+    #[must_use]
+    pub(crate) fn back(mut self) -> Self {
+        let (sin, cos) = self.angle.sin_cos();
+        let Harmonic { cosine, sine, .. } = self.load;
+        (self.load.cosine, self.load.sine) = (cosine * cos + sine * sin, cosine * sin - sine * cos);
+        self
+    }
+
     /// How far it turns, rad.
     #[must_use]
     pub fn angle(&self) -> f64 {

@@ -11,6 +11,8 @@
 //! | [`Need::arm`] | greatest distance at which a force may act, m | |
 //! | [`Need::angle`] | greatest angle of a load that turns, rad | |
 //!
+//! What is to be kept is a [`Demand`]: nothing slides, or the object is not lost; or, where the loads are put on again and again, it comes to rest, or does not walk.
+//!
 //! Every trial is a verdict of its own, from rest ([`Grasp::hold`](crate::ask::Grasp::hold)): one amount does, the other does not, and the answer
 //! names both. Between them it is bisected to the last digits. No theorem says that more is better: a motor at its limit presses no harder while another
 //! finger still pushes the object away. So the search goes both ways from what is given, and between amounts to where most of the load is carried; then a
@@ -21,6 +23,7 @@ mod around;
 mod at_amount;
 mod needed;
 mod question;
+mod repeated;
 mod search;
 mod trial;
 mod words;

@@ -52,6 +52,13 @@ impl<const C: usize> Need<C> {
         self.base.check("base load")?;
         check_part("part by which friction is less", self.lower[0])?;
         check_part("part by which the squeeze is less", self.lower[1])?;
+        if let (true, Sought::Squeeze { loads } | Sought::Friction { loads, .. } | Sought::Load { loads }) =
+            (self.demand.repeats(), &self.sought)
+            && matches!(loads, Loads::AnyForce { .. })
+        {
+            let fault = "is one of loads that repeat, must be another for a force of any direction";
+            return Err(Error::Question { question: "need", field: "demand", fault });
+        }
         match &self.sought {
             Sought::Squeeze { loads } | Sought::Friction { loads, .. } | Sought::Load { loads } => {
                 loads.check_size()

@@ -16,6 +16,17 @@ pub enum Demand {
     Sticks,
     /// The object is not lost; contacts may slide.
     Held,
+    /// The loads are put on and taken off in turn, again and again, and it comes to rest; see [`Grasp::shake`](crate::ask::Grasp::shake).
+    Rests,
+    /// The same, and contacts may slide to and fro for ever, as long as the object does not walk.
+    Stays,
+}
+
+impl Demand {
+    /// Whether loads are put on again and again.
+    pub(super) fn repeats(self) -> bool {
+        matches!(self, Self::Rests | Self::Stays)
+    }
 }
 
 /// A quantity that is sought, with the loads that it is sought for. Checked when it is asked.
@@ -124,6 +135,37 @@ impl<const C: usize> Need<C> {
     #[must_use]
     pub fn to_hold(mut self) -> Self {
         self.demand = Demand::Held;
+        self
+    }
+
+    /// This need where the loads are put on and taken off in turn, again and again, until it [rests](Demand::Rests). A load that turns goes to the end
+    /// of its turn and back, or round and round in full turns. Forces of any direction come in no order, and are refused.
+    ///
+    /// ```
+    /// use grasp_lcp::need::Need;
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // A block of 10 N on two feet, pulled by 1.5 N and rocked by 3 N m to and fro: what one foot leaves the other has to hold.
+    /// let foot = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(3e3, 1e3).friction(0.5);
+    /// let block = Grasp::new([foot(-1.0), foot(1.0)])?;
+    /// let rocked = [3.0, -3.0].map(|moment| Wrench::new([0.0, 0.0], moment));
+    /// let need = Need::friction(rocked.to_vec()).on_top_of(Wrench::force([1.5, -10.0]));
+    /// let least = |need: Need<2>| Ok::<_, grasp_lcp::Error>(block.need(&need)?.amount.bound().expect("some does"));
+    /// assert!((least(need.clone().to_hold())? - 0.15).abs() < 1e-9);
+    /// assert!((least(need.to_rest())? - 1.5 / (10.0 - 3.0)).abs() < 1e-9);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[doc(alias = "shakedown", alias = "vibration", alias = "cyclic load")]
+    #[must_use]
+    pub fn to_rest(mut self) -> Self {
+        self.demand = Demand::Rests;
+        self
+    }
+
+    /// As [`Self::to_rest`], but contacts may slide to and fro for ever: the object only must not [walk](Demand::Stays).
+    #[must_use]
+    pub fn to_stay(mut self) -> Self {
+        self.demand = Demand::Stays;
         self
     }
 

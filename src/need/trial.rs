@@ -20,7 +20,7 @@ const DIRECTIONS_IN_SPACE: usize = 200;
 /// A force in some direction presses an open contact on, and no closed form compares directions then.
 const OPEN: &str = "a contact is open or at its edge before the force acts, and directions are compared only where all of them press";
 /// What is carried where what acts at rest has no equilibrium at all.
-const NOT_AT_REST: f64 = -1.0;
+pub(super) const NOT_AT_REST: f64 = -1.0;
 
 /// What becomes of an amount.
 #[derive(Debug, Clone, PartialEq)]
@@ -109,6 +109,9 @@ impl<const C: usize> Loading<C> {
     }
 
     fn put_on(&self, demand: Demand) -> Result<Trial, Error> {
+        if demand.repeats() {
+            return self.again_and_again(demand);
+        }
         let (besides, times) = (self.base, self.times);
         match &self.loads {
             Loads::Each(loads) => {
@@ -152,7 +155,7 @@ impl<const C: usize> Loading<C> {
         Ok(unknown.map_or(Trial::Does, Trial::Unknown))
     }
 
-    fn watch(&self, state: Option<&Equilibrium<C>>) {
+    pub(super) fn watch(&self, state: Option<&Equilibrium<C>>) {
         self.far.set(self.far.get() || state.is_some_and(Equilibrium::is_beyond_small_motions));
     }
 
@@ -184,7 +187,7 @@ impl<const C: usize> Loading<C> {
         })
     }
 
-    fn said(&self, what: &impl fmt::Display) -> String {
+    pub(super) fn said(&self, what: &impl fmt::Display) -> String {
         let digits = self.words.digits();
         format!("{what:.digits$}")
     }
@@ -192,7 +195,7 @@ impl<const C: usize> Loading<C> {
     fn judged(&self, verdict: &Verdict<C>, demand: Demand) -> Trial {
         let does = match demand {
             Demand::Sticks => verdict.sticks(),
-            Demand::Held => verdict.holds(),
+            _ => verdict.holds(),
         };
         match does {
             Some(true) => Trial::Does,

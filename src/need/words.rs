@@ -24,6 +24,8 @@ impl Needed {
         let aim = match self.demand {
             Demand::Sticks => "nothing slides",
             Demand::Held => "it is not lost",
+            Demand::Rests => "it comes to rest however often the load is put on",
+            Demand::Stays => "it does not walk however often the load is put on",
         };
         match &self.amount {
             Amount::Bound { does, otherwise, changes, until, elsewhere, presses, at_their_limit, .. } => {

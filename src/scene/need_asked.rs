@@ -187,8 +187,14 @@ impl<const C: usize> Setup<C> {
         let need = need
             .on_top_of(asked.base.unwrap_or(Wrench::ZERO))
             .if_lower_by(asked.friction_less, asked.squeeze_less);
+        let need = match asked.demand {
+            Demand::Sticks => need,
+            Demand::Held => need.to_hold(),
+            Demand::Rests => need.to_rest(),
+            Demand::Stays => need.to_stay(),
+        };
         need.check()?;
-        Ok(if asked.demand == Demand::Held { need.to_hold() } else { need })
+        Ok(need)
     }
 
     /// The points of a contact of the scene, as the grasp counts them.

@@ -60,6 +60,13 @@ impl<const C: usize> From<Wrench<C>> for Loads<C> {
     }
 }
 
+/// Each of these, one at a time.
+impl<const C: usize> From<Vec<Wrench<C>>> for Loads<C> {
+    fn from(loads: Vec<Wrench<C>>) -> Self {
+        Self::Each(loads)
+    }
+}
+
 /// Refuses a point that is not finite or beyond 1e50.
 pub(super) fn check_point<const C: usize>(point: &[f64; C]) -> Result<(), Error> {
     match point.iter().find(|x| !is_moderate(**x)) {

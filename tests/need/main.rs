@@ -2,4 +2,5 @@
 
 mod both_sides;
 mod closed_forms;
+mod repeated;
 mod windows;

@@ -293,6 +293,7 @@ class Grasp:
         contact: int | str | None = None,
         turn: Mapping[str, Any] | None = None,
         may_slide: bool = False,
+        repeats: bool = False,
         friction_less: float = 0.1,
         squeeze_less: float = 0.05,
     ) -> Needed:
@@ -307,6 +308,7 @@ class Grasp:
         :param contact: of friction, the contact that it is sought of: its number from 0, or its name.
         :param turn: of an angle, what turns, in the words of :meth:`turn`; also loads for what else is sought, all along the turn.
         :param may_slide: contacts may slide, as long as the object is not lost.
+        :param repeats: loads are put on and taken off in turn, again and again, until it comes to rest; with ``may_slide`` it only must not walk.
         :param friction_less, squeeze_less: parts by which friction and squeeze may be less, for the safe amount.
         """
         asked: dict[str, Any] = {"quantity": quantity, "friction_less": friction_less, "squeeze_less": squeeze_less}
@@ -326,8 +328,7 @@ class Grasp:
             if not isinstance(turn, Mapping):
                 raise TypeError(f"turn: {type(turn).__name__} given, must be a mapping with the words of Grasp.turn, such as weight")
             asked["turn"] = self._turn_words(turn)
-        if may_slide:
-            asked["demand"] = "held"
+        asked["demand"] = [["sticks", "rests"], ["held", "stays"]][bool(may_slide)][bool(repeats)]
         return Needed(self._held.ask(dumped({"need": asked})))
 
     def solve(self, load: ArrayLike) -> Solution:

@@ -265,6 +265,12 @@ pub(crate) struct Wanted {
     /// Contacts may slide, as long as the object is not lost.
     #[arg(long)]
     pub(crate) may_slide: bool,
+    /// The load is put on and taken off again and again, until it comes to rest; with --may-slide it only must not walk.
+    #[arg(long)]
+    pub(crate) repeats: bool,
+    /// Accelerations of this size, m/s², to and fro along every axis in turn, beside the weight.
+    #[arg(long, allow_hyphen_values = true, value_parser = acceleration, value_name = "A", requires = "mass")]
+    pub(crate) acceleration: Option<f64>,
     /// For the safe amount friction is less by so many percent.
     #[arg(long, allow_hyphen_values = true, value_parser = percent, default_value_t = 10.0, value_name = "PERCENT")]
     pub(crate) friction_less: f64,

@@ -225,10 +225,24 @@ impl<const C: usize> Meaning<C> {
         if wanted.base.is_some() {
             asked.base = Some(self.base(wanted.base.as_ref(), wanted.load.at.as_ref())?);
         }
-        if wanted.may_slide {
-            asked.demand = Demand::Held;
+        asked.demand = match (wanted.repeats, wanted.may_slide) {
+            (false, false) => Demand::Sticks,
+            (false, true) => Demand::Held,
+            (true, false) => Demand::Rests,
+            (true, true) => Demand::Stays,
+        };
+        let mut load = self.wrench(&wanted.load)?;
+        if let Some(acceleration) = wanted.acceleration {
+            let is_more =
+                wanted.load.force.is_some() || wanted.load.moment.is_some() || wanted.any_force.is_some();
+            if is_more || matches!(sought, QuantityAsked::Arm | QuantityAsked::Angle) {
+                let message = "--acceleration: given, must be left out beside other loads, and where an arm or an angle is sought";
+                return Err(Failure::Usage(message.to_owned()));
+            }
+            let mass = wanted.load.mass.unwrap_or(0.0);
+            asked.base = Some(asked.base.unwrap_or(Wrench::ZERO) + load.take().unwrap_or(Wrench::ZERO));
+            asked.loads = self.accelerated(mass, acceleration, at);
         }
-        let load = self.wrench(&wanted.load)?;
         let missing = || Failure::Usage("say for which load: --mass, --force or --moment".to_owned());
         match sought {
             QuantityAsked::Arm => {
@@ -250,7 +264,7 @@ impl<const C: usize> Meaning<C> {
             _ => {
                 (asked.load, asked.any_force) = (load, wanted.any_force);
                 asked.at = wanted.any_force.map(|_| at.into());
-                if load.is_none() && wanted.any_force.is_none() {
+                if load.is_none() && wanted.any_force.is_none() && asked.loads.is_empty() {
                     return Err(missing());
                 }
             }

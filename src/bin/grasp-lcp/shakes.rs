@@ -1,5 +1,6 @@
 //! Loads of the command line that repeat.
 
+use grasp_lcp::grasp::Wrench;
 use grasp_lcp::scene::{Question, ShakeAsked};
 
 use crate::arguments::Numbers;
@@ -28,11 +29,7 @@ impl<const C: usize> Meaning<C> {
         if let Some(mass) = shakes.mass {
             base = base + (self.force_at)(weight_of(mass)?, point(at)?);
             if let Some(acceleration) = shakes.acceleration {
-                for (axis, sign) in (0..C).flat_map(|axis| [(axis, 1.0), (axis, -1.0)]) {
-                    let mut pull = [0.0; C];
-                    pull[axis] = sign * mass * acceleration;
-                    loads.push((self.force_at)(pull, point(at)?));
-                }
+                loads.extend(self.accelerated(mass, acceleration, point(at)?));
             }
         }
         if loads.is_empty() {
@@ -41,5 +38,14 @@ impl<const C: usize> Meaning<C> {
             return if given { Err(Failure::Usage(missing)) } else { Ok(None) };
         }
         Ok(Some(Question::Shake(Box::new(ShakeAsked::in_turn(base, loads)))))
+    }
+
+    /// With what a mass pulls that is accelerated to and fro along every axis in turn.
+    pub(crate) fn accelerated(&self, mass: f64, acceleration: f64, at: [f64; C]) -> Vec<Wrench<C>> {
+        let pull = |axis: usize, sign: f64| {
+            let pull = std::array::from_fn(|a| if a == axis { sign * mass * acceleration } else { 0.0 });
+            (self.force_at)(pull, at)
+        };
+        (0..C).flat_map(|axis| [pull(axis, 1.0), pull(axis, -1.0)]).collect()
     }
 }

@@ -1,0 +1,67 @@
+//! What becomes of an amount where the loads are put on again and again.
+
+use std::f64::consts::TAU;
+
+use super::question::Demand;
+use super::trial::{Loading, NOT_AT_REST, Trial};
+use crate::error::Error;
+use crate::grasp::{BodyMotion, Wrench};
+use crate::load_path::Leg;
+use crate::shake::{Repeats, Shaken};
+use crate::squeeze::Loads;
+
+/// What is lost counts less than this, what walks or rubs more: in this order a search goes towards what comes to rest.
+const HELD: f64 = 0.5;
+/// Turns are full ones but for this part of one, the rounding of their angle.
+const ROUND: f64 = 1e-12;
+
+impl<const C: usize> Loading<C> {
+    /// Whether it rests, or stays, where the loads are put on and taken off in turn for ever.
+    pub(super) fn again_and_again(&self, demand: Demand) -> Result<Trial, Error> {
+        let Some((base, legs)) = self.cycle() else {
+            return Ok(Trial::Unknown("a force of any direction comes in no order".to_owned()));
+        };
+        let shaken = self.grasp.shake(&base, &legs)?;
+        self.watch(shaken.state.as_deref());
+        let does = if demand == Demand::Rests { shaken.rests() } else { shaken.stays() };
+        Ok(match does {
+            Some(true) => Trial::Does,
+            Some(false) => Trial::DoesNot { says: self.said(&shaken), carried: carried(&shaken, legs.len()) },
+            None => Trial::Unknown(self.said(&shaken)),
+        })
+    }
+
+    /// What is there at rest, and a cycle; `None` for a force of any direction.
+    fn cycle(&self) -> Option<(Wrench<C>, Vec<Leg<C>>)> {
+        match &self.loads {
+            Loads::Each(loads) => {
+                let legs = loads.iter().flat_map(|load| Leg::there_and_back(*load * self.times));
+                Some((self.base, legs.collect()))
+            }
+            Loads::Turn(turn) => {
+                let there = self.so_many(turn);
+                let round = there.angle() / TAU;
+                let is_round = (round - round.round()).abs() <= ROUND && round > 0.5;
+                let back = (!is_round).then(|| Leg::turn(&there.back()));
+                Some((there.load_at(0.0), std::iter::once(Leg::turn(&there)).chain(back).collect()))
+            }
+            Loads::AnyForce { .. } => None,
+        }
+    }
+}
+
+/// Less than all of it: more, the later it is lost, or the less it moves in a cycle.
+fn carried<const C: usize>(shaken: &Shaken<C>, legs: usize) -> f64 {
+    match &shaken.repeats {
+        Repeats::NoRest { .. } => NOT_AT_REST,
+        Repeats::Lost { cycle, leg, lost, .. } => {
+            let gone = (cycle - 1) as f64 + (*leg as f64 + lost.factor) / legs as f64;
+            HELD * gone / (1.0 + gone)
+        }
+        Repeats::Walks { by, .. } => {
+            let part = |motion: &BodyMotion<C>| motion.speed() / motion.reach.max(f64::MIN_POSITIVE);
+            HELD + (1.0 - HELD) / (2.0 + by.iter().map(part).fold(0.0, f64::max))
+        }
+        _ => HELD + 0.5 * (1.0 - HELD),
+    }
+}

@@ -1,0 +1,117 @@
+//! Loads that are put on again and again: by the closed form of the block that walks, below the shakedown factor, and refused where they come in no order.
+
+use std::f64::consts::PI;
+
+use grasp_lcp::need::{Amount, Need};
+use grasp_lcp::planar::{Contact, Grasp, Turn, Wrench};
+use grasp_lcp::{Error, Settings};
+use proptest::prelude::*;
+use support::shaken::in_the_plane;
+use support::splitmix::Random;
+
+/// Two feet under a presser that does not rub, `p` newtons in all.
+fn block(p: f64, mu: f64, k_t: f64) -> Result<Grasp, Error> {
+    let foot = |x: f64| {
+        Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(3.0 * k_t, k_t).friction(mu).pressed_with(0.5 * p)
+    };
+    Grasp::new([
+        foot(-1.0),
+        foot(1.0),
+        Contact::new([0.0, 0.0], [0.0, -1.0]).series_stiffness(k_t, k_t).pressed_with(p),
+    ])
+}
+
+/// To and fro, so that each foot carries `m` less in turn.
+fn rocked(m: f64) -> Vec<Wrench> {
+    [2.0 * m, -2.0 * m].map(|moment| Wrench::new([0.0, 0.0], moment)).to_vec()
+}
+
+fn bound(grasp: &Grasp, need: &Need<2>) -> Result<f64, TestCaseError> {
+    let amount = grasp.need(&need.clone().if_lower_by(0.0, 0.0)).expect("well posed").amount;
+    let told = format!("{amount:?}");
+    amount.bound().ok_or_else(|| TestCaseError::fail(told))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(12))]
+    /// It rests, and stays, up to a pull of q = μ (p - 2 m). Slips below a billionth of what springs are stretched by count as none.
+    #[test]
+    fn rests_up_to_what_one_foot_leaves_to_the_other(
+        p in 1.0..100.0, part in 0.05..0.9, mu in 0.2..1.0, k_t in 1e2..1e5,
+    ) {
+        let m: f64 = 0.5 * p * part;
+        let q = mu * (p - 2.0 * m);
+        let blur = 1e-9 * p / mu;
+        let grasp = block(p, mu, k_t).expect("well posed");
+        let pulled = Wrench::force([q, 0.0]);
+        for aimed in [Need::to_rest, Need::to_stay] {
+            let need = |need: Need<2>| aimed(need.on_top_of(pulled));
+            let load = bound(&grasp, &need(Need::load(rocked(1.0))))?;
+            prop_assert!((load - m).abs() <= blur, "{load} {m}");
+            let friction = bound(&grasp, &need(Need::friction(rocked(m))))?;
+            prop_assert!((friction - mu).abs() <= blur / (p - 2.0 * m), "{friction} {mu}");
+            let squeeze = bound(&grasp, &need(Need::squeeze(rocked(m))))?;
+            prop_assert!((squeeze - 1.0).abs() <= blur / p, "{squeeze}");
+        }
+    }
+}
+
+#[test]
+fn rests_under_no_more_than_the_shakedown_factor() -> Result<(), Error> {
+    let mut random = Random(29);
+    let mut compared = 0;
+    for _ in 0..14 {
+        let drawn = in_the_plane(&mut random)?;
+        let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
+        let loads =
+            [0, 1].map(|_| Wrench::new([between(-1.0, 1.0), between(-1.0, 1.0)], 0.02 * between(-1.0, 1.0)));
+        let found = drawn.grasp.statics().shakedown(&drawn.base, &loads)?;
+        let need = Need::load(loads.to_vec()).on_top_of(drawn.base).if_lower_by(0.0, 0.0).with_scan(0);
+        let (Some(most), Amount::Bound { does, .. }) =
+            (found, drawn.grasp.need(&need.clone().to_rest())?.amount)
+        else {
+            continue;
+        };
+        // Where a finger opens the factor bounds nothing.
+        let is_closed = |load: Wrench| {
+            let held = drawn.grasp.hold(load).map(|verdict| verdict.state);
+            held.is_ok_and(|state| {
+                state.is_some_and(|state| state.contacts.iter().all(|c| c.normal_force() > 0.0))
+            })
+        };
+        if !(is_closed(drawn.base) && loads.iter().all(|load| is_closed(*load * does + drawn.base))) {
+            continue;
+        }
+        compared += 1;
+        assert!(does <= most.factor * (1.0 + 1e-9), "{does} {}", most.factor);
+        // What sticks rests, what rests stays, what stays is held.
+        let bound = |need: &Need<2>| Ok::<_, Error>(drawn.grasp.need(need)?.amount.bound());
+        let sticks = bound(&need)?.unwrap_or(0.0);
+        let stays = bound(&need.to_stay())?.unwrap_or(f64::INFINITY);
+        assert!(sticks <= does * (1.0 + 1e-9) && does <= stays * (1.0 + 1e-9), "{sticks} {does} {stays}");
+    }
+    assert!(compared >= 3, "{compared}");
+    Ok(())
+}
+
+/// Rocked by 1.6 N m times the sine of an angle, there and back: one foot carries 0.8 N less at a quarter turn, the other s · 0.8 N less where the sine
+/// is -s. A pull of 0.4 N = 0.5 (2 N - 0.8 N - s · 0.8 N) rests up to s = 1/2.
+#[test]
+fn a_load_that_turns_goes_there_and_back() -> Result<(), Error> {
+    let grasp = block(2.0, 0.5, 100.0)?;
+    let turn = Turn::new(Wrench::force([0.4, 0.0]), Wrench::ZERO, Wrench::new([0.0, 0.0], 1.6)).up_to(4.7);
+    let need = Need::angle(turn).if_lower_by(0.0, 0.0);
+    let most = grasp.need(&need.clone().to_rest())?.amount.bound().expect("some angle");
+    assert!((most - 7.0 / 6.0 * PI).abs() < 1e-8, "{most}");
+    assert_eq!(grasp.need(&need.to_hold())?.amount, Amount::Any { to: 4.7 });
+    Ok(())
+}
+
+#[test]
+fn forces_of_any_direction_come_in_no_order() -> Result<(), Error> {
+    let any = grasp_lcp::squeeze::Loads::AnyForce { base: Wrench::ZERO, size: 1.0, point: [0.0, 0.0] };
+    let refused = block(2.0, 0.5, 100.0)?.with(&Settings::default()).need(&Need::squeeze(any).to_rest());
+    let message = "need: demand is one of loads that repeat, must be another for a force of any direction";
+    assert_eq!(refused.expect_err("in no order").to_string(), message);
+    Ok(())
+}
