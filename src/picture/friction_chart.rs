@@ -20,15 +20,15 @@ const LEAST: usize = 16;
 /// Events closer than this part of what is drawn have one label.
 const APART: f64 = 0.15;
 /// Curves are told apart by so many colours, in lines and then in dashes; more are not drawn but named.
-const MOST_CURVES: usize = 2 * PALETTE.len();
+pub(super) const MOST_CURVES: usize = 2 * PALETTE.len();
 /// Curves that are nowhere farther apart are one on paper.
 const SAME: f64 = 4e-3;
 /// Letters of a name, and names, in what is written at a mark.
 const MARK_LETTERS: usize = 26;
 const MARK_NAMES: usize = 2;
 /// Names at most in a list of what is not drawn.
-const MOST_NAMES: usize = 12;
-const NAME_LETTERS: usize = 60;
+pub(super) const MOST_NAMES: usize = 12;
+pub(super) const NAME_LETTERS: usize = 60;
 
 /// A program whose friction is drawn against what its axis says.
 pub(super) struct Drawn<'a, const C: usize> {
@@ -70,13 +70,13 @@ impl<const C: usize> Drawn<'_, C> {
     }
 
     /// How far the path goes: the last leg, and the part of it.
-    fn reach(&self, path: &LoadPath<C>) -> (usize, f64) {
+    pub(super) fn reach(&self, path: &LoadPath<C>) -> (usize, f64) {
         let last = path.end().and_then(|end| Some((end.leg()?, end.fraction()?)));
         last.unwrap_or((self.legs.len().saturating_sub(1), 1.0))
     }
 
     /// Equilibria along the path, and where on the axis they are.
-    fn states(&self, path: &LoadPath<C>, events: &[Event<C>]) -> Vec<(f64, Equilibrium<C>)> {
+    pub(super) fn states(&self, path: &LoadPath<C>, events: &[Event<C>]) -> Vec<(f64, Equilibrium<C>)> {
         let (last, end) = self.reach(path);
         let on_leg = |leg: usize| {
             let to = if leg == last { end } else { 1.0 };
@@ -97,7 +97,12 @@ impl<const C: usize> Drawn<'_, C> {
         on_the_way.chain(at_the_end).collect()
     }
 
-    fn marks(&self, path: &LoadPath<C>, events: &[Event<C>], tips: &[ContactGroup]) -> Vec<(f64, String)> {
+    pub(super) fn marks(
+        &self,
+        path: &LoadPath<C>,
+        events: &[Event<C>],
+        tips: &[ContactGroup],
+    ) -> Vec<(f64, String)> {
         let left = events
             .iter()
             .find_map(|event| Some(((self.place)(event.leg, event.fraction), left_by(event, tips)?)));
@@ -215,7 +220,7 @@ fn no_curve<const C: usize>(contact: &Contact<C>) -> &'static str {
 }
 
 /// Names in a row, the first of them if there are many, in so many letters each.
-fn some(names: &[&str], most: usize, letters: usize) -> String {
+pub(super) fn some(names: &[&str], most: usize, letters: usize) -> String {
     let more = names.len().saturating_sub(most);
     let shown: Vec<_> = names[..names.len() - more].iter().map(|name| shortened(name, letters)).collect();
     let shown = shown.join(", ");

@@ -209,7 +209,7 @@ impl<'a> Picture<'a> {
                 labels.write(paper, axes.place(at), &[&format!("{name} yields")], LETTERS);
             }
             if let Some(at) = leaves {
-                labels.write(paper, at, &["its way out, not to scale"], LETTERS);
+                labels.write(paper, at, &["where it goes, not to scale"], LETTERS);
             }
             let unnamed = labels.left_out + self.tips.len() - named.len();
             if unnamed > 0 {

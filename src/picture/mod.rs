@@ -11,6 +11,7 @@ mod canvas;
 mod chart;
 mod chart_strokes;
 mod contact_look;
+mod cycle_chart;
 mod error;
 mod fingertip;
 mod force_scale;
@@ -39,6 +40,7 @@ mod window;
 mod words;
 
 pub use chart::Chart;
+pub use cycle_chart::charts_of_cycles;
 pub use error::PictureError;
 pub use page::{PlanarPage, SpatialPage, View};
 pub use planar_picture::{Outline, PlanarPicture, draw_grasp};

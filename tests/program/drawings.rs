@@ -35,7 +35,7 @@ const KINDS: &str = r#"{
 /// What is written in the picture of each of them.
 const SAID: [&str; 12] = [
     "HOLDS, everything sticks",
-    "its way out, not to scale",
+    "where it goes, not to scale",
     "NEEDS 9.81 N at left and right",
     "NEEDS a coefficient of friction of 0.613",
     "TAKES 11.79",
@@ -45,7 +45,7 @@ const SAID: [&str; 12] = [
     "onset of sliding, factor 8",
     "No equilibrium exists at the start",
     "nothing slides on the way",
-    "its way out, not to scale",
+    "where it goes, not to scale",
 ];
 
 /// Everything that is written.
@@ -87,6 +87,21 @@ fn every_kind_of_question_is_drawn() {
         assert!(charts.contains(&chart), "{chart}: {charts}");
     }
     assert!(charts.contains("legs of the program") && charts.contains("this load"));
+}
+
+#[test]
+fn slips_of_a_load_that_repeats_are_drawn_cycle_by_cycle() {
+    let folder = folder("cycles");
+    for (name, charts) in [("block", 2), ("fixture", 2), ("tool", 1)] {
+        let scene = Path::new(ROOT).join(format!("examples/scenes/repeat/{name}.json")).display().to_string();
+        let drawn = run(&["draw", &scene, "-o", &folder.display().to_string()]);
+        assert!(drawn.status.success(), "{name}: {}", text(&drawn.stderr));
+        let svg = std::fs::read_to_string(folder.join(format!("{name}_cycles.svg"))).expect("is there");
+        assert!(words(&svg).contains("question 1: slip"), "{name}");
+        // What has come to rest leaves no loop.
+        assert_eq!(words(&svg).contains("question 1: friction in cycle"), charts == 2, "{name}");
+        check(name, &svg);
+    }
 }
 
 #[test]

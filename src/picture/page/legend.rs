@@ -169,7 +169,11 @@ fn of_object(drawing: &Drawing, frame: &Frame<3>) -> Vec<Entry> {
         (state.is_some_and(displaced), arrow(PINK, 2.0, 1), "displacement of the object at a contact"),
         (state.is_some_and(moves) && has_outlines, dashes(PINK), "where the object goes"),
         (state.is_some_and(is_free), dashes(SKY), "motion that no contact resists"),
-        (frame.leaving.is_some(), dashes(VERMILION), "its way out when it is lost, not to scale"),
+        (
+            frame.leaving.is_some(),
+            dashes(VERMILION),
+            "where it goes when it is lost, or in every cycle, not to scale",
+        ),
     ];
     let there = all.into_iter().filter(|(there, ..)| *there);
     there.map(|(_, sample, words)| entry(sample, words)).collect()

@@ -2,7 +2,7 @@
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::load_path::{Onset, Ramp};
-use grasp_lcp::picture::{Chart, chart_of_load, chart_of_program, chart_of_turn};
+use grasp_lcp::picture::{Chart, chart_of_load, chart_of_program, chart_of_turn, charts_of_cycles};
 use grasp_lcp::scene::{Question, Setup};
 
 use crate::failure::Failure;
@@ -11,6 +11,9 @@ use crate::failure::Failure;
 const BEYOND: f64 = 1.25;
 /// What comes after so many times the load is not drawn: the way there would fill the chart.
 const FAR: f64 = 5.0;
+/// Cycles of a load that repeats that are drawn.
+const FEWEST_CYCLES: usize = 4;
+const MOST_CYCLES: usize = 12;
 
 /// The chart of a question, if it has one.
 pub(super) fn chart<const C: usize>(
@@ -49,4 +52,17 @@ pub(super) fn chart<const C: usize>(
         }
         _ => None,
     })
+}
+
+/// Slips of a load that repeats, cycle by cycle from rest, and the loop that remains.
+pub(super) fn cycles<const C: usize>(
+    setup: &Setup<C>,
+    grasp: &Grasp<C>,
+    question: &Question<C>,
+    title: &str,
+) -> Result<Vec<Chart>, Failure> {
+    let Question::Shake(asked) = question else { return Ok(Vec::new()) };
+    let (grasp, cycle) = (&setup.grasp_of(grasp, question)?, setup.cycle(asked)?);
+    let until = grasp.shake(&asked.base, &cycle)?.cycles;
+    Ok(charts_of_cycles(grasp, &asked.base, &cycle, until.clamp(FEWEST_CYCLES, MOST_CYCLES), title)?)
 }

@@ -8,7 +8,7 @@ use grasp_lcp::nalgebra::Vector2;
 use grasp_lcp::picture::{Chart, PlanarPage, PlanarPicture, SpatialPage, View};
 use grasp_lcp::scene::{Scene, Setup, Space};
 
-use self::charts::chart;
+use self::charts::{chart, cycles};
 use self::shown::{Shown, What, shown};
 use crate::failure::Failure;
 use crate::files::Pictures;
@@ -134,5 +134,12 @@ fn charts<const C: usize>(setup: &Setup<C>, pictures: &Pictures<'_>) -> Result<(
         charts.extend(chart(setup, &grasp, question, &format!("{title}, question {}", index + 1))?);
     }
     charts.retain(|chart| !chart.is_empty());
-    if charts.is_empty() { Ok(()) } else { pictures.save("_friction.svg", &Chart::sheet(&charts, 1)?) }
+    if !charts.is_empty() {
+        pictures.save("_friction.svg", &Chart::sheet(&charts, 1)?)?;
+    }
+    let mut of_cycles = Vec::new();
+    for (index, question) in setup.questions.iter().enumerate() {
+        of_cycles.extend(cycles(setup, &grasp, question, &format!("{title}, question {}", index + 1))?);
+    }
+    if of_cycles.is_empty() { Ok(()) } else { pictures.save("_cycles.svg", &Chart::sheet(&of_cycles, 2)?) }
 }

@@ -1,0 +1,124 @@
+//! How far contacts have slipped while a load repeats, and the loop of friction against slip that remains.
+
+use nalgebra::SVector;
+
+use super::chart::Chart;
+use super::fingertip::{ContactGroup, fingertips};
+use super::friction_chart::{Drawn, MOST_CURVES, MOST_NAMES, NAME_LETTERS, some};
+use super::palette::PALETTE;
+use super::series::Stroke;
+use crate::ask::Grasp;
+use crate::equilibrium::Equilibrium;
+use crate::error::Error;
+use crate::grasp::Wrench;
+use crate::load_path::Leg;
+
+/// Slips below this part of the longest are none.
+const NO_SLIP: f64 = 1e-6;
+/// Millimetres in a metre.
+const MILLIMETRES: f64 = 1e3;
+
+/// Two charts of so many cycles from rest: how far each contact has slipped, against cycles, and its friction against its slip in the last of them. What the
+/// loop encloses is the heat of that cycle. Both along the direction in which a contact slips farthest; of a soft fingertip the mean of its
+/// points and the sum of their forces. What never slides is named below. Without anything that slides there is no chart, and no second one where it rests in
+/// the last cycle.
+///
+/// ```
+/// use grasp_lcp::picture::charts_of_cycles;
+/// use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
+///
+/// // A block on two feet that is pulled, and rocked to and fro: it walks.
+/// let foot = |name: &str, x: f64| Contact::new([x, 0.0], [0.0, 1.0]).name(name).series_stiffness(1e5, 1e5).friction(0.5);
+/// let block = Grasp::new([foot("left foot", -0.1), foot("right foot", 0.1)])?;
+/// let rock = |moment: f64| [0.4, -0.4].map(|part| Leg::there_and_back(Wrench::new([0.0, 0.0], part * moment))).concat();
+/// let pulled = Wrench::force([3.5, -10.0]);
+/// let charts = charts_of_cycles(&block, &pulled, &rock(1.0), 4, "A block")?;
+/// assert!(charts[0].to_svg()?.contains("cycles") && charts[1].to_svg()?.contains("friction (N)"));
+/// assert!(charts_of_cycles(&block, &pulled, &rock(0.1), 4, "A block")?.is_empty());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// As for [`Grasp::follow`].
+pub fn charts_of_cycles<const C: usize>(
+    grasp: &Grasp<C>,
+    base: &Wrench<C>,
+    cycle: &[Leg<C>],
+    count: usize,
+    title: &str,
+) -> Result<Vec<Chart>, Error> {
+    let legs: Vec<_> = (0..count).flat_map(|_| cycle.iter().cloned()).collect();
+    let place = |leg: usize, fraction: f64| (leg as f64 + fraction) / cycle.len() as f64;
+    let drawn = Drawn { grasp, start: *base, legs: &legs, axis: "cycles", place: &place };
+    let mut path = grasp.follow(base, &legs)?;
+    let events = path.run();
+    let states = drawn.states(&path, &events);
+    let tips = fingertips(grasp.contacts());
+    let slides: Vec<_> = tips.iter().map(|tip| Rubbing::of(tip, &states)).collect();
+    let farthest = slides.iter().map(|slide| slide.farthest).fold(0.0, f64::max);
+    let mut order: Vec<_> = (0..tips.len()).filter(|k| slides[*k].farthest > NO_SLIP * farthest).collect();
+    if order.is_empty() {
+        return Ok(Vec::new());
+    }
+    order.sort_by(|a, b| slides[*b].farthest.total_cmp(&slides[*a].farthest));
+    let others = if order.len() > MOST_CURVES { "slide less, or nowhere" } else { "slide nowhere" };
+    order.truncate(MOST_CURVES);
+    order.sort_unstable();
+    let (leg, fraction) = drawn.reach(&path);
+    let last = place(leg, fraction).ceil().max(1.0);
+    let mut slips = Chart::new(format!("{title}: slip"), drawn.axis, "slip (mm)");
+    let mut loops = Chart::new(format!("{title}: friction in cycle {last}"), "slip (mm)", "friction (N)");
+    for (k, tip) in order.iter().enumerate() {
+        let (name, curve) = (tips[*tip].name.clone(), &slides[*tip].curve);
+        let stroke = if k < PALETTE.len() { Stroke::Line } else { Stroke::Dashed };
+        slips = slips.series(name.clone(), curve.iter().map(|(x, slip, _)| (*x, *slip)).collect(), stroke);
+        let of_the_last: Vec<_> = curve.iter().filter(|(x, ..)| *x >= last - 1.0).collect();
+        let slips = || of_the_last.iter().map(|(_, slip, _)| *slip);
+        if slips().fold(f64::MIN, f64::max) - slips().fold(f64::MAX, f64::min) > NO_SLIP * farthest {
+            loops =
+                loops.series(name, of_the_last.iter().map(|(_, s, force)| (*s, *force)).collect(), stroke);
+        }
+    }
+    let rest: Vec<_> = (0..tips.len()).filter(|tip| !order.contains(tip)).collect();
+    if !rest.is_empty() {
+        let names: Vec<_> = rest.iter().map(|tip| tips[*tip].name.as_str()).collect();
+        slips = slips.note(format!("Not drawn: {} ({others}).", some(&names, MOST_NAMES, NAME_LETTERS)));
+    }
+    let marks = drawn.marks(&path, &events, &tips);
+    let slips = marks.into_iter().fold(slips, |chart, (x, label)| chart.mark(x, label));
+    Ok(vec![slips, loops].into_iter().filter(|chart| !chart.is_empty()).collect())
+}
+
+/// What a contact has slipped, and its friction, along its own direction.
+struct Rubbing {
+    /// In millimetres, from where it was at rest.
+    farthest: f64,
+    /// Where on the axis, slip in millimetres and force in newtons.
+    curve: Vec<(f64, f64, f64)>,
+}
+
+impl Rubbing {
+    fn of<const C: usize>(tip: &ContactGroup, states: &[(f64, Equilibrium<C>)]) -> Self {
+        let points = tip.contacts.len() as f64;
+        let tangential = |mut vector: SVector<f64, C>| {
+            vector[0] = 0.0;
+            vector
+        };
+        let slip = |state: &Equilibrium<C>| {
+            let slips = state.contacts[tip.contacts.clone()].iter().map(|answer| answer.slip);
+            tangential(slips.sum::<SVector<f64, C>>()) * (MILLIMETRES / points)
+        };
+        let force = |state: &Equilibrium<C>| {
+            tangential(state.contacts[tip.contacts.clone()].iter().map(|answer| answer.force).sum())
+        };
+        let start = states.first().map_or_else(SVector::zeros, |(_, state)| slip(state));
+        let moved = |state: &Equilibrium<C>| slip(state) - start;
+        let longest =
+            states.iter().map(|(_, state)| moved(state)).max_by(|a, b| a.norm().total_cmp(&b.norm()));
+        let longest = longest.unwrap_or_else(SVector::zeros);
+        let farthest = longest.norm();
+        let along = if farthest > 0.0 { longest / farthest } else { longest };
+        let curve = states.iter().map(|(x, state)| (*x, along.dot(&moved(state)), along.dot(&force(state))));
+        Self { farthest, curve: curve.collect() }
+    }
+}
