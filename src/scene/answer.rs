@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::held::{HoldAnswer, NeedAnswer};
 use super::onset::{OnsetAnswer, TurnAnswer};
 use super::path::PathAnswer;
-use super::shake_asked::ShakeAnswer;
+use super::shake_asked::{ShakeAnswer, ShakedownAnswer};
 use super::solved::SolveAnswer;
 
 /// The answer to a [`Question`](super::Question), under the same name.
@@ -29,4 +29,6 @@ pub enum Answer<const C: usize> {
     Follow(PathAnswer<C>),
     /// To `shake`.
     Shake(ShakeAnswer<C>),
+    /// To `shakedown`.
+    Shakedown(ShakedownAnswer<C>),
 }

@@ -11,6 +11,7 @@ use super::labels::SceneNames;
 use super::onset::Factor;
 use super::question::{Commands, Goal, LegAsked, LoadGoal, Question, RampAsked};
 use super::setup::Setup;
+use super::shake_asked::ShakedownAnswer;
 use crate::ask::Grasp;
 use crate::error::{ContactLabel, Error};
 use crate::grasp::Wrench;
@@ -81,6 +82,7 @@ impl<const C: usize> Setup<C> {
             }
             Question::Follow { legs, .. } => self.legs(legs).map(drop),
             Question::Shake(asked) => self.cycle(asked).map(drop),
+            Question::Shakedown(asked) => asked.check(),
         }
     }
 
@@ -226,6 +228,7 @@ impl<const C: usize> Setup<C> {
             Question::Shake(asked) => {
                 Answer::Shake(labels.shaken(grasp.shake(&asked.base, &self.cycle(asked)?)?, words))
             }
+            Question::Shakedown(asked) => Answer::Shakedown(ShakedownAnswer::of(asked.found(grasp)?, words)),
         })
     }
 }

@@ -12,7 +12,7 @@ use crate::grasp::WholeContact;
 use crate::hold::{Holding, Verdict};
 use crate::load_path::{DriveChange, Onset, PathEnd, Ramp};
 use crate::need::{Amount, Needed, Quantity};
-use crate::shake::{Repeats, Shaken};
+use crate::shake::{Repeats, Shakedown, Shaken};
 
 /// An answer in short. Little is computed beside it: not what lies beyond an onset or the end of a path, which a full answer has.
 ///
@@ -98,6 +98,7 @@ impl<const C: usize> Setup<C> {
                 Brief { beyond_small_motions: is_far(state.as_ref()), ..labels.path_briefly(path.end()) }
             }
             Question::Shake(asked) => shaken_briefly(&grasp.shake(&asked.base, &self.cycle(asked)?)?),
+            Question::Shakedown(asked) => shakedown_briefly(asked.found(grasp)?.as_ref()),
         })
     }
 }
@@ -239,6 +240,18 @@ fn shaken_briefly<const C: usize>(shaken: &Shaken<C>) -> Brief {
     };
     let beyond_small_motions = is_far(shaken.state.as_deref());
     Brief { leg: on, first: slides, beyond_small_motions, ..Brief::new("shake", outcome) }
+}
+
+/// Whether it rests in any order, with the factor and who would slide with more.
+fn shakedown_briefly<const C: usize>(found: Option<&Shakedown<C>>) -> Brief {
+    let Some(found) = found else { return Brief::new("shakedown", "undecided") };
+    let outcome = match found.rests(1.0) {
+        Some(true) => "rests",
+        Some(false) => "never_rests",
+        None => "may_rest",
+    };
+    let first = found.binding.first().map(|binding| binding.contact.label.clone());
+    Brief { factor: Some(found.factor), first, ..Brief::new("shakedown", outcome) }
 }
 
 fn doing<const C: usize>(state: &ContactState<C>) -> &'static str {

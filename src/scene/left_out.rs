@@ -137,7 +137,11 @@ impl<const C: usize> Setup<C> {
                 }
                 _ => Vec::new(),
             }),
-            Question::Onset(_) | Question::OnsetOfTurn(_) | Question::Follow { .. } | Question::Shake(_) => {
+            Question::Onset(_)
+            | Question::OnsetOfTurn(_)
+            | Question::Follow { .. }
+            | Question::Shake(_)
+            | Question::Shakedown(_) => {
                 let brief = self.brief_answer(grasp, question)?;
                 let place = [brief.factor, brief.angle, brief.fraction, brief.leg.map(|leg| leg as f64)];
                 Ok(place.map(|number| number.unwrap_or(f64::INFINITY)).to_vec())

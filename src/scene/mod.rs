@@ -142,6 +142,7 @@
 //! | `onset_of_turn` | a turn | the onset of sliding while the load turns |
 //! | `follow` | `start` (a wrench), `legs` | the load path of a program |
 //! | `shake` | `base` (a wrench), `loads` or `legs` | what becomes of loads that are put on and taken off again and again, or of a cycle of legs, see [`ShakeAsked`] |
+//! | `shakedown` | `base` (a wrench), `loads` | up to how many times such loads, in whichever order they come, it could come to rest |
 //!
 //! Of several bodies `together_with` has loads by name, `{"upper": {"force": [-5, 0]}}`, which grow as the load does; a `base` is then none.
 //!
@@ -286,6 +287,7 @@
 //! | `onset_of_turn` | the same, with `angle_rad` for the factor, and the edges that are touched | [`TurnAnswer`] |
 //! | `follow` | `completed`, `lost`, `no_start`, `undecided` | [`PathAnswer`] |
 //! | `shake` | the sentence `says`, and as `repeats` one of `rests`, `dies_out`, `alternates`, `walks`, `lost`, `no_rest`, `undecided` | [`ShakeAnswer`] |
+//! | `shakedown` | the sentence `says`, and `factor`, `slips`, `binding` where anything is known | [`ShakedownAnswer`] |
 //!
 //! The names in the text are those of the fields and variants of these types, in lower case with
 //! underscores. They consist of the answers of a grasp as those are declared, with what is computed on request beside them. Contacts are named by their place in the scene and, for a soft fingertip, the point
@@ -358,7 +360,7 @@ pub use patch::Tip;
 pub use path::{BalancedEnergy, PathAnswer, PathOutcome};
 pub use question::{Commands, Goal, LegAsked, LoadGoal, Question, RampAsked};
 pub use setup::Setup;
-pub use shake_asked::{ShakeAnswer, ShakeAsked};
+pub use shake_asked::{ShakeAnswer, ShakeAsked, ShakedownAnswer, ShakedownAsked};
 pub use solved::SolveAnswer;
 pub use warning::Warning;
 pub use written::{Answers, FORMAT, Id, Scene, Space};

@@ -8,13 +8,13 @@ use serde::ser::{Serialize, Serializer};
 
 use super::need_asked::NeedAsked;
 use super::object;
-use super::shake_asked::ShakeAsked;
+use super::shake_asked::{ShakeAsked, ShakedownAsked};
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::load_path::Turn;
 use crate::serial::AsGiven;
 
-/// One question, `{"hold": …}`, `{"need": …}`, `{"solve": …}`, `{"onset": …}`, `{"onset_of_turn": …}`, `{"follow": …}` or `{"shake": …}`.
+/// One question, `{"hold": …}`, `{"need": …}`, `{"solve": …}`, `{"onset": …}`, `{"onset_of_turn": …}`, `{"follow": …}`, `{"shake": …}` or `{"shakedown": …}`.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(remote = "Self", rename_all = "snake_case", deny_unknown_fields)]
@@ -53,6 +53,8 @@ pub enum Question<const C: usize> {
     },
     /// Does it survive a load that repeats? See [`Grasp::shake`](crate::ask::Grasp::shake).
     Shake(Box<ShakeAsked<C>>),
+    /// Does it survive loads that repeat in any order? See [`Statics::shakedown`](crate::ask::Statics::shakedown).
+    Shakedown(Box<ShakedownAsked<C>>),
 }
 
 /// Told to whoever writes no object, such as `"onset"` alone.

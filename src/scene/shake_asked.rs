@@ -6,10 +6,11 @@ use super::held::said;
 use super::labels::SceneNames;
 use super::question::{LegAsked, no_load};
 use super::setup::Setup;
+use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::load_path::Leg;
-use crate::shake::Shaken;
+use crate::shake::{Shakedown, Shaken};
 use crate::words::Words;
 
 /// Does it survive a load that repeats? The cycle is a list of loads that are put on and taken off in turn, or of legs. See [`Grasp::shake`](crate::ask::Grasp::shake).
@@ -57,6 +58,81 @@ pub struct ShakeAnswer<const C: usize> {
     /// The answer.
     #[serde(flatten)]
     pub shaken: Shaken<C>,
+}
+
+/// Does it survive loads that repeat, in whichever order they come? See [`Statics::shakedown`](crate::ask::Statics::shakedown).
+///
+/// ```
+/// use grasp_lcp::scene::Scene;
+///
+/// let scene: Scene = serde_json::from_str(r#"{
+///     "format": "grasp-lcp/1",
+///     "planar": {
+///         "contacts": [
+///             { "name": "left foot", "point": [-1, 0], "normal": [0, 1], "stiffness": 1e3, "friction": 0.5 },
+///             { "name": "right foot", "point": [1, 0], "normal": [0, 1], "stiffness": 1e3, "friction": 0.5 }
+///         ],
+///         "questions": [{ "shakedown": { "base": { "force": [1.5, -10] }, "loads": [{ "moment": 3.5 }, { "moment": -3.5 }] } }]
+///     }
+/// }"#)?;
+/// let answers = serde_json::to_value(scene.answers()?)?;
+/// assert_eq!(answers[0]["shakedown"]["says"], "RESTS in whichever order they come, up to 2 times these loads. With more, left foot and right foot slide");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct ShakedownAsked<const C: usize> {
+    /// The load at rest; none unless said otherwise.
+    #[serde(default = "no_load::<C>")]
+    pub base: Wrench<C>,
+    /// Loads beside it that come in any order, and whatever lies between them.
+    pub loads: Vec<Wrench<C>>,
+}
+
+/// Whether it comes to rest in any order; see [`Shakedown`].
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub struct ShakedownAnswer<const C: usize> {
+    /// The answer in a sentence.
+    pub says: String,
+    /// The answer, if there is one.
+    #[serde(flatten, skip_serializing_if = "Option::is_none")]
+    pub found: Option<Shakedown<C>>,
+}
+
+/// Said where there is no answer.
+const NO_SHAKEDOWN: &str = "UNDECIDED: with all contacts closed no slips keep what is there at rest, or nothing resists one of the loads";
+
+impl<const C: usize> ShakedownAsked<C> {
+    /// These loads beside what is there at rest, in any order.
+    #[must_use]
+    pub fn in_any_order(base: Wrench<C>, loads: impl IntoIterator<Item = Wrench<C>>) -> Self {
+        Self { base, loads: loads.into_iter().collect() }
+    }
+
+    /// Refuses a question without loads.
+    pub(super) fn check(&self) -> Result<(), Error> {
+        let (field, fault) = ("loads", "are missing, must be given");
+        if self.loads.is_empty() {
+            Err(Error::Question { question: "shakedown", field, fault })
+        } else {
+            Ok(())
+        }
+    }
+
+    pub(super) fn found(&self, grasp: &Grasp<C>) -> Result<Option<Shakedown<C>>, Error> {
+        grasp.statics().shakedown(&self.base, &self.loads)
+    }
+}
+
+impl<const C: usize> ShakedownAnswer<C> {
+    pub(super) fn of(found: Option<Shakedown<C>>, words: Words) -> Self {
+        let says = found.as_ref().map_or_else(|| NO_SHAKEDOWN.to_owned(), |found| said(found, words));
+        Self { says, found }
+    }
 }
 
 impl<const C: usize> ShakeAsked<C> {

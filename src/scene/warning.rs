@@ -201,6 +201,7 @@ impl<const C: usize> Setup<C> {
             Question::OnsetOfTurn(turn) => turn.load_at(0.0) == Wrench::ZERO,
             Question::Follow { start, .. } => *start == Wrench::ZERO,
             Question::Shake(asked) => asked.base == Wrench::ZERO,
+            Question::Shakedown(asked) => asked.base == Wrench::ZERO,
         };
         self.questions.is_empty() || self.questions.iter().any(without)
     }

@@ -14,6 +14,8 @@ use crate::lcp::{self, Lcp};
 use crate::numerics::Size;
 use crate::object::Load;
 use crate::search::Settings;
+#[cfg(feature = "serde")]
+use crate::serial::AsComputed;
 
 /// Beyond so many times the loads nobody asks: what is kept there is kept for any factor.
 const FARTHEST: f64 = 1e6;
@@ -22,17 +24,48 @@ const MET: f64 = 1e-9;
 
 /// Up to which size of loads that repeat any slips could keep everything from sliding; see [`Statics::shakedown`](crate::ask::Statics::shakedown).
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Shakedown<const C: usize> {
     /// So many times the loads; infinite where nothing slides however large they are. With more the grasp never comes to rest, in whichever order they come,
     /// as long as no contact opens: a proof, by linear programming, up to 1e-9.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub factor: f64,
     /// Slips with which nothing slides at that factor, m in contact frames; zero normal components.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Vec<SVector<f64, C>>>"))]
     pub slips: Vec<SVector<f64, C>>,
-    /// Who would slide first with more, and under which of the loads; `None` for that at rest.
-    pub binding: Vec<(Option<usize>, WholeContact)>,
+    /// Who would slide first with more, and under which of the loads.
+    pub binding: Vec<Binding>,
     /// Whether slips change normal forces. Where they do not, the grasp comes to rest up to that factor; where they do, it may not.
     pub slips_change_normal_forces: bool,
+    /// Whether friction was taken with a polygon around its round cone: the factor is a bound then, no matter what slips change.
+    pub around_the_round_cone: bool,
+}
+
+/// A contact that would slide.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub struct Binding {
+    /// Under which of the loads, from 0; `None` for that at rest.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub load: Option<usize>,
+    /// Which contact.
+    pub contact: WholeContact,
+}
+
+impl<const C: usize> Shakedown<C> {
+    /// Whether the grasp comes to rest under so many times the loads, in whichever order they come: false is a proof as long as no contact opens, and
+    /// `None` where the order decides, which [`Grasp::shake`](crate::ask::Grasp::shake) follows.
+    #[must_use]
+    pub fn rests(&self, times: f64) -> Option<bool> {
+        if times > self.factor {
+            return Some(false);
+        }
+        (!self.slips_change_normal_forces && !self.around_the_round_cone).then_some(true)
+    }
 }
 
 impl<D: Size, const C: usize> Engine<D, C> {
@@ -87,12 +120,15 @@ impl<D: Size, const C: usize> Engine<D, C> {
                     |((load, site), y): (&(usize, usize), &f64)| *load == k && *site == i && *y > MET * most;
                 program.of.iter().zip(&multipliers).any(of)
             };
-            binding.extend(parts.with(&binds).into_iter().map(|part| (k.checked_sub(1), part)));
+            let of = parts.with(&binds).into_iter();
+            binding.extend(of.map(|contact| Binding { load: k.checked_sub(1), contact }));
         }
         let normal = slips.iter().flat_map(|(_, forces)| forces).map(|f| f[0].abs()).fold(0.0, f64::max);
         let all = slips.iter().flat_map(|(_, forces)| forces).map(Matrix::norm).fold(0.0, f64::max);
         let slips_change_normal_forces = normal > 1e-12 * all;
-        Ok(Some(Shakedown { factor, slips: told, binding, slips_change_normal_forces }))
+        let around_the_round_cone = settings.is_round::<C>();
+        let slips = told;
+        Ok(Some(Shakedown { factor, slips, binding, slips_change_normal_forces, around_the_round_cone }))
     }
 }
 

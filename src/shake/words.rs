@@ -2,8 +2,9 @@
 
 use std::fmt;
 
+use super::shakedown::{Binding, Shakedown};
 use super::verdict::{Repeats, Shaken};
-use crate::grasp::BodyMotion;
+use crate::grasp::{BodyMotion, WholeContact};
 use crate::hold::does;
 use crate::words::{TOO_FAR, Words, listed};
 
@@ -90,4 +91,35 @@ fn cycles(many: usize) -> String {
 /// "the object moves 3 mm along +x", or what each of several bodies does.
 fn moves<const C: usize>(words: Words, by: &[BodyMotion<C>]) -> String {
     listed(&by.iter().map(|body| words.body_motion(body)).collect::<Vec<_>>())
+}
+
+impl<const C: usize> fmt::Display for Shakedown<C> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.factor.is_infinite() {
+            return f.write_str(match self.rests(1.0) {
+                Some(_) => "RESTS in whichever order they come, however large they are",
+                None => "MAY COME TO REST, however large they are: their order decides",
+            });
+        }
+        let times = Words::of(f).number(self.factor);
+        match self.rests(1.0) {
+            Some(true) => write!(f, "RESTS in whichever order they come, up to {times} times these loads")?,
+            Some(false) => write!(
+                f,
+                "NEVER COMES TO REST in whichever order they come, unless a contact opens: {times} times these loads are the most that slips could keep still"
+            )?,
+            None => write!(
+                f,
+                "MAY COME TO REST: up to {times} times these loads slips could keep everything still; whether they become such, the order of the loads decides"
+            )?,
+        }
+        let mut parts: Vec<&WholeContact> = Vec::new();
+        for Binding { contact, .. } in &self.binding {
+            if !parts.contains(&contact) {
+                parts.push(contact);
+            }
+        }
+        let parts: Vec<_> = parts.into_iter().cloned().collect();
+        if parts.is_empty() { Ok(()) } else { write!(f, ". With more, {}", does(&parts, "slides", "slide")) }
+    }
 }

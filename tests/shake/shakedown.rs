@@ -33,6 +33,7 @@ fn feet_in_a_row_rest_up_to_it_and_not_beyond() -> Result<(), Error> {
         let loads = [1.0, -1.0].map(|sign| Wrench::new([between(-0.5, 0.5), 0.0], sign * between(0.5, 1.0)));
         let Some(found) = grasp.statics().shakedown(&base, &loads)? else { continue };
         assert!(!found.slips_change_normal_forces && found.factor > 0.0);
+        assert_eq!([0.98, 1.02].map(|part| found.rests(part * found.factor)), [Some(true), Some(false)]);
         // No foot may open: what the loads do to normal forces is less than what is there.
         let most = loads.map(|load| load * (1.02 * found.factor) + base);
         let closed = |load: &Wrench| -> Result<bool, Error> {

@@ -246,6 +246,32 @@ class Shaken(Answer):
         return f"<Shaken: {self.says}>"
 
 
+class Shakedown(Answer):
+    """Whether a grasp comes to rest under loads that repeat in any order; printed, it is a sentence."""
+
+    @property
+    def factor(self) -> float | None:
+        """Up to so many times the loads slips could keep everything from sliding; None where that is not known."""
+        found = self._tree.get("factor")
+        return None if found is None else number(found)
+
+    @property
+    def slips_change_normal_forces(self) -> bool | None:
+        """Where slips do, the factor bounds what comes to rest; where they do not, it decides. None where that is not known."""
+        return self._tree.get("slips_change_normal_forces")
+
+    @property
+    def says(self) -> str:
+        """The answer in a sentence."""
+        return str(self._tree["says"])
+
+    def __str__(self) -> str:
+        return self.says
+
+    def __repr__(self) -> str:
+        return f"<Shakedown: {self.says}>"
+
+
 class Needed(Answer):
     """How much of a quantity it takes: ``"bound"``, ``"any"``, ``"none"`` or ``"undecided"``; printed, it is a sentence."""
 

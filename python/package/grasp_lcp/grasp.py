@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from . import _grasp_lcp
 from ._columns import as_written, columns, dumped, finite, floats, listed, one_each, plain, wrench_json
-from .answers import Answer, Needed, Onset, Path, Shaken, Solution, TurnOnset, Verdict
+from .answers import Answer, Needed, Onset, Path, Shakedown, Shaken, Solution, TurnOnset, Verdict
 from .equilibrium import Equilibrium
 from .quality import Closure, LeastSqueeze, LoadLimit, Quality, WeakestDirection, WrenchBall
 
@@ -280,6 +280,19 @@ class Grasp:
             asked["base"] = wrench_json("base", base, self.axes)
         return Shaken(self._held.ask(dumped({"shake": asked})))
 
+    def shakedown(
+        self, loads: Sequence[ArrayLike | Mapping[str, Any]], *, base: ArrayLike | Mapping[str, Any] | None = None
+    ) -> Shakedown:
+        """Up to how many times such loads, in whichever order they come, could it come to rest?
+
+        :param loads: what comes and goes, N and N m, each of shape (c,) or (d,).
+        :param base: the load at rest; none unless said otherwise.
+        """
+        asked: dict[str, Any] = {"loads": [wrench_json("load", load, self.axes) for load in loads]}
+        if base is not None:
+            asked["base"] = wrench_json("base", base, self.axes)
+        return Shakedown(self._held.ask(dumped({"shakedown": asked})))
+
     def need(
         self,
         quantity: str,
@@ -516,6 +529,7 @@ class Grasp:
 _KINDS: dict[str, type[Answer]] = {
     "hold": Verdict,
     "shake": Shaken,
+    "shakedown": Shakedown,
     "need": Needed,
     "solve": Solution,
     "onset": Onset,

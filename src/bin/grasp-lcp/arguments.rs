@@ -133,6 +133,9 @@ pub(crate) enum Command {
         /// Accelerations of this size, m/s², to and fro along every axis in turn: the mass pulls the other way.
         #[arg(long, allow_hyphen_values = true, value_parser = acceleration, value_name = "A", requires = "mass")]
         acceleration: Option<f64>,
+        /// The forces come in any order, and again and again: up to how many times these could it come to rest?
+        #[arg(long)]
+        any_order: bool,
         /// A force that is there at rest, N.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         base: Option<Numbers>,

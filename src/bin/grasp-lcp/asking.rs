@@ -161,7 +161,7 @@ fn is_of_kind<const C: usize>(question: &Question<C>, asked: &Asked) -> bool {
         Asked::Onset(_) => matches!(question, Question::Onset(_)),
         Asked::Turn { .. } => matches!(question, Question::OnsetOfTurn(_)),
         Asked::Follow { .. } => matches!(question, Question::Follow { .. }),
-        Asked::Shake(_) => matches!(question, Question::Shake(_)),
+        Asked::Shake(_) => matches!(question, Question::Shake(_) | Question::Shakedown(_)),
     }
 }
 
@@ -350,6 +350,7 @@ fn is_undecided<const C: usize>(answer: &Answer<C>) -> bool {
         Answer::Solve(answer) => matches!(answer.outcome, Outcome::Undecided(_)),
         Answer::Onset(answer) => matches!(answer, OnsetAnswer::Undecided(_)),
         Answer::OnsetOfTurn(answer) => matches!(answer.onset, OnsetAnswer::Undecided(_)),
+        Answer::Shakedown(answer) => answer.found.is_none(),
         Answer::Shake(answer) => matches!(answer.shaken.repeats, Repeats::Undecided { .. }),
         Answer::Follow(answer) => match &answer.end {
             PathOutcome::NoStart { start } => matches!(**start, Outcome::Undecided(_)),

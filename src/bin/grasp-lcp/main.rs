@@ -70,8 +70,11 @@ fn run(command: Command) -> Result<ExitCode, Failure> {
         Command::Follow { to, from, at, ask } => {
             return asking::ask(&ask, &Asked::Follow { to, from, at });
         }
-        Command::Shake { force, mass, acceleration, base, at, ask } => {
-            return asking::ask(&ask, &Asked::Shake(Shakes { force, mass, acceleration, base, at }));
+        Command::Shake { force, mass, acceleration, any_order, base, at, ask } => {
+            return asking::ask(
+                &ask,
+                &Asked::Shake(Shakes { force, mass, acceleration, any_order, base, at }),
+            );
         }
         Command::Map { scene, at, unsure, json, output } => {
             let pictures = Pictures::new(&output, &scene);

@@ -20,8 +20,9 @@ pub(crate) fn print<const C: usize>(
     setup: &Setup<C>,
     answers: &[Answer<C>],
 ) -> io::Result<()> {
-    let is_a_sentence =
-        |answer: &Answer<C>| matches!(answer, Answer::Hold(_) | Answer::Need(_) | Answer::Shake(_));
+    let is_a_sentence = |answer: &Answer<C>| {
+        matches!(answer, Answer::Hold(_) | Answer::Need(_) | Answer::Shake(_) | Answer::Shakedown(_))
+    };
     // A sentence is what was asked for, and comes first.
     if !answers.iter().all(is_a_sentence) {
         // In one line: none of its lines passes for an answer.
@@ -82,6 +83,7 @@ impl Report<'_> {
                 writeln!(self.out, "{:.digits$}", answer.shaken)?;
                 answer.shaken.state.as_ref().map_or(Ok(()), |state| self.table(state))
             }
+            (_, Answer::Shakedown(answer)) => writeln!(self.out, "{}", answer.says),
             (_, Answer::Need(answer)) => writeln!(self.out, "{:.digits$}", answer.needed),
             (Question::Solve { load }, Answer::Solve(answer)) => {
                 writeln!(self.out, "\nUnder {}", self.load(load))?;

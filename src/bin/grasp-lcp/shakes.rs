@@ -1,7 +1,7 @@
 //! Loads of the command line that repeat.
 
 use grasp_lcp::grasp::Wrench;
-use grasp_lcp::scene::{Question, ShakeAsked};
+use grasp_lcp::scene::{Question, ShakeAsked, ShakedownAsked};
 
 use crate::arguments::Numbers;
 use crate::asking::Meaning;
@@ -13,6 +13,7 @@ pub(crate) struct Shakes {
     pub(crate) force: Vec<Numbers>,
     pub(crate) mass: Option<f64>,
     pub(crate) acceleration: Option<f64>,
+    pub(crate) any_order: bool,
     pub(crate) base: Option<Numbers>,
     pub(crate) at: Option<Numbers>,
 }
@@ -33,11 +34,15 @@ impl<const C: usize> Meaning<C> {
             }
         }
         if loads.is_empty() {
-            let given = shakes.mass.is_some() || shakes.base.is_some() || at.is_some();
+            let given = shakes.any_order || shakes.mass.is_some() || shakes.base.is_some() || at.is_some();
             let missing = "say what repeats: --force, or --mass and --acceleration".to_owned();
             return if given { Err(Failure::Usage(missing)) } else { Ok(None) };
         }
-        Ok(Some(Question::Shake(Box::new(ShakeAsked::in_turn(base, loads)))))
+        Ok(Some(if shakes.any_order {
+            Question::Shakedown(Box::new(ShakedownAsked::in_any_order(base, loads)))
+        } else {
+            Question::Shake(Box::new(ShakeAsked::in_turn(base, loads)))
+        }))
     }
 
     /// With what a mass pulls that is accelerated to and fro along every axis in turn.

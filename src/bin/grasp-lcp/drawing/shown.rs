@@ -71,6 +71,14 @@ pub(super) fn shown<const C: usize>(
         }
         Question::Follow { start, legs } => followed(grasp, start, &setup.legs(legs)?)?,
         Question::Shake(asked) => shaken(grasp.shake(&asked.base, &setup.cycle(asked)?)?),
+        Question::Shakedown(asked) => {
+            let found = grasp.statics().shakedown(&asked.base, &asked.loads)?;
+            let says = found.map_or_else(|| NO_WORDS.to_owned(), |found| found.to_string());
+            let mut at_rest = solved(grasp, &asked.base)?;
+            "at rest".clone_into(&mut at_rest.label);
+            at_rest.says.push(says);
+            vec![at_rest]
+        }
         _ => vec![nothing("no picture", NO_WORDS.to_owned(), None)],
     }))
 }
