@@ -4,4 +4,5 @@ mod asked;
 mod followed_cycles;
 mod rocked_ball;
 mod shakedown;
+mod two_nodes;
 mod walking_block;
