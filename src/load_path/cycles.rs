@@ -12,7 +12,7 @@ use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Size, Vector};
-use crate::search::Settings;
+use crate::search::{Doubt, Settings};
 
 /// Loads and commands that differ by no more than this part of the largest on the way are one: a cycle that ends there is closed.
 const CLOSED: f64 = 1e-12;
@@ -86,7 +86,15 @@ impl<'g, D: Size, const C: usize> Cycles<'g, D, C> {
     /// Before a cycle that begins elsewhere; `None` if that is no equilibrium of the grasp with these slips.
     pub(crate) fn beginning_at(&self, from: &CycleState<D, C>, settings: &Settings) -> Option<Self> {
         let grasp = self.path.journey.grasp;
+        let largest = from.forces.iter().map(Matrix::norm).fold(0.0, f64::max);
         let begin = Following::start(grasp, (&self.base, &self.legs), settings, |journey, problem| {
+            // Where a contact would have to slide at once nothing need be searched for.
+            let slides = |(i, force): (usize, &SVector<f64, C>)| {
+                problem.local(i).edges().worst(force).is_some_and(|(_, margin)| margin < -SAME * largest)
+            };
+            if from.forces.iter().enumerate().any(slides) {
+                return Err(journey.undecided(0.0, Doubt::OnTheBoundary));
+            }
             let mut slipped = problem.clone();
             slipped.drives.iter_mut().zip(&from.slips).for_each(|(drive, slip)| *drive -= slip);
             slipped.slips.clone_from(&from.slips);
@@ -95,9 +103,13 @@ impl<'g, D: Size, const C: usize> Cycles<'g, D, C> {
         let path = begin.ok()?;
         let begun = Self { path, legs: self.legs.clone(), base: self.base, gone: 0 };
         let forces = &begun.path.follower.as_ref()?.node.at.forces;
-        let largest = from.forces.iter().map(Matrix::norm).fold(0.0, f64::max);
         let is_there = forces.iter().zip(&from.forces).all(|(a, b)| (a - b).norm() <= SAME * largest);
         is_there.then_some(begun)
+    }
+
+    /// From now on a leg may take so many steps along sliding arcs.
+    pub(crate) fn allow_steps(&mut self, most_steps: usize) {
+        self.path.journey.settings.most_steps = most_steps;
     }
 
     /// How the path has ended, where it has.

@@ -13,6 +13,8 @@ const SAME: f64 = 1e-11;
 const NO_SLIP: f64 = 1e-9;
 /// Along sliding arcs the error of a cycle may be so many times the estimated errors of its steps, in what they lead to.
 const WAYS: f64 = 100.0;
+/// Most steps along sliding arcs of a leg where a cycle is only tried: where nothing leads to directions may turn ever faster.
+const MOST_TRIED: usize = 1000;
 /// Nobody waits for so many cycles.
 const FOR_EVER: f64 = 1e9;
 
@@ -48,8 +50,11 @@ impl<D: Size, const C: usize> Cycle<D, C> {
         there: &CycleState<D, C>,
         settings: &Settings,
     ) -> Option<(Self, Cycles<'g, D, C>)> {
-        let mut others = cycles.beginning_at(there, settings)?;
-        Some((Self::next(engine, &mut others)?, others))
+        let tried = settings.clone().with_most_steps(settings.most_steps.min(MOST_TRIED));
+        let mut others = cycles.beginning_at(there, &tried)?;
+        let cycle = Self::next(engine, &mut others)?;
+        others.allow_steps(settings.most_steps);
+        Some((cycle, others))
     }
 
     /// Forces and gaps somewhere, as numbers without unit; gaps left out of what was open all the way.
