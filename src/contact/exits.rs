@@ -9,6 +9,8 @@ use super::tolerances::ZERO_SLACK;
 
 /// Newton's steps on the margin of a round cone: each doubles the digits that the quadratic equation has left.
 const POLISHING_STEPS: usize = 3;
+/// Newton's steps down from the apex at most: near it the margin bends within as little as rounding, and each halves at least what is left.
+const MOST_DESCENTS: usize = 60;
 
 /// One way out of the cone: the step at which it is reached, and the step's own uncertainty from rounding.
 #[derive(Debug, Clone, Copy)]
@@ -173,8 +175,18 @@ impl<const C: usize> LocalLaw<'_, C> {
         if let Some(apex) = line.linear(line.force[0], line.rate[0], 1.0, SVector::zeros()) {
             let missed = (t0 + t1 * apex.step).norm();
             let through = missed <= ZERO_SLACK * (line.force_size + apex.step * line.rate_size);
-            if through || step.is_nan() || step <= 0.0 || step > apex.step {
+            if through {
                 return Some(apex);
+            }
+            if step.is_nan() || step <= 0.0 || step > apex.step {
+                // Beside the apex both roots are as close as rounding of the discriminant. The margin is negative at the apex, so that Newton's method comes
+                // down from there to the root before it.
+                let root = from_above(apex.step, |step| {
+                    let at = t0 + t1 * step;
+                    (n0 + n1 * step - at.norm(), n1 - leaves(&at).dot(&t1))
+                });
+                let Some(root) = root else { return Some(apex) };
+                step = root;
             }
         }
         if !(step > 0.0 && step.is_finite()) {
@@ -189,4 +201,18 @@ impl<const C: usize> LocalLaw<'_, C> {
         let uncertainty = ZERO_SLACK * weight * (line.force_size + step * line.rate_size) / closing;
         Some(Exit { step, uncertainty, facet })
     }
+}
+
+/// The root of a concave function below a place where it is negative, from its value and slope; `None` if it does not fall there.
+fn from_above(mut at: f64, value: impl Fn(f64) -> (f64, f64)) -> Option<f64> {
+    let start = at;
+    for _ in 0..MOST_DESCENTS {
+        let (height, slope) = value(at);
+        let better = at - height / slope;
+        if !(slope < 0.0 && better > 0.0 && better < at) {
+            break;
+        }
+        at = better;
+    }
+    (at < start).then_some(at)
 }
