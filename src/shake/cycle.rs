@@ -50,7 +50,7 @@ impl<D: Size, const C: usize> Cycle<D, C> {
         there: &CycleState<D, C>,
         settings: &Settings,
     ) -> Option<(Self, Cycles<'g, D, C>)> {
-        let tried = settings.clone().with_most_steps(settings.most_steps.min(MOST_TRIED));
+        let tried = settings.with_most_steps(settings.most_steps.min(MOST_TRIED));
         let mut others = cycles.beginning_at(there, &tried)?;
         let cycle = Self::next(engine, &mut others)?;
         others.allow_steps(settings.most_steps);

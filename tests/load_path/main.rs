@@ -16,6 +16,7 @@ mod in_space;
 mod invariance;
 mod law;
 mod leg_ends;
+mod measured_pushes;
 mod memory;
 mod oblique_loading;
 mod odd_paths;

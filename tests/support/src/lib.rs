@@ -21,6 +21,7 @@ pub mod exact_lcp;
 pub mod interior_point;
 pub mod limit_analysis;
 pub mod loaded;
+pub mod measured_pushes;
 pub mod minimum_power;
 pub mod numbers;
 pub mod odd_paths;

@@ -1,0 +1,134 @@
+//! Measured pushes of a block on three supports, predicted blindly: friction from one layout of the supports, forces and motions of all others.
+//!
+//! `cargo run --release -p reports --bin measured_pushes [folder for pictures]`
+//!
+//! 400 pushes of a triangular block that slides on three points of known place and load, on hardboard and on plywood (Zhou, Paolini, Bagnell and Mason,
+//! ICRA 2016; see [`support::measured_pushes`]).
+//!
+//! A push that slides the block steadily is the load at which three contacts in space are lost. It grows with the coefficient of friction, so that each
+//! push tells a coefficient, and the median of those of one layout is what the other three are predicted with. Beside it stand an ellipsoid through the same largest
+//! force and moment (Howe and Cutkosky 1996), and μ times the weight, whatever the moment.
+
+use std::error::Error;
+use std::path::PathBuf;
+
+use grasp_lcp::nalgebra::Vector3;
+use grasp_lcp::picture::{Chart, Stroke};
+use support::best_time::timed;
+use support::measured_pushes::{
+    LAYOUTS, Limit, Push, SURFACES, WEIGHT, blocks, limit, normal_forces, pushes, supports,
+};
+
+/// What moments are compared with forces by, m: about how far the supports are from the centre of mass.
+const LENGTH: f64 = 0.05;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let (pushes, blocks) = (pushes()?, blocks()?);
+    let (limits, seconds) =
+        timed(|| pushes.iter().map(|push| limit(&blocks, push)).collect::<Result<Vec<_>, _>>())?;
+    println!("All {} pushes are decided, in {:.0} ms.\n", limits.len(), 1e3 * seconds);
+    println!(
+        "Friction from one layout, the three others predicted: |predicted - measured| / measured of the force, in percent.\n"
+    );
+    println!(
+        "{:<11}{:<8}{:>8}{:>11}{:>11}{:>11}{:>11}{:>13}{:>12}",
+        "", "from", "μ", "median", "90 %", "ellipsoid", "μ weight", "motion off by", "scatter"
+    );
+    let mut worst: f64 = 0.0;
+    for surface in SURFACES {
+        for from in 0..LAYOUTS.len() {
+            let those = |is_own: bool| {
+                let all = pushes.iter().zip(&limits);
+                all.filter(move |(push, _)| push.surface == surface && (push.layout == from) == is_own)
+            };
+            // Each model is given the coefficient with which it is right for its own layout, in the median.
+            let told = |model: &dyn Fn(&Push, &Limit) -> f64| {
+                let mu = quantile(those(true).map(|(push, limit)| 1.0 / model(push, limit)).collect(), 50);
+                let off = those(false).map(|(push, limit)| (mu * model(push, limit) - 1.0).abs());
+                (mu, off.collect::<Vec<_>>())
+            };
+            let (mu, off) = told(&|_, limit| limit.factor);
+            let (_, ellipsoid) = told(&|push, _| on_the_ellipsoid(push));
+            let (_, weight) = told(&|push, _| WEIGHT / push.load.xy().norm());
+            let turned = those(false).map(|(push, limit)| angle_between(&push.motion, &limit.motion));
+            let [median, most] = [50, 90].map(|part| 100.0 * quantile(off.clone(), part));
+            worst = worst.max(median);
+            println!(
+                "{surface:<11}{:<8}{mu:>8.4}{median:>11.1}{most:>11.1}{:>11.1}{:>11.1}{:>11.1} °{:>10.1}",
+                LAYOUTS[from].0,
+                100.0 * quantile(ellipsoid, 50),
+                100.0 * quantile(weight, 50),
+                quantile(turned.collect(), 50),
+                100.0 * quantile(those(false).map(|(push, _)| push.scatter).collect(), 50),
+            );
+        }
+    }
+    println!(
+        "\nThe largest of these medians: {worst:.1} %. Scatter: of the force during one push, over its mean, in the median."
+    );
+    by_layout(&pushes, &limits);
+    if let Some(folder) = std::env::args_os().nth(1).map(PathBuf::from) {
+        std::fs::create_dir_all(&folder)?;
+        std::fs::write(folder.join("measured_pushes.svg"), Chart::sheet(&charts(&pushes, &limits), 2)?)?;
+    }
+    Ok(())
+}
+
+/// Coefficients that pushes tell, layout by layout: where they scatter no model with one coefficient can be right.
+fn by_layout(pushes: &[Push], limits: &[Limit]) {
+    println!("\nThe coefficient of friction that each push tells, its median and where half of them lie:\n");
+    for surface in SURFACES {
+        for (layout, (name, _)) in LAYOUTS.iter().enumerate() {
+            let own = pushes
+                .iter()
+                .zip(limits)
+                .filter(|(push, _)| push.surface == surface && push.layout == layout);
+            let told: Vec<f64> = own.map(|(_, limit)| 1.0 / limit.factor).collect();
+            let [low, median, high] = [25, 50, 75].map(|part| quantile(told.clone(), part));
+            println!("{surface:<11}{name:<8}{median:>8.3}{low:>10.3} to {high:.3}");
+        }
+    }
+}
+
+/// Predicted against measured, friction from all pushes of the surface.
+fn charts(pushes: &[Push], limits: &[Limit]) -> Vec<Chart> {
+    let of_surface = |surface: &'static str| {
+        let own = || pushes.iter().zip(limits).filter(move |(push, _)| push.surface == surface);
+        let mu = quantile(own().map(|(_, limit)| 1.0 / limit.factor).collect(), 50);
+        let mut chart = Chart::new(
+            format!("Pushes on {surface}, μ = {mu:.3}"),
+            "measured force (N)",
+            "predicted force (N)",
+        );
+        for (layout, (name, _)) in LAYOUTS.iter().enumerate() {
+            let points = own().filter(|(push, _)| push.layout == layout).map(|(push, limit)| {
+                let measured = push.load.xy().norm();
+                (measured, mu * limit.factor * measured)
+            });
+            chart = chart.series(*name, points.collect(), Stroke::Circles);
+        }
+        let most = own().map(|(push, _)| push.load.xy().norm()).fold(0.0, f64::max);
+        chart.series("as measured", vec![(0.0, 0.0), (most, most)], Stroke::Line)
+    };
+    SURFACES.map(of_surface).into()
+}
+
+/// The part of a push at which it reaches the ellipsoid with a coefficient of one: through all of the friction, and all of its moment about the centre.
+fn on_the_ellipsoid(push: &Push) -> f64 {
+    let at = supports(push.layout);
+    let loads = normal_forces(&at);
+    let moment: f64 = at.iter().zip(loads).map(|(at, load)| load * at.norm()).sum();
+    1.0 / (push.load.xy().norm() / WEIGHT).hypot(push.load.z / moment)
+}
+
+/// Between two motions, turns counted at a length, degrees.
+fn angle_between(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
+    let [a, b] = [a, b].map(|v| Vector3::new(v.x, v.y, LENGTH * v.z));
+    a.angle(&b).to_degrees()
+}
+
+/// The value below which so many percent lie.
+fn quantile(mut values: Vec<f64>, percent: usize) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values[(values.len() - 1) * percent / 100]
+}

@@ -1,0 +1,26 @@
+//! Measured pushes of a block on three supports: the coefficient of friction that each of 400 tells is the one found elsewhere, by another method.
+
+use support::Failure;
+use support::measured_pushes::{blocks, limit, normal_forces, pushes, supports};
+
+#[test]
+fn each_push_tells_the_coefficient_found_elsewhere() -> Result<(), Failure> {
+    let (blocks, pushes) = (blocks()?, pushes()?);
+    assert_eq!(pushes.len(), 400);
+    for (number, push) in pushes.iter().enumerate() {
+        let told = 1.0 / limit(&blocks, push)?.factor;
+        // Theirs were made with loads of the supports that are rounded to 0.01 N, 14.88 N in all.
+        assert!((told / push.friction - 1.0).abs() <= 3e-4, "{number}: {told} {}", push.friction);
+    }
+    Ok(())
+}
+
+/// The loads of the supports that the experimenters state, in newtons.
+#[test]
+fn supports_carry_what_is_stated() {
+    let stated = [[2.12, 6.38, 6.38], [4.96; 3], [4.96; 3], [3.72, 7.44, 3.72]];
+    for (layout, stated) in stated.iter().enumerate() {
+        let found = normal_forces(&supports(layout));
+        assert!(found.iter().zip(stated).all(|(a, b)| (a - b).abs() < 0.01), "{found:?} {stated:?}");
+    }
+}
