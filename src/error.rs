@@ -210,6 +210,16 @@ pub enum Error {
         /// The method.
         question: &'static str,
     },
+    /// A question that would have to tell of a contact that slides, whose friction is lower then.
+    #[error(
+        "{question} does not know that the friction of contact {contact} is lower once it slides: ask hold or follow, which do, or leave kinetic friction out"
+    )]
+    KineticFriction {
+        /// The method.
+        question: &'static str,
+        /// Which contact.
+        contact: ContactLabel,
+    },
     /// A list of joint commands has another length than there are joints and tendons.
     #[error("{what}: {given} given, must be {expected}, one a joint and one a tendon")]
     JointCommands {
@@ -296,6 +306,8 @@ pub enum Field {
     SeriesStiffness,
     /// Coefficient of friction.
     Friction,
+    /// Coefficient of friction of a contact that slides.
+    KineticFriction,
     /// Commanded finger displacement, contact frame, m.
     Command,
     /// Change of the commanded finger displacement along a ramp or a leg, contact frame, m; the command itself where a leg says
@@ -321,6 +333,7 @@ impl fmt::Display for Field {
             Field::FingerStiffness => "finger stiffness",
             Field::SeriesStiffness => "series stiffness",
             Field::Friction => "friction coefficient",
+            Field::KineticFriction => "kinetic friction coefficient",
             Field::Command => "command",
             Field::CommandChange => "change of command",
             Field::Press => "pressing force",

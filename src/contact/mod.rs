@@ -10,6 +10,7 @@
 //! | `state`, `slide` | what the contact does, with all that belongs to it |
 //! | `law` | which of its conditions count: at rest, in rates, on an edge |
 //! | `answer` | stretch → state and force |
+//! | `kinetic` | the smaller cone of a contact that slides, and what it answers as it begins to |
 //! | `springs` | in a known state: left and right factors |
 //! | `straight_stretch` | its force after a stretch that went straight, with the slip that turned on the way |
 //! | `relaxing_slide` | which way it slides in the end |
@@ -32,6 +33,7 @@ mod coulomb;
 mod edges;
 mod exits;
 mod hull;
+mod kinetic;
 mod law;
 mod most_work;
 mod polygon;

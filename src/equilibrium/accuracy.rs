@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::answer::Equilibrium;
+use super::answer::{Equilibrium, LocalAnswer};
 use super::cone::Cone;
 use crate::contact::{Polygon, PolygonCone, State};
 use crate::grasp::{Engine, Wrench};
@@ -87,7 +87,8 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let load = Load { wrench, rest: self.inside_rest(&equilibrium.load) };
         let (round, drives) = (equilibrium.cone == Cone::Round, equilibrium.local.drives.clone());
         let problem = self.problem(Polygon::shared(&cone), round, drives, &load);
-        Some(Problem { slips: equilibrium.local.slips.clone(), ..problem })
+        let LocalAnswer { slips, cones, .. } = &equilibrium.local;
+        Some(Problem { slips: slips.clone(), cones: cones.clone(), ..problem })
     }
 }
 

@@ -9,7 +9,7 @@ use super::hand_answer::{JointAnswer, TendonAnswer};
 use super::no_equilibrium::NoEquilibrium;
 use super::pad_answer::PadAnswer;
 use super::residuals::Residuals;
-use crate::contact::State;
+use crate::contact::{Coulomb, State};
 use crate::forms::LeftOut;
 use crate::grasp::{BodyMotion, Coordinates, Motion, Twist, WholeContact, Wrench};
 use crate::search::{Doubt, Rung};
@@ -176,6 +176,8 @@ pub(crate) struct LocalAnswer<const C: usize> {
     pub(crate) drives: Vec<SVector<f64, C>>,
     /// Slips that the drives count from.
     pub(crate) slips: Vec<SVector<f64, C>>,
+    /// Cones of contacts in place of those at rest: none, or one a contact.
+    pub(crate) cones: Vec<Coulomb>,
 }
 
 /// What was done, and what was not needed.

@@ -2,6 +2,7 @@
 
 use super::answer::{Equilibrium, Outcome, Undecided, WorkDone};
 use super::cone::Cone;
+use super::contact_answer::ContactState;
 use super::no_equilibrium::{NoEquilibrium, Proof};
 use crate::contact::Polygon;
 use crate::error::Error;
@@ -28,7 +29,18 @@ impl<D: Size, const C: usize> Engine<D, C> {
         if let Settled::Found(found, rule) = settled {
             settled = Settled::Found(on_the_whole_line(&problem, found), rule);
         }
-        Ok(self.outcome(&problem, load, settled, &effort, Cone::of::<C>(settings)))
+        let outcome = self.outcome(&problem, load, settled, &effort, Cone::of::<C>(settings));
+        outcome.equilibrium().map_or(Ok(()), |state| self.refuse_kinetic_slides("solve", state))?;
+        Ok(outcome)
+    }
+
+    /// An equilibrium is told with the friction of rest, which contacts that slide may not have.
+    fn refuse_kinetic_slides(&self, question: &'static str, state: &Equilibrium<C>) -> Result<(), Error> {
+        let slides = |i: &usize| matches!(state.contacts[*i].state, ContactState::Sliding { .. });
+        match self.weaker_once_they_slide().find(slides) {
+            Some(i) => Err(Error::KineticFriction { question, contact: self.contacts()[i].label(i) }),
+            None => Ok(()),
+        }
     }
 
     /// [`Grasp::equilibria`](crate::ask::Grasp::equilibria).

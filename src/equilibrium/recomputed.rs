@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::cone::Cone;
 use super::contact_answer::{ContactAnswer, ContactState};
 use super::residuals::Residuals;
-use crate::contact::Polygon;
+use crate::contact::{Coulomb, Polygon};
 use crate::grasp::{Engine, Hold, Site, Wrench, displacement_of, object_alone, of_the_object, wrench_of};
 use crate::numerics::{Size, Vector};
 use crate::object::{NO_FORCE, Problem, least_spring_force};
@@ -29,6 +29,7 @@ struct Told<'a, const C: usize> {
 /// What a contact has to satisfy, and what its residuals are measured against, N and m.
 struct ContactLaw<'c, D: Size, const C: usize> {
     site: &'c Site<D, C>,
+    friction: Coulomb,
     polygon: &'c Polygon<C>,
     cone: Cone,
     force_size: f64,
@@ -38,9 +39,8 @@ struct ContactLaw<'c, D: Size, const C: usize> {
 impl Residuals {
     /// Takes in those of one site.
     fn note<D: Size, const C: usize>(&mut self, law: &ContactLaw<'_, D, C>, told: &Told<'_, C>) {
-        let ContactLaw { site, polygon, cone, force_size, travel } = *law;
+        let ContactLaw { site, friction, polygon, cone, force_size, travel } = *law;
         let Told { force: f, gap: g, separated, stretch, slip: s } = *told;
-        let friction = site.friction;
         let give = site.springs.give(f);
         for a in 0..site.springs.axes() {
             let jump = if a == 0 { g } else { -s[a] };
@@ -131,6 +131,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let mut r = Residuals { equilibrium, ..Residuals::default() };
         let law = |i: usize| ContactLaw {
             site: &self.sites()[i],
+            friction: problem.cone(i),
             polygon: problem.polygon(i),
             cone,
             force_size,

@@ -77,6 +77,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
                 free_motions: found.free_motions.iter().map(Coordinates::of).collect(),
                 drives: problem.drives.clone(),
                 slips: problem.slips.clone(),
+                cones: problem.cones.clone(),
             },
         }
     }

@@ -63,6 +63,8 @@ pub struct Contact<const C: usize> {
     pub(crate) tangent: Option<SVector<f64, C>>,
     pub(crate) stiffness: Stiffness<C>,
     pub(crate) friction: f64,
+    /// The coefficient while it slides, if that is another one.
+    pub(crate) kinetic: Option<f64>,
     pub(crate) command: SVector<f64, C>,
     /// The axes of `command`; those of the contact frame once the contact is part of a grasp.
     pub(crate) command_axes: Axes,
@@ -96,6 +98,7 @@ impl<const C: usize> Contact<C> {
             tangent: None,
             stiffness: Stiffness::default(),
             friction: 0.0,
+            kinetic: None,
             command: SVector::zeros(),
             command_axes: Axes::Frame,
             press: None,
@@ -170,6 +173,38 @@ impl<const C: usize> Contact<C> {
         self
     }
 
+    /// Coefficient of friction while the contact slides, from a millionth of [that at rest](Self::friction) up to all of it. As soon as the contact begins
+    /// to slide its friction falls to that, at one load: other contacts catch the object, or it is lost. Once it is at rest again it has friction of rest.
+    ///
+    /// The answer is the **overdamped** one: the object comes to rest where forces balance again, without overshoot. One that is not damped shoots over, up
+    /// to twice as far, and may be lost where this one is caught. See the [guide](crate::guide::kinetic_friction).
+    ///
+    /// [`follow`](crate::ask::Grasp::follow), [`hold`](crate::ask::Grasp::hold) and needs that are to [hold](crate::need::Need::to_hold) count with it. The
+    /// first slip does not depend on it. [`solve`](crate::ask::Grasp::solve), [`shake`](crate::ask::Grasp::shake),
+    /// [`follow_patch`](crate::ask::Grasp::follow_patch) and [`follow_in_steps`](crate::ask::Grasp::follow_in_steps) refuse what they would have to tell of
+    /// a contact that slides. All other questions are about contacts at rest.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // Two feet that press with 10 N share a pull. The stiff one begins to slide at 7.5 N and keeps 4 N; the other one catches 3.5 N.
+    /// let foot = |x: f64, k: f64| {
+    ///     Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e3, k).friction(0.5).kinetic(0.4).pressed_with(10.0)
+    /// };
+    /// let guide = Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(1e9, 1e9).kept_closed();
+    /// let grasp = Grasp::new([foot(-0.1, 1e3), foot(0.1, 5e2), guide])?;
+    /// let verdict = grasp.hold(Wrench::force([8.0, 0.0]))?;
+    /// assert_eq!(verdict.holds(), Some(true));
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[doc(alias = "kinetic friction")]
+    #[doc(alias = "dynamic friction")]
+    #[must_use]
+    pub fn kinetic(mut self, mu: f64) -> Self {
+        self.kinetic = Some(mu);
+        self
+    }
+
     /// The contact never opens; see [`Hold::KeptClosed`].
     ///
     /// ```
@@ -209,6 +244,22 @@ impl<const C: usize> Contact<C> {
     #[must_use]
     pub fn friction_coefficient(&self) -> f64 {
         self.friction
+    }
+
+    /// Coefficient of friction while the contact slides; that at rest unless another one [was given](Self::kinetic).
+    #[must_use]
+    pub fn kinetic_coefficient(&self) -> f64 {
+        self.kinetic.unwrap_or(self.friction)
+    }
+
+    /// With this coefficient of friction at rest, and that of sliding in proportion.
+    pub(crate) fn set_friction(&mut self, mu: f64) {
+        let proportion = mu / self.friction;
+        self.kinetic = self
+            .kinetic
+            .map(|kinetic| kinetic * proportion)
+            .filter(|kinetic| kinetic.is_finite() && *kinetic > 0.0);
+        self.friction = mu;
     }
 
     /// Number of axes along which the contact has a spring: 1 without friction, else `C`.

@@ -190,7 +190,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
     pub(crate) fn with_friction(&self, friction: &dyn Fn(usize, f64) -> f64) -> Result<Self, Error> {
         let mut contacts = self.contacts.clone();
         for (i, contact) in contacts.iter_mut().enumerate() {
-            contact.friction = friction(i, contact.friction);
+            contact.set_friction(friction(i, contact.friction));
         }
         self.with_data(contacts, |_| 1.0)
     }
@@ -242,6 +242,19 @@ impl<D: Size, const C: usize> Engine<D, C> {
     /// For questions that know no joints.
     pub(crate) fn refuse_hands(&self, question: &'static str) -> Result<(), Error> {
         if self.linkage.is_some() { Err(Error::NotForHands { question }) } else { Ok(()) }
+    }
+
+    /// For questions that would have to tell of sliding contacts, and do not know that their friction is lower.
+    pub(crate) fn refuse_kinetic(&self, question: &'static str) -> Result<(), Error> {
+        match self.weaker_once_they_slide().next() {
+            Some(i) => Err(Error::KineticFriction { question, contact: self.contacts[i].label(i) }),
+            None => Ok(()),
+        }
+    }
+
+    /// Contacts whose friction is lower once they slide.
+    pub(crate) fn weaker_once_they_slide(&self) -> impl Iterator<Item = usize> {
+        (0..self.len()).filter(|&i| self.sites()[i].kinetic.is_some())
     }
 
     /// The drives of a joint or, behind the joints, of a tendon, with the numbers of their sites.

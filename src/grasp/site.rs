@@ -28,6 +28,8 @@ pub(crate) struct Site<D: Size, const C: usize> {
     pub(crate) frame: SMatrix<f64, C, C>,
     pub(crate) springs: Compliance<C>,
     pub(crate) friction: Coulomb,
+    /// The cone while it slides, if that is a smaller one.
+    pub(crate) kinetic: Option<Coulomb>,
     pub(crate) hold: Hold,
     /// The polygon that stands for the cone whatever the question says.
     pub(crate) polygon: Option<Arc<Polygon<C>>>,
@@ -55,6 +57,10 @@ impl<D: Size, const C: usize> Site<D, C> {
             frame,
             springs: Compliance::new(&series, axes),
             friction: Coulomb::new(contact.friction),
+            kinetic: contact
+                .kinetic
+                .filter(|kinetic| *kinetic < contact.friction && contact.friction.is_finite())
+                .map(Coulomb::new),
             hold: contact.hold,
             polygon: None,
         })
@@ -84,6 +90,7 @@ impl<D: Size, const C: usize> Site<D, C> {
             frame: SMatrix::identity(),
             springs,
             friction: Coulomb::new(0.0),
+            kinetic: None,
             hold,
             polygon: None,
         }

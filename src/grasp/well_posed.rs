@@ -11,6 +11,9 @@ use crate::error::{Error, Field, LARGEST, MODERATE, is_moderate};
 /// the frame, with a much larger one tangents would be refused that say clearly where to go.
 const ALONG_NORMAL: f64 = 1e-12;
 
+/// A contact whose friction falls below this part of that at rest slides on rounding: its friction force has no direction any more.
+const LEAST_KINETIC: f64 = 1e-6;
+
 impl<const C: usize> Contact<C> {
     /// The contact frame: columns n, t (and t₂), orthonormal.
     pub(crate) fn frame(&self, index: usize) -> Result<SMatrix<f64, C, C>, Error> {
@@ -96,6 +99,12 @@ impl<const C: usize> Contact<C> {
         }
         if self.friction != f64::INFINITY && !(is_moderate(self.friction) && self.friction >= 0.0) {
             return fault(Field::Friction, self.friction, "from 0 to 1e50, or infinite");
+        }
+        if let Some(kinetic) = self.kinetic
+            && !(kinetic > 0.0 && kinetic >= self.friction * LEAST_KINETIC && kinetic <= self.friction)
+        {
+            let allowed = "from a millionth of the friction coefficient at rest to all of it";
+            return fault(Field::KineticFriction, kinetic, allowed);
         }
         if let Some(value) = bad(&self.command) {
             return fault(Field::Command, value, MODERATE);

@@ -12,8 +12,10 @@ use crate::object::Load;
 use crate::proofs::nothing_near;
 use crate::search::{Doubt, Settings};
 
+use super::caught::Caught;
 use super::verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
 use super::way_out::{WayOut, way_out};
+use super::words::AT_ONCE;
 
 /// A gap below this part of the size of the grasp is none, for whoever reads of it.
 const SHUT: f64 = 1e-9;
@@ -60,6 +62,8 @@ impl<D: Size, const C: usize> Engine<D, C> {
         };
         let lost = path.end().and_then(PathEnd::loss).map(|loss| {
             let mut lost = self.lost(held_to, loss, path.state());
+            let at_first = first_slip.as_ref().is_some_and(|first| held_to <= first.factor * (1.0 + AT_ONCE));
+            lost.falls_at_once = at_first && self.weaker_once_they_slide().next().is_some();
             // The proof counts on every vacuum.
             if matches!(holding, Holding::Lost) && !matches!(lost.way_out, WayOut::LetsGo { .. }) {
                 lost.nothing_near = self.nothing_near(&lost, loss, ramp, settings);
@@ -67,7 +71,17 @@ impl<D: Size, const C: usize> Engine<D, C> {
             lost
         });
         let state = state.map(Box::new);
-        Ok(Verdict { base: ramp.base, load: ramp.direction, holding, first_slip, held_to, lost, state })
+        let caught = Caught::among(self.contacts(), &events);
+        Ok(Verdict {
+            base: ramp.base,
+            load: ramp.direction,
+            holding,
+            first_slip,
+            caught,
+            held_to,
+            lost,
+            state,
+        })
     }
 
     /// Where the load at rest is lost as it is put on from nothing, and the commands with it.
@@ -97,8 +111,11 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let begins = |change: &ContactChange<C>| {
             matches!(change.what, Change::Slides { .. } | Change::ClosesSliding { .. })
         };
+        let jumps = events.iter().filter_map(|event| event.jump.as_deref());
+        let slips: Vec<_> = jumps.flat_map(|jump| &jump.slips).map(|slip| slip.contact.index).collect();
         let has_slid = |i: usize| {
             matches!(state.contacts[i].state, ContactState::Sliding { .. })
+                || slips.contains(&i)
                 || changes().any(|change| change.contact.index == i && begins(change))
         };
         // What a vacuum holds is not loose, at its very limit either.
@@ -161,6 +178,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             kind: loss.kind,
             way_out: way_out(self.contacts(), loss.motion.as_ref(), touches),
             slide: parts.with(&slides),
+            falls_at_once: false,
             is_gross_slip: (0..self.len()).any(slides) && (0..self.len()).all(|i| slides(i) || !presses(i)),
             drives: loss.drives.clone(),
             motion: loss.motion.clone(),
@@ -203,6 +221,7 @@ impl<const C: usize> Lost<C> {
             way_out: WayOut::LetsGo { cups },
             slide: Vec::new(),
             is_gross_slip: false,
+            falls_at_once: false,
             drives: Vec::new(),
             motion: None,
             state: state.map(Box::new),

@@ -7,6 +7,7 @@ use crate::search::Doubt;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
+use super::caught::Caught;
 use super::way_out::WayOut;
 
 /// The answer to "does it hold?"; its [`Display`](std::fmt::Display) says it in a sentence.
@@ -25,6 +26,9 @@ pub struct Verdict<const C: usize> {
     /// When the first contact stops sticking; `None` if none does as far as the load was followed.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub first_slip: Option<FirstSlip>,
+    /// The jumps on the way of the load, where contacts begin to slide with [less friction](crate::grasp::Contact::kinetic) and the object is caught.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    pub caught: Vec<Caught>,
     /// How many times the load was put on, and held; 0 where the grasp does not hold at rest.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub held_to: f64,
@@ -130,6 +134,9 @@ pub struct Lost<const C: usize> {
     pub slide: Vec<WholeContact>,
     /// Whether all contacts that press slide: gross slip.
     pub is_gross_slip: bool,
+    /// Whether the first slip is the last: friction is [lower](crate::grasp::Contact::kinetic) once contacts slide, and nothing catches the object.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "std::ops::Not::not"))]
+    pub falls_at_once: bool,
     /// Joints and tendons of a hand that have reached their limit.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub drives: Vec<PartLabel>,

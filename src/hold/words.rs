@@ -9,7 +9,7 @@ use crate::grasp::{WholeContact, Wrench, vacuum_is_gone};
 use crate::words::{TOO_FAR, Words, listed, open, opens, printable};
 
 /// What happens within this part of a load happens at once, for whoever reads it.
-const AT_ONCE: f64 = 1e-9;
+pub(super) const AT_ONCE: f64 = 1e-9;
 /// A proof that reaches no farther, m, says nothing to anybody: less than an atom.
 const NOWHERE: f64 = 1e-10;
 /// Farther than this, m, nobody asks.
@@ -33,6 +33,7 @@ impl<const C: usize> fmt::Display for Verdict<C> {
                     // Of contacts that close on the way the first slip does not speak.
                     _ => write!(f, "{}", does(contacts, "slides", "slide"))?,
                 }
+                self.catches(f)?;
                 match &self.lost {
                     _ if self.is_nothing() => Ok(()),
                     Some(lost) => write!(f, "; lost at {} times this load", words.number(lost.factor)),
@@ -55,7 +56,12 @@ impl<const C: usize> fmt::Display for Verdict<C> {
                     )
                 }
                 Some(lost) => {
-                    write!(f, "{} at {}: {lost:.digits$}", lost.verb(), self.part(lost.factor, words))
+                    write!(f, "{} at {}", lost.verb(), self.part(lost.factor, words))?;
+                    if lost.falls_at_once {
+                        f.write_str(", falls at the first slip")?;
+                    }
+                    self.catches(f)?;
+                    write!(f, ": {lost:.digits$}")
                 }
                 None => f.write_str("LOST"),
             },
@@ -106,6 +112,20 @@ impl<const C: usize> Verdict<C> {
             }
             (None, Some(lost)) => write!(f, ": {} times this load until it is lost", words.number(lost)),
             (None, None) => write!(f, " up to {} times this load", words.number(self.held_to)),
+        }
+    }
+
+    /// ", caught at 7.5 N of 12 N after slipping 0.4 mm at left": the last time it was.
+    fn catches(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (words, digits) = (Words::of(f), Words::of(f).digits());
+        let Some(last) = self.caught.last() else { return Ok(()) };
+        match (&self.holding, self.caught.len()) {
+            (Holding::Slides { .. }, 1) => write!(f, ", caught {last:.digits$}"),
+            (_, 1) => write!(f, ", caught once, at {} of it, {last:.digits$}", words.number(last.factor)),
+            (_, times) => {
+                let part = words.number(last.factor);
+                write!(f, ", caught {times} times, the last time at {part} of it, {last:.digits$}")
+            }
         }
     }
 

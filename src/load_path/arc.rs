@@ -263,12 +263,13 @@ impl<'s, 'g, D: Size, const C: usize> Arc<'s, 'g, D, C> {
     ) -> Vec<SVector<f64, C>> {
         let drives = self.segment.drives(factor);
         let mut slid = frictions.iter();
-        let force = |((state, site), drive): ((&State<C>, &Site<D, C>), &SVector<f64, C>)| {
+        let force = |(((i, state), site), drive): (((usize, &State<C>), &Site<D, C>), &SVector<f64, C>)| {
             let force = site.springs.force(&site.stretch(drive, twist));
             match (state.slides().then(|| slid.next()).flatten(), state.is_sticking()) {
                 (Some(friction), _) => {
                     let size = tangential_norm(friction);
-                    let part = if size > 0.0 { site.friction.limit(force[0]) / size } else { 0.0 };
+                    let part =
+                        if size > 0.0 { self.segment.problem.cone(i).limit(force[0]) / size } else { 0.0 };
                     let mut friction = friction * part;
                     friction[0] = force[0];
                     friction
@@ -277,7 +278,7 @@ impl<'s, 'g, D: Size, const C: usize> Arc<'s, 'g, D, C> {
                 (None, false) => SVector::zeros(),
             }
         };
-        self.states.iter().zip(self.sites()).zip(&drives).map(force).collect()
+        self.states.iter().enumerate().zip(self.sites()).zip(&drives).map(force).collect()
     }
 }
 

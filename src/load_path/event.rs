@@ -3,6 +3,7 @@
 use nalgebra::SVector;
 
 use super::drive_change::PartChange;
+use super::jump::{Jump, JumpSlip};
 use crate::equilibrium::{Equilibrium, Outcome};
 use crate::error::ContactLabel;
 use crate::grasp::{Coordinates, Engine, Motion, PartLabel, Wrench};
@@ -45,6 +46,9 @@ pub struct Event<const C: usize> {
     pub other_continuations: Option<usize>,
     /// The equilibrium there. Its states are those before the event (at the very start of a path, where there is no before, those after it).
     pub state: Equilibrium<C>,
+    /// What comes of it at this load, where a contact begins to slide with less friction than at rest.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub jump: Option<Box<Jump<C>>>,
 }
 
 /// A contact that does something else from an event on.
@@ -176,6 +180,10 @@ pub struct Loss<const C: usize> {
     /// `None` if those states do not determine one.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub motion: Option<Motion<C>>,
+    /// Contacts that begin to slide with less friction than at rest, and how far they had slipped when nothing caught the object any more: all at this load.
+    /// Empty where no friction fell.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    pub jumped: Vec<JumpSlip<C>>,
     /// The virtual motion against which contacts do the least there, in inside coordinates.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(crate) against: Option<Coordinates<C>>,

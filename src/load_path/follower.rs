@@ -4,6 +4,7 @@ use std::fmt::Debug;
 
 use nalgebra::SVector;
 
+use super::beyond::Beyond;
 use super::energy::LegEnergy;
 use super::event::PathEnd;
 use super::journey::Journey;
@@ -12,6 +13,7 @@ use crate::equilibrium::Equilibrium;
 use crate::grasp::WholeContact;
 use crate::numerics::Size;
 use crate::object::Problem;
+use crate::search::Settings;
 
 /// How far a follower has come.
 #[derive(Debug)]
@@ -64,6 +66,11 @@ pub(crate) trait Follower<'g, D: Size, const C: usize>: Debug {
 
     /// What stands on an edge there.
     fn edge(&self, journey: &Journey<'g, D, C>) -> StandAtEdge<'g, D, C>;
+
+    /// What lies beyond a jump that nothing caught, from a follower whose friction falls; `None` where the path did not end in one.
+    fn beyond_a_jump(&self, _settings: &Settings) -> Option<Beyond<C>> {
+        None
+    }
 
     /// [`Self::go_on`] no further than a fraction of the leg, for a follower that can stop anywhere.
     ///

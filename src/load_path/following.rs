@@ -179,6 +179,9 @@ impl<'g, D: Size, const C: usize, F: Follower<'g, D, C>> AnyPath<C, F::Report> f
         if !cups.is_empty() {
             return Some(Beyond::WithoutVacuum { cups });
         }
+        if let beyond @ Some(_) = follower.beyond_a_jump(settings) {
+            return beyond;
+        }
         let StandAtEdge { segment, rates, forces } = follower.edge(&self.journey);
         let motion = loss.against.as_ref().map(Coordinates::to);
         let end = EquilibriumEnd { factor: loss.fraction, forces: &forces, motion };

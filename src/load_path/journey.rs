@@ -101,7 +101,17 @@ impl<'g, D: Size, const C: usize> Journey<'g, D, C> {
     ) -> Loss<C> {
         let (contacts, drives) = self.grasp.sites_apart(sites);
         let (leg, load) = (self.program.leg, self.program.load_at(fraction));
-        let loss = Loss { leg, fraction, load, kind, contacts, drives, motion: None, against: None };
+        let loss = Loss {
+            leg,
+            fraction,
+            load,
+            kind,
+            contacts,
+            drives,
+            motion: None,
+            jumped: Vec::new(),
+            against: None,
+        };
         loss.leaving(self.grasp, motion)
     }
 

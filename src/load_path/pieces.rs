@@ -8,8 +8,10 @@
 
 use nalgebra::SVector;
 
+use super::beyond::Beyond;
 use super::energy::LegEnergy;
 use super::event::{Event, PathEnd};
+use super::falling_friction::beyond_a_jump;
 use super::flow::{Reached, Rule};
 use super::follower::{Came, Follower, StandAtEdge};
 use super::following::Following;
@@ -47,6 +49,10 @@ pub(crate) struct Pieces<'g, D: Size, const C: usize> {
     pub(super) gathered: f64,
     /// Sum of the estimated errors of the steps along sliding arcs.
     pub(super) step_error: f64,
+    /// What is to be told before the path sets out: something slides at rest, and its friction falls.
+    pub(super) first: Option<Box<Event<C>>>,
+    /// What there was to balance where a jump was not caught.
+    pub(super) fallen: Option<Problem<'g, D, C>>,
 }
 
 impl<D: Size, const C: usize> Engine<D, C> {
@@ -76,7 +82,9 @@ impl<'g, D: Size, const C: usize> Follower<'g, D, C> for Pieces<'g, D, C> {
     type Report = Event<C>;
 
     fn set_out(&mut self, journey: &Journey<'g, D, C>) -> Result<(), PathEnd<C>> {
+        let cones = std::mem::take(&mut self.segment.problem.cones);
         self.segment = journey.segment(std::mem::take(&mut self.segment.problem.slips));
+        self.segment.problem.cones = cones;
         self.factor = 0.0;
         self.pace = Pace::new();
         self.gathered = f64::NAN;
@@ -129,6 +137,10 @@ impl<'g, D: Size, const C: usize> Follower<'g, D, C> for Pieces<'g, D, C> {
         self.state_on(self.stretch_behind(leg, fraction)?, fraction)
     }
 
+    fn beyond_a_jump(&self, settings: &Settings) -> Option<Beyond<C>> {
+        self.fallen.as_ref().map(|fallen| beyond_a_jump(fallen, settings))
+    }
+
     fn edge(&self, _: &Journey<'g, D, C>) -> StandAtEdge<'g, D, C> {
         let laws = self.segment.laws_of_rates(&self.node.stands, &self.node.states);
         let rates = self.segment.rates(self.node.ahead, laws);
@@ -148,9 +160,15 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         let course = Trajectory::Straight { from: problem.wrench.clone(), rate: Vector::zeros() };
         let (grasp, cone, problem) = (journey.grasp, journey.cone(), problem.clone());
         let mut segment = Segment { grasp, cone, problem, change, course, largest: 0.0 };
-        Ok(Self {
+        let node = Node::at_start(&mut segment, found);
+        Self::standing(segment, node).with_falling_friction(journey)
+    }
+
+    /// At the beginning of a segment.
+    pub(super) fn standing(segment: Segment<'g, D, C>, node: Node<D, C>) -> Self {
+        Self {
             factor: 0.0,
-            node: Node::at_start(&mut segment, found),
+            node,
             segment,
             at_node: false,
             here: None,
@@ -160,27 +178,36 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
             pace: Pace::new(),
             gathered: f64::NAN,
             step_error: 0.0,
-        })
+            first: None,
+            fallen: None,
+        }
     }
 
     fn stretch_behind(&self, leg: usize, fraction: f64) -> Option<&Stretch<'g, D, C>> {
         self.behind.iter().find(|s| s.leg == leg && fraction >= s.from && fraction <= s.to)
     }
 
-    fn state_on(&self, stretch: &Stretch<'g, D, C>, fraction: f64) -> Option<Equilibrium<C>> {
+    pub(super) fn state_on(&self, stretch: &Stretch<'g, D, C>, fraction: f64) -> Option<Equilibrium<C>> {
         stretch.state_at(self.segment.grasp, self.segment.cone, fraction)
     }
 
     /// Decides how the path goes on from here; an event if a contact changes its state.
     fn decide(&mut self, journey: &Journey<'g, D, C>) -> Result<Option<Event<C>>, PathEnd<C>> {
+        if let Some(first) = self.first.take() {
+            self.at_node = true;
+            return Ok(Some(*first));
+        }
         let before = self.behind.last().and_then(|last| self.state_on(last, last.to));
-        let onward = self.node.go_on(&mut self.segment, journey, self.factor)?;
+        let rested = if self.friction_falls() && self.factor == 0.0 { self.pause() } else { Vec::new() };
+        let mut onward = self.node.go_on(&mut self.segment, journey, self.factor)?;
+        onward.changes.splice(0..0, rested);
         let grasp = journey.grasp;
         let free = self.here.as_ref().map_or(0, |here| here.free_motions.len());
         let set_free = onward.here.free_motions.len() > free;
         let free_motions = onward.here.free_motions.iter().map(|v| grasp.motion_outside(v)).collect();
         self.here = Some(onward.here);
         self.pace = self.pace.at_node();
+        let jump = if self.friction_falls() { self.friction_after(journey, &onward.changes)? } else { None };
         let (changes, drives) = grasp.contacts_and_drives(onward.changes);
         // Where a leg begins contacts may go on as before, or otherwise as well: that is told, too.
         let branches = self.factor == 0.0 && onward.other_continuations.is_some_and(|others| others > 0);
@@ -204,11 +231,17 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
             state,
             free_motions,
             other_continuations: onward.other_continuations,
+            jump,
         }))
     }
 
     /// Where the path stands in its present states.
-    fn present_state(&self, journey: &Journey<'g, D, C>) -> Option<Equilibrium<C>> {
+    pub(super) fn present_state(&self, journey: &Journey<'g, D, C>) -> Option<Equilibrium<C>> {
+        self.state_on(&self.standing_here(journey)?, self.factor)
+    }
+
+    /// The place where it stands, as a piece without length.
+    pub(super) fn standing_here(&self, journey: &Journey<'g, D, C>) -> Option<Stretch<'g, D, C>> {
         let here = match &self.here {
             Some(here) => here.clone(),
             // Where no rates lead on it stands still.
@@ -219,7 +252,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
                 .or_else(|| self.node.look(&self.segment.at_rest(self.factor), self.factor, None).ok())?,
         };
         let there = self.state_after(&here, 0.0);
-        self.state_on(&self.stretch(journey, here, self.factor, there), self.factor)
+        Some(self.stretch(journey, here, self.factor, there))
     }
 
     pub(super) fn stretch(

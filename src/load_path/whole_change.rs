@@ -93,7 +93,11 @@ impl<const C: usize> fmt::Display for Event<C> {
         let contacts = self.whole_changes().into_iter().map(|change| format!(" {change:.digits$}"));
         let drives = self.drives.iter().map(|drive| format!(" {} {}", drive.part.text(), drive.what));
         let told: Vec<_> = contacts.chain(drives).collect();
-        f.write_str(&if told.is_empty() { " more points change".to_owned() } else { told.join(",") })
+        f.write_str(&if told.is_empty() { " more points change".to_owned() } else { told.join(",") })?;
+        match &self.jump {
+            Some(jump) => write!(f, "; {:.digits$}", jump),
+            None => Ok(()),
+        }
     }
 }
 

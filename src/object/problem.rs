@@ -13,7 +13,7 @@ use nalgebra::SVector;
 
 use super::load::Load;
 use super::precise::PreciseTwist;
-use crate::contact::{Law, LocalLaw, Mode, Polygon, PolygonCone, Slide, State, tangential};
+use crate::contact::{Coulomb, Law, LocalLaw, Mode, Polygon, PolygonCone, Slide, State, tangential};
 use crate::error::Error;
 use crate::grasp::{Engine, Remembered, Site, Wrench, size_of};
 use crate::numerics::{DoubleDouble, cleared_for};
@@ -26,6 +26,8 @@ pub(crate) struct Problem<'g, D: Size, const C: usize> {
     pub(crate) polygon: Arc<Polygon<C>>,
     /// Polygons of their own, turned to the traction: none, or one a contact.
     pub(crate) turned: Vec<Polygon<C>>,
+    /// Cones that contacts have in place of those at rest: none, or one a contact.
+    pub(crate) cones: Vec<Coulomb>,
     pub(crate) laws: Vec<Law<C>>,
     /// Commanded displacement less clearance and less the slip so far.
     pub(crate) drives: Vec<SVector<f64, C>>,
@@ -113,6 +115,7 @@ impl<'g, D: Size, const C: usize> Problem<'g, D, C> {
             sites,
             polygon,
             turned: Vec::new(),
+            cones: Vec::new(),
             laws,
             slips,
             drives,
@@ -162,13 +165,19 @@ impl<'g, D: Size, const C: usize> Problem<'g, D, C> {
         self.turned.get(contact).unwrap_or_else(|| own())
     }
 
+    /// The friction cone of a contact: that at rest unless it slides with less.
+    #[inline]
+    pub(crate) fn cone(&self, contact: usize) -> Coulomb {
+        self.cones.get(contact).copied().unwrap_or(self.sites[contact].friction)
+    }
+
     /// One contact with its law.
     #[inline]
     pub(crate) fn local(&self, contact: usize) -> LocalLaw<'_, C> {
         let site = &self.sites[contact];
         LocalLaw::new(
             &site.springs,
-            site.friction,
+            self.cone(contact),
             &self.laws[contact],
             self.polygon(contact),
             [self.round, self.infinite_friction_has_edges],

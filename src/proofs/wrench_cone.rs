@@ -168,7 +168,7 @@ pub(crate) fn straight_generators<D: Size, const C: usize>(
             Law::Edge(_) => return None,
             Law::Bonded | Law::Cone { .. } => {}
         }
-        let cone = site.friction;
+        let cone = problem.cone(contact);
         if !local.is_bonded() && cone.has_edges() {
             local.polygon.corners.iter().for_each(|corner| push(cone.generator(corner)));
             continue;

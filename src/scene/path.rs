@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::labels::SceneNames;
 use crate::equilibrium::{Doubt, Equilibrium, Outcome};
-use crate::load_path::{Beyond, Event, LegEnergy, LoadPath, Loss, PathEnd};
+use crate::load_path::{Beyond, Event, Jump, LegEnergy, LoadPath, Loss, PathEnd};
 use crate::serial::AsComputed;
 
 /// A load path that was followed to its end; see [`LoadPath`].
@@ -108,6 +108,7 @@ impl SceneNames {
             Some(PathEnd::Lost(loss)) => {
                 let mut loss = Loss { against: None, ..loss.as_ref().clone() };
                 loss.contacts.iter_mut().for_each(|contact| self.name(contact));
+                loss.jumped.iter_mut().for_each(|slip| self.name(&mut slip.contact));
                 let unknown = Beyond::Undecided { doubt: Doubt::OnTheBoundary };
                 let state = path.state().map(|state| Box::new(self.equilibrium(state)));
                 PathOutcome::Lost { loss, beyond: path.beyond().unwrap_or(unknown), state }
@@ -124,6 +125,11 @@ impl SceneNames {
 
     fn event<const C: usize>(&self, mut event: Event<C>) -> Event<C> {
         event.changes.iter_mut().for_each(|change| self.name(&mut change.contact));
-        Event { state: self.equilibrium(event.state), ..event }
+        let jump = event.jump.map(|mut jump| {
+            jump.changes.iter_mut().for_each(|change| self.name(&mut change.contact));
+            jump.slips.iter_mut().for_each(|slip| self.name(&mut slip.contact));
+            Box::new(Jump { state: self.equilibrium(jump.state), ..*jump })
+        });
+        Event { state: self.equilibrium(event.state), jump, ..event }
     }
 }

@@ -161,7 +161,7 @@ impl<const C: usize> Setup<C> {
         if self.entries().all(|entry| entry.contact.press.is_none()) {
             return Ok(Vec::new());
         }
-        let Outcome::Equilibrium(state) = grasp.solve(&Wrench::ZERO)? else { return Ok(Vec::new()) };
+        let Ok(Outcome::Equilibrium(state)) = grasp.solve(&Wrench::ZERO) else { return Ok(Vec::new()) };
         let mut warnings = Vec::new();
         let mut first = 0;
         for (contact, entry) in self.entries().enumerate() {

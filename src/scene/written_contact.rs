@@ -54,6 +54,9 @@ struct Written<const C: usize> {
     /// Coefficient of friction; 0 if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     friction: Option<Number<Friction>>,
+    /// Coefficient of friction while it slides, at most that at rest; the same if left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    kinetic_friction: Option<Number<Friction>>,
     /// Displacement of the finger's core in the contact frame, normal part first, m; 0 if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     command: Option<AxisRow<Given, C>>,
@@ -125,6 +128,7 @@ impl<const C: usize> Serialize for Fingertip<C> {
             finger_stiffness: finger,
             series_stiffness: series,
             friction: said(contact.friction).then(|| Number::new(contact.friction)),
+            kinetic_friction: contact.kinetic.map(Number::new),
             command: command_along(Axes::Frame),
             command_world: command_along(Axes::World),
             pressed_with: contact.press,
@@ -181,6 +185,7 @@ impl<const C: usize> Fingertip<C> {
         contact.tangent = written.tangent.map(|row| row.0);
         contact.stiffness = stiffness;
         contact.friction = written.friction.map_or(0.0, |mu| mu.0);
+        contact.kinetic = written.kinetic_friction.map(|mu| mu.0);
         contact = match (written.command, written.command_world) {
             (Some(u), None) => contact.command(u.0),
             (None, Some(u)) => contact.command_world(u.0),

@@ -33,6 +33,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         legs: &[Leg<C>],
         settings: &Settings,
     ) -> Result<Shaken<C>, Error> {
+        self.refuse_kinetic("shake")?;
         let cycles = Cycles::at_rest(self, (base, legs), settings)?;
         let Some(rest) = cycles.standing() else {
             let repeats =

@@ -90,6 +90,7 @@ impl<D: Size, const C: usize> Workspace<D, C> {
             sites: grasp.sites(),
             polygon: self.polygon.clone(),
             turned: Vec::new(),
+            cones: Vec::new(),
             laws: std::mem::take(&mut self.laws),
             drives: std::mem::take(&mut self.drives),
             slips: Vec::new(),

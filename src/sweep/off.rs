@@ -25,7 +25,7 @@ impl<const C: usize> Off<C> {
 
     pub(super) fn applied_to(&self, contact: &Contact<C>) -> Contact<C> {
         let mut off = contact.clone();
-        off.friction *= self.friction;
+        off.set_friction(off.friction * self.friction);
         off.command[0] *= self.squeeze;
         off.force = contact.force.map(|force| force * self.squeeze);
         off.suction *= self.squeeze;

@@ -30,6 +30,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         settings: &Settings,
     ) -> Result<PatchPath<'_, C>, Error> {
         self.refuse_hands("follow_patch")?;
+        self.refuse_kinetic("follow_patch")?;
         let settings = settings.on_the_polygon();
         Ok(Path::new(Box::new(Following::start(self, (start, legs), &settings, Patch::at_start)?)))
     }

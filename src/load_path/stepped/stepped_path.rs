@@ -68,6 +68,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         settings: &Settings,
     ) -> Result<SteppedPath<'_, C>, Error> {
         self.refuse_hands("follow_in_steps")?;
+        self.refuse_kinetic("follow_in_steps")?;
         if !(1e-9..=1.0).contains(&error) {
             return Err(Error::Argument { what: "error of a leg", value: error, allowed: "from 1e-9 to 1" });
         }

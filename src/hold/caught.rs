@@ -1,0 +1,72 @@
+//! Jumps on the way of a load: contacts begin to slide with less friction, and others catch the object.
+
+use std::fmt;
+
+use crate::grasp::{Contact, WholeContact, WholeContacts};
+use crate::load_path::{Event, Jump, JumpSlip};
+#[cfg(feature = "serde")]
+use crate::serial::AsComputed;
+use crate::words::{Words, listed};
+
+/// A slip that is shorter than this part of the longest in a jump is not worth a word.
+const SHORT: f64 = 1e-6;
+
+/// The object slips under one load, and is caught.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub struct Caught {
+    /// How many times the load is on then.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
+    pub factor: f64,
+    /// Who slips, and how far.
+    pub slips: Vec<SlippedBy>,
+    /// Energy that is lost, J.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
+    pub energy_lost: f64,
+}
+
+/// How far a contact slips.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub struct SlippedBy {
+    /// Who.
+    #[cfg_attr(feature = "serde", serde(flatten))]
+    pub contact: WholeContact,
+    /// How far: of a soft fingertip the point that slips farthest, m.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
+    pub distance: f64,
+}
+
+impl Caught {
+    /// Those among the events of a leg along which all of a load is put on.
+    pub(super) fn among<const C: usize>(contacts: &[Contact<C>], events: &[Event<C>]) -> Vec<Self> {
+        let parts = WholeContacts::of(contacts);
+        let jumps = events.iter().filter_map(|event| Some((event.fraction, event.jump.as_deref()?)));
+        let caught = |(factor, jump): (f64, &Jump<C>)| {
+            let whole = parts.with(&|i| jump.slips.iter().any(|slip| slip.contact.index == i)).into_iter();
+            let far = |contact: WholeContact| {
+                let range = &parts.ranges()[contact.contact];
+                let of_it = |slip: &&JumpSlip<C>| range.contains(&slip.contact.index);
+                let distances = jump.slips.iter().filter(of_it).map(|slip| slip.slip.norm());
+                SlippedBy { distance: distances.fold(0.0, f64::max), contact }
+            };
+            Self { factor, slips: whole.map(far).collect(), energy_lost: jump.energy_lost }
+        };
+        jumps.map(caught).collect()
+    }
+}
+
+/// "after slipping 0.4 mm at left".
+impl fmt::Display for Caught {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let words = Words::of(f);
+        let longest = self.slips.iter().map(|slip| slip.distance).fold(0.0, f64::max);
+        let told = self.slips.iter().filter(|slip| slip.distance > SHORT * longest);
+        let told = told.map(|slip| format!("{} at {}", words.length(slip.distance), slip.contact.text()));
+        write!(f, "after slipping {}", listed(&told.collect::<Vec<_>>()))
+    }
+}

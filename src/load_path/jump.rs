@@ -1,0 +1,67 @@
+//! What happens at one load where friction falls: a contact begins to slide, and others catch the object.
+
+use std::fmt;
+
+use nalgebra::SVector;
+
+use super::event::ContactChange;
+use crate::equilibrium::Equilibrium;
+use crate::error::ContactLabel;
+#[cfg(feature = "serde")]
+use crate::serial::AsComputed;
+use crate::words::{Words, listed};
+
+/// A jump from one equilibrium to another under one load: contacts begin to slide, and with [kinetic friction](crate::grasp::Contact::kinetic) they carry
+/// less.
+///
+/// What they have lost is taken off as slowly as need be, so that the others take it over: contacts that reach their friction at rest on that way begin to
+/// slide, too, and lose theirs. The object comes to rest where forces balance again. That is the overdamped answer: it does not shoot over.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub struct Jump<const C: usize> {
+    /// What else changes in it, in order: contacts that join, others that stick again, open or close.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    pub changes: Vec<ContactChange<C>>,
+    /// The contacts that slip in it, and how far.
+    pub slips: Vec<JumpSlip<C>>,
+    /// Energy that is lost in it, J: the work of the load less what springs take up. Friction makes heat of the larger part, and of the rest what damps the
+    /// object.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
+    pub energy_lost: f64,
+    /// The equilibrium after it.
+    pub state: Equilibrium<C>,
+}
+
+/// How far a contact slips in a jump.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub struct JumpSlip<const C: usize> {
+    /// Which contact.
+    #[cfg_attr(feature = "serde", serde(flatten))]
+    pub contact: ContactLabel,
+    /// Slip in the contact frame, as that of [`ContactAnswer`](crate::equilibrium::ContactAnswer), m.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
+    pub slip: SVector<f64, C>,
+}
+
+/// "caught after left slips 0.4 mm", the point of a soft fingertip that slips farthest.
+impl<const C: usize> fmt::Display for Jump<C> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let words = Words::of(f);
+        let mut told: Vec<(ContactLabel, f64)> = Vec::new();
+        for slip in &self.slips {
+            let (whole, far) = (slip.contact.whole(), slip.slip.norm());
+            match told.iter_mut().find(|(known, _)| *known == whole) {
+                Some((_, farthest)) => *farthest = farthest.max(far),
+                None => told.push((whole, far)),
+            }
+        }
+        let told =
+            told.iter().map(|(contact, far)| format!("{} slips {}", contact.text(), words.length(*far)));
+        write!(f, "caught after {}", listed(&told.collect::<Vec<_>>()))
+    }
+}
