@@ -83,6 +83,8 @@ pub type Event = crate::load_path::Event<2>;
 pub type ContactChange = crate::load_path::ContactChange<2>;
 /// What a contact does from an event on; see [`crate::load_path::Change`].
 pub type Change = crate::load_path::Change<2>;
+/// A jump at one load on it; see [`crate::load_path::Jump`].
+pub type Jump = crate::load_path::Jump<2>;
 /// How a load path ends; see [`crate::load_path::PathEnd`].
 pub type PathEnd = crate::load_path::PathEnd<2>;
 /// A load program being followed; see [`crate::load_path::LoadPath`].

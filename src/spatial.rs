@@ -84,6 +84,8 @@ pub type Event = crate::load_path::Event<3>;
 pub type ContactChange = crate::load_path::ContactChange<3>;
 /// What a contact does from an event on; see [`crate::load_path::Change`].
 pub type Change = crate::load_path::Change<3>;
+/// A jump at one load on it; see [`crate::load_path::Jump`].
+pub type Jump = crate::load_path::Jump<3>;
 /// How a load path ends; see [`crate::load_path::PathEnd`].
 pub type PathEnd = crate::load_path::PathEnd<3>;
 /// A load program being followed; see [`crate::load_path::LoadPath`].

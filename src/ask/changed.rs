@@ -125,7 +125,8 @@ impl<const C: usize> Grasp<C> {
         self.changed(self.engine.growing_together(load, &named.collect::<Vec<_>>()))
     }
 
-    /// This grasp with other coefficients of friction, from the number of each contact and what it has.
+    /// This grasp with other coefficients of friction, from the number of each contact and what it has. Those of contacts that
+    /// [slide](crate::grasp::Contact::kinetic) change in proportion.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp};

@@ -162,7 +162,8 @@ impl<const C: usize> Grasp<C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.
+    /// [`Error::Wrench`] if the load is not finite, or beyond 1e50; [`Error::KineticFriction`] if a contact slides whose friction is
+    /// [lower](crate::grasp::Contact::kinetic) then.
     pub fn solve(&self, load: &Wrench<C>) -> Result<Outcome<C>, Error> {
         self.engine.solve(load, &self.settings)
     }

@@ -42,7 +42,7 @@ impl<const C: usize> Grasp<C> {
     /// ```
     ///
     /// # Errors
-    /// As for [`Self::follow`]; [`Error::NotClosed`] for a cycle that ends elsewhere.
+    /// As for [`Self::follow`]; [`Error::NotClosed`] for a cycle that ends elsewhere; [`Error::KineticFriction`].
     #[doc(alias = "shakedown", alias = "ratcheting", alias = "vibration", alias = "cyclic load")]
     pub fn shake(&self, base: &Wrench<C>, cycle: &[Leg<C>]) -> Result<Shaken<C>, Error> {
         self.engine.shake(base, cycle, &self.settings)
@@ -54,7 +54,7 @@ impl<const C: usize> Grasp<C> {
     /// there is [`Self::follow_in_steps`]. Vacuums of suction cups stay on whatever their lips do. See [`PatchPath`].
     ///
     /// # Errors
-    /// As for [`Self::follow`]; [`Error::NotForHands`]; [`Error::StraightOnly`] if the load of a leg turns.
+    /// As for [`Self::follow`]; [`Error::NotForHands`]; [`Error::KineticFriction`]; [`Error::StraightOnly`] if the load of a leg turns.
     pub fn follow_patch(&self, start: &Wrench<C>, legs: &[Leg<C>]) -> Result<PatchPath<'_, C>, Error> {
         self.engine.follow_patch(start, legs, &self.settings)
     }
@@ -93,7 +93,7 @@ impl<const C: usize> Grasp<C> {
     /// ```
     ///
     /// # Errors
-    /// As for [`Self::follow`]; [`Error::NotForHands`]; [`Error::Argument`] unless `error` is from 1e-9 to 1.
+    /// As for [`Self::follow`]; [`Error::NotForHands`]; [`Error::KineticFriction`]; [`Error::Argument`] unless `error` is from 1e-9 to 1.
     pub fn follow_in_steps(
         &self,
         start: &Wrench<C>,

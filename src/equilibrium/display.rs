@@ -199,7 +199,7 @@ impl fmt::Display for Doubt {
             }
             Self::Inaccurate => "numbers lie so far apart that the answer cannot be written down accurately",
             Self::OutOfPivots => "the limit of pivots was reached",
-            Self::OutOfSteps => "the limit of steps along sliding arcs was reached",
+            Self::OutOfSteps => "the limit of steps along sliding arcs and of jumps was reached",
         })
     }
 }

@@ -76,6 +76,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         {
             add(found, rule, &effort);
         }
+        list.iter().try_for_each(|state| self.refuse_kinetic_slides("equilibria", state))?;
         Ok(list)
     }
 

@@ -8,6 +8,7 @@
 //! | Why are there several equilibria, and which one is real? | [`several_equilibria`] |
 //! | What does it mean that Lemke's method ended on a ray? | [`reading_a_ray`] |
 //! | Round cone or polygon, and how many facets? | [`choosing_facets`] |
+//! | Is the object caught, or does it fall at the first slip? | [`kinetic_friction`] |
 //! | How are wedges, vices, stacks and arches said, with more bodies than one? | [`several_bodies`] |
 //! | Does it survive shaking, and what walks out? | [`loads_that_repeat`] |
 //! | How is a suction cup said, and when does it let go? | [`suction_cups`] |
@@ -18,6 +19,7 @@
 pub mod choosing_facets;
 pub mod everyday;
 pub mod hands;
+pub mod kinetic_friction;
 pub mod loads_that_repeat;
 pub mod reading_a_ray;
 pub mod several_bodies;

@@ -119,13 +119,14 @@ impl<const C: usize> Verdict<C> {
     fn catches(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (words, digits) = (Words::of(f), Words::of(f).digits());
         let Some(last) = self.caught.last() else { return Ok(()) };
+        let at = match self.load.measure() {
+            Some((size, unit)) => format!("at {} {unit}", words.number(size * last.factor)),
+            None => format!("at {} of it", words.number(last.factor)),
+        };
         match (&self.holding, self.caught.len()) {
             (Holding::Slides { .. }, 1) => write!(f, ", caught {last:.digits$}"),
-            (_, 1) => write!(f, ", caught once, at {} of it, {last:.digits$}", words.number(last.factor)),
-            (_, times) => {
-                let part = words.number(last.factor);
-                write!(f, ", caught {times} times, the last time at {part} of it, {last:.digits$}")
-            }
+            (_, 1) => write!(f, ", caught {at} {last:.digits$}"),
+            (_, times) => write!(f, ", caught {times} times, the last time {at} {last:.digits$}"),
         }
     }
 

@@ -214,7 +214,9 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
             }
         }
         segment.largest = self.segment.largest;
-        Ok(Self { at_node: true, ..Self::standing(segment, node) })
+        let mut leg = Self { at_node: true, ..Self::standing(segment, node) };
+        leg.pace.steps = self.pace.steps + 1;
+        Ok(leg)
     }
 
     /// Goes over to where the object comes to rest when the friction of these falls. `None` where they have none to lose.
@@ -225,6 +227,10 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
     ) -> Result<Option<Jump<C>>, PathEnd<C>> {
         if begin.is_empty() {
             return Ok(None);
+        }
+        // Where contacts that slide together stick and slip in turn there are ever more jumps, the less friction falls.
+        if self.pace.steps >= journey.settings.most_steps {
+            return Err(journey.undecided(self.factor, Doubt::OutOfSteps));
         }
         let goal = self.segment.course.at(self.factor);
         let end_here = |end| match end {
@@ -256,6 +262,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         (problem.slips, problem.cones) = (relaxed.slips, relaxed.cones);
         self.segment.largest = self.segment.largest.max(fall.leg.segment.largest);
         self.step_error += fall.leg.step_error;
+        self.pace.steps = fall.leg.pace.steps;
         let energy = self.energy_of(&goal, &before.forces, &before.twist);
         if let Some(leg) = self.energy.last_mut() {
             leg.add_part(&energy);

@@ -67,7 +67,8 @@ impl<const C: usize> Need<C> {
         Self::of(Sought::Squeeze { loads: loads.into() })
     }
 
-    /// The least coefficient of friction for these loads: one for all contacts that rub.
+    /// The least coefficient of friction for these loads: one for all contacts that rub. Those of contacts that [slide](crate::grasp::Contact::kinetic) keep
+    /// their proportion to it.
     #[must_use]
     pub fn friction(loads: impl Into<Loads<C>>) -> Self {
         Self::of(Sought::Friction { loads: loads.into(), contacts: None })

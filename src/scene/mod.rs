@@ -48,6 +48,7 @@
 //! | `finger_stiffness` | the finger's springs, in the same ways | N/m | rigid, if the body is not |
 //! | `series_stiffness` or `stiffness` | both in series, in place of the two; one number for all directions | N/m | 1e4 in all directions if there is none at all; [`Setup::stiffness_left_out`] says whether an answer depends on that |
 //! | `friction` | coefficient μ, or `"infinite"` | | 0 |
+//! | `kinetic_friction` | coefficient while it slides, at most that at rest; see [`Contact::kinetic`](crate::grasp::Contact::kinetic) | | that at rest |
 //! | `command` | displacement of the finger's core in the contact frame, normal part first | m | 0 |
 //! | `command_world` | the same displacement along the coordinate axes, in place of `command` | m | not used |
 //! | `pressed_with` | force of the squeeze, in place of the normal command; see [`Contact::pressed_with`](crate::grasp::Contact::pressed_with) | N | |
@@ -173,7 +174,7 @@
 //! | `max_pivots` | limit of pivots | by size |
 //! | `most_states` | most combinations of contact states to try | 20 000 |
 //! | `step_error` | of one step along a sliding arc, between 0 and 1 | 1e-9 |
-//! | `most_steps` | most steps along sliding arcs within a leg | 20 000 |
+//! | `most_steps` | most steps along sliding arcs and jumps within a leg | 20 000 |
 //!
 //! Two fingers in the plane:
 //!

@@ -48,7 +48,7 @@ pub enum Doubt {
     Inaccurate,
     /// The pivot limit was reached or a factorisation broke down, with too many contacts to try every combination.
     OutOfPivots,
-    /// On a load path: a leg takes more than [`Settings::most_steps`](crate::Settings::most_steps) along sliding arcs of the round cone.
+    /// On a load path: a leg takes more than [`Settings::most_steps`](crate::Settings::most_steps) along sliding arcs of the round cone, or as many jumps.
     OutOfSteps,
 }
 

@@ -39,7 +39,8 @@ pub struct Settings {
     /// Where rounding allows only a larger one, that is reported by
     /// [`LoadPath::step_error`](crate::load_path::LoadPath::step_error). Where a path is straight there are no steps.
     pub step_error: f64,
-    /// On a load path on the round cone, steps along sliding arcs within one leg, refused ones included (default 20 000). With more the path ends [undecided](crate::load_path::PathEnd::Undecided) where it stands.
+    /// On a load path, steps along sliding arcs of the round cone within one leg, refused ones included, and jumps where friction falls as contacts begin to slide
+    /// (default 20 000). With more the path ends [undecided](crate::load_path::PathEnd::Undecided) where it stands.
     pub most_steps: usize,
     /// So many times the load that is asked about [`hold`](crate::ask::Grasp::hold) looks for where it is lost (default 100; up to 1 it stops where all of
     /// the load is on).
@@ -97,7 +98,7 @@ impl Settings {
         self
     }
 
-    /// The same with another limit on the steps along sliding arcs within one leg.
+    /// The same with another limit on the steps along sliding arcs and the jumps within one leg.
     #[must_use]
     pub fn with_most_steps(mut self, most_steps: usize) -> Self {
         self.most_steps = most_steps;

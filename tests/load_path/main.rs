@@ -14,6 +14,7 @@ mod followers;
 mod free_motion;
 mod in_space;
 mod invariance;
+mod kinetic;
 mod law;
 mod leg_ends;
 mod measured_pushes;

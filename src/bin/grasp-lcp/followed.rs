@@ -30,6 +30,10 @@ impl Report<'_> {
                 let (fraction, load) = (self.number(event.fraction), self.load(&event.load));
                 self.line(&format!("leg {} at {fraction}, {load}: {what}", event.leg))?;
             }
+            if let Some(jump) = &event.jump {
+                let (fraction, load) = (self.number(event.fraction), self.load(&event.load));
+                self.line(&format!("leg {} at {fraction}, {load}: {jump:.digits$}", event.leg))?;
+            }
             if let Some(caution) = event.state.caution().filter(|_| !warned) {
                 self.line(&format!("CAUTION, from here on: {caution}"))?;
                 warned = true;
@@ -51,6 +55,11 @@ impl Report<'_> {
                 let (fraction, load) = (self.number(loss.fraction), self.load(&loss.load));
                 let (leg, how) = (loss.leg, loss.kind);
                 self.line(&format!("this equilibrium ends at {fraction} of leg {leg}, {load}: {how}"))?;
+                if !loss.jumped.is_empty() {
+                    self.line(
+                        "friction falls as contacts begin to slide there, and nothing catches the object",
+                    )?;
+                }
                 if let Some(state) = state {
                     self.on_their_edge(loss, state)?;
                     self.table(state)?;

@@ -1,0 +1,38 @@
+//! Friction that is lower once a contact slides: is the object caught, or does it fall at the first slip?
+//!
+//! Most tables give two coefficients. A scene says the second one as `kinetic_friction` beside `friction`, Rust as
+//! [`kinetic`](crate::grasp::Contact::kinetic). Left out, a contact slides with the friction that it has at rest.
+//!
+//! # A box is pulled that stands on a plastic foot and a rubber foot
+//!
+//! ```text
+//! $ grasp-lcp hold examples/scenes/feet.json
+//! HOLDS, but plastic foot slides from 0.9375 of it on, caught after slipping 0.6 mm at plastic foot; lost at 1.5 times this load
+//! ```
+//!
+//! Both feet press with 10 N. The plastic one is twice as stiff: of 7.5 N it carries 5 N, all that it can. It slides, keeps 4 N, and the rubber foot takes over what it loses.
+//! Two feet with the coefficients of the plastic one would catch the box if and only if the softer is at most `μ_k/μ_s` times as stiff. As stiff as each other they slide at once, and the box is gone.
+//!
+//! # What is told
+//!
+//! Contacts that begin to slide lose `(μ_s - μ_k) F_n` at once. What they lose goes over to the others at the same load; who reaches its friction of rest on that way begins to slide, too. At the end everything is in
+//! balance again, or nothing holds: [`Event::jump`](crate::load_path::Event::jump) has the state after, who slipped how far and the energy that is lost; [`Loss::jumped`](crate::load_path::Loss::jumped) who
+//! slipped before the object was lost. What goes on sliding as the load grows keeps its friction of sliding. What comes to rest has that of rest again: where it sticks, where the load turns back, and on a leg along
+//! which nothing changes, a pause.
+//!
+//! The first slip is the same with and without: it is a matter of rest. So are all questions that know rest alone, such as onsets, screening, reserves and statics.
+//!
+//! # What it misses
+//!
+//! * **It does not shoot over.** The object comes to rest where forces balance, as in oil. A slider on a spring falls from `μ_s N` to `μ_k N` and then slides steadily. One without damping falls twice as far,
+//!   to `(2 μ_k - μ_s) N`, sticks, and does so again: stick-slip. In such a jump others take up to about twice the change that is told here, and some that would catch do not.
+//!   `2 μ_k - μ_s` in place of `μ_k` shows what that would do; for one spring it is exact.
+//! * **Which way it goes.** Where several contacts join, it depends on the damping who does first. Simulated in a viscous medium, random grasps came to rest where the jump ends but for the few that the tests count.
+//! * **Another equilibrium.** Where a jump is not caught, [`LoadPath::beyond`](crate::load_path::Path::beyond) says whether anything holds with the friction that is left; whether the object arrives there nobody knows.
+//! * **Soft fingertips** slide point after point, and each point leaves to the others what it loses. With many points their peak converges; with few it is higher or lower by a part of one over their number.
+//! * **Speed and age.** Both coefficients are numbers. Friction that grows with the time at rest, or falls with the speed, is not in them.
+//!
+//! # Skin and rubber: friction that falls with force
+//!
+//! For `μ(N) = μ₁ N^(n-1)` ask twice, with the coefficients at the least and at the largest normal force that the contact has under the load: the answers bracket it where more friction is
+//! better. Skin loses about half of its coefficient from 1 N to 20 N.

@@ -1,0 +1,149 @@
+//! Friction that is lower once contacts slide, in a sentence, in a scene, as an amount, and where it is refused.
+
+use grasp_lcp::hold::Holding;
+use grasp_lcp::need::Need;
+use grasp_lcp::planar::{Contact, Grasp, Leg, Outcome, Wrench};
+use grasp_lcp::scene::Setup;
+use grasp_lcp::{Error, Field};
+
+type Tested = Result<(), Error>;
+
+fn foot(name: &str, x: f64, stiffness: f64) -> Contact {
+    let contact = Contact::new([x, 0.0], [0.0, 1.0]).name(name).series_stiffness(1000.0, stiffness);
+    contact.friction(0.5).pressed_with(10.0)
+}
+
+/// Two feet on a rail without friction: the first one slides at 10 (1 + ratio)/2 N.
+fn feet(kinetic: f64, ratio: f64) -> Result<Grasp, Error> {
+    let rail = |x: f64| Contact::new([x, 0.1], [0.0, -1.0]).series_stiffness(1000.0, 1.0).pressed_with(10.0);
+    Grasp::new([
+        foot("left", -0.1, 1000.0).kinetic(kinetic),
+        foot("right", 0.1, 1000.0 * ratio).kinetic(kinetic),
+        rail(-0.1),
+        rail(0.1),
+    ])
+}
+
+fn pull(force: f64) -> Wrench {
+    Wrench::force([force, 0.0])
+}
+
+#[test]
+fn the_first_line_says_that_it_is_caught() -> Tested {
+    let verdict = feet(0.4, 0.5)?.hold(pull(8.0))?;
+    assert_eq!(
+        verdict.to_string(),
+        "HOLDS, but left slides from 0.9375 of it on, caught after slipping 3 mm at left; lost at 1.125 times this load"
+    );
+    assert_eq!(verdict.caught.len(), 1);
+    assert!((verdict.caught[0].slips[0].distance - 3e-3).abs() < 1e-15);
+    let first_slip = verdict.first_slip.expect("left slides");
+    assert!((first_slip.factor - 7.5 / 8.0).abs() < 1e-13);
+    Ok(())
+}
+
+#[test]
+fn the_first_line_says_that_it_falls() -> Tested {
+    let words = feet(0.3, 0.9)?.hold(pull(12.0))?.to_string();
+    assert!(
+        words.starts_with(
+            "SLIPS OUT at 9.5 N of 12 N, falls at the first slip: the object moves along +x, left"
+        ),
+        "{words}"
+    );
+    let words = feet(0.4, 0.5)?.hold(pull(12.0))?.to_string();
+    let told = "SLIPS OUT at 9 N of 12 N, caught at 7.5 N after slipping 3 mm at left: the object moves along +x, left and right slide";
+    assert!(words.starts_with(told), "{words}");
+    Ok(())
+}
+
+/// Lost at 9 N: so much load, so much squeeze for 8 N, so much friction with the same ratio of both.
+#[test]
+fn needs_count_with_it() -> Tested {
+    let grasp = feet(0.4, 0.5)?;
+    let is = |need: Need<2>, amount: f64| -> Tested {
+        let needed = grasp.need(&need.to_hold())?;
+        let found = needed.amount.bound().unwrap_or(f64::NAN);
+        assert!((found / amount - 1.0).abs() < 1e-9, "{amount}: {needed}");
+        Ok(())
+    };
+    is(Need::load(pull(8.0)), 9.0 / 8.0)?;
+    is(Need::squeeze(pull(8.0)), 8.0 / 9.0)?;
+    is(Need::friction_of([0, 1], pull(8.0)), 0.5 * 8.0 / 9.0)
+}
+
+#[test]
+fn coefficients_are_checked() {
+    for kinetic in [0.0, -0.1, 0.51, f64::NAN, f64::INFINITY, 1e-9] {
+        let refused = Grasp::new([foot("left", 0.0, 1.0).kinetic(kinetic)]).unwrap_err();
+        let Error::Contact { field: Field::KineticFriction, .. } = refused else { panic!("{refused:?}") };
+        let words = refused.to_string();
+        assert!(words.starts_with("contact 0 (left): kinetic friction coefficient is "), "{words}");
+        assert!(
+            words.ends_with("must be from a millionth of the friction coefficient at rest to all of it"),
+            "{words}"
+        );
+    }
+    assert!(Grasp::new([foot("left", 0.0, 1.0).kinetic(0.5)]).is_ok());
+}
+
+#[test]
+fn what_does_not_know_it_says_so() -> Tested {
+    let grasp = feet(0.4, 0.5)?;
+    let leg = Leg::load_to(pull(1.0));
+    let refused = [
+        ("solve", grasp.solve(&pull(8.0)).err()),
+        ("follow_patch", grasp.follow_patch(&pull(0.0), &[leg.clone()]).err()),
+        ("follow_in_steps", grasp.follow_in_steps(&pull(0.0), &[leg.clone()], 1e-4).err()),
+        ("shake", grasp.shake(&pull(0.0), &Leg::there_and_back(pull(1.0))).err()),
+        ("equilibria", grasp.equilibria(&pull(8.0)).err()),
+    ];
+    for (name, error) in refused {
+        assert!(
+            matches!(error, Some(Error::KineticFriction { question, .. }) if question == name),
+            "{name}: {error:?}"
+        );
+    }
+    // Where nothing slides friction of rest is all there is to know.
+    assert!(matches!(grasp.solve(&pull(7.0))?, Outcome::Equilibrium(_)));
+    Ok(())
+}
+
+#[test]
+fn scenes_say_it_and_keep_it() {
+    let text = r#"{"contacts": [
+        {"name": "left", "point": [-0.1, 0], "normal": [0, 1], "stiffness": [1000, 1000], "friction": 0.5, "kinetic_friction": 0.4, "pressed_with": 10},
+        {"name": "right", "point": [0.1, 0], "normal": [0, 1], "stiffness": [1000, 500], "friction": 0.5, "kinetic_friction": 0.4, "pressed_with": 10},
+        {"point": [-0.1, 0.1], "normal": [0, -1], "stiffness": 1000, "pressed_with": 10},
+        {"point": [0.1, 0.1], "normal": [0, -1], "stiffness": 1000, "pressed_with": 10}]}"#;
+    let setup: Setup<2> = serde_json::from_str(text).unwrap();
+    let again: Setup<2> = serde_json::from_str(&serde_json::to_string(&setup).unwrap()).unwrap();
+    for setup in [setup, again] {
+        let verdict = setup.grasp().unwrap().hold(pull(8.0)).unwrap();
+        assert!(matches!(verdict.holding, Holding::Slides { .. }) && verdict.caught.len() == 1);
+    }
+    let refused = serde_json::from_str::<Setup<2>>(&text.replace("0.4,", "0.6,")).unwrap_err().to_string();
+    assert!(
+        refused.contains("left: kinetic friction coefficient is 0.6, must be from a millionth"),
+        "{refused}"
+    );
+}
+
+/// What slides at rest already has lost its friction of rest before the load comes on.
+#[test]
+fn what_slides_at_rest_slides_with_less() -> Tested {
+    // Dragged by 12 mm: 5 N would be held at rest, 4 N are once it slides.
+    let dragged = Contact::new([0.0, 0.0], [0.0, 1.0])
+        .series_stiffness(1000.0, 1000.0)
+        .friction(0.5)
+        .kinetic(0.4)
+        .command([0.01, 0.012]);
+    let held = |y: f64, k: f64| Contact::new([0.0, y], [0.0, -1.0]).series_stiffness(k, k).bonded();
+    let grasp = Grasp::new([dragged, held(0.1, 1e9), held(0.2, 1e9)])?;
+    let mut path = grasp.follow(&Wrench::ZERO, &[Leg::load_to(pull(0.0))])?;
+    let events = path.run();
+    let jump = events[0].jump.as_deref().expect("it slides at rest");
+    let forces = [&events[0].state, &jump.state].map(|state| state.contacts[0].force[1].abs());
+    assert!((forces[0] - 5.0).abs() < 1e-5 && (forces[1] - 4.0).abs() < 1e-5, "{forces:?}");
+    Ok(())
+}

@@ -1,0 +1,76 @@
+//! A planar grasp in space, turned anyhow, on the round cone: it jumps at the same load to the same forces.
+
+use grasp_lcp::{planar, spatial};
+use nalgebra::{Rotation3, Vector3};
+use support::splitmix::Random;
+
+use super::catching_sets::{Datum, scene};
+
+/// The contact in space, where the plane lies turned.
+fn turned(datum: &Datum, turn: &Rotation3<f64>) -> spatial::Contact {
+    let [[x, y], [n_x, n_y], [k_n, k_t]] = [datum.point, datum.normal, datum.stiffness];
+    let there = |x: f64, y: f64| <[f64; 3]>::from(turn * Vector3::new(x, y, 0.0));
+    spatial::Contact::new(there(x, y), there(n_x, n_y))
+        .tangent(there(n_y, -n_x))
+        .series_stiffness_axes([k_n, k_t, k_t])
+        .friction(datum.friction[0])
+        .kinetic(datum.friction[1])
+        .command([datum.press, 0.0, 0.0])
+}
+
+#[test]
+fn a_planar_jump_in_space_is_the_same() {
+    let mut random = Random(0x726f_756e_64);
+    let (mut jumps, mut losses) = (0, 0);
+    for number in 0..1000 {
+        let (data, base, more) = scene(&mut random);
+        if data.len() < 3 {
+            continue;
+        }
+        let turn = Rotation3::from_euler_angles(random.normal(), random.normal(), random.normal());
+        let flat = planar::Grasp::new(data.iter().map(Datum::contact)).unwrap();
+        let round = spatial::Grasp::new(data.iter().map(|datum| turned(datum, &turn))).unwrap();
+        let wrench = |[x, y, spin]: [f64; 3]| {
+            let [force, moment] =
+                [Vector3::new(x, y, 0.0), Vector3::new(0.0, 0.0, spin)].map(|v| <[f64; 3]>::from(turn * v));
+            (planar::Wrench::new([x, y], spin), spatial::Wrench::new(force, moment))
+        };
+        let ([from, there], [to, beyond]) = {
+            let ((a, b), (c, d)) = (wrench(base), wrench(more));
+            ([a, c], [b, d])
+        };
+        let mut path = flat.follow(&from, &[planar::Leg::load_by(there)]).unwrap();
+        let mut in_space = round.follow(&to, &[spatial::Leg::load_by(beyond)]).unwrap();
+        let (first, second) = (path.next(), in_space.next());
+        match (&first, &second) {
+            (Some(a), Some(b)) => {
+                assert!((a.fraction - b.fraction).abs() < 1e-9 * a.fraction.max(1e-3), "{number}");
+                assert_eq!(a.jump.is_some(), b.jump.is_some(), "{number}");
+                let (Some(a), Some(b)) = (&a.jump, &b.jump) else { continue };
+                let largest = a.state.largest_force();
+                for (flat, round) in a.state.contacts.iter().zip(&b.state.contacts) {
+                    let apart = (round.force[0] - flat.force[0]).hypot(round.force[1] - flat.force[1]);
+                    assert!(apart.hypot(round.force[2]) < 1e-8 * largest, "{number}: {flat:?} {round:?}");
+                }
+                jumps += 1;
+            }
+            (None, None) => {
+                let [a, b] = [
+                    path.end().and_then(|end| end.loss()).map(|loss| (loss.fraction, loss.jumped.len())),
+                    in_space.end().and_then(|end| end.loss()).map(|loss| (loss.fraction, loss.jumped.len())),
+                ];
+                assert_eq!(
+                    a.map(|(_, jumped)| jumped),
+                    b.map(|(_, jumped)| jumped),
+                    "{number}: {:?} {:?}",
+                    path.end(),
+                    in_space.end()
+                );
+                losses += usize::from(a.is_some_and(|(_, jumped)| jumped > 0));
+            }
+            _ => panic!("{number}: {first:?} {:?}\n{second:?} {:?}", path.end(), in_space.end()),
+        }
+    }
+    println!("{jumps} jumps, {losses} losses");
+    assert!(jumps > 200 && losses > 10);
+}

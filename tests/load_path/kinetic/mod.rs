@@ -1,0 +1,8 @@
+//! Friction that is lower once contacts slide.
+
+mod catching_sets;
+mod closed_forms;
+mod in_space;
+mod nearly_static;
+mod overdamped;
+mod pad;

@@ -1,0 +1,122 @@
+//! As friction of sliding comes near that of rest, paths and their events come near those without, in proportion.
+
+use grasp_lcp::planar::{Change, Equilibrium, Event, Grasp, Leg, PathEnd, Wrench};
+use support::splitmix::Random;
+
+use super::catching_sets::{Datum, scene};
+
+/// Who does what, in order.
+fn story(events: &[Event]) -> Vec<(usize, std::mem::Discriminant<Change>)> {
+    events
+        .iter()
+        .flat_map(|event| &event.changes)
+        .map(|c| (c.contact.index, std::mem::discriminant(&c.what)))
+        .collect()
+}
+
+fn apart(a: &Equilibrium, b: &Equilibrium) -> f64 {
+    let both = a.contacts.iter().zip(&b.contacts);
+    both.map(|(a, b)| (a.force - b.force).norm()).fold(0.0, f64::max) / a.largest_force()
+}
+
+/// With more events than that a path is left.
+const MOST: usize = 400;
+
+/// The parts by which friction falls.
+const PARTS: [f64; 5] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
+
+/// Means and maxima of differences over the part.
+#[derive(Default)]
+struct Apart {
+    count: [usize; 5],
+    sum: [f64; 5],
+    most: [f64; 5],
+}
+
+impl Apart {
+    fn add(&mut self, k: usize, off: f64) {
+        self.count[k] += 1;
+        self.sum[k] += off / PARTS[k];
+        self.most[k] = self.most[k].max(off / PARTS[k]);
+    }
+
+    fn told(&self, what: &str) {
+        let means: Vec<_> = self.sum.iter().zip(self.count).map(|(sum, count)| sum / count as f64).collect();
+        println!(
+            "{what} apart over 1 - μ_k/μ_s = {PARTS:?}: mean {means:?}, most {:?} of {:?}",
+            self.most, self.count
+        );
+    }
+}
+
+#[test]
+fn paths_converge_in_proportion() {
+    let mut random = Random(0x6f6e_65);
+    let (mut events_apart, mut forces_apart, mut in_turn) =
+        (Apart::default(), Apart::default(), Apart::default());
+    let mut count = 0;
+    while count < 300 {
+        let (data, base, more) = scene(&mut random);
+        let wrench = |[x, y, spin]: [f64; 3]| Wrench::new([x, y], spin);
+        let legs = [Leg::load_by(wrench(more) * 2.0), Leg::load_by(wrench(more) * -2.0)];
+        let followed = |kinetic: Option<f64>| {
+            let contact = |datum: &Datum| {
+                let contact = datum.plain();
+                kinetic.map_or(contact.clone(), |part| contact.kinetic(datum.friction[0] * (1.0 - part)))
+            };
+            let grasp = Grasp::new(data.iter().map(contact)).unwrap();
+            let mut path = grasp.follow(&wrench(base), &legs).unwrap();
+            let events: Vec<_> = path.by_ref().take(MOST).collect();
+            (events, matches!(path.end(), Some(PathEnd::Completed)).then(|| path.state()).flatten())
+        };
+        let (plain, end) = followed(None);
+        let Some(end) = end else { continue };
+        if !plain.iter().any(|event| event.changes.iter().any(|c| matches!(c.what, Change::Slides { .. }))) {
+            continue;
+        }
+        count += 1;
+        let all = PARTS.map(|part| followed(Some(part)));
+        // Contacts that slide together may stick and slip in turn, in ever more and ever smaller jumps.
+        let alike = all[2..].iter().all(|(events, _)| story(events) == story(&plain));
+        for (k, (events, state)) in all.iter().enumerate() {
+            let Some(state) = state else { continue };
+            if !alike {
+                in_turn.add(k, apart(&end, state));
+            } else if story(events) == story(&plain) {
+                let off = events.iter().zip(&plain).map(|(a, b)| (a.fraction - b.fraction).abs());
+                events_apart.add(k, off.fold(0.0, f64::max));
+                forces_apart.add(k, apart(&end, state));
+            }
+        }
+    }
+    events_apart.told("events");
+    forces_apart.told("forces");
+    in_turn.told("forces where contacts stick and slip in turn");
+    for apart in [&events_apart, &forces_apart] {
+        // Of order one: with a hundredth of the part a hundredth of the difference.
+        assert!(apart.most[4] < 2.0 * apart.most[2] && apart.most[4] > 0.5 * apart.most[2]);
+        assert!(apart.count[4] > 150);
+    }
+    assert!(in_turn.most[..3].iter().all(|most| *most < 10.0));
+}
+
+/// The coefficient of rest given once more changes no bit.
+#[test]
+fn friction_of_rest_given_twice_is_given_once() {
+    let mut random = Random(0x6269_7473);
+    for _ in 0..200 {
+        let (data, base, more) = scene(&mut random);
+        let wrench = |[x, y, spin]: [f64; 3]| Wrench::new([x, y], spin);
+        let [once, twice] = [false, true].map(|twice| {
+            let contact = |datum: &Datum| {
+                let contact = datum.plain();
+                if twice { contact.kinetic(datum.friction[0]) } else { contact }
+            };
+            let grasp = Grasp::new(data.iter().map(contact)).unwrap();
+            let mut path = grasp.follow(&wrench(base), &[Leg::load_by(wrench(more))]).unwrap();
+            let events = path.run();
+            (events, path.place(), path.forces())
+        });
+        assert!(once == twice);
+    }
+}
