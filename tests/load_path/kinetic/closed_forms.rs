@@ -51,17 +51,21 @@ fn the_ratio_of_stiffnesses_decides() {
         let edge = sliding / rest;
         for off in [1e-1, 1e-3, 1e-6, 1e-9, 1e-12] {
             for (ratio, is_caught) in [(edge * (1.0 - off), true), (edge * (1.0 + off), false)] {
+                // Of two as stiff as each other neither is the first.
+                if ratio >= 1.0 {
+                    continue;
+                }
                 let grasp = feet(10.0, [rest, sliding], [1000.0, 1000.0 * ratio]);
                 let first = (1.0 + ratio) * rest * 10.0;
-                let (events, end, place) = pulled(&grasp, first * (1.0 + 0.5 * off.min(1e-3)));
+                let (events, end, place) = pulled(&grasp, 1.01 * first);
                 let jumped = events.iter().any(|event| event.jump.is_some());
                 assert_eq!(jumped, is_caught, "{rest} {sliding} {off}: {events:?} {end:?}");
                 if !is_caught {
                     assert!(
-                        matches!(end, Some(PathEnd::Lost(ref loss)) if loss.jumped.len() == 2),
+                        matches!(end, Some(PathEnd::Lost(ref loss)) if !loss.jumped.is_empty()),
                         "{end:?}"
                     );
-                    assert!((place - first).abs() < 1e-11 * first);
+                    assert!((place - first).abs() < 1e-11 * first, "{rest} {sliding} {off}: {place} {first}");
                 }
             }
         }

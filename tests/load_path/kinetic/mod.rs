@@ -6,3 +6,4 @@ mod in_space;
 mod nearly_static;
 mod overdamped;
 mod pad;
+mod with_joints;

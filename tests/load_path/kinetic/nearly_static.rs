@@ -1,9 +1,8 @@
 //! As friction of sliding comes near that of rest, paths and their events come near those without, in proportion.
 
-use grasp_lcp::planar::{Change, Equilibrium, Event, Grasp, Leg, PathEnd, Wrench};
+use grasp_lcp::planar::{Change, Equilibrium, Event, Grasp, Leg, PathEnd};
+use support::kinetic::{Datum, Scene};
 use support::splitmix::Random;
-
-use super::catching_sets::{Datum, scene};
 
 /// Who does what, in order.
 fn story(events: &[Event]) -> Vec<(usize, std::mem::Discriminant<Change>)> {
@@ -56,16 +55,15 @@ fn paths_converge_in_proportion() {
         (Apart::default(), Apart::default(), Apart::default());
     let mut count = 0;
     while count < 300 {
-        let (data, base, more) = scene(&mut random);
-        let wrench = |[x, y, spin]: [f64; 3]| Wrench::new([x, y], spin);
-        let legs = [Leg::load_by(wrench(more) * 2.0), Leg::load_by(wrench(more) * -2.0)];
+        let scene = Scene::random(&mut random);
+        let legs = [2.0, 0.0].map(|times| Leg::load_to(scene.load(times)));
         let followed = |kinetic: Option<f64>| {
             let contact = |datum: &Datum| {
                 let contact = datum.plain();
                 kinetic.map_or(contact.clone(), |part| contact.kinetic(datum.friction[0] * (1.0 - part)))
             };
-            let grasp = Grasp::new(data.iter().map(contact)).unwrap();
-            let mut path = grasp.follow(&wrench(base), &legs).unwrap();
+            let grasp = Grasp::new(scene.contacts.iter().map(contact)).unwrap();
+            let mut path = grasp.follow(&scene.load(0.0), &legs).unwrap();
             let events: Vec<_> = path.by_ref().take(MOST).collect();
             (events, matches!(path.end(), Some(PathEnd::Completed)).then(|| path.state()).flatten())
         };
@@ -105,15 +103,14 @@ fn paths_converge_in_proportion() {
 fn friction_of_rest_given_twice_is_given_once() {
     let mut random = Random(0x6269_7473);
     for _ in 0..200 {
-        let (data, base, more) = scene(&mut random);
-        let wrench = |[x, y, spin]: [f64; 3]| Wrench::new([x, y], spin);
+        let scene = Scene::random(&mut random);
         let [once, twice] = [false, true].map(|twice| {
             let contact = |datum: &Datum| {
                 let contact = datum.plain();
                 if twice { contact.kinetic(datum.friction[0]) } else { contact }
             };
-            let grasp = Grasp::new(data.iter().map(contact)).unwrap();
-            let mut path = grasp.follow(&wrench(base), &[Leg::load_by(wrench(more))]).unwrap();
+            let grasp = Grasp::new(scene.contacts.iter().map(contact)).unwrap();
+            let mut path = grasp.follow(&scene.load(0.0), &[Leg::load_to(scene.load(1.0))]).unwrap();
             let events = path.run();
             (events, path.place(), path.forces())
         });

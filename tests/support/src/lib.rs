@@ -19,6 +19,7 @@ pub mod ends;
 pub mod exact;
 pub mod exact_lcp;
 pub mod interior_point;
+pub mod kinetic;
 pub mod limit_analysis;
 pub mod loaded;
 pub mod measured_pushes;
