@@ -42,6 +42,26 @@ pub struct SlippedBy {
 }
 
 impl Caught {
+    /// ", caught at 7.5 N of 12 N after slipping 0.4 mm at left": the last time, of a load of this size.
+    pub(super) fn told(
+        all: &[Self],
+        size: Option<(f64, &str)>,
+        is_held: bool,
+        f: &mut fmt::Formatter<'_>,
+    ) -> fmt::Result {
+        let (words, digits) = (Words::of(f), Words::of(f).digits());
+        let Some(last) = all.last() else { return Ok(()) };
+        let at = match size {
+            Some((size, unit)) => format!("{} {unit}", words.number(size * last.factor)),
+            None => format!("{} of it", words.number(last.factor)),
+        };
+        match all.len() {
+            1 if is_held => write!(f, ", caught {last:.digits$}"),
+            1 => write!(f, ", caught at {at} {last:.digits$}"),
+            times => write!(f, ", caught {times} times, the last time at {at} {last:.digits$}"),
+        }
+    }
+
     /// Those among the events of a leg along which all of a load is put on.
     pub(super) fn among<const C: usize>(contacts: &[Contact<C>], events: &[Event<C>]) -> Vec<Self> {
         let parts = WholeContacts::of(contacts);

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::fmt;
 
+use super::caught::Caught;
 use super::verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
 use super::way_out::{BodyWay, WayOut};
 use crate::grasp::{WholeContact, Wrench, vacuum_is_gone};
@@ -115,19 +116,9 @@ impl<const C: usize> Verdict<C> {
         }
     }
 
-    /// ", caught at 7.5 N of 12 N after slipping 0.4 mm at left": the last time it was.
+    /// Where the object slips and is caught.
     fn catches(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (words, digits) = (Words::of(f), Words::of(f).digits());
-        let Some(last) = self.caught.last() else { return Ok(()) };
-        let at = match self.load.measure() {
-            Some((size, unit)) => format!("at {} {unit}", words.number(size * last.factor)),
-            None => format!("at {} of it", words.number(last.factor)),
-        };
-        match (&self.holding, self.caught.len()) {
-            (Holding::Slides { .. }, 1) => write!(f, ", caught {last:.digits$}"),
-            (_, 1) => write!(f, ", caught {at} {last:.digits$}"),
-            (_, times) => write!(f, ", caught {times} times, the last time {at} {last:.digits$}"),
-        }
+        Caught::told(&self.caught, self.load.measure(), matches!(self.holding, Holding::Slides { .. }), f)
     }
 
     /// Whether the load is none.

@@ -263,8 +263,9 @@ impl<'s, 'g, D: Size, const C: usize> Arc<'s, 'g, D, C> {
     ) -> Vec<SVector<f64, C>> {
         let drives = self.segment.drives(factor);
         let mut slid = frictions.iter();
-        let force = |(((i, state), site), drive): (((usize, &State<C>), &Site<D, C>), &SVector<f64, C>)| {
-            let force = site.springs.force(&site.stretch(drive, twist));
+        let force = |i: usize| {
+            let (state, site) = (&self.states[i], &self.sites()[i]);
+            let force = site.springs.force(&site.stretch(&drives[i], twist));
             match (state.slides().then(|| slid.next()).flatten(), state.is_sticking()) {
                 (Some(friction), _) => {
                     let size = tangential_norm(friction);
@@ -278,7 +279,7 @@ impl<'s, 'g, D: Size, const C: usize> Arc<'s, 'g, D, C> {
                 (None, false) => SVector::zeros(),
             }
         };
-        self.states.iter().enumerate().zip(self.sites()).zip(&drives).map(force).collect()
+        (0..self.states.len()).map(force).collect()
     }
 }
 

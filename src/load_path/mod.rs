@@ -64,6 +64,7 @@ mod geometry_gradient;
 mod journey;
 mod jump;
 mod leg;
+mod letting_go;
 mod node;
 mod onset;
 mod onset_gradient;

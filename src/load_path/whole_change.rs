@@ -95,7 +95,7 @@ impl<const C: usize> fmt::Display for Event<C> {
         let told: Vec<_> = contacts.chain(drives).collect();
         f.write_str(&if told.is_empty() { " more points change".to_owned() } else { told.join(",") })?;
         match &self.jump {
-            Some(jump) => write!(f, "; {:.digits$}", jump),
+            Some(jump) => write!(f, "; {jump:.digits$}"),
             None => Ok(()),
         }
     }

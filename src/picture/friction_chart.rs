@@ -88,8 +88,15 @@ impl<const C: usize> Drawn<'_, C> {
             fractions.into_iter().map(move |fraction| (leg, fraction))
         };
         let on_the_way = (0..=last).flat_map(on_leg);
-        let on_the_way =
-            on_the_way.filter_map(|(leg, part)| Some(((self.place)(leg, part), path.state_at(leg, part)?)));
+        // A jump leads straight up or down.
+        let after = |leg: usize, part: f64| {
+            let here = events.iter().find(|event| (event.leg, event.fraction) == (leg, part))?;
+            Some(here.jump.as_ref()?.state.clone())
+        };
+        let on_the_way = on_the_way.flat_map(|(leg, part)| {
+            let states = [path.state_at(leg, part), after(leg, part)];
+            states.into_iter().flatten().map(move |state| ((self.place)(leg, part), state))
+        });
         let at_the_end = path.state().map(|state| {
             let (leg, part) = path.place();
             ((self.place)(leg, part), state)

@@ -2,6 +2,7 @@
 
 mod catching_sets;
 mod closed_forms;
+mod closing;
 mod in_space;
 mod nearly_static;
 mod overdamped;

@@ -1,0 +1,219 @@
+//! A jump at one load: what contacts lose as their friction falls goes over to the others.
+//!
+//! A contact that leaves its cone of rest has, with the same springs as far stretched, the force F' of its cone of sliding in place of F. What is missing for
+//! balance is held up at first, and then let go along a leg of its own, at the same load and with the same commands:
+//!
+//! ```text
+//! Σ G_i F_i + W + (1 - τ) Σ G_j (F_j - F_j') = 0,      τ from 0 to 1
+//! ```
+//!
+//! Such a leg is followed as any other one. Who leaves its cone of rest on it joins: what it loses is held up besides, and the leg begins anew from there.
+//! Either its end is reached, or equilibrium is lost on it with all that a loss tells. What is let go stands for the damping of a motion that does not shoot
+//! over.
+
+use nalgebra::SVector;
+
+use super::beyond::Beyond;
+use super::energy::LegEnergy;
+use super::event::{Change, ContactChange, Loss, PathEnd};
+use super::journey::Journey;
+use super::jump::{Jump, JumpSlip};
+use super::node::Node;
+use super::pieces::Pieces;
+use super::trajectory::Trajectory;
+use crate::contact::tangential_norm;
+use crate::equilibrium::ACCURATE;
+use crate::numerics::{Size, Vector};
+use crate::object::Problem;
+use crate::search::{Doubt, Found, Settings, Settled, settle};
+
+/// One contact slides, sticks and slides again within a jump so often at most: each time it loses energy, and more often rounding goes in circles.
+const MOST_OFTEN: usize = 16;
+
+/// A jump on its way.
+struct Fall<'g, D: Size, const C: usize> {
+    /// Along the leg on which what is missing is let go.
+    leg: Pieces<'g, D, C>,
+    /// Slips before.
+    slips: Vec<SVector<f64, C>>,
+    /// Which sites slide in it.
+    slid: Vec<bool>,
+    changes: Vec<(usize, Change<C>)>,
+}
+
+impl<'g, D: Size, const C: usize> Fall<'g, D, C> {
+    /// To the end of the leg, who leaves its cone on the way joining.
+    fn go(&mut self, goal: &Vector<D>, journey: &Journey<'g, D, C>) -> Result<(), PathEnd<C>> {
+        let mut left = MOST_OFTEN * self.slips.len();
+        loop {
+            let leg = &mut self.leg;
+            if !std::mem::take(&mut leg.at_node) {
+                let done = if leg.node.turns() {
+                    leg.advance_along_arc(journey)
+                } else {
+                    leg.advance_straight(journey)
+                };
+                if done? {
+                    return Ok(());
+                }
+                continue;
+            }
+            let onward = leg.node.go_on(&mut leg.segment, journey, leg.factor)?;
+            leg.here = Some(onward.here);
+            leg.pace = leg.pace.at_node();
+            leg.friction_of_rest();
+            let begin = leg.begin_to_slide(&onward.changes);
+            self.note(&onward.changes);
+            if !begin.is_empty() {
+                left = left.checked_sub(1).ok_or_else(|| journey.undecided(0.0, Doubt::OnTheBoundary))?;
+                if let Some(leg) = self.leg.let_go(goal, &begin, journey)? {
+                    self.leg = leg;
+                }
+            }
+        }
+    }
+
+    fn note(&mut self, changes: &[(usize, Change<C>)]) {
+        self.changes.extend(changes);
+        self.slid.iter_mut().zip(&self.leg.node.states).for_each(|(slid, state)| *slid |= state.slides());
+    }
+
+    /// How far contacts have slipped so far.
+    fn slips(&self, journey: &Journey<'g, D, C>) -> Vec<JumpSlip<C>> {
+        let contacts = journey.grasp.contacts().iter().enumerate().filter(|(i, _)| self.slid[*i]);
+        let slip = |i: usize| self.leg.segment.problem.slips[i] - self.slips[i];
+        contacts.map(|(i, contact)| JumpSlip { contact: contact.label(i), slip: slip(i) }).collect()
+    }
+}
+
+impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
+    /// The leg along which what is missing is let go, these having begun to slide here. At its end the load is `goal`. `None` where they set out from
+    /// an apex, with no force to lose: what comes next is decided once more, with less friction.
+    fn let_go(
+        &mut self,
+        goal: &Vector<D>,
+        begin: &[usize],
+        journey: &Journey<'g, D, C>,
+    ) -> Result<Option<Self>, PathEnd<C>> {
+        self.at_node = true;
+        let mut any = false;
+        let mut segment = self.segment.at_rest(self.factor);
+        let (mut states, mut forces) = (self.node.states.clone(), self.node.at.forces.clone());
+        let mut from = segment.course.at(0.0);
+        let problem = &mut segment.problem;
+        for &i in begin {
+            problem.cones[i] = problem.sites[i].kinetic.unwrap_or(problem.cones[i]);
+            let stretch = problem.stretch(i, &self.node.at.twist);
+            if let Some(answer) = problem.local(i).relaxed(&stretch) {
+                from += &problem.sites[i].map * (forces[i] - answer.force);
+                (states[i], forces[i]) = (answer.state, answer.force);
+                any = true;
+            } else {
+                self.node.stands[i].apex = true;
+            }
+        }
+        if !any {
+            self.segment.problem.cones.clone_from(&problem.cones);
+            return Ok(None);
+        }
+        // What sets out on a round cone right here has no direction yet that others could take over.
+        let has_none = |i: usize| states[i].slide().is_some() && tangential_norm(&forces[i]) == 0.0;
+        if (0..states.len()).any(has_none) {
+            return Err(journey.undecided(0.0, Doubt::OnTheBoundary));
+        }
+        problem.wrench.clone_from(&from);
+        let rate = goal - &from;
+        segment.course = Trajectory::Straight { from, rate };
+        let slide_on: Vec<_> =
+            (0..states.len()).filter(|i| states[*i].slides() && !begin.contains(i)).collect();
+        let mut node = Node::at_start(&mut segment, Found::new(states, forces, self.node.at.twist.clone()));
+        node.holds.clone_from(&self.node.holds);
+        for i in slide_on {
+            if node.stands[i].is_nowhere() {
+                node.stands[i] = self.node.stands[i].clone();
+            }
+        }
+        segment.largest = self.segment.largest;
+        let mut leg = Self { at_node: true, ..Self::standing(segment, node) };
+        leg.pace.steps = self.pace.steps + 1;
+        Ok(Some(leg))
+    }
+
+    /// Goes over to where the object comes to rest when the friction of these falls. `None` where they have none to lose.
+    pub(super) fn jump(
+        &mut self,
+        journey: &Journey<'g, D, C>,
+        begin: &[usize],
+    ) -> Result<Option<Jump<C>>, PathEnd<C>> {
+        if begin.is_empty() {
+            return Ok(None);
+        }
+        // Where contacts that slide together stick and slip in turn there are ever more jumps, the less friction falls.
+        if self.pace.steps >= journey.settings.most_steps {
+            return Err(journey.undecided(self.factor, Doubt::OutOfSteps));
+        }
+        let goal = self.segment.course.at(self.factor);
+        let factor = self.factor;
+        let end_here = |end| match end {
+            PathEnd::Undecided { doubt, .. } => journey.undecided(factor, doubt),
+            end => end,
+        };
+        let Some(leg) = self.let_go(&goal, begin, journey).map_err(end_here)? else { return Ok(None) };
+        let (slips, slid) = (self.segment.problem.slips.clone(), vec![false; self.node.states.len()]);
+        let mut fall = Fall { leg, slips, slid, changes: Vec::new() };
+        fall.note(&[]);
+        if let Err(end) = fall.go(&goal, journey) {
+            let PathEnd::Lost(loss) = end else { return Err(end_here(end)) };
+            let (fraction, load) = (self.factor, journey.program.load_at(self.factor));
+            let loss = Loss { fraction, load, jumped: fall.slips(journey), ..*loss };
+            self.fallen = Some(fall.leg.segment.problem_at(1.0));
+            return Err(PathEnd::Lost(Box::new(loss)));
+        }
+        let slips = fall.slips(journey);
+        let before = std::mem::replace(&mut self.node, fall.leg.node).at;
+        let problem = &mut self.segment.problem;
+        let relaxed = fall.leg.segment.problem;
+        for (i, slip) in relaxed.slips.iter().enumerate() {
+            problem.drives[i] -= slip - problem.slips[i];
+        }
+        (problem.slips, problem.cones) = (relaxed.slips, relaxed.cones);
+        self.segment.largest = self.segment.largest.max(fall.leg.segment.largest);
+        self.step_error += fall.leg.step_error;
+        self.pace.steps = fall.leg.pace.steps;
+        let energy = self.energy_of(&goal, &before.forces, &before.twist);
+        if let Some(leg) = self.energy.last_mut() {
+            leg.add_part(&energy);
+        }
+        self.here = None;
+        let inaccurate = || journey.undecided(self.factor, Doubt::Inaccurate);
+        let stands = self.standing_here(journey).ok_or_else(inaccurate)?;
+        let state = self.state_on(&stands, self.factor).filter(|state| state.residuals.worst() <= ACCURATE);
+        let state = state.ok_or_else(inaccurate)?;
+        self.here = Some(stands.here.clone());
+        self.behind.push(stands);
+        let (changes, _): (Vec<ContactChange<C>>, _) = journey.grasp.contacts_and_drives(fall.changes);
+        Ok(Some(Jump { changes, slips, energy_lost: energy.dissipated, state }))
+    }
+
+    /// Of a jump from these forces and this twist: what springs do not take up is lost.
+    fn energy_of(&self, load: &Vector<D>, forces: &[SVector<f64, C>], twist: &Vector<D>) -> LegEnergy {
+        let works = load.component_mul(&(&self.node.at.twist - twist));
+        let mut energy =
+            LegEnergy { load_work: works.sum(), turnover: works.map(f64::abs).sum(), ..LegEnergy::default() };
+        energy.store(self.segment.grasp.sites(), forces, &self.node.at.forces);
+        energy.dissipated = energy.load_work - energy.stored;
+        energy
+    }
+}
+
+/// Whether there is an equilibrium at the load of a jump that was not caught, with the friction that is left.
+pub(super) fn beyond_a_jump<D: Size, const C: usize>(
+    fallen: &Problem<'_, D, C>,
+    settings: &Settings,
+) -> Beyond<C> {
+    match settle(fallen, settings).0 {
+        Settled::Found(..) => Beyond::Snap,
+        Settled::Undecided(doubt) => Beyond::Undecided { doubt },
+        _ => Beyond::LimitLoad,
+    }
+}
