@@ -93,8 +93,8 @@ fn what_does_not_know_it_says_so() -> Tested {
     let leg = Leg::load_to(pull(1.0));
     let refused = [
         ("solve", grasp.solve(&pull(8.0)).err()),
-        ("follow_patch", grasp.follow_patch(&pull(0.0), &[leg.clone()]).err()),
-        ("follow_in_steps", grasp.follow_in_steps(&pull(0.0), &[leg.clone()], 1e-4).err()),
+        ("follow_patch", grasp.follow_patch(&pull(0.0), std::slice::from_ref(&leg)).err()),
+        ("follow_in_steps", grasp.follow_in_steps(&pull(0.0), std::slice::from_ref(&leg), 1e-4).err()),
         ("shake", grasp.shake(&pull(0.0), &Leg::there_and_back(pull(1.0))).err()),
         ("equilibria", grasp.equilibria(&pull(8.0)).err()),
     ];

@@ -19,7 +19,7 @@ fn turned(datum: &Datum, turn: &Rotation3<f64>) -> spatial::Contact {
 
 #[test]
 fn a_planar_jump_in_space_is_the_same() {
-    let mut random = Random(0x726f_756e_64);
+    let mut random = Random(0x0072_6f75_6e64);
     let (mut jumps, mut losses) = (0, 0);
     for number in 0..600 {
         let Scene { contacts: data, base, mut more } = Scene::random(&mut random);
@@ -43,7 +43,7 @@ fn a_planar_jump_in_space_is_the_same() {
         let first = path.next();
         let lost = path.end().and_then(|end| end.loss()).map(|loss| loss.jumped.len());
         // The cone with eight facets is exact in this plane, too: it has a corner there.
-        for cone in [round.settings().clone(), round.settings().on_the_polygon()] {
+        for cone in [*round.settings(), round.settings().on_the_polygon()] {
             let in_space = round.with(&cone);
             let mut in_space = in_space.follow(&to, &[spatial::Leg::load_by(beyond)]).unwrap();
             let second = in_space.next();

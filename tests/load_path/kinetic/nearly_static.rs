@@ -50,7 +50,7 @@ impl Apart {
 
 #[test]
 fn paths_converge_in_proportion() {
-    let mut random = Random(0x6f6e_65);
+    let mut random = Random(0x006f_6e65);
     let (mut events_apart, mut forces_apart, mut in_turn) =
         (Apart::default(), Apart::default(), Apart::default());
     let mut count = 0;

@@ -150,7 +150,7 @@ fn compare<const D: usize, const C: usize>(count: usize, seed: u64) -> Tally {
         let twist = SVector::<f64, D>::from_iterator(state.twist.components().iter().copied());
         match (jump, comes_to_rest(&mut moving, twist, &(base + more * (4.0 * place)))) {
             (Some(jump), Some(forces)) => {
-                let largest = forces.iter().map(|f| f.norm()).fold(0.0, f64::max);
+                let largest = forces.iter().map(nalgebra::Matrix::norm).fold(0.0, f64::max);
                 let off = forces.iter().zip(&jump.state.contacts).map(|(f, told)| (f - told.force).norm());
                 tally.apart.push(off.fold(0.0, f64::max) / largest);
                 tally.caught += 1;
@@ -167,7 +167,8 @@ fn compare<const D: usize, const C: usize>(count: usize, seed: u64) -> Tally {
 /// Tells the tally, and the median, the ninth tenth and the most of the differences.
 fn told<const D: usize, const C: usize>(count: usize, seed: u64) -> (Tally, [f64; 3]) {
     let tally = compare::<D, C>(count, seed);
-    let quantiles = [0.5, 0.9, 1.0].map(|q| tally.apart[((tally.apart.len() - 1) as f64 * q) as usize]);
+    let last = tally.apart.len() - 1;
+    let quantiles = [last / 2, last * 9 / 10, last].map(|k| tally.apart[k]);
     let Tally { caught, lost, only_the_jump_is_caught, only_time_catches, .. } = tally;
     println!(
         "{C} axes: caught {caught}, lost {lost}, by the jump alone {only_the_jump_is_caught}, in time alone {only_time_catches}; forces apart by {quantiles:?}"

@@ -33,8 +33,8 @@ fn lost_at(points: usize, r: f64) -> f64 {
 
 #[test]
 fn a_pad_is_lost_at_the_peak_of_all_its_points() {
-    for r in [0.9, 0.7, 0.4] {
-        let xi = ((1.0 - r) / (3.0 - r) as f64).sqrt();
+    for r in [0.9_f64, 0.7, 0.4] {
+        let xi = ((1.0 - r) / (3.0 - r)).sqrt();
         let peak = 2.0 * REST * ((1.0 - xi * xi) * xi + r * (2.0 / 3.0 - xi + xi.powi(3) / 3.0));
         let off = [10, 20, 40, 80].map(|points| (points, lost_at(points, r) / peak - 1.0));
         println!("r = {r}: peak {peak}, of rest alone {}; {off:?}", 4.0 / 3.0 * REST);
