@@ -64,6 +64,7 @@ fn argument(field: Field) -> &'static str {
         Field::FingerStiffness => "finger_stiffness",
         Field::SeriesStiffness => "series_stiffness",
         Field::Friction => "friction",
+        Field::KineticFriction => "kinetic_friction",
         Field::Command => "command",
         Field::CommandChange => "command_change",
         Field::Press => "pressed_with",

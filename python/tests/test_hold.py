@@ -81,3 +81,17 @@ def test_a_block_walks_while_it_is_rocked() -> None:
     assert found.factor == pytest.approx(1.5, rel=1e-8) and str(found).startswith("RESTS in whichever order they come")
     least = feet.need("friction", loads=[[0, 0, 0.4], [0, 0, -0.4]], base=[3.5, -10], repeats=True).amount
     assert least == pytest.approx(3.5 / 6, rel=1e-8)
+
+
+def test_friction_that_is_lower_once_contacts_slide() -> None:
+    # Two feet share a pull. The stiff one begins to slide at 7.5 N and keeps 4 N; the other one catches 3.5 N, and slides at 9 N.
+    feet = Grasp.planar(
+        [[-0.1, 0], [0.1, 0], [-0.1, 0.1], [0.1, 0.1]], [[0, 1], [0, 1], [0, -1], [0, -1]],
+        series_stiffness=[[1e3, 1e3], [1e3, 5e2], [1e3, 1.0], [1e3, 1.0]], friction=[0.5, 0.5, 0.0, 0.0],
+        kinetic_friction=[0.4, 0.4, None, None], pressed_with=10.0, names=["left", "right", "a", "b"],
+    )  # fmt: skip
+    verdict = feet.hold([8, 0])
+    assert verdict.holds and "caught after slipping 3 mm at left" in str(verdict)
+    assert feet.need("load", [8, 0], may_slide=True).amount == pytest.approx(9 / 8, rel=1e-9)
+    with pytest.raises(ValueError, match="kinetic_friction"):
+        Grasp.planar([[0, 0]], [[0, 1]], series_stiffness=1.0, friction=0.5, kinetic_friction=0.6)

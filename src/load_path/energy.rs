@@ -26,7 +26,7 @@ pub struct LegEnergy {
     /// Change of the energy stored in the springs, `Δ Σ ½ F²/k`.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub stored: f64,
-    /// Heat from friction, `Σ ∫ F_t·ds`, never negative.
+    /// Heat from friction, `Σ ∫ F_t·ds`, and what is lost in [jumps](super::Jump), never negative.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub dissipated: f64,
     /// Sum of the sizes of all contributions, piece by piece and contact by contact: what the rounding of the balance is

@@ -86,6 +86,7 @@ class Grasp:
         force: float | Sequence[float | None] | None = None,
         soft: Mapping[str, Any] | Sequence[Mapping[str, Any] | None] | None = None,
         suction: ArrayLike | Mapping[str, Any] | Sequence[Mapping[str, Any] | float | None] | None = None,
+        kinetic_friction: float | Sequence[float | None] | None = None,
         hold: str | Sequence[str] = "unilateral",
         names: Sequence[str | None] | None = None,
         outline: ArrayLike | None = None,
@@ -111,6 +112,7 @@ class Grasp:
         :param soft: patches of soft pads in place of the points, as in scenes: ``{"pad": {"width": 0.01, "strips": 1}}`` or ``{"pair":
             {"width": 0.01}}``, one for all or a list of one or None a contact.
         :param suction: what a vacuum pulls the object onto the contact with, N, one for all or a list of one or None a contact.
+        :param kinetic_friction: coefficients while contacts slide, at most those at rest, one for all or a list, None for the same.
         :param hold: ``"unilateral"``, ``"kept_closed"`` or ``"bonded"``, one word or one a contact.
         :param names: names of the contacts for messages and pictures.
         :param outline: corners of the object, m, shape (k, 2); only drawn.
@@ -123,7 +125,7 @@ class Grasp:
             body_stiffness=body_stiffness, finger_stiffness=finger_stiffness, command=command,
             command_world=command_world, pressed_with=pressed_with, clearance=clearance, tangents=tangents,
         )  # fmt: skip
-        return made._spread(force=force, soft=soft, suction=suction)
+        return made._spread(force=force, soft=soft, suction=suction, kinetic_friction=kinetic_friction)
 
     @classmethod
     def spatial(
@@ -143,6 +145,7 @@ class Grasp:
         force: float | Sequence[float | None] | None = None,
         soft: Mapping[str, Any] | Sequence[Mapping[str, Any] | None] | None = None,
         suction: ArrayLike | Mapping[str, Any] | Sequence[Mapping[str, Any] | float | None] | None = None,
+        kinetic_friction: float | Sequence[float | None] | None = None,
         hold: str | Sequence[str] = "unilateral",
         names: Sequence[str | None] | None = None,
         outline: ArrayLike | None = None,
@@ -162,7 +165,7 @@ class Grasp:
             body_stiffness=body_stiffness, finger_stiffness=finger_stiffness, command=command,
             command_world=command_world, pressed_with=pressed_with, clearance=clearance, tangents=tangents,
         )  # fmt: skip
-        return made._spread(force=force, soft=soft, suction=suction)
+        return made._spread(force=force, soft=soft, suction=suction, kinetic_friction=kinetic_friction)
 
     @classmethod
     def _made(

@@ -23,6 +23,7 @@ struct Tally {
 
 impl Tally {
     fn caught(&mut self, jump: &Jump, catches: &[Catch]) {
+        assert!(jump.energy_lost > 0.0, "{jump:?}");
         let changes = |so: fn(&Change) -> bool| jump.changes.iter().any(|change| so(&change.what));
         self.joined += usize::from(changes(|what| matches!(what, Change::Slides { .. })));
         if changes(|what| matches!(what, Change::Sticks)) {

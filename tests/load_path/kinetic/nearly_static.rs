@@ -117,3 +117,22 @@ fn friction_of_rest_given_twice_is_given_once() {
         assert!(once == twice);
     }
 }
+
+/// The first slip is the same to the last bit, whatever friction falls to.
+#[test]
+fn the_first_slip_is_a_matter_of_rest() {
+    let mut random = Random(0x6f6e_7365);
+    let mut slides = 0;
+    for _ in 0..200 {
+        let scene = Scene::random(&mut random);
+        let [plain, falling] = [Datum::plain, Datum::contact].map(|contact| {
+            let grasp = Grasp::new(scene.contacts.iter().map(contact)).unwrap();
+            let onset =
+                grasp.onset_of_sliding(&scene.load(0.0), &(scene.load(1.0) - scene.load(0.0))).unwrap();
+            (onset.factor().map(f64::to_bits), onset.to_string())
+        });
+        slides += usize::from(plain.0.is_some());
+        assert_eq!(plain, falling);
+    }
+    assert!(slides > 100);
+}
