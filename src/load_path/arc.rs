@@ -13,11 +13,12 @@
 
 use nalgebra::{Matrix, SVector};
 
+use super::path_stiffness::{NarrowOrder, PathFactors, PathStiffness};
 use super::segment::{Here, Segment};
 use crate::contact::{Slide, State, Tangent, tangential_norm};
 use crate::equilibrium::NoEquilibrium;
 use crate::grasp::Site;
-use crate::numerics::{Bordered, Map, Size, Square, Vector};
+use crate::numerics::{Size, Vector};
 use crate::object::{Imbalance, Piece, PieceState};
 
 /// Steps of Newton's method onto the cones: what a step leaves is of the order of its error, and the first step leaves the square of that.
@@ -29,8 +30,6 @@ const PASSES: usize = 4;
 const BALANCED: f64 = 2e-16;
 /// The tangent turns by less than sixty degrees within a step: a longer one might come out the other way round.
 const LEAST_COSINE: f64 = 0.5;
-/// A pivot below this part of the largest says that more than one direction is open.
-const SINGULAR: f64 = 1e-13;
 
 /// What an event leaves of balance and of the cones is rounding: a correction by more of the largest force leads to another equilibrium.
 const CORRECTED: f64 = 1e-6;
@@ -44,7 +43,7 @@ pub(super) struct Arc<'s, 'g, D: Size, const C: usize> {
     /// u, the displacement that counts as much as the whole leg, m.
     unit: f64,
     /// T of what does not slide; motions that nothing resists are held, or pushed along by what carries no force.
-    fixed: Square<D>,
+    fixed: PathStiffness<D>,
     /// b of what does not slide, but for the rate of the load.
     push: Vector<D>,
     /// Whether commands change.
@@ -85,17 +84,25 @@ impl<'s, 'g, D: Size, const C: usize> Arc<'s, 'g, D, C> {
     {
         let sites = segment.grasp.sites();
         let size = segment.grasp.size();
-        let (mut fixed, mut push, mut stiffest) = (Square::zeros(size), Vector::zeros(), 0.0_f64);
+        let mut free_motions = free_motions.into_iter().peekable();
+        // What is held along a free motion couples all that moves in it.
+        let order = if free_motions.peek().is_none() { NarrowOrder::of(size, sites) } else { None };
+        let (mut fixed, mut push, mut stiffest) =
+            (PathStiffness::zeros(size, order), Vector::zeros(), 0.0_f64);
         for (i, site) in sites.iter().enumerate() {
             stiffest = stiffest.max(site.springs.stiffest());
             if !states[i].slides() {
                 let pushed = site.map.times(&segment.problem.local(i).tangent(&states[i]).matrix());
-                add_product(&mut fixed, &pushed, &site.map);
+                let (a, b) = (&pushed, &site.map);
+                fixed.add(&site.support.ranges::<C>(), |i, j| {
+                    (1..C).fold(a[(i, 0)] * b[(j, 0)], |sum, k| sum + a[(i, k)] * b[(j, k)])
+                });
                 push += &pushed * segment.change[i];
             }
         }
         for (v, rate) in free_motions {
-            fixed.add_product(v, &(v * stiffest));
+            let held = v * stiffest;
+            fixed.add(&[0..size.count(), 0..0], |i, j| v[i] * held[j]);
             push += v * (stiffest * rate);
         }
         let sliding = (0..sites.len()).filter(|&i| states[i].slides()).collect();
@@ -137,19 +144,22 @@ impl<'s, 'g, D: Size, const C: usize> Arc<'s, 'g, D, C> {
         tangents: &[Tangent<C>],
         factor: f64,
         across: &Direction<D>,
-    ) -> Option<(Bordered<D>, f64)> {
+    ) -> Option<(PathFactors<D>, f64)> {
         let (stiffness, push) = self.balance(tangents, factor);
         self.factored(stiffness, &push, across)
     }
 
     /// T and b at a factor.
-    pub(super) fn balance(&self, tangents: &[Tangent<C>], factor: f64) -> (Square<D>, Vector<D>) {
+    pub(super) fn balance(&self, tangents: &[Tangent<C>], factor: f64) -> (PathStiffness<D>, Vector<D>) {
         let (mut t, mut push) = (self.fixed.clone(), self.push_at(factor));
         for (&i, tangent) in self.sliding.iter().zip(tangents) {
             let map = &self.sites()[i].map;
             if let Tangent::Sliding { drag, across, stiffness } = tangent {
                 let (dragged, held) = (map * drag, map * across);
-                add_products(&mut t, [&dragged, &map.column(0)], [&held, &(&held * *stiffness)]);
+                let (normal, pulled) = (map.column(0), &held * *stiffness);
+                t.add(&self.sites()[i].support.ranges::<C>(), |i, j| {
+                    dragged[i] * normal[j] + held[i] * pulled[j]
+                });
                 if self.driven {
                     let change = &self.segment.change[i];
                     push += dragged * change[0] + held * (stiffness * across.dot(change));
@@ -162,15 +172,15 @@ impl<'s, 'g, D: Size, const C: usize> Arc<'s, 'g, D, C> {
     /// The factors of such a matrix, and the size of its entries. `None` if more than one direction is open.
     pub(super) fn factored(
         &self,
-        mut t: Square<D>,
+        mut t: PathStiffness<D>,
         push: &Vector<D>,
         across: &Direction<D>,
-    ) -> Option<(Bordered<D>, f64)> {
-        t.as_mut_slice().iter_mut().for_each(|x| *x *= self.unit);
+    ) -> Option<(PathFactors<D>, f64)> {
+        t.scale(self.unit);
         let scale = t.amax().max(push.amax());
         let row = &across.twist * (scale / self.unit);
-        let bordered = Bordered::new(&t, &-push, &row, across.factor * scale)?;
-        (bordered.least_pivot() > SINGULAR).then_some((bordered, scale))
+        let bordered = t.bordered(self.segment.grasp.size(), &-push, &row, across.factor * scale)?;
+        Some((bordered, scale))
     }
 
     /// Twist and factor of a solution.
@@ -280,30 +290,6 @@ impl<'s, 'g, D: Size, const C: usize> Arc<'s, 'g, D, C> {
             }
         };
         (0..self.states.len()).map(force).collect()
-    }
-}
-
-/// Adds `A Bᵀ`.
-fn add_product<D: Size, const C: usize>(t: &mut Square<D>, a: &Map<D, C>, b: &Map<D, C>) {
-    for j in 0..t.size().count() {
-        let b = b.row(j);
-        for (i, entry) in t.column_slice_mut(j).iter_mut().enumerate() {
-            let mut sum = a[(i, 0)] * b[0];
-            for k in 1..C {
-                sum += a[(i, k)] * b[k];
-            }
-            *entry += sum;
-        }
-    }
-}
-
-/// Adds `a bᵀ + c dᵀ`.
-fn add_products<D: Size>(t: &mut Square<D>, [a, b]: [&Vector<D>; 2], [c, d]: [&Vector<D>; 2]) {
-    for j in 0..t.size().count() {
-        let (b, d) = (b[j], d[j]);
-        for ((entry, a), c) in t.column_slice_mut(j).iter_mut().zip(a.iter()).zip(c.iter()) {
-            *entry += a * b + c * d;
-        }
     }
 }
 

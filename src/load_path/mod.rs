@@ -75,6 +75,7 @@ mod pace;
 mod patch;
 mod path;
 mod path_state;
+mod path_stiffness;
 mod pieces;
 mod program;
 mod pushed;

@@ -18,8 +18,9 @@
 use nalgebra::SVector;
 
 use super::arc::{Arc, Direction};
+use super::path_stiffness::{PathFactors, PathStiffness};
 use crate::contact::{Tangent, tangential_norm};
-use crate::numerics::{Bordered, Size, Square, Vector};
+use crate::numerics::{Size, Vector};
 
 /// A direction that is turned by this angle to both sides, rad, for the derivative of a tangent: two thirds of the digits stay.
 const TURNED: f64 = 6e-6;
@@ -47,7 +48,7 @@ pub(super) struct Relaxation<'f, 's, 'g, D: Size, const C: usize> {
     arc: &'f Arc<'s, 'g, D, C>,
     contacts: Vec<Turning<D, C>>,
     /// T and b.
-    stiffness: Square<D>,
+    stiffness: PathStiffness<D>,
     load: Vector<D>,
     way: Direction<D>,
 }
@@ -56,7 +57,7 @@ pub(super) struct Relaxation<'f, 's, 'g, D: Size, const C: usize> {
 pub(super) struct Damped<D: Size> {
     length: f64,
     /// Of `[T' | -b']` with the row of the path below.
-    bordered: Bordered<D>,
+    bordered: PathFactors<D>,
     /// e, N.
     sizes: Vec<f64>,
 }
@@ -98,7 +99,8 @@ impl<'f, 's, 'g, D: Size, const C: usize> Relaxation<'f, 's, 'g, D, C> {
             sizes.push(size);
             if turning.size > 0.0 {
                 let push = &turning.push * (length / size);
-                stiffness.add_product(&push, &turning.pull);
+                let felt = self.arc.sites()[turning.contact].support.ranges::<C>();
+                stiffness.add(&felt, |i, j| push[i] * turning.pull[j]);
                 load += push * turning.felt.dot(&self.arc.segment.change[turning.contact]);
             }
         }
@@ -128,7 +130,7 @@ impl<'f, 's, 'g, D: Size, const C: usize> Relaxation<'f, 's, 'g, D, C> {
             let change = (turning.change * (angle + more) + force) * length;
             (1..C).for_each(|a| entry[a - 1] += change[a]);
         }
-        let count = self.stiffness.size().count();
+        let count = self.arc.segment.grasp.size().count();
         (0..count).for_each(|k| others[k] += length * way.twist[k]);
         others[count] += length * way.factor;
     }

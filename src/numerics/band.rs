@@ -26,6 +26,33 @@ impl Band {
         self.entries[j * (3 * self.reach + 1) + 2 * self.reach + i - j] += x;
     }
 
+    /// An entry in row i and column j, zero away from the diagonal.
+    pub(crate) fn entry(&self, i: usize, j: usize) -> f64 {
+        let is_near = i.abs_diff(j) <= self.reach;
+        if is_near { self.entries[j * (3 * self.reach + 1) + 2 * self.reach + i - j] } else { 0.0 }
+    }
+
+    /// All entries, in no order that matters.
+    pub(crate) fn entries_mut(&mut self) -> &mut [f64] {
+        &mut self.entries
+    }
+
+    /// The largest entry.
+    pub(crate) fn amax(&self) -> f64 {
+        self.entries.iter().fold(0.0, |most, x| most.max(x.abs()))
+    }
+
+    /// Subtracts the product with a vector.
+    pub(crate) fn subtract_product(&self, x: &[f64], from: &mut [f64]) {
+        let height = 3 * self.reach + 1;
+        for (j, (column, x)) in self.entries.chunks_exact(height).zip(x).enumerate() {
+            let first = j.saturating_sub(self.reach);
+            let column = &column[2 * self.reach + first - j..];
+            let rows = &mut from[first..self.count.min(j + self.reach + 1)];
+            rows.iter_mut().zip(column).for_each(|(sum, entry)| *sum -= entry * x);
+        }
+    }
+
     /// Its factors, or those of a regular matrix near it, in which columns without a pivot have one; `None` if it is not finite.
     pub(crate) fn factors(mut self) -> Option<BandFactors> {
         let Self { reach, count, .. } = self;

@@ -18,6 +18,7 @@
 //! | `band` | LU of a matrix with entries near its diagonal alone |
 //! | `narrow_order` | the order in which they are near it |
 //! | `bordered` | LU of a matrix with one row and one column more |
+//! | `bordered_band` | the same of a band |
 //! | `dormand_prince` | one step of a differential equation |
 //! | `double_double` | sums in twice the working precision |
 //! | `normal_tail` | how often chance goes far |
@@ -31,6 +32,7 @@
 
 mod band;
 mod bordered;
+mod bordered_band;
 mod cleared_for;
 mod complete_pivoting;
 mod coordinates;
@@ -61,6 +63,7 @@ mod waiting_line;
 
 pub(crate) use band::{Band, BandFactors};
 pub(crate) use bordered::Bordered;
+pub(crate) use bordered_band::BorderedBand;
 pub(crate) use cleared_for::cleared_for;
 pub(crate) use complete_pivoting::CompletePivoting;
 pub(crate) use coordinates::{Any, Fixed, Map, Seen, Size, Square, Vector};

@@ -1,0 +1,150 @@
+//! T of a point on a path, and the factors of what borders it: whole, or of many coordinates near the diagonal of a good order.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use crate::grasp::Site;
+use crate::numerics::{Band, Bordered, BorderedBand, Size, Square, Vector, narrow_order, widest};
+use crate::object::are_many;
+
+/// An order of coordinates in which those that a contact couples are near each other.
+#[derive(Debug)]
+pub(super) struct NarrowOrder {
+    numbers: Vec<usize>,
+    reach: usize,
+}
+
+impl NarrowOrder {
+    /// `None` of few coordinates, for which it is not worth its while.
+    pub(super) fn of<D: Size, const C: usize>(size: D, sites: &[Site<D, C>]) -> Option<Arc<Self>> {
+        if !are_many(size) {
+            return None;
+        }
+        let couplings: Vec<_> = sites.iter().map(|site| site.support.ranges::<C>()).collect();
+        let numbers = narrow_order(size.count(), &couplings);
+        let reach = widest(&numbers, &couplings);
+        Some(Arc::new(Self { numbers, reach }))
+    }
+}
+
+/// T.
+#[derive(Debug, Clone)]
+pub(super) enum PathStiffness<D: Size> {
+    Whole(Square<D>),
+    Narrow { order: Arc<NarrowOrder>, band: Band },
+}
+
+/// Factors of `[T | c]` above a row.
+#[derive(Debug, Clone)]
+pub(super) enum PathFactors<D: Size> {
+    Whole(Bordered<D>),
+    Narrow { order: Arc<NarrowOrder>, bordered: Box<BorderedBand> },
+}
+
+/// A pivot below this part of the largest says that more than one direction is open.
+const SINGULAR: f64 = 1e-13;
+
+impl<D: Size> PathStiffness<D> {
+    pub(super) fn zeros(size: D, order: Option<Arc<NarrowOrder>>) -> Self {
+        match order {
+            None => Self::Whole(Square::zeros(size)),
+            Some(order) => {
+                let band = Band::zeros(size.count(), order.reach);
+                Self::Narrow { order, band }
+            }
+        }
+    }
+
+    /// Adds to all entries among coordinates that a contact feels.
+    #[inline(always)]
+    pub(super) fn add(&mut self, felt: &[Range<usize>; 2], entry: impl Fn(usize, usize) -> f64) {
+        match self {
+            Self::Whole(square) => {
+                for j in felt.iter().cloned().flatten() {
+                    let column = square.column_slice_mut(j);
+                    for rows in felt {
+                        for (i, x) in rows.clone().zip(&mut column[rows.clone()]) {
+                            *x += entry(i, j);
+                        }
+                    }
+                }
+            }
+            Self::Narrow { order, band } => {
+                let numbers = &order.numbers;
+                for j in felt.iter().cloned().flatten() {
+                    for i in felt.iter().cloned().flatten() {
+                        band.add(numbers[i], numbers[j], entry(i, j));
+                    }
+                }
+            }
+        }
+    }
+
+    /// Times a factor.
+    pub(super) fn scale(&mut self, factor: f64) {
+        let entries = match self {
+            Self::Whole(square) => square.as_mut_slice(),
+            Self::Narrow { band, .. } => band.entries_mut(),
+        };
+        for x in entries {
+            *x *= factor;
+        }
+    }
+
+    /// The largest entry.
+    pub(super) fn amax(&self) -> f64 {
+        match self {
+            Self::Whole(square) => square.amax(),
+            Self::Narrow { band, .. } => band.amax(),
+        }
+    }
+
+    /// Factors with a column and a row beside it. `None` if more than one direction is open.
+    pub(super) fn bordered(
+        self,
+        size: D,
+        cover: &Vector<D>,
+        gradient: &Vector<D>,
+        corner: f64,
+    ) -> Option<PathFactors<D>> {
+        let square = match self {
+            Self::Whole(square) => square,
+            Self::Narrow { order, band } => {
+                let [column, row] = [cover, gradient].map(|v| order.in_order(v));
+                if let Some(bordered) = BorderedBand::new(band.clone(), column, row, corner) {
+                    return Some(PathFactors::Narrow { order, bordered: Box::new(bordered) });
+                }
+                // Where the load has a maximum T is singular, and the whole matrix is not.
+                let mut square = Square::zeros(size);
+                let entry = |(i, j): (usize, usize)| band.entry(order.numbers[i], order.numbers[j]);
+                let places = (0..size.count()).flat_map(|j| (0..size.count()).map(move |i| (i, j)));
+                places.for_each(|place| square[place] = entry(place));
+                square
+            }
+        };
+        let bordered = Bordered::new(&square, cover, gradient, corner)?;
+        (bordered.least_pivot() > SINGULAR).then_some(PathFactors::Whole(bordered))
+    }
+}
+
+impl<D: Size> PathFactors<D> {
+    /// The solution for a right-hand side.
+    pub(super) fn solve(&self, balance: &Vector<D>, last: f64) -> (Vector<D>, f64) {
+        match self {
+            Self::Whole(bordered) => bordered.solve(balance, last),
+            Self::Narrow { order, bordered } => {
+                let mut x = order.in_order(balance);
+                let z = bordered.solve(&mut x, last);
+                (Vector::from_fn(D::of(x.len()), |k| x[order.numbers[k]]), z)
+            }
+        }
+    }
+}
+
+impl NarrowOrder {
+    fn in_order<D: Size>(&self, v: &Vector<D>) -> Vec<f64> {
+        let mut list = vec![0.0; self.numbers.len()];
+        self.numbers.iter().enumerate().for_each(|(k, number)| list[*number] = v[k]);
+        list
+    }
+}

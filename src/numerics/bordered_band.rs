@@ -1,0 +1,107 @@
+//! The bordered system of many coordinates, where T has entries near its diagonal alone.
+//!
+//! ```text
+//! T y  + c z = b          z = (β - gᵀT⁻¹b) / (γ - gᵀT⁻¹c)
+//! gᵀy  + γ z = β          y = T⁻¹b - T⁻¹c z
+//! ```
+//!
+//! Near a singular T that loses digits, and steps with what is left get them back (W. Govaerts, Stable solvers and block elimination for bordered systems,
+//! SIAM J. Matrix Anal. Appl. 12, 1991). Where T has no factors whoever asks takes those of the whole matrix.
+
+use super::band::{Band, BandFactors};
+
+/// Steps with what is left.
+const REFINED: usize = 2;
+
+/// Factors of a bordered matrix, by those of T.
+#[derive(Debug, Clone)]
+pub(crate) struct BorderedBand {
+    band: Band,
+    factors: BandFactors,
+    cover: Vec<f64>,
+    gradient: Vec<f64>,
+    corner: f64,
+    /// T⁻¹c.
+    covered: Vec<f64>,
+    /// One over γ - gᵀT⁻¹c.
+    inverse: f64,
+}
+
+impl BorderedBand {
+    /// With columns and rows in the order of the band; `None` where T or the whole is singular.
+    pub(crate) fn new(band: Band, cover: Vec<f64>, gradient: Vec<f64>, corner: f64) -> Option<Self> {
+        let factors = band.clone().factors().filter(|factors| !factors.is_singular())?;
+        let mut covered = cover.clone();
+        factors.solve(&mut covered);
+        let pivot = corner - dot(&gradient, &covered);
+        let inverse = pivot.is_normal().then(|| 1.0 / pivot)?;
+        Some(Self { band, factors, cover, gradient, corner, covered, inverse })
+    }
+
+    /// The solution y in place of b, and z.
+    pub(crate) fn solve(&self, balance: &mut [f64], last: f64) -> f64 {
+        let given = balance.to_vec();
+        let mut z = self.solve_once(balance, last);
+        let mut left = vec![0.0; given.len()];
+        for _ in 0..REFINED {
+            left.copy_from_slice(&given);
+            self.band.subtract_product(balance, &mut left);
+            left.iter_mut().zip(&self.cover).for_each(|(left, c)| *left -= c * z);
+            let missing = last - dot(&self.gradient, balance) - self.corner * z;
+            z += self.solve_once(&mut left, missing);
+            balance.iter_mut().zip(&left).for_each(|(y, more)| *y += more);
+        }
+        z
+    }
+
+    fn solve_once(&self, b: &mut [f64], last: f64) -> f64 {
+        self.factors.solve(b);
+        let z = (last - dot(&self.gradient, b)) * self.inverse;
+        b.iter_mut().zip(&self.covered).for_each(|(y, covered)| *y -= covered * z);
+        z
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::generic;
+
+    /// A band that is singular but for rounding is none on its own, and the bordered matrix is regular: the solution keeps its digits.
+    #[test]
+    fn solves_near_a_singular_band() {
+        let (count, reach) = (24, 3);
+        for off in [1.0, 1e-4, 1e-8] {
+            let mut band = Band::zeros(count, reach);
+            let mut full = vec![vec![0.0; count + 1]; count + 1];
+            let mut add = |i: usize, j: usize, x: f64| {
+                band.add(i, j, x);
+                full[i][j] += x;
+            };
+            // A chain of springs that hangs on a weak one.
+            for k in 1..count {
+                for (i, j, x) in [(k, k, 1.0), (k - 1, k - 1, 1.0), (k, k - 1, -1.0), (k - 1, k, -1.0)] {
+                    add(i, j, x);
+                }
+            }
+            add(0, 0, off);
+            let [cover, gradient] = [1, 7].map(|k| (0..count).map(|i| generic(i + k)).collect::<Vec<_>>());
+            let corner = 0.3;
+            for i in 0..count {
+                (full[i][count], full[count][i]) = (cover[i], gradient[i]);
+            }
+            full[count][count] = corner;
+            let x: Vec<f64> = (0..=count).map(|k| (k as f64).sin()).collect();
+            let b: Vec<f64> = full.iter().map(|row| dot(row, &x)).collect();
+            let bordered = BorderedBand::new(band, cover, gradient, corner).expect("regular");
+            let mut y = b[..count].to_vec();
+            let z = bordered.solve(&mut y, b[count]);
+            let worst = y.iter().zip(&x).map(|(a, b)| (a - b).abs()).fold((z - x[count]).abs(), f64::max);
+            assert!(worst < 1e-11, "{off:e}: {worst:e}");
+        }
+    }
+}
