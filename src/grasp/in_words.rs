@@ -17,6 +17,9 @@ const LITTLE_ROUNDING: f64 = 1e-13;
 /// Points that move by less, m, stay where they are for whoever reads it: less than a nucleus is wide.
 const NOWHERE: f64 = 1e-15;
 
+/// So many bodies that move alike are told one by one.
+const APART: usize = 3;
+
 /// A force and a moment this close to a right angle act along one line: a force somewhere.
 const ONE_LINE: f64 = 1e-12;
 
@@ -119,9 +122,14 @@ impl Words {
         let fastest = bodies.iter().map(BodyMotion::speed).fold(0.0, f64::max);
         let moves = bodies.iter().filter(|motion| motion.speed() > SEEN * fastest);
         let told =
-            |motion: &BodyMotion<C>| format!("{} {}", printable(&motion.body), self.direction(&motion.twist));
+            |motion: &BodyMotion<C>| (printable(&motion.body).into_owned(), self.direction(&motion.twist));
         let told: Vec<_> = moves.map(told).collect();
-        if told.is_empty() { "moving nothing but the hand".to_owned() } else { listed(&told) }
+        let Some((_, first)) = told.first() else { return "moving nothing but the hand".to_owned() };
+        if told.len() > APART && told.iter().all(|(_, way)| way == first) {
+            let names: Vec<_> = told.iter().map(|(name, _)| name).collect();
+            return format!("{}, all {first}", listed(&names));
+        }
+        listed(&told.iter().map(|(name, way)| format!("{name} {way}")).collect::<Vec<_>>())
     }
 
     fn direction<const C: usize>(self, twist: &Twist<C>) -> String {

@@ -28,6 +28,7 @@ mod energy_coordinates;
 mod free_motions;
 mod given_limits;
 mod lazy_pricing;
+mod limited;
 mod load;
 mod newton;
 mod null_motions;
@@ -46,7 +47,7 @@ pub(crate) use energy_coordinates::{
     EnergyContact, EnergyCoordinates, Facet, Slipping, normal, spring_rows, stretched_into,
 };
 pub(crate) use free_motions::worked_on;
-pub(crate) use given_limits::states_by_given_limits;
+pub(crate) use given_limits::{states_by_given_limits, twist_by_given_limits};
 pub(crate) use lazy_pricing::{LazyPricing, MARGIN, Point, slack};
 pub(crate) use load::Load;
 pub(crate) use newton::{Imbalance, StretchAnswers, newton};

@@ -3,6 +3,7 @@
 //! | file | idea |
 //! |---|---|
 //! | `wrench_cone` | the load lies outside all that friction can do: a separating motion |
+//! | `separating_many` | the same of many coordinates, in a band |
 //! | `escape` | when a contradiction counts |
 //! | `refutation` | case by case on the round cone, to be checked by anyone |
 //! | `nothing_near` | nothing holds within a radius of where an equilibrium was lost |
@@ -12,6 +13,7 @@ mod escape;
 mod nothing_near;
 mod open_choices;
 mod refutation;
+mod separating_many;
 mod wrench_cone;
 
 pub(crate) use escape::{ESCAPE, LEAST_WORK};
@@ -20,5 +22,5 @@ pub(crate) use open_choices::nothing_holds;
 pub(crate) use refutation::{ProofStep, check, yields};
 pub(crate) use wrench_cone::{
     Generator, NearestForces, nearest_forces, round_generators, separates_from_here_on, separating_motion,
-    straight_generators,
+    separating_motion_in_a_band, straight_generators,
 };

@@ -16,6 +16,7 @@
 use nalgebra::SVector;
 
 use super::escape::{ESCAPE, LEAST_WORK, counts_from_here_on};
+use super::separating_many::left_of_many;
 use crate::contact::{Law, tangential, tangential_norm};
 use crate::grasp::Site;
 use crate::numerics::{NearestPoint, Size, Vector, unit};
@@ -96,22 +97,54 @@ pub(crate) fn nearest_forces<D: Size, const C: usize>(
     NearestForces { motion, against, shares }
 }
 
+/// A load and the cones that it may lie outside of.
+struct LoadAndCones<'p, 'g, D: Size, const C: usize> {
+    problem: &'p Problem<'g, D, C>,
+    straight: Vec<Generator<D, C>>,
+    load: f64,
+    /// Forces may be larger than the load by far, where fingers squeeze: their work must not make up for that of the load. What escapes is measured against
+    /// load and squeeze together.
+    data: f64,
+}
+
+impl<'p, 'g, D: Size, const C: usize> LoadAndCones<'p, 'g, D, C> {
+    /// `None` without a load, or where laws are no cones.
+    fn of(problem: &'p Problem<'g, D, C>) -> Option<Self> {
+        let load = problem.wrench.norm();
+        let straight = (load > 0.0).then(|| straight_generators(problem)).flatten()?;
+        Some(Self { problem, straight, load, data: load + squeeze(problem) })
+    }
+
+    /// Whether a motion separates, on which a load of length one works so much, and generators work against it by so much at most.
+    fn separates(&self, v: &Vector<D>, works: f64, against: f64) -> bool {
+        let distance = v.norm();
+        let escape = works * self.load / against.max(LEAST_WORK * distance);
+        distance > CLEAR && escape >= ESCAPE * self.data
+    }
+
+    /// Whether a motion separates, whoever has found it.
+    fn is_proof(&self, v: &Vector<D>) -> bool {
+        let round = round_generators(self.problem, v);
+        let against = self.straight.iter().map(|g| -g.wrench.dot(v)).chain(round.map(|g| -g.wrench.dot(v)));
+        self.separates(v, self.problem.wrench.dot(v) / self.load, against.fold(0.0, f64::max))
+    }
+}
+
 /// The unit separating motion in inside coordinates, if there is a clear one.
 pub(crate) fn separating_motion<D: Size, const C: usize>(problem: &Problem<D, C>) -> Option<Vector<D>> {
-    let load = problem.wrench.norm();
-    if load == 0.0 {
-        return None;
-    }
-    let straight = straight_generators(problem)?;
-    let target = -&problem.wrench / load;
+    let all = LoadAndCones::of(problem)?;
+    let target = -&problem.wrench / all.load;
     let NearestForces { motion: v, against, .. } =
-        nearest_forces(problem.size(), &straight, |v| round_generators(problem, v).collect(), &target);
-    // Forces may be larger than the load by far, where fingers squeeze: their work must not make up for that of the load.
-    // What escapes is measured against load and squeeze together.
-    let distance = v.norm();
-    let data = load + squeeze(problem);
-    let escape = distance * distance * load / against.max(LEAST_WORK * distance);
-    (distance > CLEAR && escape >= ESCAPE * data).then(|| v / distance)
+        nearest_forces(problem.size(), &all.straight, |v| round_generators(problem, v).collect(), &target);
+    all.separates(&v, v.norm_squared(), against).then(|| v.normalize())
+}
+
+/// The same of many coordinates, where it does not take long.
+pub(crate) fn separating_motion_in_a_band<D: Size, const C: usize>(
+    problem: &Problem<D, C>,
+) -> Option<Vector<D>> {
+    let all = LoadAndCones::of(problem)?;
+    left_of_many(problem, |v| all.is_proof(v)).map(|v| v.normalize())
 }
 
 /// The forces of the springs stretched by the commands alone, as wrenches.

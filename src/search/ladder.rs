@@ -7,7 +7,7 @@ use super::least_motion::at_the_least_motion;
 use super::rungs::{
     every_case, every_combination, everything_yields, force_form, kinematic_form, kinematic_form_of_a_few,
     kinematic_form_on_states, kinematic_form_with_edges, newton_on_answers, newton_on_the_round_cone,
-    separating_motion, separating_motion_of_many, touching_contacts_stick,
+    separating_motion, separating_motion_in_a_band, separating_motion_of_many, touching_contacts_stick,
 };
 use super::scene::{Attempt, Log, TrialScene};
 use super::settings::Settings;
@@ -21,11 +21,12 @@ pub(crate) fn settle<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     settings: &Settings,
 ) -> (Settled<D, C>, Effort) {
-    let ladder: [TryRung<D, C>; 13] = [
+    let ladder: [TryRung<D, C>; 14] = [
         touching_contacts_stick,
         newton_on_answers,
         newton_on_the_round_cone,
         everything_yields,
+        separating_motion_in_a_band,
         kinematic_form_of_a_few,
         separating_motion_of_many,
         kinematic_form_on_states,

@@ -13,7 +13,7 @@ use super::tree::{Tree, has_round_cones, most_cases, search_tree};
 use crate::contact::State;
 use crate::forms;
 use crate::numerics::Size;
-use crate::object::Problem;
+use crate::object::{Problem, twist_by_given_limits};
 use crate::proofs;
 use crate::structured::propose_by_newton;
 
@@ -80,6 +80,15 @@ pub(super) fn everything_yields<D: Size, const C: usize>(
     }
     let proof = proofs::yields(scene.problem);
     proof.map_or(Attempt::Nothing, |escape| Attempt::Proof(Settled::Contradicted { cases: 1, escape }))
+}
+
+/// Of many coordinates a proof is cheaper than any path, and soon seen not to be there.
+pub(super) fn separating_motion_in_a_band<D: Size, const C: usize>(
+    scene: &TrialScene<'_, '_, D, C>,
+    _: &mut Log,
+) -> Attempt<D, C> {
+    let motion = scene.trial.is_banded().then(|| proofs::separating_motion_in_a_band(scene.proposing()));
+    motion.flatten().map_or(Attempt::Nothing, |motion| Attempt::Proof(Settled::Separating(motion)))
 }
 
 /// Among many contacts a proof is cheaper than any path.
@@ -157,7 +166,10 @@ pub(super) fn newton_on_the_round_cone<D: Size, const C: usize>(
     if !has_round_cones(scene.problem) {
         return Attempt::Nothing;
     }
-    Attempt::by(Rung::Newton, polish_from(scene.problem, scene.state.twist.clone()))
+    let from = |twist| polish_from(scene.problem, twist);
+    let found = from(scene.state.twist.clone());
+    // Of many coordinates friction with given limits leads nearer.
+    Attempt::by(Rung::Newton, found.or_else(|| twist_by_given_limits(scene.problem).and_then(from)))
 }
 
 /// On the round cone: branch and bound over contact states and directions of friction.

@@ -6,6 +6,7 @@ mod closed_forms;
 mod enumerated;
 mod everyday;
 mod faces;
+mod falling;
 mod growing;
 mod invariance;
 mod law;

@@ -1,7 +1,9 @@
 //! Many bodies: what gives way first is known, and what is above or beside each cut is in balance by own sums.
 
 use grasp_lcp::planar::{Grasp, Wrench};
+use grasp_lcp::spatial;
 use support::piles::{books, wall};
+use support::spatial_piles::spatial_wall;
 
 /// The number of the nearest of places that are so far apart.
 fn nearest(x: f64, apart: f64) -> usize {
@@ -48,6 +50,34 @@ fn the_top_brick_of_a_wall_slides_first() {
             let off = (carried[1] - weight).abs().max((carried[0] + 5.0).abs());
             assert!(off < 1e-12 * weight, "{rows}, {row}: {carried:?} of {weight}");
         }
+    }
+}
+
+/// The same in space, on four points of each half: what is above a cut is carried there, by friction on the round cone.
+#[test]
+fn the_top_brick_of_a_wall_in_space_slides_first() {
+    for rows in [3, 5] {
+        let grasp = spatial_wall(rows).grasp().expect("well posed");
+        let push = spatial::Wrench::force_at([5.0, 0.0, 0.0], [0.5, 0.0, 0.5 * rows as f64 - 0.1]);
+        let verdict = grasp.hold(push).expect("well posed");
+        let limit = 0.6 * 2.0 * 9.81 / 5.0;
+        assert_eq!(verdict.holds(), Some(true), "{rows}: {verdict}");
+        assert!((verdict.held_to - limit).abs() < 1e-9 * limit, "{rows}: {} of {limit}", verdict.held_to);
+        let outcome = grasp.solve(&push).expect("well posed");
+        let state = outcome.equilibrium().expect("stands");
+        let mut on_ground = [0.0; 3];
+        for (contact, answer) in grasp.contacts().iter().zip(&state.contacts) {
+            let [normal, a, b]: [f64; 3] = answer.force.into();
+            assert!(normal >= 0.0 && a.hypot(b) <= 0.6 * normal * (1.0 + 1e-12));
+            let at = [contact.point()[0], contact.point()[2]];
+            let shift = 0.5 * ((nearest(at[1], 0.5) + 1) % 2) as f64;
+            if at[1] < 0.1 || at[0] < shift || at[0] > shift + rows as f64 {
+                (0..3).for_each(|k| on_ground[k] += answer.force_world[k]);
+            }
+        }
+        let weight = 2.0 * 9.81 * (rows * rows) as f64;
+        let off = [on_ground[0] + 5.0, on_ground[1], on_ground[2] - weight];
+        assert!(off.iter().all(|x| x.abs() < 1e-11 * weight), "{on_ground:?} of {weight}");
     }
 }
 

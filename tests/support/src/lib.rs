@@ -35,6 +35,7 @@ pub mod random;
 pub mod scene;
 pub mod shaken;
 pub mod soft_tips;
+pub mod spatial_piles;
 pub mod splitmix;
 pub mod stacks;
 pub mod sticking;

@@ -1,0 +1,168 @@
+//! A contact whose friction has a limit that is given: its answer to a stretch, and which springs hold then.
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::contact::{Coulomb, Law, LocalLaw, Mode, tangential, tangential_norm};
+use crate::numerics::unit;
+
+/// A contact whose friction has a limit that is given.
+pub(super) struct Limited<const C: usize> {
+    pub(super) stiffness: SVector<f64, C>,
+    pub(super) drive: SVector<f64, C>,
+    opens: bool,
+    slides: Slides<C>,
+    cone: Coulomb,
+    /// Whether the limit is a rate: that may fall.
+    is_rate: bool,
+}
+
+/// Which way it may slide.
+enum Slides<const C: usize> {
+    Never,
+    /// In the plane, on the facets backwards and forwards.
+    Along([Option<u16>; 2]),
+    /// In space, on the facets of a polygon, `h·F_t = r`, that meet in these corners.
+    OnPolygon {
+        normals: Vec<SVector<f64, C>>,
+        corners: Vec<SVector<f64, C>>,
+    },
+    /// In space, on the round cone.
+    Round,
+}
+
+/// What a contact does at the limit of its friction.
+struct AtLimit<const C: usize> {
+    friction: SVector<f64, C>,
+    /// What still holds of its springs.
+    holds: SMatrix<f64, C, C>,
+    state: Mode<u16>,
+}
+
+/// What it does at a stretch.
+pub(super) struct Answer<const C: usize> {
+    pub(super) force: SVector<f64, C>,
+    /// The springs that hold, and those that give way.
+    pub(super) holds: SMatrix<f64, C, C>,
+    pub(super) gives: SMatrix<f64, C, C>,
+    pub(super) state: Mode<u16>,
+}
+
+impl<const C: usize> Limited<C> {
+    /// On the polygon that stands for a round cone, or on the cone itself. `None` if it keeps its tangential force until it opens, or is a rate in space.
+    pub(super) fn of(local: &LocalLaw<'_, C>, drive: &SVector<f64, C>, on_polygons: bool) -> Option<Self> {
+        let (drive, cone) = (*drive, local.cone());
+        if local.is_absent() {
+            let (stiffness, slides) = (SVector::zeros(), Slides::Never);
+            return Some(Self { stiffness, drive, opens: false, slides, cone, is_rate: false });
+        }
+        let facet =
+            |sign: f64| (0_u16..).zip(local.facets()).find(|(_, h)| sign * h[1] > 0.0).map(|(j, _)| j);
+        let (stiffness, opens) = (local.springs.diagonal(), local.may_open());
+        let slides = match [facet(-1.0), facet(1.0)] {
+            _ if local.is_round() && !on_polygons => Slides::Round,
+            _ if C > 2 && !local.facets().is_empty() => {
+                Slides::OnPolygon { normals: local.facets().to_vec(), corners: local.polygon.corners.clone() }
+            }
+            [None, None] => Slides::Never,
+            facets => Slides::Along(facets),
+        };
+        let keeps = opens && stiffness[1] > 0.0 && matches!(slides, Slides::Never);
+        let is_rate = matches!(local.law, Law::Edge(_));
+        // The facets of a rate are no polygon.
+        (!keeps && (C == 2 || !is_rate)).then_some(Self { stiffness, drive, opens, slides, cone, is_rate })
+    }
+
+    pub(super) fn answer(&self, stretch: &SVector<f64, C>, limit: f64) -> Answer<C> {
+        let springs = SMatrix::from_diagonal(&self.stiffness);
+        let mut answer = Answer {
+            force: springs * stretch,
+            holds: springs,
+            gives: SMatrix::zeros(),
+            state: Mode::Sticking,
+        };
+        if let Some(AtLimit { friction, holds, state }) = self.at_limit(&answer.force, limit) {
+            let normal = answer.force[0];
+            answer.force = friction;
+            answer.force[0] = normal;
+            answer.holds = holds;
+            answer.holds[(0, 0)] = self.stiffness[0];
+            answer.gives = springs - answer.holds;
+            answer.state = state;
+        }
+        if self.opens && stretch[0] <= 0.0 {
+            answer.force[0] = 0.0;
+            answer.holds[(0, 0)] = 0.0;
+            answer.gives[(0, 0)] = self.stiffness[0];
+            answer.state = Mode::Open;
+        }
+        if self.stiffness == SVector::<f64, C>::zeros() {
+            answer.state = Mode::Open;
+        }
+        answer
+    }
+
+    /// Where friction comes to its limit; `None` where it stays below.
+    fn at_limit(&self, force: &SVector<f64, C>, limit: f64) -> Option<AtLimit<C>> {
+        // Along the limit friction goes with the motion.
+        let along = |normal: &SVector<f64, C>| {
+            let mut across = SMatrix::<f64, C, C>::identity() - normal * normal.transpose();
+            across[(0, 0)] = 0.0;
+            across * SMatrix::from_diagonal(&self.stiffness) * across
+        };
+        let on_axis = |facet: u16, friction: f64| AtLimit {
+            friction: unit::<C>(1) * friction,
+            holds: SMatrix::zeros(),
+            state: Mode::Facet(facet),
+        };
+        match &self.slides {
+            Slides::Along([_, Some(facet)]) if force[1] > limit => Some(on_axis(*facet, limit)),
+            Slides::Along([Some(facet), _]) if force[1] < -limit => Some(on_axis(*facet, -limit)),
+            Slides::Never | Slides::Along(_) => None,
+            Slides::Round => {
+                let (tangential, size) = (tangential(force), tangential_norm(force));
+                (size > limit).then(|| AtLimit {
+                    friction: tangential * (limit / size),
+                    holds: along(&(tangential / size)) * (limit / size),
+                    state: Mode::Facet(0),
+                })
+            }
+            Slides::OnPolygon { normals, corners } => {
+                let friction = tangential(force);
+                let beyond = |j: usize, at: &SVector<f64, C>| normals[j].dot(at) - limit;
+                let all = 0..normals.len();
+                let j = all.max_by(|i, j| beyond(*i, &friction).total_cmp(&beyond(*j, &friction)))?;
+                let off = beyond(j, &friction);
+                if off <= 0.0 {
+                    return None;
+                }
+                let (count, size) = (normals.len(), normals[j].norm());
+                let nearest = friction - normals[j] * (off / (size * size));
+                // Corner j lies between facets j and j + 1.
+                let [before, behind] = [(j + count - 1) % count, (j + 1) % count];
+                let corner = if beyond(behind, &nearest) > 0.0 {
+                    Some(j)
+                } else {
+                    (beyond(before, &nearest) > 0.0).then_some(before)
+                };
+                Some(match corner {
+                    Some(corner) => AtLimit {
+                        friction: corners[corner] * limit,
+                        holds: SMatrix::zeros(),
+                        state: Mode::Corner(u16::try_from(corner).ok()?),
+                    },
+                    None => AtLimit {
+                        friction: nearest,
+                        holds: along(&(normals[j] / size)),
+                        state: Mode::Facet(u16::try_from(j).ok()?),
+                    },
+                })
+            }
+        }
+    }
+
+    /// The limit that belongs to a normal force.
+    pub(super) fn limit(&self, normal: f64) -> f64 {
+        let limit = self.cone.limit(normal);
+        if self.is_rate { limit } else { limit.max(0.0) }
+    }
+}

@@ -1,0 +1,227 @@
+//! A separating motion of many coordinates: what is left of a load where contacts push against it as well as they may.
+//!
+//! The nearest sum of contact forces to a load leaves `v = Σ G_i f_i + W`, and v is found from the other side: contacts answer a motion by
+//! forces in their cones, and these are told what they have to answer already,
+//!
+//! ```text
+//! f_i = P_i(λ_i - ρ G_iᵀv),      v - Σ G_i f_i = W,      λ_i <- f_i,
+//! ```
+//!
+//! with the projection P_i onto the cone. Each is a convex problem without constraints that Newton's method solves, in a narrow band as contacts couple few
+//! coordinates. What comes out is judged like any other motion.
+//!
+//! Source: R. T. Rockafellar, Augmented Lagrangians and applications of the proximal point algorithm in convex programming, Math. Oper. Res. 1 (1976).
+
+use std::ops::Range;
+
+use nalgebra::{SMatrix, SVector};
+
+use super::wrench_cone::{Generator, straight_generators};
+use crate::contact::{tangential, tangential_norm};
+use crate::numerics::{PositiveBand, Size, Vector, narrow_order, unit, widest};
+use crate::object::{Problem, are_many};
+
+/// ρ at first, by what it grows from round to round, and at last: with more the digits of a step would be gone.
+const FIRST: f64 = 1e1;
+const GROWS: f64 = 10.0;
+const LAST: f64 = 1e8;
+/// Rounds after the last growth.
+const MORE: usize = 6;
+/// Rounds after the first proof, which take the rounding out of it: people read its motion.
+const CLEARER: usize = 4;
+/// Newton steps of a round, what they leave of the load for ρ = 1, and at the least.
+const STEPS: usize = 12;
+const LEFT: [f64; 2] = [1e-3, 1e-14];
+/// How often a step is shortened, and what is left then of how fast the energy falls along it.
+const SHORTENED: usize = 12;
+const LEVEL: f64 = 0.1;
+/// Forces that leave less than this part of a load have no motion to tell.
+const BALANCED: f64 = 1e-5;
+
+/// Forces of one contact that pushes against motions.
+struct Pushing<const C: usize> {
+    /// The coordinates that it feels, with its map there, of length one.
+    felt: Vec<(usize, SVector<f64, C>)>,
+    /// μ of a round cone; else a ray along the first axis.
+    cone: Option<f64>,
+    told: SVector<f64, C>,
+}
+
+impl<const C: usize> Pushing<C> {
+    /// The nearest forces in the cone, and how they change with what they are asked for.
+    fn nearest(&self, x: &SVector<f64, C>) -> (SVector<f64, C>, SMatrix<f64, C, C>) {
+        let Some(mu) = self.cone else {
+            let normal = unit::<C>(0);
+            let pushes = x[0] > 0.0;
+            let held = if pushes { normal * normal.transpose() } else { SMatrix::zeros() };
+            return (if pushes { normal * x[0] } else { SVector::zeros() }, held);
+        };
+        let size = tangential_norm(x);
+        if size <= mu * x[0] {
+            return (*x, SMatrix::identity());
+        }
+        if mu * size <= -x[0] {
+            return (SVector::zeros(), SMatrix::zeros());
+        }
+        let (normal, along) = (unit::<C>(0), tangential(x) / size);
+        let edge = normal + along * mu;
+        let share = edge.dot(x) / edge.norm_squared();
+        let across = SMatrix::identity() - normal * normal.transpose() - along * along.transpose();
+        let held = edge * edge.transpose() / edge.norm_squared() + across * (mu * share / size);
+        (edge * share, held)
+    }
+
+    fn moved(&self, v: &[f64]) -> SVector<f64, C> {
+        self.felt.iter().fold(SVector::zeros(), |sum, (k, g)| sum + g * v[*k])
+    }
+}
+
+/// All contacts, in a narrow order of coordinates.
+struct PushedBack<const C: usize> {
+    contacts: Vec<Pushing<C>>,
+    numbers: Vec<usize>,
+    /// Of length one.
+    load: Vec<f64>,
+    band: PositiveBand,
+    stiffness: f64,
+}
+
+/// What is left of a load of many coordinates, of length one, after each round until there is next to nothing; `judged` says whether it is a proof, and it is the answer then.
+pub(super) fn left_of_many<D: Size, const C: usize>(
+    problem: &Problem<D, C>,
+    judged: impl Fn(&Vector<D>) -> bool,
+) -> Option<Vector<D>> {
+    if !are_many(problem.size()) {
+        return None;
+    }
+    let mut pushed = PushedBack::of(problem)?;
+    let mut v = pushed.load.clone();
+    let (mut more, mut clearer, mut proof) = (0, 0, None);
+    while more < MORE && clearer < CLEARER {
+        let enough = if proof.is_some() { LEFT[1] } else { (LEFT[0] / pushed.stiffness).max(LEFT[1]) };
+        let Some(left) = pushed.round(&mut v, enough) else { break };
+        if left < BALANCED {
+            return None;
+        }
+        let motion = Vector::from_fn(problem.size(), |k| v[pushed.numbers[k]]);
+        if judged(&motion) {
+            proof = Some(motion);
+        }
+        clearer += usize::from(proof.is_some());
+        if pushed.stiffness < LAST {
+            pushed.stiffness *= GROWS;
+        } else {
+            more += 1;
+        }
+    }
+    proof
+}
+
+impl<const C: usize> PushedBack<C> {
+    fn of<D: Size>(problem: &Problem<D, C>) -> Option<Self> {
+        let count = problem.size().count();
+        let couplings: Vec<_> = problem.sites.iter().map(|site| site.support.ranges::<C>()).collect();
+        let numbers = narrow_order(count, &couplings);
+        let band = PositiveBand::zeros(count, widest(&numbers, &couplings));
+        let numbered = |range: &Range<usize>| range.clone().map(|k| (k, numbers[k])).collect::<Vec<_>>();
+        let felt = |contact: usize| couplings[contact].iter().flat_map(numbered).collect::<Vec<_>>();
+        let ray = |Generator { contact, wrench, .. }: Generator<D, C>| {
+            let along = |(k, number)| (number, unit::<C>(0) * wrench[k]);
+            Pushing {
+                felt: felt(contact).into_iter().map(along).collect(),
+                cone: None,
+                told: SVector::zeros(),
+            }
+        };
+        let mut contacts: Vec<_> = straight_generators(problem)?.into_iter().map(ray).collect();
+        for (contact, (local, site)) in problem.locals().zip(problem.sites).enumerate() {
+            if !local.is_round() {
+                continue;
+            }
+            let size = site.map.column(0).norm();
+            let entry = |(k, number)| (number, SVector::from_fn(|a, _| site.map[(k, a)] / size));
+            let cone = Some(local.cone().limit(1.0));
+            contacts.push(Pushing {
+                felt: felt(contact).into_iter().map(entry).collect(),
+                cone,
+                told: SVector::zeros(),
+            });
+        }
+        let mut load = vec![0.0; count];
+        let size = problem.wrench.norm();
+        problem.wrench.iter().zip(&numbers).for_each(|(w, k)| load[*k] = w / size);
+        Some(Self { contacts, numbers, load, band, stiffness: FIRST })
+    }
+
+    /// The motion at which forces that answer it are balanced but for so much, and what they leave of the load.
+    fn round(&mut self, v: &mut Vec<f64>, enough: f64) -> Option<f64> {
+        let mut missing = self.missing(v);
+        for _ in 0..STEPS {
+            if norm(&missing) <= enough {
+                break;
+            }
+            self.factor(v)?;
+            let mut step = missing.clone();
+            self.band.solve(&mut step);
+            let falls = dot(&missing, &step);
+            let mut part = 1.0;
+            for shorter in 0.. {
+                let next: Vec<f64> = v.iter().zip(&step).map(|(v, step)| v + step * part).collect();
+                missing = self.missing(&next);
+                let rises = -dot(&missing, &step);
+                if rises <= LEVEL * falls || shorter == SHORTENED {
+                    *v = next;
+                    break;
+                }
+                part *= (falls / (falls + rises)).clamp(0.1, 0.9);
+            }
+        }
+        let mut left = self.load.clone();
+        for contact in &mut self.contacts {
+            let asked = contact.told - contact.moved(v) * self.stiffness;
+            contact.told = contact.nearest(&asked).0;
+            contact.felt.iter().for_each(|(k, g)| left[*k] += g.dot(&contact.told));
+        }
+        Some(norm(&left))
+    }
+
+    /// `W + Σ G f - v`.
+    fn missing(&self, v: &[f64]) -> Vec<f64> {
+        let mut sum: Vec<f64> = self.load.iter().zip(v).map(|(w, v)| w - v).collect();
+        for contact in &self.contacts {
+            let asked = contact.told - contact.moved(v) * self.stiffness;
+            let force = contact.nearest(&asked).0;
+            contact.felt.iter().for_each(|(k, g)| sum[*k] += g.dot(&force));
+        }
+        sum
+    }
+
+    /// Factors of `1 + ρ Σ G P' Gᵀ`.
+    fn factor(&mut self, v: &[f64]) -> Option<()> {
+        let Self { contacts, band, stiffness, .. } = self;
+        band.clear();
+        (0..v.len()).for_each(|k| band.add(k, k, 1.0));
+        for contact in contacts {
+            let asked = contact.told - contact.moved(v) * *stiffness;
+            let held = contact.nearest(&asked).1 * *stiffness;
+            if held.amax() == 0.0 {
+                continue;
+            }
+            for (j, h) in &contact.felt {
+                let pushed = held * h;
+                for (i, g) in contact.felt.iter().filter(|(i, _)| i >= j) {
+                    band.add(*i, *j, g.dot(&pushed));
+                }
+            }
+        }
+        band.factor()
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+fn norm(list: &[f64]) -> f64 {
+    dot(list, list).sqrt()
+}

@@ -1,0 +1,29 @@
+//! Piles of several bodies in space: walls of bricks that touch at four points of each half.
+
+use grasp_lcp::spatial::{Bodies, Body, Contact};
+
+/// A wall of so many rows of as many bricks of 2 kg, 1 m by 0.5 m by 0.5 m, every other row half a brick along x, on whose first brick at the top loads act; half bricks of
+/// ground hold what overhangs.
+pub fn spatial_wall(rows: usize) -> Bodies {
+    let name = |row: usize, column: usize| format!("brick {row}.{column}");
+    let (mut bodies, mut contacts) = (Vec::new(), Vec::new());
+    for (row, column) in (0..rows).flat_map(|row| (0..rows).map(move |column| (row, column))) {
+        // Halves of bricks are counted from the left.
+        let (first, height) = (2 * column + row % 2, 0.5 * row as f64);
+        bodies.push(Body::new(name(row, column)).mass(2.0, [0.5 * first as f64 + 0.5, 0.0, height + 0.25]));
+        for half in [first, first + 1] {
+            let corners = [[0.02, -0.24], [0.48, -0.24], [0.02, 0.24], [0.48, 0.24]];
+            let points = corners.map(|[x, y]| {
+                let point = Contact::new([0.5 * half as f64 + x, y, height], [0.0, 0.0, 1.0]);
+                point.series_stiffness(1e6, 8e5).friction(0.6).on(name(row, column))
+            });
+            let below = row.checked_sub(1).and_then(|below| Some((below, half.checked_sub(below % 2)? / 2)));
+            let on = below.filter(|(_, column)| *column < rows);
+            contacts.extend(points.map(|point| match on {
+                Some((row, column)) => point.against(name(row, column)),
+                None => point,
+            }));
+        }
+    }
+    Bodies::new(bodies).contacts(contacts).gravity([0.0, 0.0, -9.81]).loaded(name(rows - 1, 0))
+}
