@@ -6,6 +6,7 @@ use nalgebra::SVector;
 
 use super::grasp::Grasp;
 use super::questions::Questions;
+use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::Wrench;
 
@@ -13,6 +14,14 @@ impl<const C: usize> Grasp<C> {
     /// This grasp by other contacts or commands.
     pub(super) fn changed(&self, engine: Result<Arc<dyn Questions<C>>, Error>) -> Result<Self, Error> {
         Ok(Self { engine: engine?, settings: self.settings })
+    }
+
+    /// The grasp of an equilibrium: under the loads of bodies that a program had put on there.
+    pub(super) fn of_equilibrium(&self, equilibrium: &Equilibrium<C>) -> Self {
+        let loads = &equilibrium.body_loads;
+        let changed = (!loads.is_empty()).then(|| self.changed(self.engine.with_body_loads(loads)));
+        // Bodies that are not there are those of another grasp, whose answers tell nothing here anyway.
+        changed.and_then(Result::ok).unwrap_or_else(|| self.clone())
     }
 
     /// This grasp with other finger commands u_f, one a contact, each in its contact frame (m):

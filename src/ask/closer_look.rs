@@ -51,7 +51,7 @@ impl<const C: usize> Grasp<C> {
     /// ```
     #[must_use]
     pub fn accuracy(&self, equilibrium: &Equilibrium<C>) -> Option<Accuracy> {
-        self.engine.accuracy(equilibrium)
+        self.of_equilibrium(equilibrium).engine.accuracy(equilibrium)
     }
 
     /// Contact by contact, whether working precision tells the state of an equilibrium from its neighbours.
@@ -76,7 +76,7 @@ impl<const C: usize> Grasp<C> {
     /// ```
     #[must_use]
     pub fn distinct(&self, equilibrium: &Equilibrium<C>) -> Option<Vec<bool>> {
-        self.engine.distinct(equilibrium)
+        self.of_equilibrium(equilibrium).engine.distinct(equilibrium)
     }
 
     /// The equilibrium under a load on the round cone, and on the inscribed and the circumscribed polygon with as many facets as

@@ -229,7 +229,7 @@ impl<const C: usize> Energy<'_, C> {
     /// ```
     #[must_use]
     pub fn stability(&self, equilibrium: &Equilibrium<C>) -> Stability<C> {
-        self.0.engine.stability(equilibrium)
+        self.0.of_equilibrium(equilibrium).engine.stability(equilibrium)
     }
 
     /// The same load under three laws of friction; the module [`energy`](crate::energy) has them side by side.

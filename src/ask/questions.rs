@@ -13,7 +13,7 @@ use crate::energy::{
 use crate::equilibrium::{Accuracy, Bracket, Decomposition, Equilibrium, Outcome, Refutation, Settings};
 use crate::error::Error;
 use crate::forms::Form;
-use crate::grasp::{Contact, Engine, HandPart, Wrench};
+use crate::grasp::{BodyLoad, Contact, Engine, HandPart, Wrench};
 use crate::hold::Verdict;
 use crate::load_path::{
     Beyond, Derivative, GeometryGradient, Leg, LoadPath, Onset, OnsetEvent, OnsetGradient, Parameter,
@@ -61,6 +61,7 @@ macro_rules! questions {
             fn with_joint_commands(&self, commands: &[f64]) -> Changed<C>;
             fn with_joint_torques(&self, torques: &[f64]) -> Changed<C>;
             fn growing_together(&self, one: &Wrench<C>, others: &[(Arc<str>, Wrench<C>)]) -> Changed<C>;
+            fn with_body_loads(&self, loads: &[BodyLoad<C>]) -> Changed<C>;
             fn with_friction(&self, friction: &dyn Fn(usize, f64) -> f64) -> Changed<C>;
             fn squeezed(&self, factor: f64) -> Changed<C>;
             fn sample(&self, uncertainty: &Uncertainty, number: u64) -> Changed<C>;
@@ -93,6 +94,10 @@ macro_rules! questions {
 
         fn growing_together(&self, one: &Wrench<C>, others: &[(Arc<str>, Wrench<C>)]) -> Changed<C> {
             Ok(Arc::new(Engine::growing_together(self, one, others)?))
+        }
+
+        fn with_body_loads(&self, loads: &[BodyLoad<C>]) -> Changed<C> {
+            Ok(Arc::new(Engine::with_body_loads(self, loads)?))
         }
 
         fn with_friction(&self, friction: &dyn Fn(usize, f64) -> f64) -> Changed<C> {

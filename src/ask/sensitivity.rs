@@ -94,7 +94,7 @@ impl<const C: usize> Sensitivity<'_, C> {
     /// ```
     #[must_use]
     pub fn response(&self, equilibrium: &Equilibrium<C>) -> Option<Response> {
-        self.0.engine.response(equilibrium)
+        self.0.of_equilibrium(equilibrium).engine.response(equilibrium)
     }
 
     /// How an equilibrium answers to the joint commands of its hand while every contact and every drive keeps its state: as [`Sensitivity::response`](crate::ask::Sensitivity::response), with a column
@@ -119,7 +119,7 @@ impl<const C: usize> Sensitivity<'_, C> {
     /// ```
     #[must_use]
     pub fn joint_response(&self, equilibrium: &Equilibrium<C>) -> Option<Response> {
-        self.0.engine.joint_response(equilibrium)
+        self.0.of_equilibrium(equilibrium).engine.joint_response(equilibrium)
     }
 
     /// How an equilibrium of this grasp changes with one parameter while every contact keeps its state: one linear solve, exact.
@@ -143,7 +143,7 @@ impl<const C: usize> Sensitivity<'_, C> {
     /// ```
     #[must_use]
     pub fn of(&self, equilibrium: &Equilibrium<C>, by: Parameter) -> Option<Derivative<C>> {
-        self.0.engine.sensitivity(equilibrium, by)
+        self.0.of_equilibrium(equilibrium).engine.sensitivity(equilibrium, by)
     }
 
     /// How far an onset spreads, of a ramp or of a load that turns. `None` where [`Sensitivity::onset_gradients`](crate::ask::Sensitivity::onset_gradients) is empty.

@@ -158,7 +158,7 @@ impl<const C: usize> Statics<'_, C> {
     /// ```
     #[must_use]
     pub fn decompose(&self, equilibrium: &Equilibrium<C>) -> Decomposition<C> {
-        self.0.engine.decompose(equilibrium)
+        self.0.of_equilibrium(equilibrium).engine.decompose(equilibrium)
     }
 
     /// Up to how many times these loads, beside a base load and in whichever order they come, some slips could keep everything from sliding: the shakedown

@@ -11,7 +11,7 @@ use super::pad_answer::PadAnswer;
 use super::residuals::Residuals;
 use crate::contact::{Coulomb, State};
 use crate::forms::LeftOut;
-use crate::grasp::{BodyMotion, Coordinates, Motion, Twist, WholeContact, Wrench};
+use crate::grasp::{BodyLoad, BodyMotion, Coordinates, Motion, Twist, WholeContact, Wrench};
 use crate::search::{Doubt, Rung};
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
@@ -64,6 +64,9 @@ pub struct Equilibrium<const C: usize> {
     /// Of [several bodies](crate::grasp::Bodies), how each moves; `twist` is then that of the body that loads act on. Empty where there is one.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub bodies: Vec<BodyMotion<C>>,
+    /// Loads on bodies of their own that a [program](crate::load_path::Leg::body_load_by) has put on beside `load`; what always acts on them is not among them.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    pub body_loads: Vec<BodyLoad<C>>,
     /// Contact by contact, in the order of the grasp; a soft fingertip of a scene point by point.
     pub contacts: Vec<ContactAnswer<C>>,
     /// Soft fingertips, the points of each together.

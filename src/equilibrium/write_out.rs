@@ -48,6 +48,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             residuals: self.residuals(problem, load, &twist, (&contacts, &found), cone),
             twist: Twist::among(&twist),
             bodies: self.body_motions(&twist),
+            body_loads: self.body_loads(),
             pads: self.pads(&contacts),
             open_cups: self.cups_open(|i| contacts[i].state == ContactState::Separated),
             contacts,

@@ -54,7 +54,7 @@ mod wrench;
 
 #[cfg(feature = "serde")]
 pub(crate) use bodies::LinkPlace;
-pub use bodies::{Bodies, Body, BodyMotion, Link};
+pub use bodies::{Bodies, Body, BodyLoad, BodyMotion, Link};
 #[cfg(feature = "serde")]
 pub(crate) use commands::Axes;
 pub use contact::{Contact, Hold};

@@ -88,7 +88,8 @@ impl<'g, D: Size, const C: usize> Journey<'g, D, C> {
         found: Found<D, C>,
     ) -> Equilibrium<C> {
         let (load, effort) = (self.program.load_at(fraction), Effort::default());
-        self.grasp.equilibrium(problem, &load, found, Rung::LoadPath, &effort, self.cone())
+        let grasp = self.program.bodies.put_on(self.grasp, fraction);
+        grasp.equilibrium(problem, &load, found, Rung::LoadPath, &effort, self.cone())
     }
 
     /// Equilibrium is lost at a fraction of the present leg where these sites stand on an edge, the object leaving with this motion.

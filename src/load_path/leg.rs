@@ -4,6 +4,7 @@ use std::ops::Add;
 
 use nalgebra::SVector;
 
+use super::body_loads::BodyGoal;
 use super::ramp::{Ramp, vectors};
 use super::trajectory::Trajectory;
 use super::turn::Turn;
@@ -44,6 +45,8 @@ pub struct Leg<const C: usize> {
     pub(super) load: LegLoad<C>,
     pub(super) commands: LegGoal<Vec<SVector<f64, C>>>,
     pub(super) joints: LegGoal<Vec<f64>>,
+    /// Of several bodies those whose own loads change.
+    pub(super) bodies: Vec<BodyGoal<C>>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -54,8 +57,12 @@ pub(super) enum LegGoal<T> {
 }
 
 impl<const C: usize> Leg<C> {
-    const STAY: Self =
-        Self { load: LegLoad::Straight(LegGoal::Stay), commands: LegGoal::Stay, joints: LegGoal::Stay };
+    pub(super) const STAY: Self = Self {
+        load: LegLoad::Straight(LegGoal::Stay),
+        commands: LegGoal::Stay,
+        joints: LegGoal::Stay,
+        bodies: Vec::new(),
+    };
 
     /// The load changes by this much.
     #[must_use]
@@ -189,6 +196,7 @@ impl<const C: usize> Leg<C> {
             load: LegLoad::Straight(LegGoal::By(ramp.direction)),
             commands: ramp.command_change.as_ref().map_or(LegGoal::Stay, by),
             joints: ramp.joint_change.as_ref().map_or(LegGoal::Stay, |change| LegGoal::By(change.clone())),
+            bodies: Vec::new(),
         }
     }
 
@@ -224,7 +232,7 @@ impl<const C: usize> Leg<C> {
         if let LegGoal::By(commands) | LegGoal::To(commands) = &self.joints {
             grasp.check_joint_commands(commands, "joint commands of a leg")?;
         }
-        Ok(())
+        self.check_bodies(grasp)
     }
 }
 

@@ -45,6 +45,7 @@
 mod arc;
 mod arclength;
 mod beyond;
+mod body_loads;
 mod contacts_and_drives;
 mod crossing;
 mod cycles;

@@ -270,6 +270,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
             change: self.segment.change.clone(),
             course: self.segment.course.clone(),
             load: journey.program.course,
+            bodies: journey.program.bodies.clone(),
             states: self.node.states.clone(),
             here,
             there,

@@ -1,7 +1,10 @@
 //! A load program on its way: which leg it is on, and between which loads and commands that leads.
 
+use std::sync::Arc;
+
 use nalgebra::{Matrix, SVector};
 
+use super::body_loads::BodyLoads;
 use super::leg::{Leg, LegLoad};
 use super::trajectory::Trajectory;
 use super::turn::inside;
@@ -26,6 +29,9 @@ pub(super) struct Program<const C: usize> {
     pub(super) commands: [Vec<SVector<f64, C>>; 2],
     /// Those of the joints.
     joints: [Vec<f64>; 2],
+    /// Of several bodies their names, and the loads of their own along the present leg.
+    names: Vec<Arc<str>>,
+    pub(super) bodies: BodyLoads<C>,
 }
 
 impl<const C: usize> Program<C> {
@@ -41,6 +47,8 @@ impl<const C: usize> Program<C> {
             goal: start,
             commands: [commands.clone(), commands],
             joints: [joints.clone(), joints],
+            names: grasp.bodies().map_or_else(Vec::new, |bodies| bodies.names.clone()),
+            bodies: BodyLoads::default(),
         }
     }
 
@@ -70,6 +78,7 @@ impl<const C: usize> Program<C> {
         (self.course, self.goal) = leg.load.course(&self.goal);
         leg.commands.lead_on(&mut self.commands);
         leg.joints.lead_on(&mut self.joints);
+        self.bodies.lead_on(&self.names, &leg.bodies);
         true
     }
 
@@ -83,24 +92,29 @@ impl<const C: usize> Program<C> {
             (self.course.at(0.0), self.commands.clone(), self.joints.clone());
         let largest = |sizes: &mut dyn Iterator<Item = f64>| sizes.fold(0.0, f64::max);
         let size = |load: &Wrench<C>| largest(&mut load.components().iter().map(|x| x.abs()));
+        let on_bodies = |bodies: &BodyLoads<C>, end: usize| largest(&mut bodies.at_end(end).iter().map(size));
         let mut most = [
             size(&load),
             largest(&mut commands.iter().map(Matrix::amax)),
             largest(&mut joints.iter().map(|x| x.abs())),
+            on_bodies(&self.bodies, 0),
         ];
         let mut goes = gone.goes();
         while goes {
             most[0] = most[0].max(size(&gone.goal)).max(size(&gone.course.at(0.5)));
             most[1] = most[1].max(largest(&mut gone.commands[1].iter().map(Matrix::amax)));
             most[2] = most[2].max(largest(&mut gone.joints[1].iter().map(|x| x.abs())));
+            most[3] = most[3].max(on_bodies(&gone.bodies, 1));
             goes = gone.next_leg();
         }
         let off = [
             size(&(gone.goal - load)),
             largest(&mut gone.commands[1].iter().zip(&commands).map(|(end, start)| (end - start).amax())),
             largest(&mut gone.joints[1].iter().zip(&joints).map(|(end, start)| (end - start).abs())),
+            // A cycle begins without them.
+            on_bodies(&gone.bodies, 1),
         ];
-        let what = ["load", "commands of contacts", "commands of joints"];
+        let what = ["load", "commands of contacts", "commands of joints", "load of a body"];
         match (0..what.len()).find(|&k| off[k] > part * most[k]) {
             Some(k) => Err(Error::NotClosed { what: what[k], off: off[k] }),
             None => Ok(()),
@@ -112,6 +126,7 @@ impl<const C: usize> Program<C> {
         self.goal = *load;
         self.commands[1] = grasp.contacts().iter().map(|contact| contact.command).collect();
         self.joints[1] = grasp.joint_commands().to_vec();
+        self.bodies = BodyLoads::default();
     }
 
     /// Whether there is a leg to go.
@@ -148,11 +163,20 @@ impl<const C: usize> Program<C> {
     pub(super) fn inside_course<D: Size>(&self, grasp: &Engine<D, C>) -> Trajectory<Vector<D>> {
         match &self.course {
             Trajectory::Straight { from, .. } => {
-                let [from, to] = [from, &self.goal].map(|load| grasp.load_unchecked(load));
+                let [mut from, mut to] = [from, &self.goal].map(|load| grasp.load_unchecked(load));
+                if let Some([first, last]) = self.bodies.inside(grasp) {
+                    (from, to) = (from + first, to + last);
+                }
                 let rate = to - &from;
                 Trajectory::Straight { from, rate }
             }
-            Trajectory::Turn { load, angle } => Trajectory::Turn { load: inside(grasp, load), angle: *angle },
+            Trajectory::Turn { load, angle } => {
+                let mut load = inside(grasp, load);
+                if let Some([constant, _]) = self.bodies.inside(grasp) {
+                    load.constant += constant;
+                }
+                Trajectory::Turn { load, angle: *angle }
+            }
         }
     }
 

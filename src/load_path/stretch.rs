@@ -3,6 +3,7 @@
 
 use nalgebra::SVector;
 
+use super::body_loads::BodyLoads;
 use super::flow::{Flow, Rule, StepGoal};
 use super::segment::{Here, Segment};
 use super::trajectory::Trajectory;
@@ -30,6 +31,8 @@ pub(super) struct Stretch<'g, D: Size, const C: usize> {
     pub(super) course: Trajectory<Vector<D>>,
     /// How the load of the question goes.
     pub(super) load: Trajectory<Wrench<C>>,
+    /// And those of bodies that go their own way.
+    pub(super) bodies: BodyLoads<C>,
     pub(super) states: Vec<State<C>>,
     /// At `from`, with rates.
     pub(super) here: Here<D, C>,
@@ -169,7 +172,7 @@ impl<'g, D: Size, const C: usize> Stretch<'g, D, C> {
         problem: &Problem<'g, D, C>,
         found: Found<D, C>,
     ) -> Equilibrium<C> {
-        let load = self.load.at(fraction);
+        let (load, grasp) = (self.load.at(fraction), self.bodies.put_on(grasp, fraction));
         grasp.equilibrium(problem, &load, found, Rung::LoadPath, &Effort::default(), cone)
     }
 }

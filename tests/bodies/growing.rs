@@ -5,7 +5,7 @@ use grasp_lcp::load_path::Onset;
 use grasp_lcp::planar::{Bodies, Body, Contact, Grasp, Leg, Link, Wrench};
 
 /// Two boxes on each other on a table: 20 N and 10 N, μ = 0.5 below and 0.3 between them.
-fn boxes() -> Grasp {
+pub(crate) fn boxes() -> Grasp {
     let at =
         |x: f64, y: f64, mu: f64| Contact::new([x, y], [0.0, 1.0]).series_stiffness(1e5, 1e5).friction(mu);
     Bodies::new([
@@ -18,7 +18,7 @@ fn boxes() -> Grasp {
     .expect("well posed")
 }
 
-fn pull(newtons: f64, height: f64) -> Wrench {
+pub(crate) fn pull(newtons: f64, height: f64) -> Wrench {
     Wrench::force_at([newtons, 0.0], [0.0, height])
 }
 

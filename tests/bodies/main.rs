@@ -14,5 +14,6 @@ mod links;
 mod loads;
 mod malformed;
 mod many;
+mod programs;
 mod rigid_limit;
 mod wedges;

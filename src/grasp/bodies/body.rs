@@ -49,6 +49,18 @@ impl<const C: usize> Body<C> {
     }
 }
 
+/// A load on one of several bodies.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub struct BodyLoad<const C: usize> {
+    /// Its name.
+    pub body: Arc<str>,
+    /// The load, N and N m about the origin of the scene.
+    pub load: Wrench<C>,
+}
+
 /// How a body moves, to first order.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::SVector;
 
-use super::body::BodyMotion;
+use super::body::{BodyLoad, BodyMotion};
 use super::place::{BodyPlace, PlacedBodies};
 use crate::error::Error;
 use crate::grasp::engine::Engine;
@@ -89,11 +89,38 @@ impl<D: Size, const C: usize> Engine<D, C> {
         match (self.bodies(), others.first()) {
             (Some(bodies), _) => Ok(self.with_bodies(bodies.with_others_growing(one, others)?)),
             (None, None) => Ok(self.clone()),
-            (None, Some((name, _))) => {
-                let fault = "is to be loaded, and the scene has no bodies".to_owned();
-                Err(Error::Body { name: name.to_string(), fault })
-            }
+            (None, Some((name, _))) => Err(no_body(name)),
         }
+    }
+
+    /// The body that is to be loaded, by its name.
+    ///
+    /// # Errors
+    /// [`Error::Body`] if it is not there.
+    pub(crate) fn body_called(&self, name: &Arc<str>) -> Result<usize, Error> {
+        self.bodies().map_or_else(|| Err(no_body(name)), |bodies| bodies.called(name))
+    }
+
+    /// These bodies with loads on each that a program has put on.
+    pub(crate) fn under_body_loads(&self, loads: Vec<Wrench<C>>) -> Self {
+        self.bodies().map_or_else(|| self.clone(), |bodies| self.with_bodies(bodies.under(loads)))
+    }
+
+    /// The loads of an answer put on again, so that it can be asked further.
+    pub(crate) fn with_body_loads(&self, loads: &[BodyLoad<C>]) -> Result<Self, Error> {
+        let mut all = vec![Wrench::ZERO; self.bodies().map_or(0, |bodies| bodies.names.len())];
+        for BodyLoad { body, load } in loads {
+            load.check("load of a body")?;
+            all[self.body_called(body)?] = *load;
+        }
+        Ok(self.under_body_loads(all))
+    }
+
+    /// What a program has put on bodies.
+    pub(crate) fn body_loads(&self) -> Vec<BodyLoad<C>> {
+        let Some(bodies) = self.bodies() else { return Vec::new() };
+        let named = bodies.names.iter().zip(&bodies.put_on).filter(|(_, load)| **load != Wrench::ZERO);
+        named.map(|(body, load)| BodyLoad { body: body.clone(), load: *load }).collect()
     }
 
     /// How each body moves with these coordinates, as the user sees them.
@@ -141,4 +168,9 @@ impl<D: Size, const C: usize> Engine<D, C> {
         alone.iter_mut().enumerate().filter(|(k, _)| !own.contains(k)).for_each(|(_, x)| *x = 0.0);
         alone
     }
+}
+
+fn no_body(name: &Arc<str>) -> Error {
+    let fault = "is to be loaded, and the scene has no bodies".to_owned();
+    Error::Body { name: name.to_string(), fault }
 }

@@ -18,7 +18,7 @@ mod link;
 mod link_points;
 mod place;
 
-pub use body::{Body, BodyMotion};
+pub use body::{Body, BodyLoad, BodyMotion};
 pub use builder::Bodies;
 pub use link::Link;
 #[cfg(feature = "serde")]

@@ -42,6 +42,8 @@ pub(crate) struct PlacedBodies<const C: usize> {
     pub(crate) object: usize,
     /// What acts on each body beside the loads of questions.
     pub(crate) loads: Vec<Wrench<C>>,
+    /// Of these what a program has put on; nothing as a rule.
+    pub(super) put_on: Vec<Wrench<C>>,
     pub(super) sharing: Sharing<C>,
     pub(crate) places: Vec<BodyPlace<C>>,
     /// Of each contact the body that its normal points into, and the one on the other side.
@@ -55,7 +57,7 @@ impl<const C: usize> PlacedBodies<C> {
         loads: Vec<Wrench<C>>,
         sharing: Sharing<C>,
     ) -> Self {
-        Self { names, object, loads, sharing, places: Vec::new(), sides: Vec::new() }
+        Self { names, object, loads, put_on: Vec::new(), sharing, places: Vec::new(), sides: Vec::new() }
     }
 
     /// Gives every body its coordinates, from `first` on, and returns those behind them.
@@ -177,6 +179,24 @@ impl<const C: usize> PlacedBodies<C> {
         })
     }
 
+    /// The body that is to be loaded, by its name.
+    ///
+    /// # Errors
+    /// [`Error::Body`] if it is not there.
+    pub(super) fn called(&self, name: &Arc<str>) -> Result<usize, Error> {
+        self.names.iter().position(|other| other == name).ok_or_else(|| {
+            let names: Vec<_> = self.names.iter().map(|name| printable(name)).collect();
+            let fault = format!("is to be loaded, and is none of {}", names.join(", "));
+            Error::Body { name: name.to_string(), fault }
+        })
+    }
+
+    /// With these loads on each beside what is there.
+    pub(super) fn under(&self, put_on: Vec<Wrench<C>>) -> Self {
+        let loads = self.loads.iter().zip(&put_on).map(|(always, more)| *always + *more).collect();
+        Self { loads, put_on, ..self.clone() }
+    }
+
     /// Whether loads are shared among the bodies.
     pub(crate) fn is_shared(&self) -> bool {
         !matches!(self.sharing, Sharing::OnObject)
@@ -205,11 +225,7 @@ impl<const C: usize> PlacedBodies<C> {
         let mut loads = self.shared(one);
         for (name, load) in others {
             load.check("load that grows with another")?;
-            let Some(body) = self.names.iter().position(|other| other == name) else {
-                let names: Vec<_> = self.names.iter().map(|name| printable(name)).collect();
-                let fault = format!("is to be loaded, and is none of {}", names.join(", "));
-                return Err(Error::Body { name: name.to_string(), fault });
-            };
+            let body = self.called(name)?;
             loads[body] = loads[body] + *load;
         }
         Ok(Self { sharing: Sharing::Together { one: *one, loads }, ..self.clone() })

@@ -1,0 +1,131 @@
+//! Loads of several bodies along a program of legs, each on its own way beside the load of the question.
+
+use std::borrow::Cow;
+use std::sync::Arc;
+
+use super::leg::{Leg, LegGoal, LegLoad};
+use crate::error::Error;
+use crate::grasp::{Engine, Wrench};
+use crate::numerics::{Size, Vector};
+
+/// What becomes of the load of one body along a leg.
+pub(super) type BodyGoal<const C: usize> = (Arc<str>, LegGoal<Wrench<C>>);
+
+impl<const C: usize> Leg<C> {
+    /// What acts on one of several bodies, beside the load of the leg and what always acts on it, changes by this much: N and N m about the origin. No
+    /// such load is there when a program starts, and what a leg does not mention stays.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Bodies, Body, Contact, Leg, Wrench};
+    ///
+    /// // A box of 10 N on a box of 20 N on a table, μ = 0.3 between them and 0.5 below.
+    /// let face = |y: f64, mu: f64| [-0.2, 0.2].map(|x| Contact::new([x, y], [0.0, 1.0]).series_stiffness(1e5, 1e5).friction(mu));
+    /// let boxes = Bodies::new([
+    ///     Body::new("lower").load(Wrench::force_at([0.0, -20.0], [0.0, 0.1])),
+    ///     Body::new("upper").load(Wrench::force_at([0.0, -10.0], [0.0, 0.3])),
+    /// ])
+    /// .contacts(face(0.0, 0.5).map(|contact| contact.on("lower")))
+    /// .contacts(face(0.2, 0.3).map(|contact| contact.on("upper").against("lower")))
+    /// .grasp()?;
+    /// // The upper one is pulled back by 2.9 N, then the lower one forth: by 17.9 N before the table lets go.
+    /// let pull = |newtons: f64, y: f64| Wrench::force_at([newtons, 0.0], [0.0, y]);
+    /// let legs = [Leg::body_load_to("upper", pull(-2.9, 0.21)), Leg::load_to(pull(20.0, 0.01))];
+    /// let mut path = boxes.follow(&Wrench::ZERO, &legs)?;
+    /// path.run();
+    /// let lost = path.end().and_then(|end| end.loss()).expect("slides on the table");
+    /// assert!(lost.leg == 1 && (lost.load.resultant()[0] - 17.9).abs() < 1e-12);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[must_use]
+    pub fn body_load_by(body: impl Into<String>, change: Wrench<C>) -> Self {
+        Self::STAY.and_body_load_by(body, change)
+    }
+
+    /// What acts on one of several bodies, beside the load of the leg and what always acts on it, changes to this.
+    #[must_use]
+    pub fn body_load_to(body: impl Into<String>, load: Wrench<C>) -> Self {
+        Self::STAY.and_body_load_to(body, load)
+    }
+
+    /// Meanwhile what acts on a body changes by this much.
+    #[must_use]
+    pub fn and_body_load_by(self, body: impl Into<String>, change: Wrench<C>) -> Self {
+        self.and_body(body.into(), LegGoal::By(change))
+    }
+
+    /// Meanwhile what acts on a body changes to this.
+    #[must_use]
+    pub fn and_body_load_to(self, body: impl Into<String>, load: Wrench<C>) -> Self {
+        self.and_body(body.into(), LegGoal::To(load))
+    }
+
+    fn and_body(mut self, body: String, goal: LegGoal<Wrench<C>>) -> Self {
+        self.bodies.push((body.into(), goal));
+        self
+    }
+
+    /// Refuses loads of bodies that are not there, or of one body twice, and such loads while the load turns.
+    pub(super) fn check_bodies<D: Size>(&self, grasp: &Engine<D, C>) -> Result<(), Error> {
+        for (k, (name, goal)) in self.bodies.iter().enumerate() {
+            let refuse = |fault: &str| Err(Error::Body { name: name.to_string(), fault: fault.to_owned() });
+            grasp.body_called(name)?;
+            if let LegGoal::By(load) | LegGoal::To(load) = goal {
+                load.check("load of a body along a leg")?;
+            }
+            if self.bodies[..k].iter().any(|(other, _)| other == name) {
+                return refuse("is loaded twice by a leg, must be once");
+            }
+            if matches!(self.load, LegLoad::Turn(_)) {
+                return refuse("has a load that changes while the load of the leg turns, must stay");
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The loads of all bodies at the beginning and at the end of a leg; none where no leg so far has one.
+#[derive(Debug, Clone, Default)]
+pub(super) struct BodyLoads<const C: usize>(Option<Arc<[Vec<Wrench<C>>; 2]>>);
+
+impl<const C: usize> BodyLoads<C> {
+    /// From the loads at the end of the last leg on, by the goals of this one for bodies with these names.
+    pub(super) fn lead_on(&mut self, names: &[Arc<str>], goals: &[BodyGoal<C>]) {
+        if goals.is_empty() && self.0.is_none() {
+            return;
+        }
+        let from = self.0.as_ref().map_or_else(|| vec![Wrench::ZERO; names.len()], |loads| loads[1].clone());
+        let mut to = from.clone();
+        for (name, goal) in goals {
+            let Some(body) = names.iter().position(|other| other == name) else { continue };
+            match goal {
+                LegGoal::Stay => {}
+                LegGoal::By(change) => to[body] = to[body] + *change,
+                LegGoal::To(load) => to[body] = *load,
+            }
+        }
+        self.0 = Some(Arc::new([from, to]));
+    }
+
+    /// In inside coordinates, at the beginning and at the end of the leg.
+    pub(super) fn inside<D: Size>(&self, grasp: &Engine<D, C>) -> Option<[Vector<D>; 2]> {
+        let (loads, bodies) = self.0.as_ref().zip(grasp.bodies())?;
+        Some([0, 1].map(|end| grasp.put_on_each(bodies, &loads[end])))
+    }
+
+    /// The loads at an end of the leg: 0 for its beginning, 1 for its end.
+    pub(super) fn at_end(&self, end: usize) -> &[Wrench<C>] {
+        self.0.as_ref().map_or(&[], |loads| &loads[end])
+    }
+
+    /// The bodies of a grasp under their loads at a fraction of the leg.
+    pub(super) fn put_on<'g, D: Size>(
+        &self,
+        grasp: &'g Engine<D, C>,
+        fraction: f64,
+    ) -> Cow<'g, Engine<D, C>> {
+        let Some(loads) = &self.0 else { return Cow::Borrowed(grasp) };
+        let at = |(from, to): (&Wrench<C>, &Wrench<C>)| *from + (*to - *from) * fraction;
+        let now = loads[0].iter().zip(&loads[1]).map(at).collect();
+        Cow::Owned(grasp.under_body_loads(now))
+    }
+}
