@@ -220,6 +220,15 @@ pub enum Error {
         /// Which contact.
         contact: ContactLabel,
     },
+    /// A question that knows several bodies, and no joints, asked of bodies that a hand with joints holds. A contact that presses with a given force has a
+    /// slide behind it, a joint.
+    #[error(
+        "{question} knows no joints: ask it of bodies that no hand with joints holds, and no contact presses with a given force"
+    )]
+    NotForJoints {
+        /// The method.
+        question: &'static str,
+    },
     /// A list of joint commands has another length than there are joints and tendons.
     #[error("{what}: {given} given, must be {expected}, one a joint and one a tendon")]
     JointCommands {

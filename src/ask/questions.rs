@@ -163,6 +163,8 @@ questions! {
         fn robust_onset(&self, ramp: &Ramp<C>, uncertainty: &Uncertainty, settings: &Settings) -> Result<RobustOnset<C>, Error>;
         fn onset_spread(&self, event: &OnsetEvent<C>, uncertainty: &Uncertainty) -> Result<Option<OnsetSpread>, Error>;
         fn onset_of_samples(&self, ramp: &Ramp<C>, uncertainty: &Uncertainty, samples: u64, settings: &Settings) -> Vec<Result<Onset<C>, Error>>;
+        fn force_closure(&self, settings: &Settings) -> Result<Closure<C>, Error>;
+        fn form_closure(&self) -> Result<Closure<C>, Error>;
         fn reserve(&self, base: &Wrench<C>, uncertainty: &Uncertainty, sigmas: f64, settings: &Settings) -> Result<Reserve<C>, Error>;
     }
     without_joints {
@@ -176,8 +178,6 @@ questions! {
         fn three_laws(&self, load: &Wrench<C>, settings: &Settings) -> Result<ThreeLaws<C>, Error>;
         fn least_onset_within(&self, ramp: &Ramp<C>, bounds: &Bounds<C>, settings: &Settings) -> Result<LeastOnset<C>, Error>;
         fn least_squeeze(&self, loads: &Loads<C>, settings: &Settings) -> Result<LeastSqueeze<C>, Error>;
-        fn force_closure(&self, settings: &Settings) -> Result<Closure<C>, Error>;
-        fn form_closure(&self) -> Result<Closure<C>, Error>;
         fn ferrari_canny(&self, budget: Budget, scale: &WrenchScale<C>, settings: &Settings) -> Result<WrenchBall<C>, Error>;
         fn load_limit(&self, base: &Wrench<C>, direction: &Wrench<C>, budget: Budget, settings: &Settings) -> Result<LoadLimit<C>, Error>;
     }

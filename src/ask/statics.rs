@@ -28,8 +28,27 @@ impl<const C: usize> Statics<'_, C> {
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     ///
+    /// Of several bodies it says whether any loads on all of them at once could be balanced, and if not, how bodies move with nothing against it.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Bodies, Body, Closure, Contact};
+    ///
+    /// // A box on a table: up it may go. A lid that does not move keeps it there.
+    /// let at = |x: f64, y: f64, down: f64, on: &str| {
+    ///     Contact::new([x, y], [0.0, down]).series_stiffness(1e4, 1e4).friction(0.5).on(on)
+    /// };
+    /// let boxes = || Bodies::new([Body::new("lower"), Body::new("upper")])
+    ///     .contacts([-0.1, 0.1].map(|x| at(x, 0.0, 1.0, "lower")))
+    ///     .contacts([-0.1, 0.1].map(|x| at(x, 0.2, 1.0, "upper").against("lower")));
+    /// let Closure::Open { bodies, .. } = boxes().grasp()?.statics().force_closure()? else { panic!("may go up") };
+    /// assert!(bodies.iter().any(|moves| moves.body.as_ref() == "upper" && moves.twist.translation()[1] > 0.0));
+    /// let shut = boxes().contacts([-0.1, 0.1].map(|x| at(x, 0.4, -1.0, "upper"))).grasp()?;
+    /// assert!(matches!(shut.statics().force_closure()?, Closure::Closed { .. }));
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
     /// # Errors
-    /// [`Error::NotForHands`] for a grasp by a hand. [`Error::Vacuum`] where contacts alone do not hold it and suction cups hold some loads.
+    /// [`Error::NotForHands`] for a grasp by a hand, [`Error::NotForJoints`] for bodies that one holds, or that a given force presses. [`Error::Vacuum`] where contacts alone do not hold it and suction cups hold some loads.
     pub fn force_closure(&self) -> Result<Closure<C>, Error> {
         self.0.engine.force_closure(&self.0.settings)
     }

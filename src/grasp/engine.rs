@@ -257,6 +257,20 @@ impl<D: Size, const C: usize> Engine<D, C> {
         (0..self.len()).filter(|&i| self.sites()[i].kinetic.is_some())
     }
 
+    /// Refuses questions that know no joints.
+    ///
+    /// # Errors
+    /// [`Error::NotForHands`] for a hand, [`Error::NotForJoints`] where several bodies are held by one, or pressed by a given force.
+    pub(crate) fn refuse_joints(&self, question: &'static str) -> Result<(), Error> {
+        match &self.linkage {
+            Some(linkage) if linkage.bodies.is_none() => Err(Error::NotForHands { question }),
+            Some(linkage) if !linkage.drives.is_empty() || !linkage.joints.is_empty() => {
+                Err(Error::NotForJoints { question })
+            }
+            _ => Ok(()),
+        }
+    }
+
     /// The drives of a joint or, behind the joints, of a tendon, with the numbers of their sites.
     pub(crate) fn drives_of(&self, actuator: usize) -> impl Iterator<Item = (usize, &Drive<D>)> {
         let first = self.len();

@@ -1,7 +1,7 @@
 //! Force closure and form closure, each with what proves it.
 //!
 //! A grasp is closed if its friction cones together reach every wrench: then forces *strictly inside* all cones balance each other, and no
-//! motion is free. Take a force along the normal at every contact. What is missing to balance their sum is looked for in the cones (see
+//! motion is free. Of several bodies the wrenches are those on all of them at once, and a motion has a part for each. Take a force along the normal at every contact. What is missing to balance their sum is looked for in the cones (see
 //! `proofs/wrench_cone`). If it is not found, the rest is a motion against which no force works. If it is found, all forces together are
 //! projected onto those that balance each other to the last digit, and must then lie clearly inside.
 //!
@@ -12,8 +12,8 @@ use nalgebra::SVector;
 
 use crate::contact::{LocalLaw, Polygon};
 use crate::error::Error;
-use crate::grasp::{Engine, Twist};
-use crate::numerics::{Fixed, Orthogonal, Vector, unit};
+use crate::grasp::{BodyMotion, Engine, Twist};
+use crate::numerics::{Orthogonal, Size, Vector, unit};
 use crate::object::{Load, Problem};
 use crate::proofs::{Generator, NearestForces, nearest_forces, round_generators, straight_generators};
 use crate::search::Settings;
@@ -35,7 +35,7 @@ pub enum Closure<const C: usize> {
     #[non_exhaustive]
     Closed {
         /// Forces on the object in the contact frames, the largest 1 N, strictly inside their cones, that balance each other. The grasp can be
-        /// squeezed with them as much as a load needs.
+        /// squeezed with them as much as a load needs. Of several bodies those on the body that a normal points into; they balance each other on every body.
         internal: Vec<SVector<f64, C>>,
     },
     /// They could not.
@@ -43,15 +43,17 @@ pub enum Closure<const C: usize> {
     Open {
         /// A unit motion v against which no contact force works. A load that works along it, W·v > 0, cannot be balanced.
         motion: Twist<C>,
+        /// Of several bodies how each moves then; `motion` is that of the body that loads act on. Empty where there is one.
+        bodies: Vec<BodyMotion<C>>,
     },
     /// On the boundary, as far as rounding can tell.
     Boundary,
 }
 
-impl<const D: usize, const C: usize> Engine<Fixed<D>, C> {
+impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Statics::force_closure`](crate::ask::Statics::force_closure).
     pub(crate) fn force_closure(&self, settings: &Settings) -> Result<Closure<C>, Error> {
-        self.refuse_hands("force_closure")?;
+        self.refuse_joints("force_closure")?;
         let problem = self.without_load(settings);
         let axes =
             |(i, local): (usize, LocalLaw<'_, C>)| (0..local.springs.axes()).map(move |axis| (i, axis));
@@ -69,7 +71,7 @@ impl<const D: usize, const C: usize> Engine<Fixed<D>, C> {
 
     /// [`Statics::form_closure`](crate::ask::Statics::form_closure).
     pub(crate) fn form_closure(&self) -> Result<Closure<C>, Error> {
-        self.refuse_hands("form_closure")?;
+        self.refuse_joints("form_closure")?;
         let axes: Vec<_> = (0..self.len()).map(|i| (i, 0)).collect();
         let normals: Vec<_> = self.normals().collect();
         let inside = |forces: &[SVector<f64, C>]| forces.iter().all(|force| force[0] > CLEARLY_INSIDE);
@@ -93,15 +95,15 @@ impl<const D: usize, const C: usize> Engine<Fixed<D>, C> {
     fn closure(
         &self,
         axes: &[(usize, usize)],
-        straight: &[Generator<Fixed<D>, C>],
-        round: impl Fn(&Vector<Fixed<D>>) -> Vec<Generator<Fixed<D>, C>>,
+        straight: &[Generator<D, C>],
+        round: impl Fn(&Vector<D>) -> Vec<Generator<D, C>>,
         inside: impl Fn(&[SVector<f64, C>]) -> bool,
     ) -> Closure<C> {
         let sites = self.sites();
         let factor =
             Orthogonal::new(self.size(), axes.iter().map(|&(i, axis)| sites[i].map.column(axis)).collect());
         if let Some(motion) = factor.null_space().first() {
-            return Closure::Open { motion: self.outside(motion) };
+            return self.open(motion);
         }
         let mut forces = vec![SVector::zeros(); self.len()];
         let mut sum = Vector::zeros();
@@ -115,7 +117,7 @@ impl<const D: usize, const C: usize> Engine<Fixed<D>, C> {
                 nearest_forces(self.size(), straight, round, &(-sum / size));
             let missing = motion.norm();
             if missing > MISSING && against <= NO_WORK * missing {
-                return Closure::Open { motion: self.outside(&(motion / missing)) };
+                return self.open(&(motion / missing));
             }
             for (generator, share) in shares {
                 forces[generator.contact] += generator.force * (share * size);
@@ -131,14 +133,20 @@ impl<const D: usize, const C: usize> Engine<Fixed<D>, C> {
         if inside(&internal) { Closure::Closed { internal } } else { Closure::Boundary }
     }
 
+    /// Nothing works against this motion.
+    fn open(&self, motion: &Vector<D>) -> Closure<C> {
+        let outside = self.outside_coordinates(motion);
+        Closure::Open { motion: Twist::among(&outside), bodies: self.body_motions(&outside) }
+    }
+
     /// A unit wrench along every normal.
-    fn normals(&self) -> impl Iterator<Item = Generator<Fixed<D>, C>> {
+    fn normals(&self) -> impl Iterator<Item = Generator<D, C>> {
         let sites = self.sites().iter().enumerate();
         sites.map(|(contact, site)| Generator::along(contact, site, unit(0)))
     }
 
     /// The problem without load and commands.
-    pub(super) fn without_load(&self, settings: &Settings) -> Problem<'_, Fixed<D>, C> {
+    pub(super) fn without_load(&self, settings: &Settings) -> Problem<'_, D, C> {
         let nothing = Load::from(&Vector::zeros());
         let drives = vec![SVector::zeros(); self.sites().len()];
         self.problem(Polygon::shared(&settings.cone), settings.is_round::<C>(), drives, &nothing)

@@ -3,6 +3,7 @@
 mod arches;
 mod at_rest;
 mod closed_forms;
+mod closure;
 mod enumerated;
 mod everyday;
 mod faces;
