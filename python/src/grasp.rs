@@ -125,7 +125,7 @@ where
     fn solve(self: Arc<Self>, load: &Bound<'_, PyAny>) -> PyResult<Reply> {
         let load: Wrench<C> = wrench("load", load)?;
         let Some(grasp) = &self.grasp else {
-            return asked(&self.setup, Question::Solve { load }).map(Reply::Written);
+            return asked(&self.setup, Question::solve(load)).map(Reply::Written);
         };
         let outcome = grasp.with(&self.setup.settings).solve(&load).map_err(refused)?;
         Ok(Reply::told(self, Raw::Solved(outcome, load)))

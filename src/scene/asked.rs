@@ -1,6 +1,5 @@
 //! Questions of a scene, put to its grasp.
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use nalgebra::SVector;
@@ -61,67 +60,35 @@ impl<const C: usize> Setup<C> {
                 out = out.and_commands_to(self.spread(commands, "commands of a leg")?);
             }
         }
-        Ok(match &leg.joints {
-            None => out,
-            Some(Goal::By(change)) => out.and_joints_by(self.of_joints(change, "joint commands of a leg")?),
-            Some(Goal::To(commands)) => {
-                out.and_joints_to(self.of_joints(commands, "joint commands of a leg")?)
+        match &leg.joints {
+            None => {}
+            Some(Goal::By(change)) => {
+                out = out.and_joints_by(self.of_joints(change, "joint commands of a leg")?);
             }
-        })
+            Some(Goal::To(commands)) => {
+                out = out.and_joints_to(self.of_joints(commands, "joint commands of a leg")?);
+            }
+        }
+        for (name, goal) in &leg.body_loads {
+            self.has_body(name)?;
+            out = match goal {
+                Goal::By(change) => out.and_body_load_by(name, *change),
+                Goal::To(load) => out.and_body_load_to(name, *load),
+            };
+        }
+        Ok(out)
     }
 
     /// Whether the lists of a question that have one entry a contact are as long as that.
     pub(super) fn check(&self, question: &Question<C>) -> Result<(), Error> {
+        self.check_growing(question)?;
         match question {
-            Question::Hold { base, load, together_with } => self.check_growing(base, load, together_with),
-            Question::Solve { .. } | Question::OnsetOfTurn(_) => Ok(()),
+            Question::Hold { .. } | Question::Solve { .. } | Question::OnsetOfTurn(_) => Ok(()),
             Question::Need(asked) => self.need(asked).map(drop),
-            Question::Onset(asked) => {
-                self.check_growing(&asked.base, &asked.direction, &asked.together_with)?;
-                self.ramp(asked).map(drop)
-            }
+            Question::Onset(asked) => self.ramp(asked).map(drop),
             Question::Follow { legs, .. } => self.legs(legs).map(drop),
             Question::Shake(asked) => self.cycle(asked).map(drop),
             Question::Shakedown(asked) => asked.check(),
-        }
-    }
-
-    /// The grasp of a question, with the loads that grow together in it.
-    ///
-    /// # Errors
-    /// As for [`Grasp::growing_together`].
-    pub fn grasp_of(&self, grasp: &Grasp<C>, question: &Question<C>) -> Result<Grasp<C>, Error> {
-        let (load, together_with) = match question {
-            Question::Hold { load, together_with, .. } => (load, together_with),
-            Question::Onset(asked) => (&asked.direction, &asked.together_with),
-            _ => return Ok(grasp.clone()),
-        };
-        if together_with.is_empty() {
-            return Ok(grasp.clone());
-        }
-        grasp.growing_together(load, together_with.iter().map(|(name, load)| (name, *load)))
-    }
-
-    /// Refuses what cannot grow together.
-    fn check_growing(
-        &self,
-        base: &Wrench<C>,
-        load: &Wrench<C>,
-        together_with: &BTreeMap<String, Wrench<C>>,
-    ) -> Result<(), Error> {
-        let refuse =
-            |fault| Err(Error::Question { question: "hold or onset", field: "together_with", fault });
-        match together_with.keys().find(|name| self.bodies.iter().all(|body| *body.name != ***name)) {
-            _ if together_with.is_empty() => Ok(()),
-            Some(name) => {
-                let fault = "is to be loaded, and is none of the scene".to_owned();
-                Err(Error::Body { name: name.clone(), fault })
-            }
-            None if *base != Wrench::ZERO => {
-                refuse("given, must be left out beside a base: what is always there is the `load` of a body")
-            }
-            None if *load == Wrench::ZERO => refuse("given, must be left out without a load to grow with"),
-            None => Ok(()),
         }
     }
 
@@ -209,7 +176,7 @@ impl<const C: usize> Setup<C> {
                 let needed = grasp.need(&self.need(asked)?.told_in(words))?;
                 Answer::Need(NeedAnswer::of(needed, words))
             }
-            Question::Solve { load } => {
+            Question::Solve { load, .. } => {
                 Answer::Solve(labels.solve(grasp, load, grasp.solve(load)?, words)?)
             }
             Question::Onset(asked) => {

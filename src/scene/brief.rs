@@ -83,7 +83,7 @@ impl<const C: usize> Setup<C> {
         Ok(match question {
             Question::Hold { base, load, .. } => held_briefly(&grasp.hold(Ramp::load(*base, *load))?),
             Question::Need(asked) => needed_briefly(&grasp.need(&self.need(asked)?)?),
-            Question::Solve { load } => labels.solved_briefly("solve", &grasp.solve(load)?),
+            Question::Solve { load, .. } => labels.solved_briefly("solve", &grasp.solve(load)?),
             Question::Onset(asked) => labels.onset_briefly("onset", grasp, &grasp.onset(&self.ramp(asked)?)?),
             Question::OnsetOfTurn(turn) => {
                 let found = grasp.onset_of_turn(turn)?;

@@ -20,7 +20,7 @@ impl<const C: usize> Setup<C> {
     ///
     /// let jaw = |side: f64| Contact::new([side, 0.0], [-side, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).pressed_with(8.0);
     /// let load = Wrench::force([0.0, -4.0]);
-    /// let setup = Setup::new([jaw(-1.0).into(), jaw(1.0).into()]).ask(Question::Solve { load });
+    /// let setup = Setup::new([jaw(-1.0).into(), jaw(1.0).into()]).ask(Question::solve(load));
     /// let grasp = setup.grasp()?;
     /// let told = setup.tell_outcome(&grasp, &load, &grasp.solve(&load)?)?;
     /// assert_eq!(setup.answers()?, [Answer::Solve(told)]);

@@ -117,7 +117,7 @@ impl<const C: usize> Setup<C> {
     /// What is told of an answer, in numbers.
     fn figures(&self, grasp: &Grasp<C>, question: &Question<C>) -> Result<Vec<f64>, Error> {
         let known = |answer: Option<bool>| answer.map_or(2.0, f64::from);
-        let grasp = &self.grasp_of(grasp, question)?;
+        let (whole, grasp) = (grasp, &self.grasp_of(grasp, question)?);
         match question {
             Question::Hold { base, load, .. } => {
                 let verdict = grasp.hold(Ramp::load(*base, *load))?;
@@ -131,7 +131,7 @@ impl<const C: usize> Setup<C> {
             Question::Need(asked) => {
                 Ok(vec![grasp.need(&self.need(asked)?)?.amount.bound().unwrap_or(f64::INFINITY)])
             }
-            Question::Solve { load } => Ok(match grasp.solve(load)? {
+            Question::Solve { load, .. } => Ok(match grasp.solve(load)? {
                 Outcome::Equilibrium(state) => {
                     state.contacts.iter().map(ContactAnswer::normal_force).collect()
                 }
@@ -142,7 +142,7 @@ impl<const C: usize> Setup<C> {
             | Question::Follow { .. }
             | Question::Shake(_)
             | Question::Shakedown(_) => {
-                let brief = self.brief_answer(grasp, question)?;
+                let brief = self.brief_answer(whole, question)?;
                 let place = [brief.factor, brief.angle, brief.fraction, brief.leg.map(|leg| leg as f64)];
                 Ok(place.map(|number| number.unwrap_or(f64::INFINITY)).to_vec())
             }

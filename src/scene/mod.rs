@@ -137,8 +137,8 @@
 //! | field | with | asks for |
 //! |---|---|---|
 //! | `hold` | `base`, `load` (wrenches), `together_with` | what becomes of the load as it is put on from rest |
-//! | `need` | `quantity`, loads | the amount that it takes, see [`NeedAsked`] |
-//! | `solve` | `load` (a wrench) | the equilibrium under it |
+//! | `need` | `quantity`, loads, `together_with` | the amount that it takes, see [`NeedAsked`] |
+//! | `solve` | `load` (a wrench), `together_with` | the equilibrium under it |
 //! | `onset` | `base`, `direction` (wrenches), `command_change`, `joint_change`, `together_with` | the onset of sliding under `base + τ direction`, commands changing by τ times their change |
 //! | `onset_of_turn` | a turn | the onset of sliding while the load turns |
 //! | `follow` | `start` (a wrench), `legs` | the load path of a program |
@@ -150,7 +150,8 @@
 //! Wrenches that are left out are zero. `command_change` and all other commands are one row for
 //! each contact of the scene (m, in its contact frame); all points of a soft fingertip follow it. A
 //! leg has `load_by` or `load_to` (a wrench), `commands_by` or `commands_to` (rows), `joints_by` or `joints_to`, or one of
-//! each, or a `turn` alone: the load then changes as the turn does, from what it is when the leg begins. What a leg does not mention stays. `joint_change` and these lists have one number for each joint and then each tendon.
+//! each, or a `turn` alone: the load then changes as the turn does, from what it is when the leg begins. What a leg does not mention stays. Of several bodies
+//! `body_loads_by` or `body_loads_to` have loads by name, each on its own way beside the load. `joint_change` and these lists have one number for each joint and then each tendon.
 //!
 //! A turn (see [`Turn`](crate::load_path::Turn)) is a `weight` while the object is tilted with its grasp, or a `force` that turns, or three
 //! wrenches. In the plane it goes from x to y, in space about the axis by the right-hand rule:
@@ -319,6 +320,7 @@ mod fault;
 mod finger;
 mod fingertip;
 mod given_answers;
+mod growing;
 mod held;
 mod joint;
 mod labels;

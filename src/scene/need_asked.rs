@@ -1,5 +1,7 @@
 //! The question for an amount, as a scene asks it.
 
+use std::collections::BTreeMap;
+
 use nalgebra::SVector;
 
 use super::setup::Setup;
@@ -63,6 +65,9 @@ pub struct NeedAsked<const C: usize> {
     /// Of friction: the contact that it is sought of, from 0; all if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub contact: Option<usize>,
+    /// Of several bodies those that have loads which grow with the one load; then without a base.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub together_with: BTreeMap<String, Wrench<C>>,
     /// For the safe amount: friction may be less by this part.
     #[serde(default = "a_tenth")]
     pub friction_less: f64,
@@ -98,6 +103,7 @@ impl<const C: usize> NeedAsked<C> {
             turn: None,
             per_metre: None,
             contact: None,
+            together_with: BTreeMap::new(),
             friction_less: a_tenth(),
             squeeze_less: a_twentieth(),
         }
@@ -124,6 +130,13 @@ impl<const C: usize> NeedAsked<C> {
     /// Whether nothing but the grasp's own squeeze acts before the loads are put on: a weight that turns is there from the first.
     pub(super) fn begins_without_load(&self) -> bool {
         self.base.is_none() && self.turn.is_none_or(|turn| turn.load_at(0.0) == Wrench::ZERO)
+    }
+
+    /// The load, where it is the only one and its amount or what holds it is sought.
+    pub(super) fn only_load(&self) -> Option<Wrench<C>> {
+        let others = self.loads.is_empty() && self.any_force.is_none() && self.turn.is_none();
+        let sought = matches!(self.quantity, Quantity::Squeeze | Quantity::Load | Quantity::Friction);
+        self.load.filter(|_| others && sought)
     }
 
     /// The loads that are given as such.

@@ -13,6 +13,7 @@ use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::load_path::Turn;
 use crate::serial::AsGiven;
+use crate::words::printable;
 
 /// One question, `{"hold": …}`, `{"need": …}`, `{"solve": …}`, `{"onset": …}`, `{"onset_of_turn": …}`, `{"follow": …}`, `{"shake": …}` or `{"shakedown": …}`.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -38,6 +39,9 @@ pub enum Question<const C: usize> {
         /// The load; none unless said otherwise.
         #[serde(default = "no_load::<C>")]
         load: Wrench<C>,
+        /// Of several bodies those that have loads beside it.
+        #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+        together_with: BTreeMap<String, Wrench<C>>,
     },
     /// The onset of sliding along a ramp; see [`Grasp::onset`](crate::ask::Grasp::onset).
     Onset(RampAsked<C>),
@@ -104,6 +108,14 @@ pub struct RampAsked<const C: usize> {
     pub together_with: BTreeMap<String, Wrench<C>>,
 }
 
+impl<const C: usize> Question<C> {
+    /// The equilibrium under a load.
+    #[must_use]
+    pub fn solve(load: Wrench<C>) -> Self {
+        Self::Solve { load, together_with: BTreeMap::new() }
+    }
+}
+
 impl<const C: usize> RampAsked<C> {
     /// From no load along a direction, all commands as they are.
     #[must_use]
@@ -164,7 +176,8 @@ pub enum LoadGoal<const C: usize> {
 }
 
 /// One leg of a load program, see [`crate::load_path::Leg`]: `load_by` or `load_to`, `commands_by`
-/// or `commands_to`, `joints_by` or `joints_to`, or one of each; or a `turn` alone. What is not mentioned stays.
+/// or `commands_to`, `joints_by` or `joints_to`, or one of each; or a `turn` alone. What is not mentioned stays. Of several bodies `body_loads_by` and
+/// `body_loads_to` have loads by name.
 ///
 /// ```
 /// use grasp_lcp::planar::{Turn, Wrench};
@@ -188,25 +201,35 @@ pub struct LegAsked<const C: usize> {
     pub commands: Option<Goal<Commands<C>>>,
     /// What becomes of the commands of a hand: one for each joint and then each tendon, rad or m.
     pub joints: Option<Goal<Vec<f64>>>,
+    /// Of several bodies those whose own loads change, by name.
+    pub body_loads: BTreeMap<String, Goal<Wrench<C>>>,
 }
 
 impl<const C: usize> LegAsked<C> {
     /// A leg of load, of commands, or of both at once; of neither, nothing happens along it.
     #[must_use]
     pub fn new(load: Option<Goal<Wrench<C>>>, commands: Option<Goal<Commands<C>>>) -> Self {
-        Self { load: load.map(LoadGoal::Straight), commands, joints: None }
+        Self { load: load.map(LoadGoal::Straight), commands, joints: None, body_loads: BTreeMap::new() }
     }
 
     /// A leg along which the load changes as a turn does; all commands stay.
     #[must_use]
     pub fn turn(turn: Turn<C>) -> Self {
-        Self { load: Some(LoadGoal::Turn(turn)), commands: None, joints: None }
+        let load = Some(LoadGoal::Turn(turn));
+        Self { load, commands: None, joints: None, body_loads: BTreeMap::new() }
     }
 
     /// This leg with commands of a hand.
     #[must_use]
     pub fn with_joints(self, joints: Goal<Vec<f64>>) -> Self {
         Self { joints: Some(joints), ..self }
+    }
+
+    /// This leg with a load on a body of its own.
+    #[must_use]
+    pub fn with_body_load(mut self, body: impl Into<String>, load: Goal<Wrench<C>>) -> Self {
+        self.body_loads.insert(body.into(), load);
+        self
     }
 }
 
@@ -232,6 +255,12 @@ struct WrittenLeg<const C: usize> {
     /// These commands at its end, in place of `joints_by`.
     #[serde(default, with = "AsGiven::<Option<Vec<f64>>>", skip_serializing_if = "Option::is_none")]
     joints_to: Option<Vec<f64>>,
+    /// What the leg adds to loads of bodies, by name.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    body_loads_by: BTreeMap<String, Wrench<C>>,
+    /// These loads at its end; a body is in one of both.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    body_loads_to: BTreeMap<String, Wrench<C>>,
     /// How the load turns along the leg, in place of all others.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     turn: Option<Turn<C>>,
@@ -265,6 +294,17 @@ impl<const C: usize> WrittenLeg<C> {
             Err(format!("{name} and turn: a leg has one of them"))
         })
     }
+
+    /// What becomes of the loads of bodies, each in one way alone.
+    fn body_loads(&self) -> Result<BTreeMap<String, Goal<Wrench<C>>>, String> {
+        let named = |name: &String, goal| (name.clone(), goal);
+        if let Some(name) = self.body_loads_by.keys().find(|name| self.body_loads_to.contains_key(*name)) {
+            return Err(format!("body_loads_by and body_loads_to: {} is in both", printable(name)));
+        }
+        let by = self.body_loads_by.iter().map(|(name, change)| named(name, Goal::By(*change)));
+        let to = self.body_loads_to.iter().map(|(name, load)| named(name, Goal::To(*load)));
+        Ok(by.chain(to).collect())
+    }
 }
 
 impl<const C: usize> Serialize for LegAsked<C> {
@@ -277,8 +317,25 @@ impl<const C: usize> Serialize for LegAsked<C> {
         let (load_by, load_to) = split(straight);
         let (commands_by, commands_to) = split(self.commands.as_ref());
         let (joints_by, joints_to) = split(self.joints.as_ref());
-        WrittenLeg { load_by, load_to, commands_by, commands_to, joints_by, joints_to, turn }
-            .serialize(serializer)
+        let [mut body_loads_by, mut body_loads_to] = [BTreeMap::new(), BTreeMap::new()];
+        for (name, goal) in &self.body_loads {
+            match goal {
+                Goal::By(change) => body_loads_by.insert(name.clone(), *change),
+                Goal::To(load) => body_loads_to.insert(name.clone(), *load),
+            };
+        }
+        WrittenLeg {
+            load_by,
+            load_to,
+            commands_by,
+            commands_to,
+            joints_by,
+            joints_to,
+            body_loads_by,
+            body_loads_to,
+            turn,
+        }
+        .serialize(serializer)
     }
 }
 
@@ -286,13 +343,14 @@ impl<'de, const C: usize> Deserialize<'de> for LegAsked<C> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
         object::read(deserializer, "a leg", |written: WrittenLeg<C>| {
             let load = written.load()?;
+            let body_loads = written.body_loads()?;
             let WrittenLeg { commands_by, commands_to, joints_by, joints_to, turn, .. } = written;
             let commands = goal(commands_by, commands_to, ["commands_by", "commands_to"])?;
             let joints = goal(joints_by, joints_to, ["joints_by", "joints_to"])?;
             if turn.is_some() && (commands.is_some() || joints.is_some()) {
                 return Err(Error::CommandsWhileTurning.to_string());
             }
-            Ok(Self { load, commands, joints })
+            Ok(Self { load, commands, joints, body_loads })
         })
     }
 }

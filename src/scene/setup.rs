@@ -29,7 +29,7 @@ use crate::serial::{AsComputed, AxisRow, Given};
 /// };
 /// let down = Wrench::force([0.0, -1.0]);
 /// let setup = Setup::new([jaw(-1.0).into(), jaw(1.0).into()])
-///     .ask(Question::Solve { load: down * 4.0 })
+///     .ask(Question::solve(down * 4.0))
 ///     .ask(Question::Onset(RampAsked::along(down)));
 ///
 /// let [Answer::Solve(SolveAnswer { outcome: Outcome::Equilibrium(state), .. }), Answer::Onset(OnsetAnswer::At(onset))] = &setup.answers()?[..] else {

@@ -69,11 +69,11 @@ fn loads_of_bodies_grow_together() {
     let told = [
         (
             growing(r#", "base": { "force": [1, 0] }"#),
-            "hold or onset: together_with given, must be left out beside a base: what is always there is the `load` of a body",
+            "hold: together_with given, must be left out beside a base: what is always there is the `load` of a body",
         ),
         (
             growing("").replacen(r#""force": [6, 0]"#, r#""force": [0, 0]"#, 1),
-            "hold or onset: together_with given, must be left out without a load to grow with",
+            "hold: together_with given, must be left out without a load to grow with",
         ),
         (
             growing("").replacen(r#"{ "lower": { "force""#, r#"{ "lid": { "force""#, 1),
@@ -84,6 +84,63 @@ fn loads_of_bodies_grow_together() {
         let message = refused(&text);
         assert!(message.contains(words), "{message}");
     }
+}
+
+/// The same of an equilibrium and of an amount: pulled by 3 N and 6 N the other way the upper box is just held, and so 1/2 of what is asked is.
+#[test]
+fn loads_grow_together_in_other_questions() {
+    let hold = r#"{ "hold": { "load": { "force": [6, 0], "at": [0, 0.2] } } }"#;
+    let others = r#""together_with": { "lower": { "force": [-12, 0], "at": [0, 0.1] } }"#;
+    let answer = |question: &str| {
+        let scene: Scene = serde_json::from_str(&BOXES.replacen(hold, question, 1)).expect("a scene");
+        let written = serde_json::to_string(&scene).expect("written");
+        assert_eq!(serde_json::from_str::<Scene>(&written).expect("a scene"), scene);
+        serde_json::to_value(scene.answers().expect("well posed")).expect("written")[0].clone()
+    };
+    let amount = answer(&format!(
+        r#"{{ "need": {{ "quantity": "load", "demand": "held", "load": {{ "force": [6, 0], "at": [0, 0.2] }}, "friction_less": 0, "squeeze_less": 0, {others} }} }}"#
+    ));
+    let says = amount["need"]["says"].as_str().expect("a sentence");
+    assert!(says.starts_with("TAKES 0.5 times"), "{says}");
+    let under = |newtons: f64| {
+        answer(&format!(
+            r#"{{ "solve": {{ "load": {{ "force": [{newtons}, 0], "at": [0, 0.2] }}, "together_with": {{ "lower": {{ "force": [{}, 0], "at": [0, 0.1] }} }} }} }}"#,
+            -2.0 * newtons
+        ))
+    };
+    assert_eq!(under(2.999)["solve"]["outcome"], "equilibrium");
+    assert_eq!(under(3.001)["solve"]["outcome"], "no_equilibrium");
+    // The table below carries the difference of both.
+    let carried: f64 = under(2.0)["solve"]["contacts"].as_array().expect("contacts")[..2]
+        .iter()
+        .map(|contact| contact["force_world"][0].as_f64().expect("a number"))
+        .sum();
+    assert!((carried - 2.0).abs() < 1e-12, "{carried}");
+}
+
+/// A leg says of each body what becomes of its load.
+#[test]
+fn legs_have_loads_of_bodies() {
+    let hold = r#"{ "hold": { "load": { "force": [6, 0], "at": [0, 0.2] } } }"#;
+    let follow = |legs: &str| BOXES.replacen(hold, &format!(r#"{{ "follow": {{ "legs": [{legs}] }} }}"#), 1);
+    let legs = r#"{ "body_loads_to": { "lower": { "force": [-4, 0], "at": [0, 0.1] } } }, { "load_to": { "force": [6, 0], "at": [0, 0.2] }, "body_loads_by": { "lower": { "force": [-2, 0], "at": [0, 0.1] } } }"#;
+    let scene: Scene = serde_json::from_str(&follow(legs)).expect("a scene");
+    let written = serde_json::to_string(&scene).expect("written");
+    assert_eq!(serde_json::from_str::<Scene>(&written).expect("a scene"), scene);
+    let answers = serde_json::to_value(scene.answers().expect("well posed")).expect("written");
+    let path = &answers[0]["follow"];
+    assert_eq!(path["outcome"], "lost", "{path}");
+    let fraction = path["fraction"].as_f64().expect("a number");
+    assert!((fraction - 0.5).abs() < 1e-12, "{fraction}");
+    let loads = &path["state"]["body_loads"];
+    assert_eq!(loads[0]["body"], "lower");
+    assert!((loads[0]["load"]["force"][0].as_f64().expect("a number") + 5.0).abs() < 1e-11, "{loads}");
+    let refused = |legs: &str| serde_json::from_str::<Scene>(&follow(legs)).expect_err("refused").to_string();
+    let told = refused(r#"{ "body_loads_by": { "lid": { "force": [1, 0] } } }"#);
+    assert!(told.contains("body \"lid\" is to be loaded, and is none of the scene"), "{told}");
+    let one = r#"{ "lower": { "force": [1, 0] } }"#;
+    let told = refused(&format!(r#"{{ "body_loads_by": {one}, "body_loads_to": {one} }}"#));
+    assert!(told.contains("body_loads_by and body_loads_to: lower is in both"), "{told}");
 }
 
 #[test]

@@ -247,7 +247,7 @@ fn what_is_not_finite_is_said_in_words() {
         .kept_closed();
     let guide = endless.clone().tangent([1.0, 0.0]).name("guide");
     let grasp = planar::Grasp::new([endless, guide.bonded()]).unwrap();
-    let scene: Scene = Setup::from(&grasp).ask(Question::Solve { load: Wrench::ZERO }).into();
+    let scene: Scene = Setup::from(&grasp).ask(Question::solve(Wrench::ZERO)).into();
     let answers = serde_json::to_value(there_and_back(&scene).answers().unwrap()).unwrap();
     assert_eq!(answers[0]["solve"]["contacts"][0]["margin"], "infinite");
 }
@@ -325,7 +325,7 @@ fn an_answer_that_was_read_has_nothing_more_to_say() {
     let load = planar::Wrench::force([0.0, -4.0]);
     let outcome = grasp.solve(&load).unwrap();
     let written = serde_json::to_value(&outcome).unwrap();
-    let setup = Setup::from(&grasp).ask(Question::Solve { load });
+    let setup = Setup::from(&grasp).ask(Question::solve(load));
     let mut told = serde_json::to_value(setup.answers().unwrap()).unwrap()[0]["solve"].take();
     assert!(told.as_object_mut().unwrap().remove("accuracy").is_some());
     for contact in told["contacts"].as_array_mut().unwrap() {

@@ -70,7 +70,7 @@ fn undecided_comes_with_what_happens_from_rest() {
     };
     let setup = Setup::new([jaw(-0.04), jaw(0.04)]);
     for (weight, decided) in [(14.9, true), (20.0, false)] {
-        let answers = setup.clone().ask(Question::Solve { load: Wrench::force([0.0, -weight]) }).answers();
+        let answers = setup.clone().ask(Question::solve(Wrench::force([0.0, -weight]))).answers();
         let Ok([Answer::Solve(SolveAnswer { outcome, from_rest, .. })]) = answers.as_deref() else {
             panic!("one answer")
         };

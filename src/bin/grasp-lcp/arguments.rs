@@ -8,7 +8,7 @@ use clap_complete::Shell;
 
 use crate::map::Unsure;
 use crate::new::{FIELDS, Template};
-pub(crate) use crate::numbers::Numbers;
+pub(crate) use crate::numbers::{BodyPush, Numbers};
 use crate::numbers::{acceleration, count, kilograms, newtons, percent};
 
 /// Does the grasp hold? At which load does a contact start to slide, and what comes after?
@@ -309,6 +309,9 @@ pub(crate) struct LoadArguments {
     /// Where force and weight act, m; the origin if left out.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
     pub(crate) at: Option<Numbers>,
+    /// Of several bodies a force on one of them that grows together with the load, and where it acts; once for each.
+    #[arg(long, allow_hyphen_values = true, value_name = "BODY=X,Y[,Z][@X,Y[,Z]]")]
+    pub(crate) together_with: Vec<BodyPush>,
     /// A mass, kg, whose weight is put on.
     #[arg(long, allow_hyphen_values = true, value_parser = kilograms, value_name = "KG")]
     pub(crate) mass: Option<f64>,

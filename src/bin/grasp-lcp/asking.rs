@@ -114,8 +114,15 @@ fn put<const C: usize>(setup: &mut Setup<C>, asked: &Asked, words: &Meaning<C>) 
         Asked::Everything | Asked::Turn { mass: None, weight: None, at: None, base: None, axis: None } => {
             None
         }
-        Asked::Solve(load) => words.wrench(load)?.map(|load| Question::Solve { load }),
-        Asked::Onset(load) => words.wrench(load)?.map(|load| Question::Onset(RampAsked::along(load))),
+        Asked::Solve(asked) => {
+            let together_with = words.together_with(asked)?;
+            words.wrench(asked)?.map(|load| Question::Solve { load, together_with })
+        }
+        Asked::Onset(asked) => {
+            let together_with = words.together_with(asked)?;
+            let along = |load| RampAsked { together_with, ..RampAsked::along(load) };
+            words.wrench(asked)?.map(|load| Question::Onset(along(load)))
+        }
         Asked::Turn { mass, weight, at, base, axis } => {
             let weight = match (weight, mass) {
                 (Some(weight), _) => weight.array("weight").map_err(Failure::Usage)?,
@@ -190,10 +197,30 @@ impl<const C: usize> Meaning<C> {
         Ok((force.is_some() || moment.is_some() || mass.is_some()).then_some(all))
     }
 
+    /// Loads of several bodies that grow with the load of the command line.
+    fn together_with(&self, load: &LoadArguments) -> Result<BTreeMap<String, Wrench<C>>, Failure> {
+        if !load.together_with.is_empty()
+            && load.force.is_none()
+            && load.moment.is_none()
+            && load.mass.is_none()
+        {
+            let message =
+                "--together-with without --force, --moment or --mass: there is no load to grow with";
+            return Err(Failure::Usage(message.to_owned()));
+        }
+        let mut all = BTreeMap::new();
+        for push in &load.together_with {
+            let wrench = self.push(&push.force, "together-with", push.at.as_ref())?;
+            let sum = all.entry(push.body.clone()).or_insert(Wrench::ZERO);
+            *sum = *sum + wrench;
+        }
+        Ok(all)
+    }
+
     /// Does it hold?
     fn hold(&self, load: &LoadArguments, base: Option<&Numbers>) -> Result<Option<Question<C>>, Failure> {
-        let base = self.base(base, load.at.as_ref())?;
-        Ok(self.wrench(load)?.map(|load| Question::Hold { base, load, together_with: BTreeMap::new() }))
+        let (base, together_with) = (self.base(base, load.at.as_ref())?, self.together_with(load)?);
+        Ok(self.wrench(load)?.map(|load| Question::Hold { base, load, together_with }))
     }
 
     /// How much does it need?
@@ -243,6 +270,7 @@ impl<const C: usize> Meaning<C> {
             asked.base = Some(asked.base.unwrap_or(Wrench::ZERO) + load.take().unwrap_or(Wrench::ZERO));
             asked.loads = self.accelerated(mass, acceleration, at);
         }
+        asked.together_with = self.together_with(&wanted.load)?;
         let missing = || Failure::Usage("say for which load: --mass, --force or --moment".to_owned());
         match sought {
             QuantityAsked::Arm => {

@@ -3,6 +3,7 @@
 use std::io;
 
 use grasp_lcp::equilibrium::{ContactAnswer, ContactState, Equilibrium, Outcome, PadAnswer};
+use grasp_lcp::grasp::Wrench;
 use grasp_lcp::load_path::{ContactChange, Loss};
 use grasp_lcp::scene::{PathAnswer, PathOutcome};
 
@@ -27,7 +28,8 @@ impl Report<'_> {
             in_between += usize::from(contacts.is_empty() && !event.changes.is_empty());
             let drives = event.drives.iter().map(|drive| format!("{} {}", drive.part.text(), drive.what));
             for what in contacts.into_iter().chain(drives) {
-                let (fraction, load) = (self.number(event.fraction), self.load(&event.load));
+                let (fraction, load) =
+                    (self.number(event.fraction), self.load_of(&event.load, Some(&event.state)));
                 self.line(&format!("leg {} at {fraction}, {load}: {what}", event.leg))?;
             }
             if let Some(jump) = &event.jump {
@@ -45,6 +47,12 @@ impl Report<'_> {
         self.end_of_path(&path.end)
     }
 
+    /// The load there, and those of bodies that go their own way.
+    fn load_of<const C: usize>(&self, load: &Wrench<C>, state: Option<&Equilibrium<C>>) -> String {
+        let loads = state.into_iter().flat_map(|state| &state.body_loads);
+        self.load(load) + &self.and_on_bodies(loads.map(|load| (&*load.body, &load.load)))
+    }
+
     fn end_of_path<const C: usize>(&mut self, end: &PathOutcome<C>) -> io::Result<()> {
         match end {
             PathOutcome::Completed { state } => {
@@ -52,7 +60,8 @@ impl Report<'_> {
                 state.as_ref().map_or(Ok(()), |state| self.table(state))
             }
             PathOutcome::Lost { loss, beyond: next, state, .. } => {
-                let (fraction, load) = (self.number(loss.fraction), self.load(&loss.load));
+                let fraction = self.number(loss.fraction);
+                let load = self.load_of(&loss.load, state.as_deref());
                 let (leg, how) = (loss.leg, loss.kind);
                 self.line(&format!("this equilibrium ends at {fraction} of leg {leg}, {load}: {how}"))?;
                 if !loss.jumped.is_empty() {

@@ -34,6 +34,27 @@ impl Numbers {
     }
 }
 
+/// A force on one of several bodies, and where it acts.
+#[derive(Debug, Clone)]
+pub(crate) struct BodyPush {
+    pub(crate) body: String,
+    pub(crate) force: Numbers,
+    pub(crate) at: Option<Numbers>,
+}
+
+impl std::str::FromStr for BodyPush {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        // Names may have a sign of equality in them, forces have none.
+        let Some((body, push)) = text.rsplit_once('=') else {
+            return Err(format!("`{text}` names no body; write it with its force, such as upper=-5,0@0,0.2"));
+        };
+        let (force, at) = push.split_once('@').map_or((push, None), |(force, at)| (force, Some(at)));
+        Ok(Self { body: body.to_owned(), force: force.parse()?, at: at.map(str::parse).transpose()? })
+    }
+}
+
 /// A mass, kg.
 pub(crate) fn kilograms(text: &str) -> Result<f64, String> {
     within(text, f64::MIN_POSITIVE..=LARGEST, "a number of kg, more than 0, such as 0.5")

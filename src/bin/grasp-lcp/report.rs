@@ -1,5 +1,6 @@
 //! Answers in words and tables.
 
+use std::collections::BTreeMap;
 use std::io::{self, Write};
 
 use grasp_lcp::equilibrium::{ContactState, Equilibrium, Outcome, WholeAnswer};
@@ -49,6 +50,11 @@ pub(crate) fn print<const C: usize>(
     Ok(())
 }
 
+/// Loads by name.
+fn named<const C: usize>(loads: &BTreeMap<String, Wrench<C>>) -> impl Iterator<Item = (&str, &Wrench<C>)> {
+    loads.iter().map(|(body, load)| (body.as_str(), load))
+}
+
 /// Where to, and how.
 pub(crate) struct Report<'o> {
     out: &'o mut dyn Write,
@@ -62,6 +68,15 @@ impl Report<'_> {
 
     pub(crate) fn load<const C: usize>(&self, load: &Wrench<C>) -> String {
         self.style.words.load(load)
+    }
+
+    /// Loads of several bodies that go with it.
+    pub(crate) fn and_on_bodies<'l, const C: usize>(
+        &self,
+        loads: impl IntoIterator<Item = (&'l str, &'l Wrench<C>)>,
+    ) -> String {
+        let told = |(body, load)| format!(", {} on {}", self.load(load), printable(body));
+        loads.into_iter().map(told).collect::<Vec<_>>().concat()
     }
 
     pub(crate) fn number(&self, x: f64) -> String {
@@ -85,8 +100,13 @@ impl Report<'_> {
             }
             (_, Answer::Shakedown(answer)) => writeln!(self.out, "{}", answer.says),
             (_, Answer::Need(answer)) => writeln!(self.out, "{:.digits$}", answer.needed),
-            (Question::Solve { load }, Answer::Solve(answer)) => {
-                writeln!(self.out, "\nUnder {}", self.load(load))?;
+            (Question::Solve { load, together_with }, Answer::Solve(answer)) => {
+                writeln!(
+                    self.out,
+                    "\nUnder {}{}",
+                    self.load(load),
+                    self.and_on_bodies(named(together_with))
+                )?;
                 self.solved(&answer.outcome)?;
                 // Nothing was found by a search; what happens from rest is known all the same.
                 match (&answer.from_rest, &answer.outcome) {
@@ -97,7 +117,8 @@ impl Report<'_> {
             }
             (Question::Onset(ramp), Answer::Onset(onset)) => {
                 let commands = ramp.command_change.is_some() || ramp.joint_change.is_some();
-                let (base, direction) = (self.load(&ramp.base), self.load(&ramp.direction));
+                let base = self.load(&ramp.base);
+                let direction = self.load(&ramp.direction) + &self.and_on_bodies(named(&ramp.together_with));
                 let changes = ramp.direction != Wrench::ZERO;
                 let way = match (changes, commands) {
                     (false, _) => format!("under {base} while commands change"),

@@ -58,7 +58,7 @@ pub(super) fn shown<const C: usize>(
             held(grasp.hold(ramp.clone())?, ramp.load_at(1.0))
         }
         Question::Need(asked) => vec![needed(setup, grasp, asked)?],
-        Question::Solve { load } => vec![solved(grasp, load)?],
+        Question::Solve { load, .. } => vec![solved(grasp, load)?],
         Question::Onset(ramp) => {
             let ramp = setup.ramp(ramp)?;
             let at = |factor: f64| format!("factor {}", Words::default().number(factor));
