@@ -19,7 +19,15 @@ impl<const C: usize> Kept<C> {
         Ok(Arc::new(Self { setup, grasp }))
     }
 
-    /// The grasp, for questions that know no joints.
+    /// The grasp, for questions that know several bodies and no joints.
+    pub(crate) fn without_hand(&self, question: &'static str) -> Result<Grasp<C>, Error> {
+        if !self.setup.bodies.is_empty() {
+            return self.setup.grasp();
+        }
+        self.without_joints(question).cloned()
+    }
+
+    /// The grasp, for questions that know neither joints nor several bodies.
     pub(crate) fn without_joints(&self, question: &'static str) -> Result<&Grasp<C>, Error> {
         self.grasp.as_ref().ok_or(Error::NotForHands { question })
     }

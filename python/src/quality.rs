@@ -1,6 +1,6 @@
 //! What contacts could hold, how much squeeze suffices, and which direction is weakest.
 
-use grasp_lcp::grasp::Wrench;
+use grasp_lcp::grasp::{BodyMotion, Wrench};
 use grasp_lcp::load_path::{Leaver, Turn};
 use grasp_lcp::nalgebra::SVector;
 use grasp_lcp::squeeze::{LeastSqueeze, Loads, WeakestDirection};
@@ -40,7 +40,7 @@ pub(crate) trait Quality {
 impl<const C: usize> Quality for Kept<C> {
     fn closure(&self, friction: bool) -> PyResult<String> {
         let question = if friction { "force_closure" } else { "form_closure" };
-        let grasp = self.without_joints(question).map_err(refused)?;
+        let grasp = &self.without_hand(question).map_err(refused)?;
         let settings = &self.setup.settings;
         let closure = if friction {
             grasp.with(settings).statics().force_closure()
@@ -49,7 +49,14 @@ impl<const C: usize> Quality for Kept<C> {
         };
         text(&match closure.map_err(refused)? {
             Closure::Closed { internal, .. } => json!({"outcome": "closed", "internal": rows(&internal)}),
-            Closure::Open { motion, .. } => json!({"outcome": "open", "motion": moved(&motion)}),
+            Closure::Open { motion, bodies, .. } if bodies.is_empty() => {
+                json!({"outcome": "open", "motion": moved(&motion)})
+            }
+            Closure::Open { motion, bodies, .. } => {
+                let each = |body: &BodyMotion<C>| json!({"body": &*body.body, "twist": moved(&body.twist)});
+                let bodies: Vec<_> = bodies.iter().map(each).collect();
+                json!({"outcome": "open", "motion": moved(&motion), "bodies": bodies})
+            }
             Closure::Boundary => json!({"outcome": "boundary"}),
             _ => undecided(),
         })

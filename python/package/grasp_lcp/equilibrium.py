@@ -167,6 +167,16 @@ class Equilibrium(View):
         return motion_of(self._tree["twist"])
 
     @cached_property
+    def bodies(self) -> dict[str, Array]:
+        """Of several bodies, by name, how each moves, m and rad, shape (d,). Empty where there is one."""
+        return {str(tree["body"]): motion_of(tree["twist"]) for tree in self._tree.get("bodies", ())}
+
+    @cached_property
+    def body_loads(self) -> dict[str, Array]:
+        """Of several bodies, by name, the loads of their own that a program has put on, N and N m, shape (d,)."""
+        return {str(tree["body"]): load_of(tree["load"]) for tree in self._tree.get("body_loads", ())}
+
+    @cached_property
     def contacts(self) -> tuple[Contact, ...]:
         """Contact by contact, in the order of the grasp; a soft fingertip point by point."""
         return tuple(Contact(tree) for tree in self._tree["contacts"])

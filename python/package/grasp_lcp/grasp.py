@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _grasp_lcp
+from ._bodies import bodies_in_scene
 from ._columns import as_written, columns, dumped, finite, floats, listed, one_each, plain, wrench_json
 from .answers import Answer, Needed, Onset, Path, Shakedown, Shaken, Solution, TurnOnset, Verdict
 from .equilibrium import Equilibrium
@@ -33,7 +34,8 @@ class Leg(TypedDict, total=False):
     """One leg of a load program: what changes along it. What is not mentioned stays.
 
     Loads are arrays of a force (N) or of a force and a moment (N m), commands one row a contact in its frame (m), commands of joints one
-    number a joint and then one a tendon (rad or m). A ``turn`` stands alone, with the words of :meth:`Grasp.turn`.
+    number a joint and then one a tendon (rad or m). Of several bodies loads of their own go by name. A ``turn`` stands alone, with the words of
+    :meth:`Grasp.turn`.
     """
 
     load_by: ArrayLike | Mapping[str, Any]
@@ -42,6 +44,8 @@ class Leg(TypedDict, total=False):
     commands_to: ArrayLike
     joints_by: ArrayLike
     joints_to: ArrayLike
+    body_loads_by: Mapping[str, ArrayLike | Mapping[str, Any]]
+    body_loads_to: Mapping[str, ArrayLike | Mapping[str, Any]]
     turn: Mapping[str, Any]
 
 
@@ -212,6 +216,44 @@ class Grasp:
         except ValueError as error:
             raise ValueError(f"{', '.join(told)}: {error}") from None
 
+    def of_bodies(
+        self,
+        names: Sequence[str],
+        on: Sequence[str | int | None] | ArrayLike,
+        against: Sequence[str | int | None] | ArrayLike | None = None,
+        *,
+        mass: ArrayLike | None = None,
+        centre_of_mass: ArrayLike | None = None,
+        load: Sequence[ArrayLike | Mapping[str, Any]] | None = None,
+        gravity: ArrayLike | None = None,
+        loaded: str | None = None,
+        shared_by_mass: bool = False,
+        links: Sequence[Mapping[str, Any]] | None = None,
+    ) -> Grasp:
+        """These contacts between several bodies, in place of one object: ``Grasp.planar(points, normals, ...).of_bodies(...)``.
+
+        :param names: the b bodies.
+        :param on: of each contact the body that its normal points into, by name or by its number from 0.
+        :param against: of each contact the body on its other side; None or -1 for the ground or a finger, as all are if it is left out.
+        :param mass: kg, shape (b,) or one for all; weights act only under ``gravity`` or where loads are ``shared_by_mass``.
+        :param centre_of_mass: m, shape (b, c); the origin if left out.
+        :param load: what always acts on each body, one a body, N and N m about the origin, each of shape (c,) or (d,).
+        :param gravity: m/s², shape (c,): weights that are always there.
+        :param loaded: the body that loads of questions act on; the first if left out.
+        :param shared_by_mass: loads of questions act on all bodies, each with the share of its mass.
+        :param links: hinges, slides, springs and cables, as scenes write them: ``{"hinge": {"point": [0, 0]}, "between": ["left", "right"]}``.
+        :raises ValueError: naming the argument or the field, the value and what is allowed.
+        """
+        scene = self.to_dict()
+        setup = scene["planar" if self.axes == 2 else "spatial"]
+        joints = None if links is None else [dict(link) for link in listed("links", links, "a list of links")]
+        bodies_in_scene(
+            setup, self.axes, names, {"on": on, "against": against},
+            {"mass": mass, "centre_of_mass": centre_of_mass, "load": load},
+            {"gravity": gravity, "loaded": loaded, "shared_by_mass": shared_by_mass, "links": joints},
+        )  # fmt: skip
+        return Grasp.from_dict(scene)
+
     @classmethod
     def from_json(cls, text: str) -> Grasp:
         """The grasp of a scene in JSON, hands with joints included. Its questions are left out; :func:`grasp_lcp.answers` answers them."""
@@ -257,15 +299,23 @@ class Grasp:
     def __reduce__(self) -> tuple[Any, ...]:
         return (Grasp.from_json, (self.to_json(),))
 
-    def hold(self, load: ArrayLike | Mapping[str, Any], base: ArrayLike | Mapping[str, Any] | None = None) -> Verdict:
+    def hold(
+        self,
+        load: ArrayLike | Mapping[str, Any],
+        base: ArrayLike | Mapping[str, Any] | None = None,
+        *,
+        together_with: Mapping[str, ArrayLike | Mapping[str, Any]] | None = None,
+    ) -> Verdict:
         """Does it hold? The load is put on from rest; the answer is a sentence, with first slip and gross slip as multiples of the load.
 
         :param load: what is put on, N and N m, shape (c,) or (d,).
         :param base: the load at rest; none unless said otherwise.
+        :param together_with: of several bodies, by name, loads that grow with the load; then without a base.
         """
         asked = {"load": wrench_json("load", load, self.axes)}
         if base is not None:
             asked["base"] = wrench_json("base", base, self.axes)
+        asked.update(self._together(together_with))
         return Verdict(self._held.ask(dumped({"hold": asked})))
 
     def shake(
@@ -308,6 +358,7 @@ class Grasp:
         per_metre: ArrayLike | Mapping[str, Any] | None = None,
         contact: int | str | None = None,
         turn: Mapping[str, Any] | None = None,
+        together_with: Mapping[str, ArrayLike | Mapping[str, Any]] | None = None,
         may_slide: bool = False,
         repeats: bool = False,
         friction_less: float = 0.1,
@@ -323,6 +374,7 @@ class Grasp:
         :param per_metre: of an arm, what a metre more adds to the load.
         :param contact: of friction, the contact that it is sought of: its number from 0, or its name.
         :param turn: of an angle, what turns, in the words of :meth:`turn`; also loads for what else is sought, all along the turn.
+        :param together_with: of several bodies, by name, loads that grow with the one load.
         :param may_slide: contacts may slide, as long as the object is not lost.
         :param repeats: loads are put on and taken off in turn, again and again, until it comes to rest; with ``may_slide`` it only must not walk.
         :param friction_less, squeeze_less: parts by which friction and squeeze may be less, for the safe amount.
@@ -345,11 +397,24 @@ class Grasp:
                 raise TypeError(f"turn: {type(turn).__name__} given, must be a mapping with the words of Grasp.turn, such as weight")
             asked["turn"] = self._turn_words(turn)
         asked["demand"] = [["sticks", "rests"], ["held", "stays"]][bool(may_slide)][bool(repeats)]
+        asked.update(self._together(together_with))
         return Needed(self._held.ask(dumped({"need": asked})))
 
-    def solve(self, load: ArrayLike) -> Solution:
-        """The equilibrium under a load, or the proof that there is none."""
+    def solve(self, load: ArrayLike, *, together_with: Mapping[str, ArrayLike | Mapping[str, Any]] | None = None) -> Solution:
+        """The equilibrium under a load, or the proof that there is none.
+
+        :param together_with: of several bodies, by name, loads beside it.
+        """
+        if together_with:
+            asked = {"load": wrench_json("load", load, self.axes), **self._together(together_with)}
+            return Solution(self._held.ask(dumped({"solve": asked})))
         return Solution(self._held.solve(load))
+
+    def _together(self, loads: Mapping[str, ArrayLike | Mapping[str, Any]] | None) -> dict[str, Any]:
+        """Loads of bodies that grow with that of a question, as scenes write them."""
+        if not loads:
+            return {}
+        return {"together_with": {name: wrench_json(f"together_with[{name!r}]", load, self.axes) for name, load in loads.items()}}
 
     def onset(
         self,
@@ -449,6 +514,10 @@ class Grasp:
             if key not in Leg.__annotations__:
                 raise ValueError(f"{name}: {key!r} given, must be one of {', '.join(Leg.__annotations__)}")
             where = f"{name}[{key!r}]"
+            if key.startswith("body_loads"):
+                loads = dict(value) if isinstance(value, Mapping) else {}
+                written[key] = {body: wrench_json(f"{where}[{body!r}]", load, self.axes) for body, load in loads.items()}
+                continue
             written[key] = wrench_json(where, value, self.axes) if key in ("load_by", "load_to") else plain(where, value)
         return written
 

@@ -20,6 +20,11 @@ class _Told(View):
         found = self._tree.get("motion")
         return None if found is None else motion_of(found)
 
+    @cached_property
+    def bodies(self) -> dict[str, Array]:
+        """Of several bodies, by name, how each moves then, m and rad, shape (d,). Empty where there is one."""
+        return {str(tree["body"]): motion_of(tree["twist"]) for tree in self._tree.get("bodies", ())}
+
     @property
     def contact(self) -> int | None:
         """The contact that decides, from 0."""
