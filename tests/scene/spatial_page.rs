@@ -1,7 +1,7 @@
 //! A page with a spatial grasp needs nothing else, cannot be broken out of by names, and has the numbers of the answer to the last bit.
 
-use grasp_lcp::picture::SpatialPage;
-use grasp_lcp::spatial::{Contact, ContactAnswer, Equilibrium, Grasp, SoftFingertip, Wrench};
+use grasp_lcp::picture::{SpatialPage, View};
+use grasp_lcp::spatial::{Bodies, Body, Contact, ContactAnswer, Equilibrium, Grasp, SoftFingertip, Wrench};
 use grasp_lcp::words::printable;
 use serde_json::Value;
 
@@ -202,5 +202,49 @@ fn what_an_answer_has_besides_is_on_the_page() -> Result<(), Failure> {
     assert!(dot > 0.9 * size(&along) * size(&speed), "{along:?} {speed:?}");
     let mu = |frame: usize| data["frames"][frame]["contacts"][0]["mu"].as_f64();
     assert_eq!((mu(0), mu(1)), (Some(0.5), Some(0.125)));
+    Ok(())
+}
+
+/// Of several bodies each outline has the motion of its own, and where all is lost each goes its own way.
+#[test]
+fn bodies_move_on_their_own() -> Result<(), Failure> {
+    let face = |height: f64, friction: f64| {
+        [[-0.1, -0.1], [0.1, -0.1], [0.1, 0.1], [-0.1, 0.1]].map(|[x, y]| {
+            let point = Contact::new([x, y, height], [0.0, 0.0, 1.0]);
+            point.series_stiffness(1e5, 1e5).friction(friction)
+        })
+    };
+    let weight = |newtons: f64, height: f64| Wrench::force_at([0.0, 0.0, -newtons], [0.0, 0.0, height]);
+    let grasp =
+        Bodies::new([Body::new("lower").load(weight(20.0, 0.1)), Body::new("upper").load(weight(10.0, 0.3))])
+            .contacts(face(0.0, 0.5).map(|contact| contact.on("lower")))
+            .contacts(face(0.2, 0.3).map(|contact| contact.on("upper").against("lower")))
+            .loaded("upper")
+            .grasp()?;
+    let pull = Wrench::force_at([5.0, 0.0, 0.0], [0.0, 0.0, 0.2]);
+    let verdict = grasp.hold(pull)?;
+    let lost = verdict.lost.ok_or("slides")?;
+    assert!((lost.factor - 0.6).abs() < 1e-9, "{}", lost.factor);
+    let state = *lost.state.ok_or("stands there")?;
+    let square = |height: f64| [[-0.1, -0.1, height], [0.1, -0.1, height], [0.1, 0.1, height]];
+    let page = SpatialPage::new(&grasp, "two boxes")
+        .body_outline(0, square(0.1))
+        .body_outline(1, square(0.3))
+        .body_outline(1, square(0.4))
+        .frame("where it is lost", &state)
+        .maybe_leaving(lost.motion.as_ref());
+    let frame = &data(&page.to_html()?)?["frames"][0];
+    for (line, body) in [0, 1, 1].into_iter().enumerate() {
+        let told: Vec<f64> = serde_json::from_value(frame["twists"][line].clone())?;
+        assert_eq!(told, state.bodies[body].twist.components(), "{line}");
+    }
+    // The upper one slides away along x, the lower one stays.
+    let moved = |line: usize| {
+        let corner: [f64; 3] =
+            serde_json::from_value(frame["leaves"]["lines"][line][0].clone()).expect("a corner");
+        corner[0] + 0.1
+    };
+    assert!(moved(0).abs() < 1e-9 && moved(1) > 0.01, "{} {}", moved(0), moved(1));
+    page.to_svg(Some(0), View::default())?;
     Ok(())
 }

@@ -11,7 +11,7 @@ const controls = (() => {
   // What the fingers press with, or how far they are told to go: one number, or the least and the largest.
   const squeezed = () => {
     const inwards = ({ pressed, command }) => (pressed ?? (command ? command[0] : 0)) * now.squeeze;
-    const [least, most] = [Math.min, Math.max].map((pick) => pick(...now.fingers.map(inwards)));
+    const [least, most] = [Math.min, Math.max].map((pick) => pick(...state.dragged().map(inwards)));
     const unit = now.fingers[0].pressed ? "N" : now.line.size < 1 ? "mm" : "m";
     return least === most ? `${numbers.text(most, unit)} each` : `${numbers.text(least, unit)} to ${numbers.text(most, unit)}`;
   };

@@ -9,12 +9,12 @@ const handles = (() => {
   let place, changed, kept = [];
 
   const grips = () => [
-    ...state.now.fingers.map((finger, k) => ({
+    ...state.dragged().map((finger, k) => ({
       name: finger.name, label: String(k + 1), className: "finger",
       at: () => outline.add(place.pixel(finger.point), place.along(finger.normal), -FINGER / outline.length(finger.normal)),
-      drag: (p) => state.place(finger, state.now.line.nearest(p)),
+      drag: (p) => state.place(finger, finger.line.nearest(p)),
       // Counterclockwise, whichever way round the corners go.
-      key: ([x, y], part) => state.place(finger, finger.s + (x + y) * part * STEP * state.now.line.total * state.now.line.turns),
+      key: ([x, y], part) => state.place(finger, finger.s + (x + y) * part * STEP * finger.line.total * finger.line.turns),
       says: () => `at ${numbers.text(finger.point[0], "m")}, ${numbers.text(finger.point[1], "m")}`,
     })),
     {

@@ -57,5 +57,11 @@ const outline = (() => {
     return round ? disk(corners, mean, (least + most) / 2) : polygon(corners);
   };
 
-  return { of, add, dot, length };
+  // A box around several.
+  const around = (lines) => {
+    const corners = lines.flatMap((line) => line.corners);
+    return { corners, ...box(corners) };
+  };
+
+  return { of, around, add, dot, length };
 })();

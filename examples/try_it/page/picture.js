@@ -16,13 +16,16 @@ const picture = (() => {
 
   const drawObject = (place, corners, className) => svg.polygon(corners.map(place.pixel), { class: className });
 
-  // To first order, magnified so that it is seen; returns the factor.
-  const displaced = (line, { translation, rotation }) => {
-    const motion = (p) => [translation[0] - rotation * p[1], translation[1] + rotation * p[0]];
-    const most = Math.max(...line.corners.map((p) => outline.length(motion(p))));
+  // To first order, magnified so that it is seen, all parts by the same factor.
+  const displaced = ({ line, parts }, held) => {
+    const motion = (k) => {
+      const { translation, rotation } = held.bodies ? held.bodies[k].twist : held.twist;
+      return (p) => [translation[0] - rotation * p[1], translation[1] + rotation * p[0]];
+    };
+    const most = Math.max(...parts.flatMap((part, k) => part.line.corners.map((p) => outline.length(motion(k)(p)))));
     if (!(most > 0)) return null;
     const factor = numbers.roundDown((DISPLACED * line.size) / most);
-    return { factor, corners: line.corners.map((p) => outline.add(p, motion(p), factor)) };
+    return { factor, outlines: parts.map((part, k) => part.line.corners.map((p) => outline.add(p, motion(k)(p), factor))) };
   };
 
   const drawLoad = (place, { force, moment, at }, scale) => {
@@ -46,21 +49,23 @@ const picture = (() => {
 
   // Under `found.held` alone are there forces and a displacement to draw.
   const draw = (group, place, found) => {
-    const { fingers, friction, load, line } = state.now;
+    const { fingers, friction, load, parts: bodies } = state.now;
     const held = found.held ? found.held.contacts : [];
     const scale = view.forceScale(place, [load.force, ...held.map(({ force }) => force)]);
-    const moved = found.held && displaced(line, found.held.twist);
-    const parts = [drawObject(place, line.corners, "object")];
+    const moved = found.held && displaced(state.now, found.held);
+    const parts = bodies.map(({ line }) => drawObject(place, line.corners, "object"));
     fingers.forEach((finger, k) => {
       const cone = drawCone(place, finger, friction, state);
       cone.classList.add(held[k] ? held[k].state : "unknown");
       parts.push(cone);
     });
-    if (moved) parts.push(drawObject(place, moved.corners, "displaced"));
+    if (moved) parts.push(...moved.outlines.map((corners) => drawObject(place, corners, "displaced")));
     const { group: arrow, toScale } = drawLoad(place, load, scale);
     parts.push(arrow);
     held.forEach(({ force_world: force, state: what }, k) => {
-      parts.push(svg.arrow(place.pixel(fingers[k].point), place.along(force, scale), `force ${what}`));
+      const arrow = (way) => svg.arrow(place.pixel(fingers[k].point), place.along(force, way * scale), `force ${what}`);
+      // What one part does to the other the other does to it.
+      parts.push(...(fingers[k].fixed ? [1, -1] : [1]).map(arrow));
     });
     if (scale > 0) parts.push(drawScale(place, scale));
     group.replaceChildren(...parts);

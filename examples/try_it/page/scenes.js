@@ -20,4 +20,8 @@ const scenes = [
     id: "pentagon", title: "A pentagon in four fingers",
     teaching: "With more fingers one after the other gives way as the load grows. Turn the load: some directions are held far better than others.",
   },
+  {
+    id: "two_parts", title: "Two parts in two fingers",
+    teaching: "The right part hangs on a finger and on the left part: 0.5 · 8 N each. What one part does to the other the other does to it, so each joint has two arrows. Drag the left finger down: the left part turns, and the joint opens at one end.",
+  },
 ];

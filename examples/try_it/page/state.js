@@ -9,15 +9,22 @@ const state = (() => {
   const now = {};
 
   const start = ({ id, title, teaching, scene }) => {
-    const { contacts, outline: corners, questions } = scene.planar;
-    const line = outline.of(corners);
+    const { contacts, bodies, loaded, outline: corners, questions } = scene.planar;
+    // One object is one part without a name.
+    const parts = bodies
+      ? bodies.map((given) => ({ given, line: outline.of(given.outline) }))
+      : [{ given: null, line: outline.of(corners) }];
+    const line = bodies ? outline.around(parts.map((part) => part.line)) : parts[0].line;
+    const part = (on) => parts.find(({ given }) => given && given.name === on) || parts[0];
     const { load } = questions.find((question) => question.solve).solve;
     Object.assign(now, {
-      id, title, teaching, line,
+      id, title, teaching, line, parts, loaded,
       // The numbers of the file stay as they are until they are changed.
       fingers: contacts.map((given, k) => {
         const { point, normal, friction, command, pressed_with: pressed, name = `finger ${k + 1}`, ...rest } = given;
-        return { name, rest, command, pressed, point, normal, s: line.nearest(point) };
+        const own = part(given.on).line;
+        // Where two parts touch nothing is dragged.
+        return { name, rest, command, pressed, point, normal, line: own, fixed: Boolean(given.against), s: own.nearest(point) };
       }),
       friction: contacts[0].friction, squeeze: 1, ratio: 1,
       load: { force: load.force, moment: load.moment || 0, at: load.at || [0, 0] },
@@ -43,22 +50,28 @@ const state = (() => {
     const load = { force, moment, at };
     const far = { force: force.map((f) => f * FAR), moment: moment * FAR, at };
     const questions = [{ onset: { direction: load } }, { solve: { load } }, { follow: { legs: [{ load_by: far }] } }];
-    return { format: "grasp-lcp/1", planar: { contacts: now.fingers.map(contact), outline: now.line.corners, questions } };
+    const bodies = now.parts.map(({ given }) => given);
+    const held = bodies[0] ? { bodies, ...(now.loaded && { loaded: now.loaded }) } : { outline: now.line.corners };
+    return { format: "grasp-lcp/1", planar: { contacts: now.fingers.map(contact), ...held, questions } };
   };
 
-  const place = (finger, s) => Object.assign(finger, now.line.at(s));
+  const place = (finger, s) => Object.assign(finger, finger.line.at(s));
+
+  // Those that are dragged; they come first.
+  const dragged = () => now.fingers.filter(({ fixed }) => !fixed);
 
   // A finger like the last one, in the middle of the longest free part of the outline.
   const addFinger = () => {
     if (now.fingers.length === MOST_FINGERS) return;
-    const places = now.fingers.map(({ s }) => now.line.at(s).s).sort((a, b) => a - b);
-    const gaps = places.map((s, k) => [(places[k + 1] ?? places[0] + now.line.total) - s, s]);
+    const last = dragged().length, like = now.fingers[last - 1], { line } = like;
+    const places = now.fingers.filter((finger) => finger.line === line).map(({ s }) => line.at(s).s).sort((a, b) => a - b);
+    const gaps = places.map((s, k) => [(places[k + 1] ?? places[0] + line.total) - s, s]);
     const [gap, s] = gaps.reduce((best, next) => (next[0] > best[0] ? next : best));
-    const like = now.fingers[now.fingers.length - 1];
-    now.fingers.push(place({ ...like, name: `finger ${now.fingers.length + 1}` }, s + gap / 2));
+    now.fingers.splice(last, 0, place({ ...like, name: `finger ${last + 1}` }, s + gap / 2));
   };
   const removeFinger = () => {
-    if (now.fingers.length > 1) now.fingers.pop();
+    const last = dragged().length;
+    if (last > 1) now.fingers.splice(last - 1, 1);
   };
 
   const turnLoad = (angle) => {
@@ -71,5 +84,5 @@ const state = (() => {
   };
   const angleOfLoad = () => Math.atan2(now.load.force[1], now.load.force[0]);
 
-  return { now, FAR, start, scene, place, addFinger, removeFinger, turnLoad, sizeLoad, angleOfLoad };
+  return { now, FAR, start, scene, place, dragged, addFinger, removeFinger, turnLoad, sizeLoad, angleOfLoad };
 })();

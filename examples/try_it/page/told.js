@@ -52,10 +52,12 @@ const told = (() => {
     return line;
   };
 
-  const motion = ({ twist: { translation, rotation } }) => [
-    "The object moves by ", numbers.element("x", translation[0], "mm"), ", ", numbers.element("y", translation[1], "mm"),
-    " and turns by ", numbers.element("turn", rotation, "rad"), ".",
+  const moves = (who, { translation, rotation }, of) => [
+    `The ${who} moves by `, numbers.element(`x${of}`, translation[0], "mm"), ", ", numbers.element(`y${of}`, translation[1], "mm"),
+    " and turns by ", numbers.element(`turn${of}`, rotation, "rad"), ". ",
   ];
+  const motion = ({ twist, bodies }) =>
+    bodies ? bodies.flatMap(({ body, twist: own }, k) => moves(body, own, `-${k}`)) : moves("object", twist, "");
 
   const tell = (found, factor, toScale) => {
     const [className, headline, explanation] = words.verdict(found);

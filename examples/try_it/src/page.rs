@@ -30,12 +30,13 @@ const SCRIPTS: [&str; 14] = [
 const MAIN: &str = include_str!("../page/main.js");
 
 /// Files of scenes by the names that `scenes.js` knows.
-const SCENES: [(&str, &str); 5] = [
+const SCENES: [(&str, &str); 6] = [
     ("box", include_str!("../../scenes/box.json")),
     ("paper_two_fingers", include_str!("../../scenes/paper_two_fingers.json")),
     ("paper_disk", include_str!("../../scenes/paper_disk.json")),
     ("wedge", include_str!("../scenes/wedge.json")),
     ("pentagon", include_str!("../scenes/pentagon.json")),
+    ("two_parts", include_str!("../scenes/two_parts.json")),
 ];
 
 /// The page around a module.

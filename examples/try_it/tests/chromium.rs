@@ -97,10 +97,14 @@ fn compare(record: &Value) -> usize {
         let (name, way) = if open { ("gap", &contact["gap"]) } else { ("slip", &contact["slip"][1]) };
         expected.push((format!("{name}-{k}"), way.as_f64().unwrap()));
     }
-    if !contacts.is_empty() {
-        expected.push(("x".to_owned(), solve["twist"]["translation"][0].as_f64().unwrap()));
-        expected.push(("y".to_owned(), solve["twist"]["translation"][1].as_f64().unwrap()));
-        expected.push(("turn".to_owned(), solve["twist"]["rotation"].as_f64().unwrap()));
+    let of_object = [(String::new(), &solve["twist"])];
+    let of_bodies = solve["bodies"].as_array().into_iter().flatten().enumerate();
+    let of_bodies: Vec<_> = of_bodies.map(|(k, body)| (format!("-{k}"), &body["twist"])).collect();
+    let moves = if of_bodies.is_empty() { &of_object[..] } else { &of_bodies[..] };
+    for (of, twist) in moves.iter().filter(|_| !contacts.is_empty()) {
+        expected.push((format!("x{of}"), twist["translation"][0].as_f64().unwrap()));
+        expected.push((format!("y{of}"), twist["translation"][1].as_f64().unwrap()));
+        expected.push((format!("turn{of}"), twist["rotation"].as_f64().unwrap()));
     }
     for (what, value) in &expected {
         // A zero is written without its sign.
@@ -176,4 +180,9 @@ fn shows_what_the_crate_answers(dragged: &Value, wide: u32) {
         assert!(shown(record, "normal-0").is_none());
     }
     assert_eq!(native(of("the wedge with friction")).solve["outcome"], "equilibrium");
+    // Of two parts each has its motion, and each joint two arrows.
+    let parts = of("two_parts");
+    assert!(shown(parts, "x-1").is_some() && shown(parts, "x").is_none());
+    assert_eq!(parts["arrows"], 2 + 2 * 2);
+    assert_ne!(shown(parts, "onset"), shown(of("a part of two held lower"), "onset"));
 }

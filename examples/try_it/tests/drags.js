@@ -67,6 +67,10 @@
   choose("wedge");
   slide("friction", 0.5);
   record("the wedge with friction");
+  choose("two_parts");
+  drag(".finger", 0, [0, 20]);
+  slide("size", 10);
+  record("a part of two held lower");
   choose("pentagon");
   slide("size", 60);
   record("the pentagon with a large load");

@@ -2,9 +2,10 @@
 
 use nalgebra::Vector3;
 
-use super::drawing::{AXIS, CONE, Drawing, FINGER, MANY, SHORTEST, SLIP};
+use super::drawing::{AXIS, CONE, Drawing, FINGER, MANY, SHORTEST, SLIP, twist_of};
 use super::eye::View;
 use super::frame::Frame;
+use super::spatial_page::MovingLine;
 use super::text::{json_number, json_row, json_string};
 use crate::picture::contact_look::{slope, word};
 use crate::picture::error::PictureError;
@@ -15,8 +16,8 @@ impl Drawing<'_> {
     pub(super) fn json(&self) -> Result<String, PictureError> {
         let page = self.page;
         let lines = |lines: &[Vec<[f64; 3]>]| list(lines, |corners| list(corners, |corner| json_row(corner)));
-        let (outlines, fixtures, bodies) =
-            (lines(&page.outlines)?, lines(&page.fixtures)?, lines(&self.bodies)?);
+        let outlines = list(&page.outlines, |line| list(&line.corners, |corner| json_row(corner)))?;
+        let (fixtures, bodies) = (lines(&page.fixtures)?, lines(&self.bodies)?);
         let (contacts, frames): (_, Vec<_>) = (page.grasp.contacts(), page.grasp.frames().collect());
         let tips = list(&self.tips, |tip| {
             let frame = frames[tip.contacts.start];
@@ -113,8 +114,15 @@ impl Drawing<'_> {
         let yields = list(at, |(name, at)| {
             Ok(format!("{{\"name\":{},\"at\":{}}}", json_string(name), json_row(at.as_slice())?))
         })?;
+        let of_line = |line: &MovingLine| json_row(twist_of(state, line.body).components());
+        // Of several bodies one for each outline.
+        let twists = if state.bodies.is_empty() {
+            String::new()
+        } else {
+            format!(",\"twists\":{}", list(&self.page.outlines, of_line)?)
+        };
         Ok(vec![
-            format!("\"twist\":{}", json_row(state.twist.components())?),
+            format!("\"twist\":{}{twists}", json_row(state.twist.components())?),
             format!("\n\"contacts\":{contacts},\"free\":{free},\"yields\":{yields}"),
         ])
     }

@@ -91,8 +91,13 @@ impl<'p> Drawing<'p> {
                 return Err(PictureError(format!("\"{}\" has {x} among its numbers", frame.label)));
             }
         }
-        let corners =
-            page.outlines.iter().chain(&page.fixtures).flatten().map(|corner| Vector3::from(*corner));
+        let corners = page
+            .outlines
+            .iter()
+            .map(|line| &line.corners)
+            .chain(&page.fixtures)
+            .flatten()
+            .map(|corner| Vector3::from(*corner));
         let (mut low, mut high) = (Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY));
         for point in page.grasp.contacts().iter().map(Contact::point).chain(corners) {
             if !point.iter().all(|x| x.is_finite()) {
@@ -149,9 +154,11 @@ impl<'p> Drawing<'p> {
                 most.force = most.force.max(resultant.force.norm());
                 most.displacement = most.displacement.max(resultant.displacement.norm());
             }
-            let corners = self.page.outlines.iter().flatten();
-            let away = corners.map(|corner| goes(state, &Vector3::from(*corner)).norm());
-            most.displacement = away.fold(most.displacement, f64::max);
+            for line in &self.page.outlines {
+                let away =
+                    line.corners.iter().map(|corner| goes(state, line.body, &Vector3::from(*corner)).norm());
+                most.displacement = away.fold(most.displacement, f64::max);
+            }
         }
         most
     }
@@ -218,9 +225,14 @@ impl<'p> Drawing<'p> {
     }
 }
 
-/// Where a point of the object goes in an answer, to first order.
-pub(super) fn goes(state: &Equilibrium, point: &Vector3<f64>) -> Vector3<f64> {
-    let (moves, turns) = halves(&state.twist.to_vector());
+/// The twist of the object, or of one of several bodies, in an answer.
+pub(super) fn twist_of(state: &Equilibrium, body: usize) -> &Twist {
+    state.bodies.get(body).map_or(&state.twist, |motion| &motion.twist)
+}
+
+/// Where a point of it goes, to first order.
+pub(super) fn goes(state: &Equilibrium, body: usize, point: &Vector3<f64>) -> Vector3<f64> {
+    let (moves, turns) = halves(&twist_of(state, body).to_vector());
     moves + turns.cross(point)
 }
 
@@ -230,8 +242,9 @@ fn check(page: &SpatialPage, label: &str, state: &Equilibrium) -> Result<(), Pic
     if given != expected {
         return Err(PictureError(format!("\"{label}\" has {given} contacts, the grasp has {expected}")));
     }
+    let of_bodies = state.bodies.iter().map(|motion| &motion.twist).chain([&state.twist]);
     let whole =
-        state.free_motions.iter().map(|motion| &motion.object).chain([&state.twist]).map(Twist::components);
+        state.free_motions.iter().map(|motion| &motion.object).chain(of_bodies).map(Twist::components);
     let whole = whole.chain([state.load.components()]).flat_map(|v| v.iter().copied());
     let of_contacts = state.contacts.iter().flat_map(|answer| {
         let slides = match answer.state {

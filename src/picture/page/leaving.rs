@@ -3,8 +3,9 @@
 use nalgebra::{Point3, Vector3};
 
 use super::drawing::Drawing;
+use super::spatial_page::MovingLine;
 use crate::grasp::Motion;
-use crate::spatial::Contact;
+use crate::spatial::{Contact, Twist};
 
 /// Part of the span by which the fastest point is moved.
 const LEAVES: f64 = 0.15;
@@ -18,25 +19,33 @@ pub(super) struct MovedLines {
 }
 
 impl Drawing<'_> {
-    /// Of the outlines, or else of contacts.
+    /// Of the outlines, each with its body, or else of contacts.
     pub(super) fn way_out(&self, motion: &Motion<3>) -> MovedLines {
-        let corners =
-            self.page.outlines.iter().map(|line| line.iter().map(|corner| Vector3::from(*corner)).collect());
-        let lines: Vec<Vec<_>> = corners.collect();
-        let contacts = || self.page.grasp.contacts().iter().map(Contact::point).collect();
-        let points: Vec<Vector3<f64>> = if lines.is_empty() { contacts() } else { lines.concat() };
-        let speed = |point: &Vector3<f64>| Vector3::from(motion.object.displacement_at(*point)).norm();
+        let moving = |line: &MovingLine| {
+            let twist = *motion.of_body(line.body);
+            line.corners.iter().map(|corner| (Vector3::from(*corner), twist)).collect()
+        };
+        let lines: Vec<Vec<_>> = self.page.outlines.iter().map(moving).collect();
+        // Which of several bodies a contact goes with is not told.
+        let of_object = motion.bodies.is_empty().then_some(motion.object);
+        let contacts = self.page.grasp.contacts().iter().map(Contact::point);
+        let contacts =
+            || contacts.zip(std::iter::repeat(of_object)).filter_map(|(point, twist)| Some((point, twist?)));
+        let points: Vec<(Vector3<f64>, Twist)> =
+            if lines.is_empty() { contacts().collect() } else { lines.concat() };
+        let speed =
+            |(point, twist): &(Vector3<f64>, Twist)| Vector3::from(twist.displacement_at(*point)).norm();
         let fastest = points.iter().map(speed).fold(0.0, f64::max);
         let time = LEAVES * self.span / fastest;
         if !(time.is_finite() && time > 0.0) {
             return MovedLines { lines: Vec::new(), arrows: Vec::new() };
         }
-        let carried = (motion.object * time).exp();
-        let next = |point: &Vector3<f64>| (carried * Point3::from(*point)).coords;
+        let next =
+            |(point, twist): &(Vector3<f64>, Twist)| ((*twist * time).exp() * Point3::from(*point)).coords;
         let every = points.len().div_ceil(ARROWS).max(1);
         MovedLines {
             lines: lines.iter().map(|line| line.iter().map(next).collect()).collect(),
-            arrows: points.iter().step_by(every).map(|point| [*point, next(point)]).collect(),
+            arrows: points.iter().step_by(every).map(|at| [at.0, next(at)]).collect(),
         }
     }
 }

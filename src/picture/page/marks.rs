@@ -110,9 +110,11 @@ pub(super) fn marks(drawing: &Drawing, frame: Option<&Frame<3>>) -> Vec<Mark> {
         page.fixtures.iter().filter_map(|corners| Some(line(closed(points(corners))?, FIXTURE, None))),
     );
     for outline in &page.outlines {
-        marks.extend(closed(points(outline)).map(|corners| Mark::Edge { corners }));
+        let at = points(&outline.corners);
+        marks.extend(closed(at.clone()).map(|corners| Mark::Edge { corners }));
         if let Some(state) = state {
-            let corners = points(outline).into_iter().map(|corner| moved(drawing, state, &corner));
+            let corners =
+                at.iter().map(|corner| corner + goes(state, outline.body, corner) * drawing.displacement);
             marks.extend(closed(corners.collect()).map(|corners| line(corners, PINK, Some(MOVED))));
         }
     }
@@ -232,11 +234,6 @@ fn draw_way_out(marks: &mut Vec<Mark>, way: &MovedLines) {
     for [from, to] in &way.arrows {
         marks.push(Mark::Arrow { from: *from, along: to - from, ink: VERMILION, width: 1.5, heads: 1 });
     }
-}
-
-/// Where a point of the object goes, to first order, magnified.
-fn moved(drawing: &Drawing, state: &Equilibrium, point: &Point) -> Point {
-    point + goes(state, point) * drawing.displacement
 }
 
 fn points(corners: &[[f64; 3]]) -> Vec<Point> {

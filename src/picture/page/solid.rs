@@ -1,13 +1,21 @@
 //! Parts of the object between its outlines, so that it is seen as a body and not as wire alone.
 
+use super::spatial_page::MovingLine;
+
 /// A ring of fewer corners is a face of an edged body, or the line of a handle: nothing is known to
 /// be between it and the next.
 const ROUND: usize = 8;
 
 /// Convex parts: every ring by itself, and what is between two round ones that follow each other.
 /// A ring is an outline, or a part of it that comes back to where it began.
-pub(super) fn bodies(outlines: &[Vec<[f64; 3]>]) -> Vec<Vec<[f64; 3]>> {
-    let rings: Vec<_> = outlines.iter().flat_map(|outline| rings(outline)).collect();
+pub(super) fn bodies(outlines: &[MovingLine]) -> Vec<Vec<[f64; 3]>> {
+    // Nothing is between two bodies.
+    let of_one_body = outlines.chunk_by(|a, b| a.body == b.body);
+    of_one_body.flat_map(solids).collect()
+}
+
+fn solids(outlines: &[MovingLine]) -> Vec<Vec<[f64; 3]>> {
+    let rings: Vec<_> = outlines.iter().flat_map(|outline| rings(&outline.corners)).collect();
     let between = rings.windows(2).filter(|pair| pair.iter().all(|ring| ring.len() >= ROUND));
     let between = between.map(<[Vec<_>]>::concat);
     between.chain(rings.iter().cloned()).collect()

@@ -60,10 +60,18 @@ use crate::spatial::{Equilibrium, Grasp, NoEquilibrium, Outcome, Wrench};
 pub struct SpatialPage {
     pub(super) grasp: Grasp,
     pub(super) title: String,
-    pub(super) outlines: Vec<Vec<[f64; 3]>>,
+    pub(super) outlines: Vec<MovingLine>,
     pub(super) fixtures: Vec<Vec<[f64; 3]>>,
     pub(super) frames: Vec<Frame<3>>,
     pub(super) actuators: Actuators<3>,
+}
+
+/// A closed line on the object, or on one of several bodies.
+#[derive(Debug, Clone)]
+pub(super) struct MovingLine {
+    /// The number of the body; 0 where there is one object.
+    pub(super) body: usize,
+    pub(super) corners: Vec<[f64; 3]>,
 }
 
 impl SpatialPage {
@@ -84,8 +92,18 @@ impl SpatialPage {
     /// call it for as many as it takes. They are only drawn, where the object was and where it
     /// moves. Between two that follow each other, of eight corners or more, the object is shaded.
     #[must_use]
-    pub fn outline(mut self, corners: impl IntoIterator<Item = impl Into<[f64; 3]>>) -> Self {
-        self.outlines.push(corners.into_iter().map(Into::into).collect());
+    pub fn outline(self, corners: impl IntoIterator<Item = impl Into<[f64; 3]>>) -> Self {
+        self.body_outline(0, corners)
+    }
+
+    /// A closed line on one of [several bodies](crate::grasp::Bodies), by its number from 0: it moves as that body does. Otherwise as [`Self::outline`].
+    #[must_use]
+    pub fn body_outline(
+        mut self,
+        body: usize,
+        corners: impl IntoIterator<Item = impl Into<[f64; 3]>>,
+    ) -> Self {
+        self.outlines.push(MovingLine { body, corners: corners.into_iter().map(Into::into).collect() });
         self
     }
 

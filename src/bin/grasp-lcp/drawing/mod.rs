@@ -3,7 +3,6 @@
 mod charts;
 mod shown;
 
-use grasp_lcp::grasp::Motion;
 use grasp_lcp::nalgebra::Vector2;
 use grasp_lcp::picture::{Chart, PlanarPage, PlanarPicture, SpatialPage, View};
 use grasp_lcp::scene::{Scene, Setup, Space};
@@ -92,11 +91,9 @@ fn spatial(setup: &Setup<3>, pictures: &Pictures<'_>) -> Result<(), Failure> {
     if !setup.outline.is_empty() {
         page = page.outline(setup.outline.iter().copied());
     }
-    // Each body goes its own way, which a page does not show: their outlines stay where they were.
-    for body in setup.bodies.iter().filter(|body| !body.outline.is_empty()) {
-        page = page.fixture(body.outline.iter().copied());
+    for (number, body) in setup.bodies.iter().enumerate().filter(|(_, body)| !body.outline.is_empty()) {
+        page = page.body_outline(number, body.outline.iter().copied());
     }
-    let goes = |leaving: Option<Motion<3>>| leaving.filter(|motion| motion.bodies.is_empty());
     let mut stills = Vec::new();
     for (index, question) in setup.questions.iter().enumerate() {
         let answers = shown(setup, &grasp, question)?;
@@ -106,7 +103,7 @@ fn spatial(setup: &Setup<3>, pictures: &Pictures<'_>) -> Result<(), Failure> {
             page = match what {
                 What::State { state, leaving } => {
                     let page = page.frame_of(label, other.as_ref().unwrap_or(&grasp), &state);
-                    page.maybe_leaving(goes(leaving).as_ref())
+                    page.maybe_leaving(leaving.as_ref())
                 }
                 What::Nothing { why, load } => {
                     let page = page.nothing(label, why);

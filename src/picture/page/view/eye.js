@@ -17,16 +17,19 @@ const dot = (a, b) => a.reduce((sum, x, k) => sum + x * b[k], 0);
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 const length = (a) => Math.hypot(...a);
 // To first order, magnified.
+// Of several bodies each outline has the twist of its own.
+const twistOf = ({ twist, twists }, k) => twists?.[k] ?? twist;
 const moved = (twist, p) => add(p, add(twist.slice(0, 3), cross(twist.slice(3), p)), scene.displacement);
 
 // Everything of every answer stays inside the picture, so that answers can be compared.
 const reach = (() => {
   const ends = [...scene.outlines.flat(), ...scene.fixtures.flat()];
   for (const { point, normal } of scene.contacts) ends.push(point, add(point, normal, -scene.finger));
-  for (const { load, contacts, twist, leaves } of scene.frames.filter(Boolean)) {
+  for (const frame of scene.frames.filter(Boolean)) {
+    const { load, contacts, twist, leaves } = frame;
     if (load) ends.push(load.at, add(load.at, load.force, scene.force), add(load.at, load.moment, scene.moment));
     if (contacts) contacts.forEach(({ at, force }) => ends.push(add(at, force, scene.force)));
-    if (twist) ends.push(...scene.outlines.flat().map((p) => moved(twist, p)));
+    if (twist) ends.push(...scene.outlines.flatMap((outline, k) => outline.map((p) => moved(twistOf(frame, k), p))));
     if (leaves) ends.push(...leaves.lines.flat(), ...leaves.arrows.map(([from, along]) => add(from, along)));
   }
   return Math.max(...ends.map((p) => length(add(p, scene.centre, -1))), scene.span / 2);

@@ -92,10 +92,10 @@ const draw = () => {
   for (const fixture of scene.fixtures) loop(fixture, "#ccc", 1);
   scene.bodies.forEach(body);
   const shade = shades();
-  for (const outline of scene.outlines) {
+  scene.outlines.forEach((outline, k) => {
     loop(outline, shade, 1.2);
-    if (frame && frame.twist && layers.displacements) loop(outline.map((p) => moved(frame.twist, p)), PINK, 1, [5, 4]);
-  }
+    if (frame && frame.twist && layers.displacements) loop(outline.map((p) => moved(twistOf(frame, k), p)), PINK, 1, [5, 4]);
+  });
   const state = frame && frame.contacts ? frame : null;
   scene.contacts.forEach((contact, i) => drawContact(contact, state && state.contacts[i], i));
   if (frame && frame.load && layers.load) drawLoad(frame.load);
