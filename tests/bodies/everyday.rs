@@ -1,4 +1,4 @@
-//! Everyday piles of boxes on a table, with fingers and without: none is undecided.
+//! Everyday piles of boxes on a table, with fingers and without: none is undecided, and what holds keeps to the law by own sums.
 
 use support::piles::boxes;
 use support::splitmix::Random;
@@ -11,10 +11,16 @@ fn piles_of_boxes_are_decided() {
         [(2, false, 600), (2, true, 600), (4, false, 400), (4, true, 400), (8, false, 200)]
     {
         for number in 0..each {
-            let Some((bodies, load)) = boxes(&mut random, count, fingers) else { continue };
-            let verdict = bodies.grasp().expect("well posed").hold(load).expect("well posed");
+            let Some(pile) = boxes(&mut random, count, fingers) else { continue };
+            let verdict =
+                pile.bodies.clone().grasp().expect("well posed").hold(pile.load).expect("well posed");
             let holds =
                 verdict.holds().unwrap_or_else(|| panic!("{count} boxes, {fingers}, {number}: {verdict}"));
+            if holds {
+                let state = verdict.state.as_ref().expect("holds");
+                let off = pile.violation(state);
+                assert!(off < 1e-12, "{count} boxes, {fingers}, {number}: off by {off:e}");
+            }
             held += usize::from(holds);
             asked += 1;
         }

@@ -15,6 +15,7 @@ mod links;
 mod loads;
 mod malformed;
 mod many;
+mod pointed_arches;
 mod programs;
 mod rigid_limit;
 mod wedges;

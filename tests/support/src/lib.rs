@@ -29,6 +29,7 @@ pub mod odd_paths;
 pub mod paper;
 pub mod patches;
 pub mod piles;
+pub mod pointed_arch;
 pub mod programs;
 pub mod ramps;
 pub mod random;

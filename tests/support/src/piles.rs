@@ -2,18 +2,78 @@
 
 use std::f64::consts::PI;
 
+use grasp_lcp::equilibrium::Equilibrium;
 use grasp_lcp::planar::{Bodies, Body, Contact, Wrench};
+use nalgebra::Vector2;
 
 use super::splitmix::Random;
 
 const GRAVITY: [f64; 2] = [0.0, -9.81];
 
+/// A pile of boxes, a load, and what is needed to add up what acts on each.
+#[derive(Debug, Clone)]
+pub struct Pile {
+    /// The boxes; the last one is loaded.
+    pub bodies: Bodies,
+    /// The load.
+    pub load: Wrench,
+    /// Mass and centre of mass of each.
+    pub boxes: Vec<(f64, [f64; 2])>,
+    /// Of each contact the box that it is on, the one below, and what it is like.
+    pub touches: Vec<Touching>,
+}
+
+/// A contact of a pile.
+#[derive(Debug, Clone, Copy)]
+pub struct Touching {
+    /// The box that its normal points into.
+    pub on: usize,
+    /// The one on the other side; none for the table and for fingers.
+    pub against: Option<usize>,
+    /// Friction.
+    pub friction: f64,
+    /// Normal stiffness, N/m.
+    pub stiffness: f64,
+    /// What it presses with before anything moves, N.
+    pub pressed: f64,
+}
+
+impl Pile {
+    /// The worst by which an answer under its load breaks the law, over the largest force: balance of each box, cones, and normal springs.
+    pub fn violation(&self, state: &Equilibrium<2>) -> f64 {
+        let last = self.boxes.len() - 1;
+        let mut sums: Vec<Wrench> =
+            self.boxes.iter().map(|(mass, at)| Wrench::force_at([0.0, mass * GRAVITY[1]], *at)).collect();
+        sums[last] = sums[last] + self.load;
+        let largest = state.contacts.iter().map(|contact| contact.force.norm()).fold(1.0, f64::max);
+        let (mut worst, grasp) = (0.0_f64, self.bodies.clone().grasp().expect("well posed"));
+        let contacts = grasp.contacts().iter().zip(grasp.frames()).zip(&state.contacts);
+        for (((contact, frame), answer), touch) in contacts.zip(&self.touches) {
+            let point = [contact.point()[0], contact.point()[1]];
+            let force = Wrench::force_at(answer.force_world, point);
+            sums[touch.on] = sums[touch.on] + force;
+            let moved = |body: usize| Vector2::from(state.bodies[body].twist.displacement_at(point));
+            let mut away = moved(touch.on);
+            if let Some(below) = touch.against {
+                sums[below] = sums[below] - force;
+                away -= moved(below);
+            }
+            let [normal, friction]: [f64; 2] = answer.force.into();
+            let pushed = (touch.pressed - touch.stiffness * frame.column(0).dot(&away)).max(0.0);
+            worst =
+                worst.max(friction.abs() - touch.friction * normal).max(-normal).max((normal - pushed).abs());
+        }
+        sums.iter().flat_map(|sum| sum.components().to_vec()).fold(worst, |worst, x| worst.max(x.abs()))
+            / largest
+    }
+}
+
 /// Boxes of random size, mass and friction on each other, and a push at the last. If there are fingers two of them press the last, and pull it upwards, too. `None`
 /// if one box hardly stands on another.
-pub fn boxes(random: &mut Random, count: usize, fingers: bool) -> Option<(Bodies, Wrench)> {
+pub fn boxes(random: &mut Random, count: usize, fingers: bool) -> Option<Pile> {
     let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
     let name = |k: usize| format!("box {k}");
-    let (mut bodies, mut contacts) = (Vec::new(), Vec::new());
+    let (mut bodies, mut contacts, mut boxes, mut touches) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     let ([mut left, mut right], mut height) = ([-0.5, 0.5], 0.0);
     for k in 0..count {
         let (wide, high) = (between(0.1, 0.3), between(0.05, 0.2));
@@ -23,8 +83,11 @@ pub fn boxes(random: &mut Random, count: usize, fingers: bool) -> Option<(Bodies
         if face[1] - face[0] < 0.02 {
             return None;
         }
-        bodies.push(Body::new(name(k)).mass(between(0.1, 3.0), [middle, height + 0.5 * high]));
+        let (mass, centre) = (between(0.1, 3.0), [middle, height + 0.5 * high]);
+        bodies.push(Body::new(name(k)).mass(mass, centre));
+        boxes.push((mass, centre));
         let (friction, stiffness) = (between(0.2, 0.9), 10_f64.powf(between(4.0, 6.0)));
+        touches.extend([Touching { on: k, against: k.checked_sub(1), friction, stiffness, pressed: 0.0 }; 2]);
         contacts.extend(face.map(|x| {
             let edge = Contact::new([x, height], [0.0, 1.0]).series_stiffness(stiffness, 0.8 * stiffness);
             let edge = edge.friction(friction).on(name(k));
@@ -33,6 +96,7 @@ pub fn boxes(random: &mut Random, count: usize, fingers: bool) -> Option<(Bodies
         ([left, right], height) = (own, height + high);
         if fingers && k + 1 == count {
             let (force, friction) = (between(2.0, 30.0), between(0.2, 0.9));
+            touches.extend([Touching { on: k, against: None, friction, stiffness: 1e4, pressed: force }; 2]);
             contacts.extend([(left, 1.0), (right, -1.0)].map(|(x, normal)| {
                 let finger = Contact::new([x, height - 0.5 * high], [normal, 0.0]).series_stiffness(1e4, 8e3);
                 finger.friction(friction).pressed_with(force).on(name(k))
@@ -41,7 +105,8 @@ pub fn boxes(random: &mut Random, count: usize, fingers: bool) -> Option<(Bodies
     }
     let (push, up) = (between(0.5, 20.0), if fingers { between(0.0, 1.0) } else { 0.0 });
     let load = Wrench::force_at([push * (1.0 - up), push * up], [0.0, height - 0.03]);
-    Some((Bodies::new(bodies).contacts(contacts).gravity(GRAVITY).loaded(name(count - 1)), load))
+    let bodies = Bodies::new(bodies).contacts(contacts).gravity(GRAVITY).loaded(name(count - 1));
+    Some(Pile { bodies, load, boxes, touches })
 }
 
 /// A wall of so many rows of as many bricks of 2 kg, 1 m by 0.5 m, every other row half a brick along, on whose first brick at the top loads act; half bricks of

@@ -2,9 +2,11 @@
 //!
 //! `cargo run --release -p reports --bin several_bodies [piles of each kind [rows of bricks]]` (400 and 32 unless you say otherwise)
 
-use grasp_lcp::planar::{Bodies, Wrench};
+use grasp_lcp::grasp::{Bodies, Wrench};
+use grasp_lcp::{planar, spatial};
 use support::best_time::once;
 use support::piles::{Arch, books, boxes, wall};
+use support::spatial_piles::spatial_wall;
 use support::splitmix::Random;
 
 type Failure = Box<dyn std::error::Error>;
@@ -15,6 +17,8 @@ fn main() -> Result<(), Failure> {
         (numbers.next().transpose()?.unwrap_or(400), numbers.next().transpose()?.unwrap_or(32));
     piles(each)?;
     walls(rows)?;
+    spatial_walls(rows)?;
+    falling_walls(rows)?;
     arches()
 }
 
@@ -28,9 +32,9 @@ fn piles(each: usize) -> Result<(), Failure> {
     let mut random = Random(2026);
     for (count, fingers) in [(2, false), (2, true), (4, false), (4, true), (8, false)] {
         let (mut held, mut undecided, mut times) = (0, 0, Vec::new());
-        for (bodies, load) in (0..each).filter_map(|_| boxes(&mut random, count, fingers)) {
-            let grasp = bodies.grasp()?;
-            let (verdict, time) = once(|| Ok(grasp.hold(load)?))?;
+        for pile in (0..each).filter_map(|_| boxes(&mut random, count, fingers)) {
+            let grasp = pile.bodies.grasp()?;
+            let (verdict, time) = once(|| Ok(grasp.hold(pile.load)?))?;
             let holds = verdict.holds();
             times.push(1e3 * time);
             held += usize::from(holds == Some(true));
@@ -48,17 +52,56 @@ fn piles(each: usize) -> Result<(), Failure> {
 fn walls(rows: usize) -> Result<(), Failure> {
     println!("\n{:<24}{:>10}{:>12}{:>12}{:>14}", "", "contacts", "solve ms", "hold ms", "ms a body");
     for rows in [3, 6, 9, 10, 14, 20, 32].into_iter().filter(|side| *side <= rows) {
-        let push = Wrench::force_at([5.0, 0.0], [0.5, 0.5 * rows as f64 - 0.1]);
+        let push = planar::Wrench::force_at([5.0, 0.0], [0.5, 0.5 * rows as f64 - 0.1]);
         timed(&format!("{} bricks, pushed", rows * rows), rows * rows, wall(rows), push)?;
     }
     for count in [10, 30, 100, 300, 1000].into_iter().filter(|count| *count <= rows * rows) {
-        timed(&format!("{count} books, one pulled"), count, books(count), Wrench::force([0.0, -5.0]))?;
+        timed(
+            &format!("{count} books, one pulled"),
+            count,
+            books(count),
+            planar::Wrench::force([0.0, -5.0]),
+        )?;
     }
     Ok(())
 }
 
+/// The same in space, where half a brick stands on four points.
+fn spatial_walls(rows: usize) -> Result<(), Failure> {
+    for rows in [3, 6, 10, 14, 17].into_iter().filter(|side| 2 * *side <= rows) {
+        let push = spatial::Wrench::force_at([5.0, 0.0, 0.0], [0.5, 0.0, 0.5 * rows as f64 - 0.1]);
+        timed(&format!("{} bricks in space", rows * rows), rows * rows, spatial_wall(rows), push)?;
+    }
+    Ok(())
+}
+
+/// Walls that cannot stand: what holds is tilted by 45°, where friction holds up to 31°.
+fn falling_walls(rows: usize) -> Result<(), Failure> {
+    println!("\n{:<24}{:>10}{:>12}", "tilted by 45°", "contacts", "solve ms");
+    for rows in [3, 6, 10, 14, 20, 32].into_iter().filter(|side| *side <= rows) {
+        fall(&format!("{} bricks", rows * rows), wall(rows).gravity([7.0, -7.0]))?;
+    }
+    for rows in [3, 6, 10].into_iter().filter(|side| 2 * *side <= rows) {
+        fall(&format!("{} bricks in space", rows * rows), spatial_wall(rows).gravity([7.0, 0.0, -7.0]))?;
+    }
+    Ok(())
+}
+
+/// How long it takes to tell that nothing holds them.
+fn fall<const C: usize>(name: &str, bodies: Bodies<C>) -> Result<(), Failure> {
+    let grasp = bodies.grasp()?;
+    let (outcome, time) = once(|| Ok(grasp.solve(&Wrench::ZERO)?))?;
+    println!("{name:<24}{:>10}{:>12.1}   {outcome}", grasp.len(), 1e3 * time);
+    Ok(())
+}
+
 /// How long an equilibrium and a verdict take.
-fn timed(name: &str, count: usize, bodies: Bodies, load: Wrench) -> Result<(), Failure> {
+fn timed<const C: usize>(
+    name: &str,
+    count: usize,
+    bodies: Bodies<C>,
+    load: Wrench<C>,
+) -> Result<(), Failure> {
     let grasp = bodies.grasp()?;
     let (rests, solving) = once(|| Ok(grasp.solve(&Wrench::ZERO)?))?;
     let (verdict, holding) = once(|| Ok(grasp.hold(load)?))?;
