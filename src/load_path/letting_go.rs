@@ -11,7 +11,7 @@
 //! Either its end is reached, or equilibrium is lost on it with all that a loss tells. What is let go stands for the damping of a motion that does not shoot
 //! over.
 
-use nalgebra::SVector;
+use nalgebra::{Matrix, SVector};
 
 use super::beyond::Beyond;
 use super::energy::LegEnergy;
@@ -21,7 +21,7 @@ use super::jump::{Jump, JumpSlip};
 use super::node::Node;
 use super::pieces::Pieces;
 use super::trajectory::Trajectory;
-use crate::contact::tangential_norm;
+use crate::contact::{ActiveSet, tangential_norm};
 use crate::equilibrium::ACCURATE;
 use crate::numerics::{Size, Vector};
 use crate::object::Problem;
@@ -100,11 +100,13 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         let mut segment = self.segment.at_rest(self.factor);
         let (mut states, mut forces) = (self.node.states.clone(), self.node.at.forces.clone());
         let mut from = segment.course.at(0.0);
+        let largest = forces.iter().map(Matrix::norm).fold(0.0, f64::max);
         let problem = &mut segment.problem;
         for &i in begin {
             problem.cones[i] = problem.sites[i].kinetic.unwrap_or(problem.cones[i]);
             let stretch = problem.stretch(i, &self.node.at.twist);
-            if let Some(answer) = problem.local(i).relaxed(&stretch) {
+            let answer = problem.local(i).relaxed(&stretch);
+            if let Some(answer) = answer.filter(|_| !ActiveSet::is_weightless(&forces[i], largest)) {
                 from += &problem.sites[i].map * (forces[i] - answer.force);
                 (states[i], forces[i]) = (answer.state, answer.force);
                 any = true;

@@ -7,4 +7,5 @@ mod in_space;
 mod nearly_static;
 mod overdamped;
 mod pad;
+mod programs;
 mod with_joints;

@@ -90,7 +90,8 @@ struct Tally {
     only_time_catches: usize,
 }
 
-fn scene<const D: usize, const C: usize>(
+/// Fingers around an object with both coefficients, a load that they balance at rest, and one that is put on.
+pub(super) fn scene<const D: usize, const C: usize>(
     random: &mut Random,
 ) -> (Vec<Datum<C>>, Vec<f64>, SVector<f64, D>, SVector<f64, D>) {
     let mut direction = |size: f64| SVector::<f64, C>::from_fn(|_, _| size * random.normal());
