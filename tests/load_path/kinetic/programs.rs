@@ -47,7 +47,7 @@ fn programs<const D: usize, const C: usize>(count: usize, seed: u64) -> Tally {
         let legs: Vec<_> = (0..4).map(|_| Leg::load_to(goal())).chain([Leg::load_to(load(base))]).collect();
         let mut path = grasp.follow(&load(base), &legs).expect("finite");
         let mut begun = true;
-        while let Some(event) = path.next() {
+        for event in path.by_ref() {
             let context = format!("{number}: leg {} at {}", event.leg, event.fraction);
             // At the very start states are those with which it goes on.
             if !begun {
