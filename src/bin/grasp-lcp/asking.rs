@@ -8,17 +8,17 @@ use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::hold::Holding;
 use grasp_lcp::load_path::Turn;
-use grasp_lcp::need::{Amount, Demand, Quantity};
+use grasp_lcp::need::Amount;
 use grasp_lcp::scene::{
-    Answer, Answers, Goal, LegAsked, NeedAsked, OnsetAnswer, PathOutcome, Question, RampAsked, Setup, Space,
+    Answer, Answers, Goal, LegAsked, OnsetAnswer, PathOutcome, Question, RampAsked, Setup, Space,
 };
 use grasp_lcp::shake::Repeats;
-use grasp_lcp::words::{Words, printable};
+use grasp_lcp::words::Words;
 use grasp_lcp::{planar, spatial};
 
-use crate::arguments::{Ask, LoadArguments, Numbers, QuantityAsked, Wanted};
+use crate::arguments::{Ask, LoadArguments, Numbers, Wanted};
 use crate::failure::{Failure, UNDECIDED};
-use crate::loads::{direction, point, pull_of_mass, total_force, weight_of};
+use crate::loads::{direction, point, pull_of_mass, weight_of};
 use crate::shakes::Shakes;
 use crate::words::Style;
 use crate::{files, report};
@@ -103,7 +103,7 @@ pub(crate) struct Meaning<const C: usize> {
     pub(crate) force_at: fn([f64; C], [f64; C]) -> Wrench<C>,
     /// Of as many components as there are planes to turn in.
     moment: fn(&[f64]) -> Wrench<C>,
-    turn: TurnOf<C>,
+    pub(crate) turn: TurnOf<C>,
 }
 
 /// Puts the question of the command line in place of the scene's; without one, those of its kind stay.
@@ -174,7 +174,7 @@ fn is_of_kind<const C: usize>(question: &Question<C>, asked: &Asked) -> bool {
 
 impl<const C: usize> Meaning<C> {
     /// The load of the command line, if there is one.
-    fn wrench(&self, load: &LoadArguments) -> Result<Option<Wrench<C>>, Failure> {
+    pub(crate) fn wrench(&self, load: &LoadArguments) -> Result<Option<Wrench<C>>, Failure> {
         let LoadArguments { force, moment, at, mass, .. } = load;
         if force.is_none() && mass.is_none() && at.is_some() {
             return Err(Failure::Usage("--at without --force or --mass: a moment acts anywhere".to_owned()));
@@ -198,7 +198,7 @@ impl<const C: usize> Meaning<C> {
     }
 
     /// Loads of several bodies that grow with the load of the command line.
-    fn together_with(&self, load: &LoadArguments) -> Result<BTreeMap<String, Wrench<C>>, Failure> {
+    pub(crate) fn together_with(&self, load: &LoadArguments) -> Result<BTreeMap<String, Wrench<C>>, Failure> {
         if !load.together_with.is_empty()
             && load.force.is_none()
             && load.moment.is_none()
@@ -221,101 +221,6 @@ impl<const C: usize> Meaning<C> {
     fn hold(&self, load: &LoadArguments, base: Option<&Numbers>) -> Result<Option<Question<C>>, Failure> {
         let (base, together_with) = (self.base(base, load.at.as_ref())?, self.together_with(load)?);
         Ok(self.wrench(load)?.map(|load| Question::Hold { base, load, together_with }))
-    }
-
-    /// How much does it need?
-    fn need(&self, wanted: &Wanted, setup: &Setup<C>) -> Result<Option<NeedAsked<C>>, Failure> {
-        let Some(sought) = wanted.quantity else { return Ok(None) };
-        let quantity = match sought {
-            QuantityAsked::Squeeze => Quantity::Squeeze,
-            QuantityAsked::Friction => Quantity::Friction,
-            QuantityAsked::Load => Quantity::Load,
-            QuantityAsked::Arm => Quantity::Arm,
-            QuantityAsked::Angle => Quantity::Angle,
-        };
-        let mut asked = NeedAsked::of(quantity);
-        let at = point(wanted.load.at.as_ref())?;
-        asked.friction_less = 0.01 * wanted.friction_less;
-        asked.squeeze_less = 0.01 * wanted.squeeze_less;
-        let of_its_own = [
-            (wanted.along.is_some(), QuantityAsked::Arm, "--along", "an arm"),
-            (wanted.axis.is_some(), QuantityAsked::Angle, "--axis", "an angle"),
-            (wanted.contact.is_some(), QuantityAsked::Friction, "--contact", "friction"),
-        ];
-        if let Some((.., option, of)) = of_its_own.iter().find(|(given, of, ..)| *given && *of != sought) {
-            return Err(Failure::Usage(format!("{option}: given, must be left out unless {of} is sought")));
-        }
-        if wanted.any_force.is_some() && matches!(sought, QuantityAsked::Arm | QuantityAsked::Angle) {
-            let message = "--any-force: given, must be left out where an arm or an angle is sought";
-            return Err(Failure::Usage(message.to_owned()));
-        }
-        if wanted.base.is_some() {
-            asked.base = Some(self.base(wanted.base.as_ref(), wanted.load.at.as_ref())?);
-        }
-        asked.demand = match (wanted.repeats, wanted.may_slide) {
-            (false, false) => Demand::Sticks,
-            (false, true) => Demand::Held,
-            (true, false) => Demand::Rests,
-            (true, true) => Demand::Stays,
-        };
-        let mut load = self.wrench(&wanted.load)?;
-        if let Some(acceleration) = wanted.acceleration {
-            let is_more =
-                wanted.load.force.is_some() || wanted.load.moment.is_some() || wanted.any_force.is_some();
-            if is_more || matches!(sought, QuantityAsked::Arm | QuantityAsked::Angle) {
-                let message = "--acceleration: given, must be left out beside other loads, and where an arm or an angle is sought";
-                return Err(Failure::Usage(message.to_owned()));
-            }
-            let mass = wanted.load.mass.unwrap_or(0.0);
-            asked.base = Some(asked.base.unwrap_or(Wrench::ZERO) + load.take().unwrap_or(Wrench::ZERO));
-            asked.loads = self.accelerated(mass, acceleration, at);
-        }
-        asked.together_with = self.together_with(&wanted.load)?;
-        let missing = || Failure::Usage("say for which load: --mass, --force or --moment".to_owned());
-        match sought {
-            QuantityAsked::Arm => {
-                let along = wanted.along.as_ref();
-                let along = along.ok_or_else(|| {
-                    Failure::Usage(format!("--along is missing: where to, such as --along {}", x_axis::<C>()))
-                })?;
-                let along: [f64; C] = direction(along, "along")?;
-                let length = along.iter().map(|x| x * x).sum::<f64>().sqrt();
-                let there = std::array::from_fn(|a| at[a] + along[a] / length);
-                let force = total_force(&wanted.load)?;
-                asked.per_metre = Some((self.force_at)(force, there) + (self.force_at)(force, at) * -1.0);
-                asked.load = Some(load.ok_or_else(missing)?);
-            }
-            QuantityAsked::Angle => {
-                let weight = total_force(&wanted.load)?;
-                asked.turn = Some((self.turn)(weight, wanted.load.at.as_ref(), wanted.axis.as_ref())?);
-            }
-            _ => {
-                (asked.load, asked.any_force) = (load, wanted.any_force);
-                asked.at = wanted.any_force.map(|_| at.into());
-                if load.is_none() && wanted.any_force.is_none() && asked.loads.is_empty() {
-                    return Err(missing());
-                }
-            }
-        }
-        if let Some(contact) = &wanted.contact {
-            let labels = setup.entries().enumerate().map(|(i, entry)| entry.contact.label_text(i));
-            let labels: Vec<_> = labels.collect();
-            let contact = printable(contact);
-            let mut by_name = (0..labels.len()).filter(|i| labels[*i] == contact);
-            asked.contact = by_name.next();
-            if asked.contact.is_none() {
-                let all = labels.join(", ");
-                return Err(Failure::Usage(format!(
-                    "--contact: there is no {contact}, must be one of {all}"
-                )));
-            }
-            if by_name.next().is_some() {
-                return Err(Failure::Usage(format!(
-                    "--contact: there are several {contact}, must be the name of one"
-                )));
-            }
-        }
-        Ok(Some(asked))
     }
 
     /// A force at a point.
@@ -349,11 +254,6 @@ impl<const C: usize> Meaning<C> {
         let legs = to.iter().map(leg).collect::<Result<_, _>>()?;
         Ok(Some(Question::Follow { start, legs }))
     }
-}
-
-/// The first axis, as it is written.
-fn x_axis<const C: usize>() -> &'static str {
-    if C == 3 { "1,0,0" } else { "1,0" }
 }
 
 fn planar_turn(weight: [f64; 2], at: Option<&Numbers>, axis: Option<&Numbers>) -> Result<Turn<2>, Failure> {

@@ -13,6 +13,7 @@ mod files;
 mod followed;
 mod loads;
 mod map;
+mod needs;
 mod new;
 mod numbers;
 mod report;

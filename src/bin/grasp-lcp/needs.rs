@@ -1,0 +1,121 @@
+//! Amounts that the command line asks for.
+
+use grasp_lcp::grasp::Wrench;
+use grasp_lcp::need::{Demand, Quantity};
+use grasp_lcp::scene::{NeedAsked, Setup};
+use grasp_lcp::words::printable;
+
+use crate::arguments::{QuantityAsked, Wanted};
+use crate::asking::Meaning;
+use crate::failure::Failure;
+use crate::loads::{direction, point, total_force};
+
+impl<const C: usize> Meaning<C> {
+    /// How much does it need?
+    pub(crate) fn need(&self, wanted: &Wanted, setup: &Setup<C>) -> Result<Option<NeedAsked<C>>, Failure> {
+        let Some(sought) = wanted.quantity else { return Ok(None) };
+        refuse_others(wanted, sought)?;
+        let mut asked = NeedAsked::of(match sought {
+            QuantityAsked::Squeeze => Quantity::Squeeze,
+            QuantityAsked::Friction => Quantity::Friction,
+            QuantityAsked::Load => Quantity::Load,
+            QuantityAsked::Arm => Quantity::Arm,
+            QuantityAsked::Angle => Quantity::Angle,
+        });
+        asked.friction_less = 0.01 * wanted.friction_less;
+        asked.squeeze_less = 0.01 * wanted.squeeze_less;
+        if wanted.base.is_some() {
+            asked.base = Some(self.base(wanted.base.as_ref(), wanted.load.at.as_ref())?);
+        }
+        asked.demand = match (wanted.repeats, wanted.may_slide) {
+            (false, false) => Demand::Sticks,
+            (false, true) => Demand::Held,
+            (true, false) => Demand::Rests,
+            (true, true) => Demand::Stays,
+        };
+        asked.together_with = self.together_with(&wanted.load)?;
+        self.put_loads(&mut asked, wanted, sought)?;
+        asked.contact = wanted.contact.as_ref().map(|name| named(name, setup)).transpose()?;
+        Ok(Some(asked))
+    }
+
+    /// The loads that it is sought for.
+    fn put_loads(
+        &self,
+        asked: &mut NeedAsked<C>,
+        wanted: &Wanted,
+        sought: QuantityAsked,
+    ) -> Result<(), Failure> {
+        let at = point(wanted.load.at.as_ref())?;
+        let load = self.wrench(&wanted.load)?;
+        let missing = || Failure::Usage("say for which load: --mass, --force or --moment".to_owned());
+        match (sought, wanted.acceleration) {
+            (QuantityAsked::Arm, _) => {
+                let along = wanted.along.as_ref().ok_or_else(|| {
+                    let axis = if C == 3 { "1,0,0" } else { "1,0" };
+                    Failure::Usage(format!("--along is missing: where to, such as --along {axis}"))
+                })?;
+                let along: [f64; C] = direction(along, "along")?;
+                let length = along.iter().map(|x| x * x).sum::<f64>().sqrt();
+                let there = std::array::from_fn(|a| at[a] + along[a] / length);
+                let force = total_force(&wanted.load)?;
+                asked.per_metre = Some((self.force_at)(force, there) + (self.force_at)(force, at) * -1.0);
+                asked.load = Some(load.ok_or_else(missing)?);
+            }
+            (QuantityAsked::Angle, _) => {
+                let weight = total_force(&wanted.load)?;
+                asked.turn = Some((self.turn)(weight, wanted.load.at.as_ref(), wanted.axis.as_ref())?);
+            }
+            (_, Some(acceleration)) => {
+                let weight = load.unwrap_or(Wrench::ZERO);
+                asked.base = Some(asked.base.unwrap_or(Wrench::ZERO) + weight);
+                asked.loads = self.accelerated(wanted.load.mass.unwrap_or(0.0), acceleration, at);
+            }
+            (_, None) if load.is_none() && wanted.any_force.is_none() => return Err(missing()),
+            (_, None) => {
+                (asked.load, asked.any_force) = (load, wanted.any_force);
+                asked.at = wanted.any_force.map(|_| at.into());
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Refuses options that another quantity has.
+fn refuse_others(wanted: &Wanted, sought: QuantityAsked) -> Result<(), Failure> {
+    let of_its_own = [
+        (wanted.along.is_some(), QuantityAsked::Arm, "--along", "an arm"),
+        (wanted.axis.is_some(), QuantityAsked::Angle, "--axis", "an angle"),
+        (wanted.contact.is_some(), QuantityAsked::Friction, "--contact", "friction"),
+    ];
+    if let Some((.., option, of)) = of_its_own.iter().find(|(given, of, ..)| *given && *of != sought) {
+        return Err(Failure::Usage(format!("{option}: given, must be left out unless {of} is sought")));
+    }
+    let is_arm_or_angle = matches!(sought, QuantityAsked::Arm | QuantityAsked::Angle);
+    let is_more = wanted.load.force.is_some() || wanted.load.moment.is_some() || wanted.any_force.is_some();
+    let message = if wanted.any_force.is_some() && is_arm_or_angle {
+        "--any-force: given, must be left out where an arm or an angle is sought"
+    } else if wanted.acceleration.is_some() && (is_more || is_arm_or_angle) {
+        "--acceleration: given, must be left out beside other loads, and where an arm or an angle is sought"
+    } else {
+        return Ok(());
+    };
+    Err(Failure::Usage(message.to_owned()))
+}
+
+/// The contact of this name.
+fn named<const C: usize>(name: &str, setup: &Setup<C>) -> Result<usize, Failure> {
+    let labels: Vec<_> = setup.entries().enumerate().map(|(i, entry)| entry.contact.label_text(i)).collect();
+    let name = printable(name);
+    let mut by_name = (0..labels.len()).filter(|i| labels[*i] == name);
+    match (by_name.next(), by_name.next()) {
+        (Some(contact), None) => Ok(contact),
+        (None, _) => {
+            let all = labels.join(", ");
+            Err(Failure::Usage(format!("--contact: there is no {name}, must be one of {all}")))
+        }
+        (Some(_), Some(_)) => {
+            Err(Failure::Usage(format!("--contact: there are several {name}, must be the name of one")))
+        }
+    }
+}
