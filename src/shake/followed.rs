@@ -16,7 +16,7 @@ const BETWEEN_LOOKS: usize = 3;
 /// Changes of this size are near to what they lead to: events there are those of all cycles on the way.
 const NEAR: f64 = 1e-6;
 /// The same where something slides along arcs, which are known to the error of steps.
-const NEAR_ON_ARCS: f64 = 1e-4;
+const NEAR_ON_ARCS: f64 = 1e-5;
 /// From a change that is near already the next place is nearer by this part of it.
 const NEARER: f64 = 1e-3;
 /// A change is the one that was foretold but for this part.

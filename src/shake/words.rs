@@ -119,7 +119,8 @@ impl<const C: usize> fmt::Display for Shakedown<C> {
                 parts.push(contact);
             }
         }
-        let parts: Vec<_> = parts.into_iter().cloned().collect();
+        let mut parts: Vec<_> = parts.into_iter().cloned().collect();
+        parts.sort_by_key(|part| part.contact);
         if parts.is_empty() { Ok(()) } else { write!(f, ". With more, {}", does(&parts, "slides", "slide")) }
     }
 }
