@@ -8,8 +8,8 @@ use crate::grasp::{BodyMotion, WholeContact};
 use crate::hold::does;
 use crate::words::{TOO_FAR, Words, listed};
 
-/// Forces that change by less than this part of the largest are the same, for whoever reads of them.
-const SAME: f64 = 1e-6;
+/// Forces that change by less than this part of the largest stay as they are, up to the error of steps along arcs. Slowly they may still go far.
+const SAME: f64 = 1e-8;
 
 impl<const C: usize> fmt::Display for Shaken<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -10,6 +10,8 @@ use nalgebra::DVector;
 
 /// A motion is known to this part of where the object is.
 const ROUNDING: f64 = 1e-13;
+/// Forces that change by less than this part of the largest stay as they are.
+const STILL: f64 = 1e-8;
 /// Most cycles that are followed one after the other.
 const MOST: usize = 400;
 
@@ -179,7 +181,7 @@ pub fn fault<const C: usize>(
         Repeats::Lost { cycle, .. } => cycles.max(cycle),
         _ if shaken.ratio > 0.0 => shaken.cycles + until(shaken.ratio, error * error),
         // A walk that still changes has to be looked at where it is told.
-        Repeats::Walks { .. } if shaken.change > error => shaken.cycles,
+        Repeats::Walks { .. } if shaken.change > STILL => shaken.cycles,
         _ => cycles.max(shaken.cycles + 5),
     };
     // What is told of cycles that nobody follows is judged by the first of them alone: nothing is lost there.
