@@ -333,9 +333,7 @@ class Grasp:
             asked["base"] = wrench_json("base", base, self.axes)
         return Shaken(self._held.ask(dumped({"shake": asked})))
 
-    def shakedown(
-        self, loads: Sequence[ArrayLike | Mapping[str, Any]], *, base: ArrayLike | Mapping[str, Any] | None = None
-    ) -> Shakedown:
+    def shakedown(self, loads: Sequence[ArrayLike | Mapping[str, Any]], *, base: ArrayLike | Mapping[str, Any] | None = None) -> Shakedown:
         """Up to how many times such loads, in whichever order they come, could it come to rest?
 
         :param loads: what comes and goes, N and N m, each of shape (c,) or (d,).
