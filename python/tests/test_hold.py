@@ -79,6 +79,8 @@ def test_a_block_walks_while_it_is_rocked() -> None:
     assert feet.shake([[0, 0, 0.2], [0, 0, -0.2]], base=[3.5, -10]).rests
     found = feet.shakedown([[0, 0, 0.2], [0, 0, -0.2]], base=[3.5, -10])
     assert found.factor == pytest.approx(1.5, rel=1e-8) and str(found).startswith("RESTS in whichever order they come")
+    assert (found.outcome, found.rests, found.slips_change_normal_forces) == ("rests", True, False)
+    assert feet.shakedown([[0, 0, 0.4], [0, 0, -0.4]], base=[3.5, -10]).outcome == "never_rests"
     least = feet.need("friction", loads=[[0, 0, 0.4], [0, 0, -0.4]], base=[3.5, -10], repeats=True).amount
     assert least == pytest.approx(3.5 / 6, rel=1e-8)
 

@@ -15,7 +15,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::band_piece::are_many;
-use super::limited::{Answer, Limited};
+use super::limited::{Limited, LimitedAnswer};
 use super::problem::Problem;
 use crate::contact::{Mode, State};
 use crate::numerics::{PositiveBand, Size, Vector, narrow_order, widest};
@@ -51,7 +51,7 @@ struct GivenLimits<const C: usize> {
 
 /// What all answer to a motion.
 struct Answers<const C: usize> {
-    of: Vec<Answer<C>>,
+    of: Vec<LimitedAnswer<C>>,
     /// What is out of balance.
     left: Vec<f64>,
 }
@@ -120,7 +120,11 @@ impl<const C: usize> GivenLimits<C> {
     }
 
     /// What contacts answer to a motion, by another law of each.
-    fn answers_by(&self, q: &[f64], answer: impl Fn(usize, &SVector<f64, C>) -> Answer<C>) -> Answers<C> {
+    fn answers_by(
+        &self,
+        q: &[f64],
+        answer: impl Fn(usize, &SVector<f64, C>) -> LimitedAnswer<C>,
+    ) -> Answers<C> {
         let (mut of, mut left) = (Vec::with_capacity(self.contacts.len()), self.load.clone());
         for (i, contact) in self.contacts.iter().enumerate() {
             let stretch = self.felt(i).iter().fold(contact.drive, |stretch, (k, g)| stretch - g * q[*k]);
@@ -138,7 +142,7 @@ impl<const C: usize> GivenLimits<C> {
     }
 
     /// Factors of T with this part of springs that do not hold.
-    fn factor(&mut self, answers: &[Answer<C>], kept: f64) -> Option<()> {
+    fn factor(&mut self, answers: &[LimitedAnswer<C>], kept: f64) -> Option<()> {
         let Self { felt, first, band, .. } = self;
         band.clear();
         for (answer, ends) in answers.iter().zip(first.windows(2)) {
@@ -157,7 +161,7 @@ impl<const C: usize> GivenLimits<C> {
     fn settled(mut self) -> Option<(Vec<Mode<u16>>, Vec<f64>)> {
         let stuck = |contact: &Limited<C>, stretch: &SVector<f64, C>| {
             let holds = SMatrix::from_diagonal(&contact.stiffness);
-            Answer { force: holds * stretch, holds, gives: SMatrix::zeros(), state: Mode::Sticking }
+            LimitedAnswer { force: holds * stretch, holds, gives: SMatrix::zeros(), state: Mode::Sticking }
         };
         let mut q = vec![0.0; self.load.len()];
         let mut answers = self.answers_by(&q, |i, stretch| stuck(&self.contacts[i], stretch));
@@ -187,7 +191,7 @@ impl<const C: usize> GivenLimits<C> {
         Some((states, q))
     }
 
-    fn limits_of(&self, answers: &[Answer<C>]) -> Vec<f64> {
+    fn limits_of(&self, answers: &[LimitedAnswer<C>]) -> Vec<f64> {
         self.contacts.iter().zip(answers).map(|(contact, answer)| contact.limit(answer.force[0])).collect()
     }
 

@@ -39,7 +39,7 @@ struct AtLimit<const C: usize> {
 }
 
 /// What it does at a stretch.
-pub(super) struct Answer<const C: usize> {
+pub(super) struct LimitedAnswer<const C: usize> {
     pub(super) force: SVector<f64, C>,
     /// The springs that hold, and those that give way.
     pub(super) holds: SMatrix<f64, C, C>,
@@ -72,9 +72,9 @@ impl<const C: usize> Limited<C> {
         (!keeps && (C == 2 || !is_rate)).then_some(Self { stiffness, drive, opens, slides, cone, is_rate })
     }
 
-    pub(super) fn answer(&self, stretch: &SVector<f64, C>, limit: f64) -> Answer<C> {
+    pub(super) fn answer(&self, stretch: &SVector<f64, C>, limit: f64) -> LimitedAnswer<C> {
         let springs = SMatrix::from_diagonal(&self.stiffness);
-        let mut answer = Answer {
+        let mut answer = LimitedAnswer {
             force: springs * stretch,
             holds: springs,
             gives: SMatrix::zeros(),

@@ -289,7 +289,7 @@
 //! | `onset_of_turn` | the same, with `angle_rad` for the factor, and the edges that are touched | [`TurnAnswer`] |
 //! | `follow` | `completed`, `lost`, `no_start`, `undecided` | [`PathAnswer`] |
 //! | `shake` | the sentence `says`, and as `repeats` one of `rests`, `dies_out`, `alternates`, `walks`, `lost`, `no_rest`, `undecided` | [`ShakeAnswer`] |
-//! | `shakedown` | the sentence `says`, and `factor`, `slips`, `binding` where anything is known | [`ShakedownAnswer`] |
+//! | `shakedown` | the sentence `says`, `rests` where the order does not decide, and `factor`, `slips`, `binding` where anything is known | [`ShakedownAnswer`] |
 //!
 //! The names in the text are those of the fields and variants of these types, in lower case with
 //! underscores. They consist of the answers of a grasp as those are declared, with what is computed on request beside them. Contacts are named by their place in the scene and, for a soft fingertip, the point

@@ -76,6 +76,7 @@ pub struct ShakeAnswer<const C: usize> {
 ///     }
 /// }"#)?;
 /// let answers = serde_json::to_value(scene.answers()?)?;
+/// assert_eq!(answers[0]["shakedown"]["rests"], true);
 /// assert_eq!(answers[0]["shakedown"]["says"], "RESTS in whichever order they come, up to 2 times these loads. With more, left foot and right foot slide");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -98,6 +99,9 @@ pub struct ShakedownAsked<const C: usize> {
 pub struct ShakedownAnswer<const C: usize> {
     /// The answer in a sentence.
     pub says: String,
+    /// Whether it comes to rest under these loads; left out where the order decides, or nothing is known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rests: Option<bool>,
     /// The answer, if there is one.
     #[serde(flatten, skip_serializing_if = "Option::is_none")]
     pub found: Option<Shakedown<C>>,
@@ -131,7 +135,7 @@ impl<const C: usize> ShakedownAsked<C> {
 impl<const C: usize> ShakedownAnswer<C> {
     pub(super) fn of(found: Option<Shakedown<C>>, words: Words) -> Self {
         let says = found.as_ref().map_or_else(|| NO_SHAKEDOWN.to_owned(), |found| said(found, words));
-        Self { says, found }
+        Self { says, rests: found.as_ref().and_then(|found| found.rests(1.0)), found }
     }
 }
 

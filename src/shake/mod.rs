@@ -25,5 +25,5 @@ mod shakedown;
 mod verdict;
 mod words;
 
-pub use shakedown::{Binding, Shakedown};
+pub use shakedown::{BindingContact, Shakedown};
 pub use verdict::{Repeats, Shaken};

@@ -36,7 +36,7 @@ pub struct Shakedown<const C: usize> {
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Vec<SVector<f64, C>>>"))]
     pub slips: Vec<SVector<f64, C>>,
     /// Who would slide first with more, and under which of the loads.
-    pub binding: Vec<Binding>,
+    pub binding: Vec<BindingContact>,
     /// Whether slips change normal forces. Where they do not, the grasp comes to rest up to that factor; where they do, it may not.
     pub slips_change_normal_forces: bool,
     /// Whether friction was taken with a polygon around its round cone: the factor is a bound then, no matter what slips change.
@@ -48,7 +48,7 @@ pub struct Shakedown<const C: usize> {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
-pub struct Binding {
+pub struct BindingContact {
     /// Under which of the loads, from 0; `None` for that at rest.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub load: Option<usize>,
@@ -121,7 +121,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
                 program.of.iter().zip(&multipliers).any(of)
             };
             let of = parts.with(&binds).into_iter();
-            binding.extend(of.map(|contact| Binding { load: k.checked_sub(1), contact }));
+            binding.extend(of.map(|contact| BindingContact { load: k.checked_sub(1), contact }));
         }
         let normal = slips.iter().flat_map(|(_, forces)| forces).map(|f| f[0].abs()).fold(0.0, f64::max);
         let all = slips.iter().flat_map(|(_, forces)| forces).map(Matrix::norm).fold(0.0, f64::max);

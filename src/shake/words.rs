@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::shakedown::{Binding, Shakedown};
+use super::shakedown::{BindingContact, Shakedown};
 use super::verdict::{Repeats, Shaken};
 use crate::grasp::{BodyMotion, WholeContact};
 use crate::hold::does;
@@ -114,7 +114,7 @@ impl<const C: usize> fmt::Display for Shakedown<C> {
             )?,
         }
         let mut parts: Vec<&WholeContact> = Vec::new();
-        for Binding { contact, .. } in &self.binding {
+        for BindingContact { contact, .. } in &self.binding {
             if !parts.contains(&contact) {
                 parts.push(contact);
             }

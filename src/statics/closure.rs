@@ -1,7 +1,9 @@
 //! Force closure and form closure, each with what proves it.
 //!
 //! A grasp is closed if its friction cones together reach every wrench: then forces *strictly inside* all cones balance each other, and no
-//! motion is free. Of several bodies the wrenches are those on all of them at once, and a motion has a part for each. Take a force along the normal at every contact. What is missing to balance their sum is looked for in the cones (see
+//! motion is free. Of several bodies the wrenches are those on all of them at once, and a motion has a part for each.
+//!
+//! Take a force along the normal at every contact. What is missing to balance their sum is looked for in the cones (see
 //! `proofs/wrench_cone`). If it is not found, the rest is a motion against which no force works. If it is found, all forces together are
 //! projected onto those that balance each other to the last digit, and must then lie clearly inside.
 //!

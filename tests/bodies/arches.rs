@@ -17,8 +17,13 @@ fn arches_stand_as_long_as_their_line_of_thrust_does() {
         let least = Arch::least_thickness(stones);
         for (part, stands) in [(1.0 - 1e-6, false), (1.0 + 1e-6, true)] {
             let arch = Arch { stones, thickness: part * least };
-            let outcome =
-                arch.bodies(10.0).grasp().expect("well posed").solve(&Wrench::ZERO).expect("well posed");
+            let outcome = arch
+                .voussoirs()
+                .bodies(10.0)
+                .grasp()
+                .expect("well posed")
+                .solve(&Wrench::ZERO)
+                .expect("well posed");
             let told = matches!(outcome, Outcome::Equilibrium(_));
             assert_eq!(told, stands, "{stones} stones, {part} of {least}: {outcome}");
         }

@@ -6,8 +6,13 @@ use support::piles::Arch;
 use support::pointed_arch::PointedArch;
 
 fn stands(arch: &PointedArch, friction: f64) -> bool {
-    let outcome =
-        arch.bodies(friction).grasp().expect("well posed").solve(&Wrench::ZERO).expect("well posed");
+    let outcome = arch
+        .voussoirs()
+        .bodies(friction)
+        .grasp()
+        .expect("well posed")
+        .solve(&Wrench::ZERO)
+        .expect("well posed");
     assert!(!matches!(outcome, Outcome::Undecided(_)), "{arch:?}, {friction}: {outcome}");
     matches!(outcome, Outcome::Equilibrium(_))
 }

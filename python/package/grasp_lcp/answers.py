@@ -173,18 +173,28 @@ class Answer(View):
         return self.outcome.replace("_", " ").capitalize()
 
 
-class Verdict(Answer):
+class Sentence(Answer):
+    """An answer that is a sentence when it is printed."""
+
+    @property
+    def says(self) -> str:
+        """The answer in a sentence."""
+        return str(self._tree["says"])
+
+    def __str__(self) -> str:
+        return self.says
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__}: {self.says}>"
+
+
+class Verdict(Sentence):
     """The answer to "does it hold?", in print a sentence: ``"sticks"``, ``"slides"``, ``"loose"``, ``"lost"``, ``"no_rest"``, ``"undecided"``."""
 
     @property
     def outcome(self) -> str:
         """How it ended, in the words of the scene format."""
         return str(self._tree["holding"])
-
-    @property
-    def says(self) -> str:
-        """The answer in a sentence."""
-        return str(self._tree["says"])
 
     @property
     def holds(self) -> bool | None:
@@ -203,14 +213,8 @@ class Verdict(Answer):
         found = self._tree.get("lost")
         return None if found is None else number(found["factor"])
 
-    def __str__(self) -> str:
-        return self.says
 
-    def __repr__(self) -> str:
-        return f"<Verdict: {self.says}>"
-
-
-class Shaken(Answer):
+class Shaken(Sentence):
     """What becomes of a load that repeats: ``"rests"``, ``"dies_out"``, ``"alternates"``, ``"walks"``, ``"lost"``, ``"no_rest"`` or
     ``"undecided"``; printed, it is a sentence."""
 
@@ -218,11 +222,6 @@ class Shaken(Answer):
     def outcome(self) -> str:
         """How it ended, in the words of the scene format."""
         return str(self._tree["repeats"])
-
-    @property
-    def says(self) -> str:
-        """The answer in a sentence."""
-        return str(self._tree["says"])
 
     @property
     def rests(self) -> bool | None:
@@ -239,15 +238,21 @@ class Shaken(Answer):
         """How many cycles have passed until then."""
         return int(self._tree["cycles"])
 
-    def __str__(self) -> str:
-        return self.says
 
-    def __repr__(self) -> str:
-        return f"<Shaken: {self.says}>"
+class Shakedown(Sentence):
+    """Whether a grasp comes to rest under loads that repeat in any order: ``"rests"``, ``"never_rests"``, ``"may_rest"`` where the order
+    decides, or ``"undecided"``; printed, it is a sentence."""
 
+    @property
+    def outcome(self) -> str:
+        """How it ended, in the words of the stream."""
+        words = {True: "rests", False: "never_rests", None: "may_rest"}
+        return "undecided" if self.factor is None else words[self.rests]
 
-class Shakedown(Answer):
-    """Whether a grasp comes to rest under loads that repeat in any order; printed, it is a sentence."""
+    @property
+    def rests(self) -> bool | None:
+        """Whether it comes to rest in any order; None where the order decides, or nothing is known."""
+        return self._tree.get("rests")
 
     @property
     def factor(self) -> float | None:
@@ -260,30 +265,14 @@ class Shakedown(Answer):
         """Where slips do, the factor bounds what comes to rest; where they do not, it decides. None where that is not known."""
         return self._tree.get("slips_change_normal_forces")
 
-    @property
-    def says(self) -> str:
-        """The answer in a sentence."""
-        return str(self._tree["says"])
 
-    def __str__(self) -> str:
-        return self.says
-
-    def __repr__(self) -> str:
-        return f"<Shakedown: {self.says}>"
-
-
-class Needed(Answer):
+class Needed(Sentence):
     """How much of a quantity it takes: ``"bound"``, ``"any"``, ``"none"`` or ``"undecided"``; printed, it is a sentence."""
 
     @property
     def outcome(self) -> str:
         """How it ended, in the words of the scene format."""
         return str(next(iter(self._tree["amount"])))
-
-    @property
-    def says(self) -> str:
-        """The answer in a sentence."""
-        return str(self._tree["says"])
 
     @property
     def amount(self) -> float | None:
@@ -308,12 +297,6 @@ class Needed(Answer):
         """Of a squeeze: what each contact presses with at rest, N."""
         found = self._tree["amount"].get("bound") or {}
         return tuple(number(press["force"]) for press in found.get("presses", ()))
-
-    def __str__(self) -> str:
-        return self.says
-
-    def __repr__(self) -> str:
-        return f"<Needed: {self.says}>"
 
 
 class Solution(Answer):

@@ -46,6 +46,7 @@ pub mod transform;
 pub mod truth;
 mod truth_equations;
 pub mod two_bodies;
+pub mod voussoirs;
 
 pub use close::relatively_close;
 

@@ -1,4 +1,4 @@
-//! Everyday piles of several planar bodies: boxes on a table, walls of bricks, arches of stones; and when an arch stands.
+//! Everyday piles of several planar bodies: boxes on a table, walls of bricks, round arches of stones.
 
 use std::f64::consts::PI;
 
@@ -7,6 +7,7 @@ use grasp_lcp::planar::{Bodies, Body, Contact, Wrench};
 use nalgebra::Vector2;
 
 use super::splitmix::Random;
+use super::voussoirs::{Joint, NEVER_FAILS, Voussoirs, bisected};
 
 const GRAVITY: [f64; 2] = [0.0, -9.81];
 
@@ -109,6 +110,13 @@ pub fn boxes(random: &mut Random, count: usize, fingers: bool) -> Option<Pile> {
     Some(Pile { bodies, load, boxes, touches })
 }
 
+/// The row and column of the brick below a half of one, halves counted from the left; `None` on the ground.
+pub(crate) fn brick_below(rows: usize, row: usize, half: usize) -> Option<(usize, usize)> {
+    let below = row.checked_sub(1)?;
+    let column = half.checked_sub(below % 2)? / 2;
+    (column < rows).then_some((below, column))
+}
+
 /// A wall of so many rows of as many bricks of 2 kg, 1 m by 0.5 m, every other row half a brick along, on whose first brick at the top loads act; half bricks of
 /// ground hold what overhangs.
 pub fn wall(rows: usize) -> Bodies {
@@ -123,9 +131,7 @@ pub fn wall(rows: usize) -> Bodies {
                 let point = Contact::new([0.5 * half as f64 + x, height], [0.0, 1.0]);
                 point.series_stiffness(1e6, 8e5).friction(0.6).on(name(row, column))
             });
-            let below = row.checked_sub(1).and_then(|below| Some((below, half.checked_sub(below % 2)? / 2)));
-            let on = below.filter(|(_, column)| *column < rows);
-            contacts.extend(points.map(|point| match on {
+            contacts.extend(points.map(|point| match brick_below(rows, row, half) {
                 Some((row, column)) => point.against(name(row, column)),
                 None => point,
             }));
@@ -166,10 +172,10 @@ pub struct Arch {
 }
 
 impl Arch {
-    /// The middle of a joint, counted from the left foot, and the direction across it.
-    fn joint(&self, k: usize) -> ([f64; 2], [f64; 2]) {
+    /// A joint, counted from the left foot.
+    fn joint(&self, k: usize) -> Joint {
         let (sin, cos) = (PI * (1.0 - k as f64 / self.stones as f64)).sin_cos();
-        ([cos, sin], [sin, -cos])
+        Joint { middle: [cos, sin], across: [sin, -cos], half: 0.5 * self.thickness }
     }
 
     /// Where a stone's weight acts, and how heavy it is: 1000 N for each square metre.
@@ -183,65 +189,16 @@ impl Arch {
         ([radius * cos, radius * sin], 1000.0 * area)
     }
 
-    /// Its stones, with two points at the edges of each joint.
-    pub fn bodies(&self, friction: f64) -> Bodies {
-        let name = |stone: usize| format!("stone {}", stone + 1);
-        let body = |stone: usize| {
-            let (at, weight) = self.weight(stone);
-            Body::new(name(stone)).load(Wrench::force_at([0.0, -weight], at))
-        };
-        let points = |k: usize| {
-            let ([x, y], [nx, ny]) = self.joint(k);
-            // The last joint is told from the other side, as the ground has no name.
-            let (on, sign) = if k < self.stones { (k, 1.0) } else { (k - 1, -1.0) };
-            [-0.5, 0.5].map(|part| {
-                let radius = 1.0 + part * self.thickness;
-                let point =
-                    Contact::new([radius * x, radius * y], [sign * nx, sign * ny]).series_stiffness(1e8, 1e8);
-                let point = point.friction(friction).on(name(on));
-                if (1..self.stones).contains(&k) { point.against(name(k - 1)) } else { point }
-            })
-        };
-        Bodies::new((0..self.stones).map(body)).contacts((0..=self.stones).flat_map(points))
-    }
-
-    /// Whether some line of thrust stays within the stones, with friction that never fails. If any does, a symmetric one does; it has two unknowns, the thrust and the
-    /// moment at the feet.
-    pub fn stands(&self) -> bool {
-        let weights: Vec<_> = (0..self.stones).map(|stone| self.weight(stone)).collect();
-        let upwards = 0.5 * weights.iter().map(|(_, weight)| weight).sum::<f64>();
-        let (foot, _) = self.joint(0);
-        // Moments at the foot between which the line stays within all joints, at a thrust.
-        let room = |thrust: f64| {
-            let (mut least, mut most) = (f64::NEG_INFINITY, f64::INFINITY);
-            for k in 0..=self.stones {
-                let ([x, y], [nx, ny]) = self.joint(k);
-                let carried = &weights[..k];
-                let shear = upwards - carried.iter().map(|(_, weight)| weight).sum::<f64>();
-                let moment = (foot[0] - x) * upwards
-                    - (foot[1] - y) * thrust
-                    - carried.iter().map(|(at, weight)| (at[0] - x) * weight).sum::<f64>();
-                let reach = 0.5 * self.thickness * (thrust * nx + shear * ny);
-                (least, most) = (least.max(-reach - moment), most.min(reach - moment));
-            }
-            most - least
-        };
-        // The room is a concave function of the thrust.
-        let (mut low, mut high) = (0.0, 10.0 * upwards);
-        for _ in 0..200 {
-            let [a, b] = [low + (high - low) / 3.0, high - (high - low) / 3.0];
-            if room(a) < room(b) { low = a } else { high = b }
+    /// Its joints and stones.
+    pub fn voussoirs(&self) -> Voussoirs {
+        Voussoirs {
+            joints: (0..=self.stones).map(|k| self.joint(k)).collect(),
+            weights: (0..self.stones).map(|stone| self.weight(stone)).collect(),
         }
-        room(0.5 * (low + high)) >= 0.0
     }
 
-    /// The least thickness at which an arch of so many stones stands.
+    /// The least thickness at which an arch of so many stones stands, with friction that never fails.
     pub fn least_thickness(stones: usize) -> f64 {
-        let (mut falls, mut stands) = (0.0, 1.0);
-        while stands - falls > 1e-12 {
-            let thickness = 0.5 * (falls + stands);
-            *(if (Self { stones, thickness }).stands() { &mut stands } else { &mut falls }) = thickness;
-        }
-        stands
+        bisected(1.0, |thickness| Self { stones, thickness }.voussoirs().stands(NEVER_FAILS))
     }
 }

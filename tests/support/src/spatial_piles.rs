@@ -2,6 +2,8 @@
 
 use grasp_lcp::spatial::{Bodies, Body, Contact};
 
+use super::piles::brick_below;
+
 /// A wall of so many rows of as many bricks of 2 kg, 1 m by 0.5 m by 0.5 m, every other row half a brick along x, on whose first brick at the top loads act; half bricks of
 /// ground hold what overhangs.
 pub fn spatial_wall(rows: usize) -> Bodies {
@@ -17,9 +19,7 @@ pub fn spatial_wall(rows: usize) -> Bodies {
                 let point = Contact::new([0.5 * half as f64 + x, y, height], [0.0, 0.0, 1.0]);
                 point.series_stiffness(1e6, 8e5).friction(0.6).on(name(row, column))
             });
-            let below = row.checked_sub(1).and_then(|below| Some((below, half.checked_sub(below % 2)? / 2)));
-            let on = below.filter(|(_, column)| *column < rows);
-            contacts.extend(points.map(|point| match on {
+            contacts.extend(points.map(|point| match brick_below(rows, row, half) {
                 Some((row, column)) => point.against(name(row, column)),
                 None => point,
             }));

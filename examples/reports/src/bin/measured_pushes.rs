@@ -14,6 +14,7 @@ use std::path::PathBuf;
 
 use grasp_lcp::nalgebra::Vector3;
 use grasp_lcp::picture::{Chart, Stroke};
+use rayon::prelude::*;
 use support::best_time::timed;
 use support::measured_pushes::{
     LAYOUTS, Limit, Push, SURFACES, WEIGHT, blocks, limit, normal_forces, pushes, supports,
@@ -24,14 +25,21 @@ const LENGTH: f64 = 0.05;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let (pushes, blocks) = (pushes()?, blocks()?);
-    let (limits, seconds) =
-        timed(|| pushes.iter().map(|push| limit(&blocks, push)).collect::<Result<Vec<_>, _>>())?;
-    println!("All {} pushes are decided, in {:.0} ms.\n", limits.len(), 1e3 * seconds);
+    let (limits, seconds) = timed(|| {
+        let limits = pushes.par_iter().map(|push| limit(&blocks, push).map_err(|error| error.to_string()));
+        Ok(limits.collect::<Result<Vec<_>, _>>()?)
+    })?;
+    println!(
+        "All {} pushes are decided, in {:.0} ms on {} threads.\n",
+        limits.len(),
+        1e3 * seconds,
+        rayon::current_num_threads()
+    );
     println!(
         "Friction from one layout, the three others predicted: |predicted - measured| / measured of the force, in percent.\n"
     );
     println!(
-        "{:<11}{:<8}{:>8}{:>11}{:>11}{:>11}{:>11}{:>13}{:>12}",
+        "{:<11}{:<8}{:>8}{:>11}{:>11}{:>11}{:>11}{:>15}{:>10}",
         "", "from", "μ", "median", "90 %", "ellipsoid", "μ weight", "motion off by", "scatter"
     );
     let mut worst: f64 = 0.0;
@@ -54,7 +62,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             let [median, most] = [50, 90].map(|part| 100.0 * quantile(off.clone(), part));
             worst = worst.max(median);
             println!(
-                "{surface:<11}{:<8}{mu:>8.4}{median:>11.1}{most:>11.1}{:>11.1}{:>11.1}{:>11.1} °{:>10.1}",
+                "{surface:<11}{:<8}{mu:>8.4}{median:>11.1}{most:>11.1}{:>11.1}{:>11.1}{:>13.1} °{:>10.1}",
                 LAYOUTS[from].0,
                 100.0 * quantile(ellipsoid, 50),
                 100.0 * quantile(weight, 50),

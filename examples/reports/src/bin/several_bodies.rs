@@ -126,7 +126,8 @@ fn arches() -> Result<(), Failure> {
         let (mut falls, mut stands) = (0.0, 0.3);
         while stands - falls > 1e-9 {
             let thickness = 0.5 * (falls + stands);
-            let outcome = Arch { stones, thickness }.bodies(10.0).grasp()?.solve(&Wrench::ZERO)?;
+            let outcome =
+                Arch { stones, thickness }.voussoirs().bodies(10.0).grasp()?.solve(&Wrench::ZERO)?;
             *(if outcome.equilibrium().is_some() { &mut stands } else { &mut falls }) = thickness;
         }
         println!("{stones:<12}{:>20.9}{stands:>20.9}", Arch::least_thickness(stones));
