@@ -9,7 +9,9 @@ use super::tolerances::ZERO_SLACK;
 
 /// Newton's steps on the margin of a round cone: each doubles the digits that the quadratic equation has left.
 const POLISHING_STEPS: usize = 3;
-/// Newton's steps down from the apex at most: near it the margin bends within as little as rounding, and each halves at least what is left.
+/// A last step of polishing that moves the root by more than this part of its distance from the apex has not ended: the next would move it by its square.
+const POLISHED: f64 = 1e-8;
+/// Newton's steps down from the apex at most: near it the margin bends within as little as rounding, beyond that each doubles the digits.
 const MOST_DESCENTS: usize = 60;
 
 /// One way out of the cone: the step at which it is reached, and the step's own uncertainty from rounding.
@@ -162,11 +164,13 @@ impl<const C: usize> LocalLaw<'_, C> {
         let mut step = if on_edge { -2.0 * c1 / c2 } else { c0 / (discriminant.sqrt() - c1) };
         // Close to a double root the discriminant cancels. The margin itself, μF_n - |F_t|, is concave and does not: Newton's
         // method on it gives back the digits.
+        let mut moved = 0.0;
         for _ in 0..POLISHING_STEPS {
             let at = t0 + t1 * step;
             let slope = n1 - leaves(&at).dot(&t1);
             let better = step - (n0 + n1 * step - at.norm()) / slope;
             if slope < 0.0 && better > 0.0 && better.is_finite() {
+                moved = (better - step).abs();
                 step = better;
             }
         }
@@ -178,7 +182,7 @@ impl<const C: usize> LocalLaw<'_, C> {
             if through {
                 return Some(apex);
             }
-            if step.is_nan() || step <= 0.0 || step > apex.step {
+            if step.is_nan() || step <= 0.0 || step > apex.step || moved > POLISHED * (apex.step - step) {
                 // Beside the apex both roots are as close as rounding of the discriminant. The margin is negative at the apex, so that Newton's method comes
                 // down from there to the root before it.
                 let root = from_above(apex.step, |step| {
@@ -215,4 +219,34 @@ fn from_above(mut at: f64, value: impl Fn(f64) -> (f64, f64)) -> Option<f64> {
         at = better;
     }
     (at < start).then_some(at)
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Vector3;
+
+    use super::Line;
+    use crate::contact::{Compliance, Coulomb, Fit, Law, LocalLaw, Polygon, PolygonCone};
+
+    /// Beside the apex, which it misses by a friction of ε, a line leaves where `√(μ² - a²) (1 - s) = ε`: F_n falls to nothing at s = 1, and friction of a F_n with it.
+    #[test]
+    fn a_line_beside_the_apex_leaves_before_it() {
+        let springs = Compliance::new(&Vector3::new(1.0, 1.0, 1.0), 3);
+        let polygon = Polygon::shared(&PolygonCone::new(8, Fit::Circumscribed).expect("a cone"));
+        for (mu, a) in [(0.5, 0.0), (0.5, 0.3), (0.7, 0.69)] {
+            let local =
+                LocalLaw::new(&springs, Coulomb::new(mu), &Law::Cone { gap: true }, &polygon, [true, false]);
+            // Of margins near one, over how fast they fall at the edge.
+            let rounding = 1e-15 * mu * mu / (mu * mu - a * a);
+            for missed in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
+                let (force, rate) = (Vector3::new(1.0, a, missed), Vector3::new(-1.0, -a, 0.0));
+                let line = Line { force, rate, force_size: 1.0, rate_size: 1.0 };
+                let (exit, _) = local.first_exit(&line).expect("leaves");
+                let left = missed / f64::sqrt(mu * mu - a * a);
+                assert!((1.0 - exit.step - left).abs() <= rounding, "{mu} {a} {missed}: {}", exit.step);
+                // What is left at the apex has a direction, and is no apex.
+                assert!(exit.facet.norm() > 0.9, "{mu} {a} {missed}: {}", exit.facet);
+            }
+        }
+    }
 }
