@@ -195,6 +195,15 @@ impl<D: Size, const C: usize> Engine<D, C> {
         self.with_data(contacts, |_| 1.0)
     }
 
+    /// This grasp as if everything slid: with friction of sliding from the beginning.
+    pub(crate) fn with_friction_of_sliding(&self) -> Result<Self, Error> {
+        let mut contacts = self.contacts.clone();
+        for contact in &mut contacts {
+            contact.friction = contact.kinetic.take().unwrap_or(contact.friction);
+        }
+        self.with_data(contacts, |_| 1.0)
+    }
+
     /// [`Grasp::squeezed`](crate::ask::Grasp::squeezed).
     pub(crate) fn squeezed(&self, factor: f64) -> Result<Self, Error> {
         if !is_moderate(factor) {

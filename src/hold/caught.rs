@@ -2,8 +2,11 @@
 
 use std::fmt;
 
-use crate::grasp::{Contact, WholeContact, WholeContacts};
-use crate::load_path::{Event, Jump, JumpSlip};
+use super::words::amount_of;
+use crate::grasp::{Contact, Engine, WholeContact, WholeContacts};
+use crate::load_path::{Event, Jump, JumpSlip, Leg, PathEnd, Ramp};
+use crate::numerics::Size;
+use crate::search::Settings;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 use crate::words::{Words, listed};
@@ -41,6 +44,16 @@ pub struct SlippedBy {
     pub distance: f64,
 }
 
+impl<D: Size, const C: usize> Engine<D, C> {
+    /// How many times the load is held with friction of sliding from the beginning; `None` where that is not known.
+    pub(super) fn carried_while_it_slides(&self, ramp: &Ramp<C>, settings: &Settings) -> Option<f64> {
+        let sliding = self.with_friction_of_sliding().ok()?;
+        let mut path = sliding.follow(&ramp.base, &[Leg::along(ramp)], settings).ok()?;
+        path.run();
+        matches!(path.end(), Some(PathEnd::Lost(_))).then(|| path.place().1)
+    }
+}
+
 impl Caught {
     /// ", caught at 7.5 N of 12 N after slipping 0.4 mm at left": the last time, of a load of this size.
     pub(super) fn told(
@@ -51,10 +64,7 @@ impl Caught {
     ) -> fmt::Result {
         let (words, digits) = (Words::of(f), Words::of(f).digits());
         let Some(last) = all.last() else { return Ok(()) };
-        let at = match size {
-            Some((size, unit)) => format!("{} {unit}", words.number(size * last.factor)),
-            None => format!("{} of it", words.number(last.factor)),
-        };
+        let at = amount_of(size, last.factor, words);
         match all.len() {
             1 if is_held => write!(f, ", caught {last:.digits$}"),
             1 => write!(f, ", caught at {at} {last:.digits$}"),

@@ -47,6 +47,10 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let held_to = reached(path.place());
         let holding = match (&state, path.end()) {
             (Some(state), _) => self.held(state, &events, first_slip.as_ref()),
+            // Friction of what slides at rest falls, and nothing catches the object.
+            (None, Some(PathEnd::Lost(_))) if path.state().is_none() => self
+                .lost_at_rest(&ramp.base, settings)
+                .map_or(Holding::Lost, |at_rest| Holding::LostAtRest { at_rest }),
             (None, Some(PathEnd::Lost(_))) => Holding::Lost,
             (None, Some(PathEnd::NoStart(start))) => match &**start {
                 Outcome::NoEquilibrium(none) => Holding::NoRest(none.clone()),
@@ -63,7 +67,11 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let lost = path.end().and_then(PathEnd::loss).map(|loss| {
             let mut lost = self.lost(held_to, loss, path.state());
             let at_first = first_slip.as_ref().is_some_and(|first| held_to <= first.factor * (1.0 + AT_ONCE));
-            lost.falls_at_once = at_first && self.weaker_once_they_slide().next().is_some();
+            if self.weaker_once_they_slide().next().is_some() {
+                lost.falls_at_once = at_first;
+                let then = self.carried_while_it_slides(ramp, settings);
+                lost.then_takes = then.filter(|then| *then < held_to * (1.0 - AT_ONCE));
+            }
             // The proof counts on every vacuum.
             if matches!(holding, Holding::Lost) && !matches!(lost.way_out, WayOut::LetsGo { .. }) {
                 lost.nothing_near = self.nothing_near(&lost, loss, ramp, settings);
@@ -179,6 +187,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             way_out: way_out(self.contacts(), loss.motion.as_ref(), touches),
             slide: parts.with(&slides),
             falls_at_once: false,
+            then_takes: None,
             is_gross_slip: (0..self.len()).any(slides) && (0..self.len()).all(|i| slides(i) || !presses(i)),
             drives: loss.drives.clone(),
             motion: loss.motion.clone(),
@@ -222,6 +231,7 @@ impl<const C: usize> Lost<C> {
             slide: Vec::new(),
             is_gross_slip: false,
             falls_at_once: false,
+            then_takes: None,
             drives: Vec::new(),
             motion: None,
             state: state.map(Box::new),

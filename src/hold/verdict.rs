@@ -137,6 +137,12 @@ pub struct Lost<const C: usize> {
     /// Whether the first slip is the last: friction is [lower](crate::grasp::Contact::kinetic) once contacts slide, and nothing catches the object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "std::ops::Not::not"))]
     pub falls_at_once: bool,
+    /// How many times the load it takes from then on, where friction is lower once contacts slide: so much would be held with friction of sliding from the beginning.
+    #[cfg_attr(
+        feature = "serde",
+        serde(default, skip_serializing_if = "Option::is_none", with = "AsComputed::<Option<f64>>")
+    )]
+    pub then_takes: Option<f64>,
     /// Joints and tendons of a hand that have reached their limit.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub drives: Vec<PartLabel>,

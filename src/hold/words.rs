@@ -62,6 +62,9 @@ impl<const C: usize> fmt::Display for Verdict<C> {
                         f.write_str(", falls at the first slip")?;
                     }
                     self.catches(f)?;
+                    if let Some(then) = lost.then_takes {
+                        write!(f, ", after which it takes {}", amount_of(self.load.measure(), then, words))?;
+                    }
                     write!(f, ": {lost:.digits$}")
                 }
                 None => f.write_str("LOST"),
@@ -136,9 +139,17 @@ impl<const C: usize> Verdict<C> {
     /// A part of the load: in newtons where it is a force, in newton metres where it is a moment, else as a fraction.
     fn part(&self, factor: f64, words: Words) -> String {
         match self.load.measure() {
-            Some((size, unit)) => format!("{} {unit} of {}", words.number(size * factor), self.whole(words)),
-            None => format!("{} of it", words.number(factor)),
+            Some(_) => format!("{} of {}", amount_of(self.load.measure(), factor, words), self.whole(words)),
+            None => amount_of(None, factor, words),
         }
+    }
+}
+
+/// So many times a load of this size: "7.5 N", "0.5 of it" where it has none.
+pub(super) fn amount_of(size: Option<(f64, &str)>, factor: f64, words: Words) -> String {
+    match size {
+        Some((size, unit)) => format!("{} {unit}", words.number(size * factor)),
+        None => format!("{} of it", words.number(factor)),
     }
 }
 
