@@ -179,8 +179,8 @@ impl<const C: usize> Contact<C> {
     /// The answer is the **overdamped** one: the object comes to rest where forces balance again, without overshoot. One that is not damped shoots over, up
     /// to twice as far, and may be lost where this one is caught. See the [guide](crate::guide::kinetic_friction).
     ///
-    /// [`follow`](crate::ask::Grasp::follow), [`hold`](crate::ask::Grasp::hold) and needs that are to [hold](crate::need::Need::to_hold) count with it. The
-    /// first slip does not depend on it. [`solve`](crate::ask::Grasp::solve), [`shake`](crate::ask::Grasp::shake),
+    /// [`follow`](crate::ask::Grasp::follow), [`hold`](crate::ask::Grasp::hold), [`shake`](crate::ask::Grasp::shake) and needs that are to
+    /// [hold](crate::need::Need::to_hold) or to [rest](crate::need::Need::to_rest) count with it. The first slip does not depend on it. [`solve`](crate::ask::Grasp::solve),
     /// [`follow_patch`](crate::ask::Grasp::follow_patch) and [`follow_in_steps`](crate::ask::Grasp::follow_in_steps) refuse what they would have to tell of
     /// a contact that slides. All other questions are about contacts at rest.
     ///

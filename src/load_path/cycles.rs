@@ -7,7 +7,7 @@ use super::following::{AnyPath, Following};
 use super::leg::Leg;
 use super::pieces::Pieces;
 use super::stretch::Stretch;
-use crate::contact::State;
+use crate::contact::{Coulomb, State};
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
@@ -36,6 +36,8 @@ pub(crate) struct CycleState<D: Size, const C: usize> {
     pub(crate) gaps: Vec<f64>,
     pub(crate) slips: Vec<SVector<f64, C>>,
     pub(crate) twist: Vector<D>,
+    /// Which sites slide with less friction than at rest; empty where none is weaker then.
+    pub(crate) weaker: Vec<bool>,
 }
 
 /// What has happened in one cycle.
@@ -55,6 +57,17 @@ pub(crate) struct CycleRecord<const C: usize> {
 }
 
 impl<const C: usize> CycleRecord<C> {
+    /// What has happened in this and the next one.
+    pub(crate) fn append(&mut self, next: &Self) {
+        self.slid.iter_mut().zip(&next.slid).for_each(|(slid, more)| *slid += more);
+        self.dissipated += next.dissipated;
+        self.largest = self.largest.max(next.largest);
+        let both = |a: Option<f64>, b: Option<f64>| Some(a?.min(b?));
+        self.open.iter_mut().zip(&next.open).for_each(|(open, more)| *open = both(*open, *more));
+        self.step_error = self.step_error.max(next.step_error);
+        self.states.extend(next.states.iter().cloned());
+    }
+
     /// Whether the same events have happened in both cycles.
     pub(crate) fn is_like(&self, other: &Self) -> bool {
         let mut both = self.states.iter().zip(&other.states);
@@ -88,16 +101,17 @@ impl<'g, D: Size, const C: usize> Cycles<'g, D, C> {
         let grasp = self.path.journey.grasp;
         let largest = from.forces.iter().map(Matrix::norm).fold(0.0, f64::max);
         let begin = Following::start(grasp, (&self.base, &self.legs), settings, |journey, problem| {
+            let mut slipped = problem.clone();
+            slipped.drives.iter_mut().zip(&from.slips).for_each(|(drive, slip)| *drive -= slip);
+            slipped.slips.clone_from(&from.slips);
+            slipped.cones = from.cones(grasp);
             // Where a contact would have to slide at once nothing need be searched for.
             let slides = |(i, force): (usize, &SVector<f64, C>)| {
-                problem.local(i).edges().worst(force).is_some_and(|(_, margin)| margin < -SAME * largest)
+                slipped.local(i).edges().worst(force).is_some_and(|(_, margin)| margin < -SAME * largest)
             };
             if from.forces.iter().enumerate().any(slides) {
                 return Err(journey.undecided(0.0, Doubt::OnTheBoundary));
             }
-            let mut slipped = problem.clone();
-            slipped.drives.iter_mut().zip(&from.slips).for_each(|(drive, slip)| *drive -= slip);
-            slipped.slips.clone_from(&from.slips);
             Pieces::at_start(journey, &slipped)
         });
         let path = begin.ok()?;
@@ -135,6 +149,8 @@ impl<'g, D: Size, const C: usize> Cycles<'g, D, C> {
             self.path.continue_with(&self.legs).ok()?;
         }
         self.gone += 1;
+        // The state here is told from the piece that led to it, which is no part of this cycle.
+        let before = self.path.follower.as_ref().map_or(0, |follower| follower.behind.len());
         while self.path.next().is_some() {}
         self.end().is_none().then_some(())?;
         let first = (self.gone - 1) * self.legs.len();
@@ -151,9 +167,12 @@ impl<'g, D: Size, const C: usize> Cycles<'g, D, C> {
             step_error: std::mem::take(&mut follower.step_error),
             states: Vec::new(),
         };
-        for (k, stretch) in behind.iter().enumerate() {
-            let after = behind.get(k + 1).map_or(slips_at_the_end, |next| &next.problem.slips);
-            record.add(stretch, after, first);
+        for (k, stretch) in behind.iter().enumerate().skip(before) {
+            // As far as a jump, which counts by itself.
+            let next = behind
+                .get(k + 1)
+                .map(|next| next.fallen.as_ref().map_or(&next.problem.slips, |fallen| &fallen.slips));
+            record.add(stretch, next.unwrap_or(slips_at_the_end), first);
         }
         // The state there is told from the piece that leads to it.
         follower.behind.extend(behind.into_iter().last());
@@ -174,13 +193,29 @@ impl<'g, D: Size, const C: usize> Cycles<'g, D, C> {
             gaps: (0..at.forces.len()).map(gap).collect(),
             slips: segment.problem.slips.clone(),
             twist: at.twist.clone(),
+            weaker: segment.problem.weaker(),
         })
+    }
+}
+
+impl<D: Size, const C: usize> CycleState<D, C> {
+    /// The friction that each site has; none of their own where none is weaker once it slides.
+    fn cones(&self, grasp: &Engine<D, C>) -> Vec<Coulomb> {
+        let sites = grasp.sites().iter().zip(&self.weaker);
+        sites.map(|(site, weaker)| site.kinetic.filter(|_| *weaker).unwrap_or(site.friction)).collect()
     }
 }
 
 impl<const C: usize> CycleRecord<C> {
     /// Adds a piece of the way, with the slips after it.
     fn add<D: Size>(&mut self, piece: &Stretch<'_, D, C>, after: &[SVector<f64, C>], first: usize) {
+        let leg = piece.leg.saturating_sub(first);
+        if let Some(fallen) = &piece.fallen {
+            for (i, _) in fallen.slid.iter().enumerate().filter(|(_, slid)| **slid) {
+                self.slid[i] += (piece.problem.slips[i] - fallen.slips[i]).norm();
+            }
+            fallen.states.iter().for_each(|states| self.note(leg, states));
+        }
         let forces = piece.here.lines.iter().map(|line| line.force).chain(piece.there.forces.iter().copied());
         self.largest = forces.map(|force| force.norm()).fold(self.largest, f64::max);
         for (i, state) in piece.states.iter().enumerate() {
@@ -192,11 +227,14 @@ impl<const C: usize> CycleRecord<C> {
             self.open[i] =
                 self.open[i].filter(|_| state.is_open()).map(|gap| gap.min(here.gap).min(at_the_end));
         }
-        let leg = piece.leg.saturating_sub(first);
+        self.note(leg, &piece.states);
+    }
+
+    fn note(&mut self, leg: usize, states: &[State<C>]) {
         let last = self.states.last();
-        let goes_on = last.is_some_and(|(last, states)| *last == leg && are_alike(states, &piece.states));
+        let goes_on = last.is_some_and(|(last, before)| *last == leg && are_alike(before, states));
         if !goes_on {
-            self.states.push((leg, piece.states.clone()));
+            self.states.push((leg, states.to_vec()));
         }
     }
 }

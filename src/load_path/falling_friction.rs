@@ -9,10 +9,11 @@ use crate::contact::{ActiveSet, Mode};
 use crate::numerics::Size;
 
 impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
-    /// From rest on every contact has a cone of its own, if some are weaker once they slide. Those that slide already do with less.
+    /// From rest on every contact has a cone of its own, if some are weaker once they slide. Those that slide already do with less. Cones that are given
+    /// are those of contacts that were on their way.
     pub(super) fn with_falling_friction(mut self, journey: &Journey<'g, D, C>) -> Result<Self, PathEnd<C>> {
         let grasp = journey.grasp;
-        if grasp.weaker_once_they_slide().next().is_none() {
+        if self.friction_falls() || grasp.weaker_once_they_slide().next().is_none() {
             return Ok(self);
         }
         self.segment.problem.cones = grasp.sites().iter().map(|site| site.friction).collect();

@@ -20,6 +20,7 @@ use super::journey::Journey;
 use super::jump::{Jump, JumpSlip};
 use super::node::Node;
 use super::pieces::Pieces;
+use super::stretch::Fallen;
 use super::trajectory::Trajectory;
 use crate::contact::{ActiveSet, tangential_norm};
 use crate::equilibrium::ACCURATE;
@@ -34,17 +35,15 @@ const MOST_OFTEN: usize = 16;
 struct Fall<'g, D: Size, const C: usize> {
     /// Along the leg on which what is missing is let go.
     leg: Pieces<'g, D, C>,
-    /// Slips before.
-    slips: Vec<SVector<f64, C>>,
-    /// Which sites slide in it.
-    slid: Vec<bool>,
+    /// What has happened on it so far.
+    fallen: Fallen<C>,
     changes: Vec<(usize, Change<C>)>,
 }
 
 impl<'g, D: Size, const C: usize> Fall<'g, D, C> {
     /// To the end of the leg, who leaves its cone on the way joining.
     fn go(&mut self, goal: &Vector<D>, journey: &Journey<'g, D, C>) -> Result<(), PathEnd<C>> {
-        let mut left = MOST_OFTEN * self.slips.len();
+        let mut left = MOST_OFTEN * self.fallen.slid.len();
         loop {
             let leg = &mut self.leg;
             if !std::mem::take(&mut leg.at_node) {
@@ -75,13 +74,15 @@ impl<'g, D: Size, const C: usize> Fall<'g, D, C> {
 
     fn note(&mut self, changes: &[(usize, Change<C>)]) {
         self.changes.extend(changes);
-        self.slid.iter_mut().zip(&self.leg.node.states).for_each(|(slid, state)| *slid |= state.slides());
+        let states = &self.leg.node.states;
+        self.fallen.slid.iter_mut().zip(states).for_each(|(slid, state)| *slid |= state.slides());
+        self.fallen.states.push(states.clone());
     }
 
     /// How far contacts have slipped so far.
     fn slips(&self, journey: &Journey<'g, D, C>) -> Vec<JumpSlip<C>> {
-        let contacts = journey.grasp.contacts().iter().enumerate().filter(|(i, _)| self.slid[*i]);
-        let slip = |i: usize| self.leg.segment.problem.slips[i] - self.slips[i];
+        let contacts = journey.grasp.contacts().iter().enumerate().filter(|(i, _)| self.fallen.slid[*i]);
+        let slip = |i: usize| self.leg.segment.problem.slips[i] - self.fallen.slips[i];
         contacts.map(|(i, contact)| JumpSlip { contact: contact.label(i), slip: slip(i) }).collect()
     }
 }
@@ -161,8 +162,9 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
             end => end,
         };
         let Some(leg) = self.let_go(&goal, begin, journey).map_err(end_here)? else { return Ok(None) };
-        let (slips, slid) = (self.segment.problem.slips.clone(), vec![false; self.node.states.len()]);
-        let mut fall = Fall { leg, slips, slid, changes: Vec::new() };
+        let slips = self.segment.problem.slips.clone();
+        let fallen = Fallen { slid: vec![false; slips.len()], slips, states: Vec::new() };
+        let mut fall = Fall { leg, fallen, changes: Vec::new() };
         fall.note(&[]);
         if let Err(end) = fall.go(&goal, journey) {
             let PathEnd::Lost(loss) = end else { return Err(end_here(end)) };
@@ -188,7 +190,8 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         }
         self.here = None;
         let inaccurate = || journey.undecided(self.factor, Doubt::Inaccurate);
-        let stands = self.standing_here(journey).ok_or_else(inaccurate)?;
+        let mut stands = self.standing_here(journey).ok_or_else(inaccurate)?;
+        stands.fallen = Some(Box::new(fall.fallen));
         let state = self.state_on(&stands, self.factor).filter(|state| state.residuals.worst() <= ACCURATE);
         let state = state.ok_or_else(inaccurate)?;
         self.here = Some(stands.here.clone());

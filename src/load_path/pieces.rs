@@ -275,6 +275,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
             here,
             there,
             bend: None,
+            fallen: None,
         }
     }
 

@@ -40,6 +40,19 @@ pub(super) struct Stretch<'g, D: Size, const C: usize> {
     pub(super) there: PieceState<D, C>,
     /// Where something slides on the round cone.
     pub(super) bend: Option<Bend>,
+    /// Of a piece without length that a jump led to.
+    pub(super) fallen: Option<Box<Fallen<C>>>,
+}
+
+/// What happened in a jump at one load.
+#[derive(Debug)]
+pub(super) struct Fallen<const C: usize> {
+    /// Slips before it.
+    pub(super) slips: Vec<SVector<f64, C>>,
+    /// Which sites slid in it.
+    pub(super) slid: Vec<bool>,
+    /// What sites did in it, one state after the other.
+    pub(super) states: Vec<Vec<State<C>>>,
 }
 
 /// How a piece was integrated.

@@ -171,6 +171,11 @@ impl<'g, D: Size, const C: usize> Problem<'g, D, C> {
         self.cones.get(contact).copied().unwrap_or(self.sites[contact].friction)
     }
 
+    /// Which contacts slide with less friction than at rest; empty where none is weaker then.
+    pub(crate) fn weaker(&self) -> Vec<bool> {
+        self.cones.iter().zip(self.sites).map(|(cone, site)| *cone != site.friction).collect()
+    }
+
     /// One contact with its law.
     #[inline]
     pub(crate) fn local(&self, contact: usize) -> LocalLaw<'_, C> {

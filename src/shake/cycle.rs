@@ -26,7 +26,7 @@ pub(super) struct Scale {
 }
 
 /// What is known after a cycle.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Cycle<D: Size, const C: usize> {
     pub(super) from: CycleState<D, C>,
     pub(super) to: CycleState<D, C>,
@@ -55,6 +55,16 @@ impl<D: Size, const C: usize> Cycle<D, C> {
         let cycle = Self::next(engine, &mut others)?;
         others.allow_steps(settings.most_steps);
         Some((cycle, others))
+    }
+
+    /// The two in a row as one.
+    pub(super) fn append(&mut self, next: &Self) {
+        self.record.append(&next.record);
+        self.scale = Scale {
+            force: self.scale.force.max(next.scale.force),
+            stretch: self.scale.stretch.max(next.scale.stretch),
+        };
+        self.to = next.to.clone();
     }
 
     /// Forces and gaps somewhere, as numbers without unit; gaps left out of what was open all the way.

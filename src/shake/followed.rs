@@ -2,6 +2,7 @@
 
 use super::cycle::Cycle;
 use super::recurrence::Recurrence;
+use super::round::Round;
 use super::verdict::{Repeats, Shaken};
 use crate::error::Error;
 use crate::grasp::{BodyMotion, Engine, WholeContact, WholeContacts, Wrench};
@@ -33,7 +34,6 @@ impl<D: Size, const C: usize> Engine<D, C> {
         legs: &[Leg<C>],
         settings: &Settings,
     ) -> Result<Shaken<C>, Error> {
-        self.refuse_kinetic("shake")?;
         let cycles = Cycles::at_rest(self, (base, legs), settings)?;
         let Some(rest) = cycles.standing() else {
             let repeats =
@@ -41,6 +41,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             return Ok(Shaken {
                 base: *base,
                 repeats,
+                every: 1,
                 cycles: 0,
                 followed: 0,
                 change: 0.0,
@@ -59,6 +60,8 @@ impl<D: Size, const C: usize> Engine<D, C> {
             cycles,
             places,
             slid,
+            round: Round::new(),
+            every: 1,
             alike: 0,
             followed: 0,
             cycles_gone: 0,
@@ -78,6 +81,9 @@ struct Shaking<'g, 's, D: Size, const C: usize> {
     places: Vec<CycleState<D, C>>,
     /// Which sites have slid so far.
     slid: Vec<bool>,
+    round: Round<D, C>,
+    /// After how many cycles everything repeats.
+    every: usize,
     /// How many cycles had the same events as the one before.
     alike: usize,
     /// How many cycles were followed, those that were tried elsewhere included.
@@ -97,22 +103,26 @@ impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
                 return self.shaken(repeats, (change, 0.0), None);
             };
             change = cycle.change();
-            if change <= cycle.same() {
-                let Some(more) = cycle.cycles_until_closing() else {
-                    let repeats = self.told(&cycle, Some(self.cycles_gone));
+            let mut round = std::mem::replace(&mut self.round, Round::new());
+            let alone = (change <= cycle.same()).then_some((&cycle, 1));
+            if let Some((closed, many)) = alone.or_else(|| round.closed_by(&cycle)) {
+                let Some(more) = closed.cycles_until_closing() else {
+                    let (repeats, change) = (self.told(closed, Some(self.cycles_gone)), closed.change());
+                    self.every = many;
                     return self.shaken(repeats, (change, 0.0), Some(&cycle.to));
                 };
-                // Until then every cycle is like this one.
-                let there = cycle.to.moved_on(&cycle.from, more as f64);
+                // Until then every cycle is like this one, or every so many are like these.
+                let there = closed.to.moved_on(&closed.from, more as f64);
                 if more > 0
                     && let Some(further) = self.cycles.beginning_at(&there, self.settings)
                 {
                     self.note(&cycle);
                     (self.cycles, last) = (further, None);
-                    self.begin_at(there, more);
+                    self.begin_at(there, many * more);
                     continue;
                 }
             }
+            self.round = round;
             self.note(&cycle);
             if self.has_walked_out(&cycle) {
                 let repeats = self.told(&cycle, Some(self.cycles_gone));
@@ -148,6 +158,7 @@ impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
     /// Goes on from elsewhere, so many cycles later.
     fn begin_at(&mut self, there: CycleState<D, C>, passed: usize) {
         self.places = vec![there];
+        self.round = Round::new();
         self.alike = 0;
         self.cycles_gone += passed;
     }
@@ -262,6 +273,7 @@ impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
         Shaken {
             base: self.base,
             repeats,
+            every: self.every,
             cycles: self.cycles_gone,
             followed: self.followed,
             change,

@@ -16,11 +16,14 @@
 //! cycle to cycle by an affine map. A few cycles tell its fixed point (reduced rank extrapolation: the affine combination of them that changes least),
 //! and a cycle that begins there shows that it is one. On the round cone the same is done to the error of the steps.
 //!
+//! Where [friction falls](crate::grasp::Contact::kinetic) as contacts begin to slide a grasp may repeat itself after several cycles only, which is found, too.
+//!
 //! What is told of forces, slips and motions is to first order, for small motions, as everywhere: a walk says how fast it is, not where it ends.
 
 mod cycle;
 mod followed;
 mod recurrence;
+mod round;
 mod shakedown;
 mod verdict;
 mod words;

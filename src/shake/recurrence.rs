@@ -121,11 +121,12 @@ impl<'p, D: Size, const C: usize> Recurrence<'p, D, C> {
 }
 
 impl<D: Size, const C: usize> CycleState<D, C> {
-    /// Forces and gaps, as numbers without unit; gaps of what is `aside` left out.
+    /// Forces and gaps, as numbers without unit, and who slides with less friction than at rest; gaps of what is `aside` left out.
     pub(super) fn numbers(&self, scale: &Scale, aside: &dyn Fn(usize) -> bool) -> DVector<f64> {
         let forces = self.forces.iter().flat_map(|force| force.iter().map(|x| x / scale.force));
         let gap = |(i, gap): (usize, &f64)| if aside(i) { 0.0 } else { gap / scale.stretch };
-        DVector::from_vec(forces.chain(self.gaps.iter().enumerate().map(gap)).collect())
+        let weaker = self.weaker.iter().map(|weaker| f64::from(u8::from(*weaker)));
+        DVector::from_vec(forces.chain(self.gaps.iter().enumerate().map(gap)).chain(weaker).collect())
     }
 
     /// This place moved on as often as said by what leads from another one here.

@@ -3,7 +3,7 @@
 //! While all contacts are closed and stick, with slips s that stay as they are, forces under `W₀ + λ W_k` are `F(W₀) + λ F(W_k) - P s`, with F the elastic answer and P what slips
 //! do to forces. If the grasp comes to rest under all loads of a cycle, then its slips keep all of them inside their cones. So the greatest λ for which there are any such s,
 //! a linear program, is a bound on rest; its multipliers prove that no slips do better. Where slips change no normal force it is no bound alone: the
-//! grasp does come to rest (Melan's theorem for friction). Elsewhere the path decides, which [`shake`](super) follows.
+//! grasp does come to rest (Melan's theorem for friction), unless friction is lower once contacts slide. Elsewhere the path decides, which [`shake`](super) follows.
 
 use nalgebra::{DMatrix, DVector, Matrix, SVector};
 
@@ -39,6 +39,8 @@ pub struct Shakedown<const C: usize> {
     pub binding: Vec<BindingContact>,
     /// Whether slips change normal forces. Where they do not, the grasp comes to rest up to that factor; where they do, it may not.
     pub slips_change_normal_forces: bool,
+    /// Whether some contacts have [less friction](crate::grasp::Contact::kinetic) once they slide. Slips that would keep everything still may be slid past then.
+    pub friction_falls: bool,
     /// Whether friction was taken with a polygon around its round cone: the factor is a bound then, no matter what slips change.
     pub around_the_round_cone: bool,
 }
@@ -64,7 +66,8 @@ impl<const C: usize> Shakedown<C> {
         if times > self.factor {
             return Some(false);
         }
-        (!self.slips_change_normal_forces && !self.around_the_round_cone).then_some(true)
+        let decides = self.slips_change_normal_forces || self.around_the_round_cone || self.friction_falls;
+        (!decides).then_some(true)
     }
 }
 
@@ -127,8 +130,14 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let all = slips.iter().flat_map(|(_, forces)| forces).map(Matrix::norm).fold(0.0, f64::max);
         let slips_change_normal_forces = normal > 1e-12 * all;
         let around_the_round_cone = settings.is_round::<C>();
-        let slips = told;
-        Ok(Some(Shakedown { factor, slips, binding, slips_change_normal_forces, around_the_round_cone }))
+        Ok(Some(Shakedown {
+            factor,
+            slips: told,
+            binding,
+            slips_change_normal_forces,
+            friction_falls: self.weaker_once_they_slide().next().is_some(),
+            around_the_round_cone,
+        }))
     }
 }
 

@@ -18,11 +18,15 @@ pub struct Shaken<const C: usize> {
     /// What becomes of it.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub repeats: Repeats<C>,
+    /// After how many cycles everything repeats, to which amounts belong that are told of a cycle. One, but where [friction
+    /// falls](crate::grasp::Contact::kinetic) as contacts begin to slide.
+    #[cfg_attr(feature = "serde", serde(default = "once", skip_serializing_if = "is_once"))]
+    pub every: usize,
     /// How many cycles have passed until then, the last of them to its end or to where it is lost.
     pub cycles: usize,
     /// How many were followed for that. Of many in a row with the same events a few are enough.
     pub followed: usize,
-    /// By how much forces and gaps differed at both ends of the last cycle, over the largest force and what it stretches springs by. Zero but for rounding, along sliding
+    /// By how much forces and gaps differed at both ends of the last cycle, or of so many after which everything repeats, over the largest force and what it stretches springs by. Zero but for rounding, along sliding
     /// arcs of the round cone below the error of their steps, unless it is undecided, lost or walks on changing.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub change: f64,
@@ -104,6 +108,17 @@ pub enum Repeats<const C: usize> {
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         doubt: Option<Doubt>,
     },
+}
+
+#[cfg(feature = "serde")]
+fn once() -> usize {
+    1
+}
+
+#[cfg(feature = "serde")]
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "as serde asks")]
+fn is_once(every: &usize) -> bool {
+    *every == 1
 }
 
 impl<const C: usize> Shaken<C> {

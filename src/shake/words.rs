@@ -42,15 +42,16 @@ impl<const C: usize> Shaken<C> {
                 let heat = words.number(*dissipated);
                 write!(
                     f,
-                    "by up to {} in every cycle, which takes {heat} J; the object stays",
-                    words.length(*way)
+                    "by up to {} in {}, which takes {heat} J; the object stays",
+                    words.length(*way),
+                    self.in_every()
                 )
             }
             Repeats::Walks { by, slides, .. } => {
                 let slide = does(slides, "slides", "slide");
                 let moved = moves(words, by);
                 if self.change <= SAME {
-                    write!(f, "WALKS: {moved} in every cycle")?;
+                    write!(f, "WALKS: {moved} in {}", self.in_every())?;
                 } else {
                     write!(
                         f,
@@ -77,6 +78,11 @@ impl<const C: usize> Shaken<C> {
                 )
             }
         }
+    }
+
+    /// "every cycle", "every 3 cycles".
+    fn in_every(&self) -> String {
+        if self.every == 1 { "every cycle".to_owned() } else { format!("every {} cycles", self.every) }
     }
 
     fn write_moved(&self, f: &mut fmt::Formatter<'_>, words: Words) -> fmt::Result {

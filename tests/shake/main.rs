@@ -4,5 +4,6 @@ mod asked;
 mod followed_cycles;
 mod rocked_ball;
 mod shakedown;
+mod to_and_fro;
 mod two_nodes;
 mod walking_block;

@@ -99,6 +99,20 @@ fn no_path_rests_beyond_it_while_contacts_are_closed() -> Result<(), Error> {
 }
 
 #[test]
+fn with_less_friction_once_they_slide_the_order_decides() -> Result<(), Error> {
+    let foot = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e3, 1e3).friction(0.5);
+    let rocked = [1.0, -1.0].map(|moment| Wrench::new([0.0, 0.0], moment));
+    let base = Wrench::new([1.5, -10.0], 0.0);
+    let asked = |feet: [Contact; 2]| -> Result<_, Error> {
+        let found = Grasp::new(feet)?.statics().shakedown(&base, &rocked)?.expect("rests");
+        Ok([0.5, 1.01].map(|part| found.rests(part * found.factor)))
+    };
+    assert_eq!(asked([foot(-1.0), foot(1.0)])?, [Some(true), Some(false)]);
+    assert_eq!(asked([foot(-1.0).kinetic(0.4), foot(1.0)])?, [None, Some(false)]);
+    Ok(())
+}
+
+#[test]
 fn in_space_a_polygon_around_the_cone_bounds_it() -> Result<(), Error> {
     // Four feet, pulled along a corner of the polygon by 3 N of 5, rocked about one axis: feet carry 2.5 ± m / 4 N.
     let foot = |x: f64, y: f64| {

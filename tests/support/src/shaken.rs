@@ -93,6 +93,18 @@ pub fn rocked_in_space(random: &mut Random) -> Result<Cycle<3>, Error> {
     Ok(Cycle { grasp, base, legs: legs.concat() })
 }
 
+/// The same with friction that is lower once contacts slide, by up to 30 %.
+pub fn weaker_once_it_slides<const C: usize>(
+    cycle: Cycle<C>,
+    random: &mut Random,
+) -> Result<Cycle<C>, Error> {
+    let weaker = |contact: &grasp_lcp::grasp::Contact<C>| {
+        contact.clone().kinetic(contact.friction_coefficient() * (1.0 - 0.3 * random.uniform()))
+    };
+    let grasp = Grasp::new(cycle.grasp.contacts().iter().map(weaker).collect::<Vec<_>>())?;
+    Ok(Cycle { grasp, ..cycle })
+}
+
 /// A roller on so many springs, under a shear of this part of μ P, that is rocked to and fro by `w` half widths of its contact.
 pub fn roller(springs: i32, w: f64, part: f64) -> Result<Cycle<2>, Error> {
     // The half width is one; what is pressed in there, 1 mm.
@@ -182,12 +194,16 @@ pub fn fault<const C: usize>(
         _ if shaken.ratio > 0.0 => shaken.cycles + until(shaken.ratio, error * error),
         // A walk that still changes has to be looked at where it is told.
         Repeats::Walks { .. } if shaken.change > STILL => shaken.cycles,
-        _ => cycles.max(shaken.cycles + 5),
+        _ => cycles.max(shaken.cycles + 5 * shaken.every),
     };
     // What is told of cycles that nobody follows is judged by the first of them alone: nothing is lost there.
     let (is_all, cycles) = (cycles <= MOST, if cycles <= MOST { cycles } else { 100 });
     let mut path = cycle.grasp.follow(&cycle.base, &[])?;
     path.by_ref().for_each(drop);
+    if !matches!(path.end(), Some(PathEnd::Completed)) {
+        let right = matches!(shaken.repeats, Repeats::NoRest { .. });
+        return Ok((!right).then(|| "no rest".to_owned()));
+    }
     let rest = path.state().map(|state| numbers(&state.twist));
     let (mut heats, mut twists) = (Vec::new(), vec![rest]);
     for k in 1..=cycles {
@@ -205,10 +221,7 @@ pub fn fault<const C: usize>(
                 let right = died_out || matches!(shaken.repeats, Repeats::Undecided { .. });
                 return Ok((!right).then(|| format!("undecided in cycle {k}: {doubt}")));
             }
-            _ => {
-                let right = matches!(shaken.repeats, Repeats::NoRest { .. });
-                return Ok((!right).then(|| "no rest".to_owned()));
-            }
+            _ => return Ok(Some(format!("no end in cycle {k}"))),
         }
         let legs = path.energies().len();
         heats.push(path.energies()[legs - cycle.legs.len()..].iter().map(|leg| leg.dissipated).sum::<f64>());
@@ -218,11 +231,11 @@ pub fn fault<const C: usize>(
         return Ok(None);
     }
     let (Some(Some(first)), Some(Some(before)), Some(Some(last))) =
-        (twists.first(), twists.get(cycles - 1), twists.last())
+        (twists.first(), twists.get(cycles - shaken.every), twists.last())
     else {
         return Ok(Some("no state".to_owned()));
     };
-    let heat = heats[cycles - 1];
+    let heat = heats[cycles - shaken.every..].iter().sum::<f64>();
     let most_heat = heats.iter().copied().fold(0.0, f64::max);
     let step = last - before;
     let most = twists
