@@ -96,6 +96,18 @@ pub enum Error {
         /// What is allowed.
         allowed: &'static str,
     },
+    /// One number of a slip that was seen, or of an unknown that is sought from them.
+    #[error("{what}: {field} is {value}, must be {allowed}")]
+    Identify {
+        /// Which slip or which unknown, by number.
+        what: String,
+        /// Which of its data.
+        field: &'static str,
+        /// What was given.
+        value: f64,
+        /// What is allowed.
+        allowed: &'static str,
+    },
     /// Commands that change while the load turns: events would have no exact angles.
     #[error("commands of a leg: change while the load turns, must stay")]
     CommandsWhileTurning,

@@ -66,6 +66,7 @@
 //! | [`lcp`] | `0 <= z ⟂ M z + q >= 0` by Lemke's method; knows nothing of contacts |
 //! | [`friction`] | frictional contact problems (W, q, μ) as simulators pose them, on the round cone |
 //! | [`hold`] | does it hold: one load put on from rest, answered in a sentence |
+//! | [`identify`] | friction, loads of supports, squeeze and stiffness from slips that were seen, with their errors |
 //! | [`need`] | how much squeeze, friction, load, arm or angle it takes or allows |
 //! | [`equilibrium`] | trial state → kinematic form → force form → proofs; the answer as physics |
 //! | [`statics`] | force closure and form closure: which loads contact forces could balance |
@@ -108,6 +109,7 @@ pub mod friction;
 pub mod grasp;
 pub mod guide;
 pub mod hold;
+pub mod identify;
 pub mod lcp;
 pub mod load_path;
 pub mod need;

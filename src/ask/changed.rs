@@ -8,7 +8,7 @@ use super::grasp::Grasp;
 use super::questions::Questions;
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
-use crate::grasp::Wrench;
+use crate::grasp::{Contact, Wrench};
 
 impl<const C: usize> Grasp<C> {
     /// This grasp by other contacts or commands.
@@ -150,6 +150,11 @@ impl<const C: usize> Grasp<C> {
     /// [`Error::Contact`] if a coefficient is out of range.
     pub fn with_friction(&self, friction: impl Fn(usize, f64) -> f64) -> Result<Self, Error> {
         self.changed(self.engine.with_friction(&friction))
+    }
+
+    /// This grasp with other data of its contacts, as many of them, whose joints stay.
+    pub(crate) fn with_contacts(&self, contacts: Vec<Contact<C>>) -> Result<Self, Error> {
+        self.changed(self.engine.with_contacts(contacts))
     }
 
     /// This grasp squeezed so many times as much: commands of contacts, of joints and of tendons, and torques that hold joints by force. Tensions

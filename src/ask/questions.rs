@@ -64,6 +64,7 @@ macro_rules! questions {
             fn with_body_loads(&self, loads: &[BodyLoad<C>]) -> Changed<C>;
             fn with_friction(&self, friction: &dyn Fn(usize, f64) -> f64) -> Changed<C>;
             fn squeezed(&self, factor: f64) -> Changed<C>;
+            fn with_contacts(&self, contacts: Vec<Contact<C>>) -> Changed<C>;
             fn sample(&self, uncertainty: &Uncertainty, number: u64) -> Changed<C>;
         }
     };
@@ -106,6 +107,10 @@ macro_rules! questions {
 
         fn squeezed(&self, factor: f64) -> Changed<C> {
             Ok(Arc::new(Engine::squeezed(self, factor)?))
+        }
+
+        fn with_contacts(&self, contacts: Vec<Contact<C>>) -> Changed<C> {
+            Ok(Arc::new(Engine::with_data(self, contacts, |_| 1.0)?))
         }
 
         fn sample(&self, uncertainty: &Uncertainty, number: u64) -> Changed<C> {

@@ -47,11 +47,20 @@ impl<const C: usize> Stiffness<C> {
 
     /// Springs so many times as stiff; a rigid side stays rigid.
     pub(crate) fn scaled(&self, factor: f64) -> Self {
+        self.each(|k| k * factor)
+    }
+
+    /// The same of tangential springs alone.
+    pub(crate) fn scaled_tangentially(&self, factor: f64) -> Self {
+        self.each(|k| SVector::from_fn(|axis, _| if axis == 0 { k[0] } else { k[axis] * factor }))
+    }
+
+    fn each(&self, other: impl Fn(&SVector<f64, C>) -> SVector<f64, C>) -> Self {
         match self {
             Self::BodyAndFinger { body, finger } => {
-                Self::BodyAndFinger { body: body * factor, finger: finger * factor }
+                Self::BodyAndFinger { body: other(body), finger: other(finger) }
             }
-            Self::Series(k) => Self::Series(k * factor),
+            Self::Series(k) => Self::Series(other(k)),
         }
     }
 }

@@ -8,6 +8,7 @@
 //! | `partial_pivoting` | LU of a matrix far from singular |
 //! | `factors` | the one of the two that a matrix needs |
 //! | `linearly_implicit` | one step of a stiff one |
+//! | `student_t` | what differs from a mean by chance, where the scatter is estimated |
 //! | `support` | convex sets that are known by their farthest points |
 //! | `ray_shooting` | how far a ray stays in such a set |
 //! | `largest_ball` | the largest ball about the origin in it |
@@ -55,6 +56,7 @@ mod partial_pivoting;
 mod positive_band;
 mod pseudo_random;
 mod ray_shooting;
+mod student_t;
 mod support;
 mod trigonometric;
 mod unit_vector;
@@ -86,6 +88,7 @@ pub(crate) use partial_pivoting::PartialPivoting;
 pub(crate) use positive_band::PositiveBand;
 pub(crate) use pseudo_random::{Draw, generic};
 pub(crate) use ray_shooting::{RayExit, shoot};
+pub(crate) use student_t::two_sided;
 pub(crate) use support::{Vertex, simplex};
 pub(crate) use trigonometric::{Fall, Trigonometric};
 pub(crate) use unit_vector::unit;

@@ -1,0 +1,130 @@
+//! What no search would take is refused by name.
+
+use super::question::{Identify, Known};
+use super::slip::Slip;
+use super::unknown::{Unknown, UnknownKind};
+use crate::ask::Grasp;
+use crate::error::Error;
+
+fn wrong(what: String, field: &'static str, value: f64, allowed: &'static str) -> Result<(), Error> {
+    Err(Error::Identify { what, field, value, allowed })
+}
+
+impl<const C: usize> Identify<C> {
+    /// Refuses numbers that no search would take, and what these grasps have not.
+    pub(super) fn check(&self, layouts: &[Grasp<C>]) -> Result<(), Error> {
+        self.check_numbers(layouts.len())?;
+        self.unknowns.iter().enumerate().try_for_each(|(k, unknown)| unknown.check(k, layouts))?;
+        for (k, unknown) in self.unknowns.iter().enumerate() {
+            let meets = |other: &Unknown| {
+                let both = |(layout, grasp): (usize, &Grasp<C>)| {
+                    (0..grasp.len()).any(|i| unknown.is_of(layout, i) && other.is_of(layout, i))
+                };
+                unknown.clashes_with(other) && layouts.iter().enumerate().any(both)
+            };
+            if let Some(other) = self.unknowns[..k].iter().position(meets) {
+                let allowed =
+                    "another one: no contact has two of a kind, or a squeeze beside what it carries";
+                return wrong(
+                    format!("unknown {k}"),
+                    "number of the one that has its contacts, too,",
+                    other as f64,
+                    allowed,
+                );
+            }
+        }
+        Ok(())
+    }
+
+    /// Refuses numbers that no search of so many layouts would take.
+    pub(crate) fn check_numbers(&self, layouts: usize) -> Result<(), Error> {
+        for (list, given) in [("unknowns", self.unknowns.len()), ("slips", self.slips.len())] {
+            if given == 0 {
+                return wrong(list.to_owned(), "number", 0.0, "at least 1");
+            }
+        }
+        self.unknowns.iter().enumerate().try_for_each(|(k, unknown)| unknown.check_numbers(k, layouts))?;
+        self.slips.iter().enumerate().try_for_each(|(k, slip)| slip.check(k, layouts))?;
+        let is_given = |slip: &Slip<C>| slip.scatter.is_some();
+        if let Some(other) = self.slips.iter().position(|slip| is_given(slip) != is_given(&self.slips[0])) {
+            let given = self.slips[other].scatter.unwrap_or(0.0);
+            return wrong(format!("slip {other}"), "scatter", given, "given for every slip, or for none");
+        }
+        let carries = |slip: &Slip<C>, unknown: &Unknown| {
+            unknown.kind == UnknownKind::Carried && unknown.is_in(slip.layout)
+        };
+        let squeezed = |slip: &Slip<C>| {
+            slip.squeeze != 1.0 && self.unknowns.iter().any(|unknown| carries(slip, unknown))
+        };
+        if let Some(slip) = self.slips.iter().position(squeezed) {
+            let (given, allowed) = (self.slips[slip].squeeze, "1 where what contacts carry is sought");
+            return wrong(format!("slip {slip}"), "squeeze", given, allowed);
+        }
+        self.known.iter().enumerate().try_for_each(|(k, known)| known.check(k, self.unknowns.len()))?;
+        if self.outliers.is_nan() || self.outliers < 1.0 {
+            let allowed = "at least 1 standard deviation, or infinite";
+            return wrong("identify".to_owned(), "bound of outliers", self.outliers, allowed);
+        }
+        Ok(())
+    }
+}
+
+impl Known {
+    fn check(&self, number: usize, unknowns: usize) -> Result<(), Error> {
+        let what = format!("known sum {number}");
+        if self.unknowns.is_empty() {
+            return wrong(what, "number of unknowns", 0.0, "at least 1");
+        }
+        if let Some(number) = self.unknowns.iter().find(|number| **number >= unknowns) {
+            return wrong(what, "number of the unknown", *number as f64, "less than the number of unknowns");
+        }
+        if !(self.value > 0.0 && self.value <= 1e50) {
+            return wrong(what, "value", self.value, "more than 0 and at most 1e50");
+        }
+        if !(self.scatter > 0.0 && self.scatter <= 10.0) {
+            return wrong(what, "scatter", self.scatter, "more than 0 and at most 10: 0.05 is five percent");
+        }
+        Ok(())
+    }
+}
+
+impl Unknown {
+    /// Whether no contact can have both.
+    fn clashes_with(&self, other: &Self) -> bool {
+        let presses = |kind| matches!(kind, UnknownKind::Carried | UnknownKind::Squeeze);
+        self.kind == other.kind || (presses(self.kind) && presses(other.kind))
+    }
+
+    /// Refuses numbers that no unknown of so many layouts has.
+    fn check_numbers(&self, number: usize, layouts: usize) -> Result<(), Error> {
+        let what = format!("unknown {number}");
+        if let Some(layout) = self.layout.filter(|layout| *layout >= layouts) {
+            return wrong(what, "layout", layout as f64, "less than the number of layouts");
+        }
+        if let Some(start) = self.start.filter(|start| !(*start >= 1e-6 && *start <= 1e6)) {
+            return wrong(what, "start", start, "from 1e-6 to 1e6");
+        }
+        if self.contacts.as_ref().is_some_and(Vec::is_empty) {
+            return wrong(what, "number of contacts", 0.0, "at least 1");
+        }
+        Ok(())
+    }
+
+    /// Refuses contacts that no grasp of these has, and contacts that are held by forces where what they carry is sought.
+    fn check<const C: usize>(&self, number: usize, layouts: &[Grasp<C>]) -> Result<(), Error> {
+        for (layout, grasp) in layouts.iter().enumerate().filter(|(layout, _)| self.is_in(*layout)) {
+            let named = self.contacts.iter().flatten();
+            if let Some(contact) = named.clone().find(|contact| **contact >= grasp.len()) {
+                let allowed = "less than the number of contacts";
+                return wrong(format!("unknown {number}"), "number of the contact", *contact as f64, allowed);
+            }
+            let mut meant = grasp.contacts().iter().enumerate().filter(|(i, _)| self.is_of(layout, *i));
+            let held = meant.find_map(|(_, contact)| contact.force);
+            if let Some(force) = held.filter(|_| self.kind == UnknownKind::Carried) {
+                let allowed = "left out where the contact carries what is sought";
+                return wrong(format!("unknown {number}"), "force of its contact", force, allowed);
+            }
+        }
+        Ok(())
+    }
+}

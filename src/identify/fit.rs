@@ -1,0 +1,210 @@
+//! Gauss and Newton's steps in logarithms, damped.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::model::{Linear, Model};
+use super::robust::Huber;
+use crate::error::Error;
+
+/// A combination in which slips change by less than this part of what they do in the best one is not fixed: differences are known to 1e-8.
+pub(super) const NOT_FIXED: f64 = 1e-6;
+/// A step of logarithms below this is none.
+const NO_STEP: f64 = 1e-10;
+/// A step that cannot be made any better is the end where it is as small as this: at an edge of two contacts that leave together.
+const EDGE: f64 = 1e-6;
+/// No logarithm goes farther in a step: within it slips are predicted from here.
+const LONGEST: f64 = 1.0;
+/// Damping at first, beside the largest singular value squared; by so much less after a step that does, more after one that does not.
+const DAMPING: f64 = 1e-3;
+const LESS: f64 = 0.1;
+const MORE: f64 = 5.0;
+/// Beyond, a step is no longer than rounding.
+const MOST_DAMPING: f64 = 1e16;
+/// A step that promises no more than this part of the loss is the last: of n slips it is √(n 1e-10) of a standard error long. Sliding arcs are followed
+/// to 1e-9, so that no loss is known to its last digits.
+const PROMISE: f64 = 1e-10;
+
+/// Where the search has ended.
+pub(super) struct Fit {
+    pub(super) logs: Vec<f64>,
+    pub(super) linear: Option<Linear>,
+    /// Of the slips, as a part: given, or estimated.
+    pub(super) scatter: Scatter,
+    pub(super) iterations: usize,
+    pub(super) end: FitEnd,
+}
+
+/// How it ended.
+pub(super) enum FitEnd {
+    Converged,
+    Limit,
+    /// A slip is not predicted where the search begins, or had to go on.
+    NoSlip(usize, &'static str),
+}
+
+/// Standard deviations of the rows.
+pub(super) struct Scatter {
+    /// One for each slip, and behind them for what is known.
+    pub(super) rows: Vec<f64>,
+    /// The one of all slips, where it is estimated.
+    pub(super) estimated: Option<f64>,
+}
+
+impl<const C: usize> Model<'_, C> {
+    pub(super) fn huber(&self) -> Huber {
+        Huber(self.asked.outliers)
+    }
+
+    /// Standard deviations: those given, or one for all slips from their residuals.
+    pub(super) fn scatter(&self, residuals: &[f64], rank: usize) -> Scatter {
+        let (slips, known) = (&self.asked.slips, &self.asked.known);
+        let given: Option<Vec<f64>> = slips.iter().map(|slip| slip.scatter).collect();
+        let estimated = given.is_none().then(|| {
+            let degrees = (slips.len() + known.len()).saturating_sub(rank);
+            self.huber().scale(&residuals[..slips.len()], degrees)
+        });
+        let of_slips = given.unwrap_or_else(|| vec![estimated.unwrap_or(1.0); slips.len()]);
+        let rows = of_slips.into_iter().chain(known.iter().map(|known| known.scatter)).collect();
+        Scatter { rows, estimated }
+    }
+
+    /// What a row counts: slips that are far off count less, what is known does not.
+    fn weight(&self, row: usize, u: f64) -> f64 {
+        if row < self.asked.slips.len() { self.huber().weight(u) } else { 1.0 }
+    }
+
+    fn loss(&self, residuals: &[f64], scatter: &Scatter) -> f64 {
+        let of_row = |(row, (r, sigma)): (usize, (&f64, &f64))| {
+            let u = r / sigma;
+            if row < self.asked.slips.len() { self.huber().loss(u) } else { 0.5 * u * u }
+        };
+        residuals.iter().zip(&scatter.rows).enumerate().map(of_row).sum()
+    }
+}
+
+/// The logarithms with the least loss, from where the search begins.
+pub(super) fn fitted<const C: usize>(model: &Model<'_, C>) -> Result<Fit, Error> {
+    let begin: Vec<f64> =
+        model.asked.unknowns.iter().map(|unknown| unknown.begins_at(model.layouts).ln()).collect();
+    let nothing = Scatter { rows: Vec::new(), estimated: None };
+    let mut fit = Fit { logs: begin, linear: None, scatter: nothing, iterations: 0, end: FitEnd::Limit };
+    let mut damping = DAMPING;
+    loop {
+        let linear = match model.linear(&fit.logs)? {
+            Ok(linear) => linear,
+            Err((slip, why)) => {
+                fit.end = FitEnd::NoSlip(slip, why);
+                return Ok(fit);
+            }
+        };
+        fit.scatter = model.scatter(&linear.residuals, rank(&linear));
+        let steps = Steps::of(model, &linear, &fit.scatter);
+        let loss = model.loss(&linear.residuals, &fit.scatter);
+        let full = steps.step(0.0);
+        let is_done = largest(&full) <= NO_STEP || steps.promise(&full) <= PROMISE * loss;
+        fit.linear = Some(linear);
+        if is_done {
+            fit.end = FitEnd::Converged;
+            return Ok(fit);
+        }
+        if fit.iterations == model.asked.iterations {
+            return Ok(fit);
+        }
+        fit.iterations += 1;
+        let mut last = (0, "");
+        loop {
+            let mut step = steps.step(damping);
+            let longest = largest(&step);
+            if longest > LONGEST {
+                step *= LONGEST / longest;
+            }
+            let there: Vec<f64> = fit.logs.iter().zip(step.iter()).map(|(x, dx)| x + dx).collect();
+            let told = model.residuals(&there)?;
+            if let Err(none) = told {
+                last = none;
+            }
+            if told.is_ok_and(|residuals| model.loss(&residuals, &fit.scatter) < loss) {
+                fit.logs = there;
+                damping = (damping * LESS).max(f64::EPSILON);
+                break;
+            }
+            damping *= MORE;
+            if damping > MOST_DAMPING || largest(&step) <= NO_STEP {
+                // Nothing nearby is better: an edge, unless slips end there.
+                let is_edge = last.1.is_empty() || largest(&full) <= EDGE;
+                fit.end = if is_edge { FitEnd::Converged } else { FitEnd::NoSlip(last.0, last.1) };
+                return Ok(fit);
+            }
+        }
+    }
+}
+
+fn largest(step: &DVector<f64>) -> f64 {
+    step.amax()
+}
+
+/// How many combinations slips fix.
+pub(super) fn rank(linear: &Linear) -> usize {
+    let (values, ..) = singular(&linear.jacobian, &linear.residuals, &vec![1.0; linear.residuals.len()]);
+    let most = values.iter().copied().fold(0.0, f64::max);
+    values.iter().filter(|value| **value > NOT_FIXED * most).count()
+}
+
+/// Steps along the combinations that slips fix.
+struct Steps {
+    /// Singular values, and the directions that belong to them.
+    values: Vec<f64>,
+    directions: DMatrix<f64>,
+    /// What the residuals are along each, once weighted.
+    along: Vec<f64>,
+}
+
+impl Steps {
+    /// At a place, slips weighted as their scatter has it.
+    fn of<const C: usize>(model: &Model<'_, C>, linear: &Linear, scatter: &Scatter) -> Self {
+        let row = |(k, (r, sigma)): (usize, (&f64, &f64))| model.weight(k, r / sigma).sqrt() / sigma;
+        let weights: Vec<_> = linear.residuals.iter().zip(&scatter.rows).enumerate().map(row).collect();
+        let (values, directions, along) = singular(&linear.jacobian, &linear.residuals, &weights);
+        Self { values, directions, along }
+    }
+
+    /// Damped by this part of the largest singular value squared; none along what is not fixed.
+    fn step(&self, damping: f64) -> DVector<f64> {
+        let most = self.values.iter().copied().fold(0.0, f64::max);
+        let mut step = DVector::zeros(self.directions.nrows());
+        for (k, value) in self.values.iter().enumerate().filter(|(_, value)| **value > NOT_FIXED * most) {
+            let along = value * self.along[k] / (value * value + damping * most * most);
+            step += self.directions.column(k) * along;
+        }
+        step
+    }
+
+    /// By how much the loss falls with a step, as far as it is quadratic.
+    fn promise(&self, step: &DVector<f64>) -> f64 {
+        let part = |(k, value): (usize, &f64)| {
+            let gone = value * self.directions.column(k).dot(step);
+            gone * self.along[k] - 0.5 * gone * gone
+        };
+        self.values.iter().enumerate().map(part).sum()
+    }
+}
+
+/// Singular values of the weighted rows, their directions as columns, and the weighted residuals along each. As many as there are unknowns.
+pub(super) fn singular(
+    jacobian: &DMatrix<f64>,
+    residuals: &[f64],
+    weights: &[f64],
+) -> (Vec<f64>, DMatrix<f64>, Vec<f64>) {
+    let columns = jacobian.ncols();
+    // With rows of zeros where there are fewer slips than unknowns: then there are as many directions.
+    let rows = jacobian.nrows().max(columns);
+    let weighted = |i: usize, x: f64| if i < weights.len() { weights[i] * x } else { 0.0 };
+    let matrix =
+        DMatrix::from_fn(rows, columns, |i, j| weighted(i, jacobian.get((i, j)).copied().unwrap_or(0.0)));
+    let right = DVector::from_fn(rows, |i, _| weighted(i, residuals.get(i).copied().unwrap_or(0.0)));
+    let svd = matrix.svd(true, true);
+    let along =
+        svd.u.as_ref().map_or_else(|| vec![0.0; columns], |u| u.tr_mul(&right).iter().copied().collect());
+    let directions = svd.v_t.as_ref().map_or_else(|| DMatrix::identity(columns, columns), DMatrix::transpose);
+    (svd.singular_values.iter().copied().collect(), directions, along)
+}

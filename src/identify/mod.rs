@@ -1,0 +1,47 @@
+//! What do slips that were seen tell of a grasp? Friction, the loads of supports, squeeze and stiffness ratios, with their errors.
+//!
+//! A [`Slip`] is a load, or an angle, at which first or gross slip was seen; an [`Unknown`] is a number of the grasp that is sought. [`Identify`] holds
+//! both, and [`Grasp::identify`](crate::ask::Grasp::identify) answers with [`Identified`]: every number with its standard error and the interval that holds
+//! it with 95 %, and which combinations the slips do not fix.
+//!
+//! | sought | what it is | unit |
+//! |---|---|---|
+//! | [`Unknown::friction`] | one coefficient of friction of some contacts | |
+//! | [`Unknown::carried`] | the normal force that a contact carries at rest: the load of a support | N |
+//! | [`Unknown::squeeze`] | how many times the squeeze given | |
+//! | [`Unknown::stiffness`] | how many times the tangential stiffness given, beside the normal one and that of other contacts | |
+//!
+//! **How.** All of them are positive, so that the search goes in their logarithms x, and so do residuals: a slip at load factor λ that was predicted at
+//! λ(x) is off by `ln λ - ln λ(x)`. Gauss and Newton's steps, damped as Levenberg has it, make the sum of [Huber's loss](Identify::with_outliers_beyond) of them
+//! least. Derivatives are exact: those of an onset are [known](crate::ask::Sensitivity::onset_gradients), and where normal forces stay as they are at rest
+//! until everything slides, the load that is lost changes with a limit of friction by the rate at which that contact slips, for one unit of the load's power:
+//!
+//! ```text
+//! dλ = Σ |v_i| d(μ_i N_i) / (W·q̇)
+//! ```
+//!
+//! Where neither is at hand, as where contacts have closed on the way or normal forces change with the load, derivatives are differences of exact answers.
+//!
+//! **Errors** are those of the linear problem at the solution. Where scatter is not given with the slips it is estimated from what is left, and
+//! intervals are Student's. A direction in which no slip changes, by the singular values of all derivatives, is a [combination](FreeCombination) that is not
+//! fixed, and no number is told of what takes part in it.
+
+mod answer;
+mod checked;
+mod combination;
+mod first;
+mod fit;
+mod gross;
+mod model;
+mod question;
+mod robust;
+mod slip;
+mod spread;
+mod unknown;
+mod words;
+
+pub use answer::{Ending, Estimate, Identified};
+pub use combination::FreeCombination;
+pub use question::Identify;
+pub use slip::{Slip, SlipKind};
+pub use unknown::{Unknown, UnknownKind};

@@ -1,0 +1,290 @@
+//! Where slips are predicted, and how that changes with the unknowns.
+
+use nalgebra::DMatrix;
+
+use super::question::Identify;
+use super::slip::{Grown, Slip, SlipKind};
+use super::unknown::UnknownKind;
+use super::{first, gross};
+use crate::ask::Grasp;
+use crate::error::Error;
+use crate::grasp::Wrench;
+use crate::sweep::map_in_order;
+
+/// Step of a difference, in the logarithm: its error is some 1e-8 of itself, as is that of rounding.
+const STEP: f64 = 1e-4;
+
+/// What is asked, with all grasps.
+pub(super) struct Model<'a, const C: usize> {
+    pub(super) layouts: &'a [Grasp<C>],
+    pub(super) asked: &'a Identify<C>,
+}
+
+/// A grasp with values of the unknowns, and what acts on it then.
+pub(super) struct Layout<const C: usize> {
+    pub(super) grasp: Grasp<C>,
+    pub(super) base: Wrench<C>,
+}
+
+/// Why a slip is not predicted, in words.
+pub(super) type NoSlip = &'static str;
+
+/// Where a slip is predicted, and the derivatives of that by the logarithms of the unknowns, where they are exact.
+pub(super) struct Predicted {
+    pub(super) at: f64,
+    pub(super) exact: Option<Vec<f64>>,
+}
+
+/// All residuals and derivatives at one place.
+pub(super) struct Linear {
+    /// Logarithm of what was seen over what is predicted; what is known from elsewhere behind the slips.
+    pub(super) residuals: Vec<f64>,
+    /// Of the logarithm of what is predicted, a row for each of them.
+    pub(super) jacobian: DMatrix<f64>,
+    /// Slips whose derivatives are differences.
+    pub(super) by_differences: usize,
+}
+
+impl<const C: usize> Model<'_, C> {
+    /// The grasps with these logarithms of the unknowns.
+    pub(super) fn at(&self, logs: &[f64]) -> Result<Vec<Layout<C>>, Error> {
+        let with = |(layout, grasp): (usize, &Grasp<C>)| {
+            let (mut contacts, mut base) = (grasp.contacts().to_vec(), Wrench::ZERO);
+            let mut squeeze = 1.0;
+            for (unknown, log) in self.asked.unknowns.iter().zip(logs).filter(|(u, _)| u.is_in(layout)) {
+                unknown.put(layout, log.exp(), &mut contacts, &mut base);
+                if unknown.kind == UnknownKind::Squeeze && unknown.contacts.is_none() {
+                    squeeze = log.exp();
+                }
+            }
+            let mut grasp = grasp.with_contacts(contacts)?;
+            if squeeze != 1.0 {
+                grasp = grasp.squeezed(squeeze)?;
+            }
+            Ok(Layout { grasp, base })
+        };
+        self.layouts.iter().enumerate().map(with).collect()
+    }
+
+    /// Residuals alone. The inner error is the first slip that is not predicted, and why.
+    pub(super) fn residuals(&self, logs: &[f64]) -> Result<Result<Vec<f64>, (usize, NoSlip)>, Error> {
+        Ok(self.predicted(logs, false)?.map(|all| self.off(logs, &all)))
+    }
+
+    /// Residuals and derivatives.
+    pub(super) fn linear(&self, logs: &[f64]) -> Result<Result<Linear, (usize, NoSlip)>, Error> {
+        let all = match self.predicted(logs, true)? {
+            Ok(all) => all,
+            Err(none) => return Ok(Err(none)),
+        };
+        let (slips, knowns, columns) = (all.len(), self.asked.known.len(), logs.len());
+        let mut jacobian = DMatrix::zeros(slips + knowns, columns);
+        let unknown: Vec<_> = (0..slips).filter(|k| all[*k].exact.is_none()).collect();
+        for (k, exact) in all.iter().enumerate().filter_map(|(k, told)| Some((k, told.exact.as_ref()?))) {
+            (0..columns).for_each(|j| jacobian[(k, j)] = exact[j]);
+        }
+        if !unknown.is_empty() {
+            for column in 0..columns {
+                let differences = self.differences(logs, column, &unknown, &all)?;
+                unknown.iter().zip(differences).for_each(|(k, value)| jacobian[(*k, column)] = value);
+            }
+        }
+        for (k, known) in self.asked.known.iter().enumerate() {
+            let sum: f64 = known.unknowns.iter().map(|j| logs[*j].exp()).sum();
+            known.unknowns.iter().for_each(|j| jacobian[(slips + k, *j)] = logs[*j].exp() / sum);
+        }
+        Ok(Ok(Linear { residuals: self.off(logs, &all), jacobian, by_differences: unknown.len() }))
+    }
+
+    /// Derivatives of some slips by one unknown, from exact answers on both sides; where there is one on one side alone, from that and the middle.
+    fn differences(
+        &self,
+        logs: &[f64],
+        column: usize,
+        those: &[usize],
+        middle: &[Predicted],
+    ) -> Result<Vec<f64>, Error> {
+        let beside = |by: f64| {
+            let mut logs = logs.to_vec();
+            logs[column] += by;
+            let layouts = self.at(&logs)?;
+            let told = map_in_order(those, |k| self.slip(&layouts, *k, false, &logs));
+            told.into_iter().collect::<Result<Vec<_>, Error>>()
+        };
+        let (up, down) = (beside(STEP)?, beside(-STEP)?);
+        let difference = |((up, down), k): ((Result<Predicted, _>, Result<Predicted, _>), &usize)| {
+            let here = middle[*k].at;
+            match (up, down) {
+                (Ok(up), Ok(down)) => (up.at / down.at).ln() / (2.0 * STEP),
+                (Ok(up), Err(_)) => (up.at / here).ln() / STEP,
+                (Err(_), Ok(down)) => (here / down.at).ln() / STEP,
+                (Err(_), Err(_)) => 0.0,
+            }
+        };
+        Ok(up.into_iter().zip(down).zip(those).map(difference).collect())
+    }
+
+    /// Logarithms of what was seen over what is predicted.
+    fn off(&self, logs: &[f64], all: &[Predicted]) -> Vec<f64> {
+        let slips = self.asked.slips.iter().zip(all).map(|(slip, told)| (slip.seen_at() / told.at).ln());
+        let knowns = self.asked.known.iter().map(|known| {
+            let sum: f64 = known.unknowns.iter().map(|j| logs[*j].exp()).sum();
+            (known.value / sum).ln()
+        });
+        slips.chain(knowns).collect()
+    }
+
+    fn predicted(
+        &self,
+        logs: &[f64],
+        derivatives: bool,
+    ) -> Result<Result<Vec<Predicted>, (usize, NoSlip)>, Error> {
+        let layouts = self.at(logs)?;
+        let numbers: Vec<_> = (0..self.asked.slips.len()).collect();
+        let told = map_in_order(&numbers, |k| self.slip(&layouts, *k, derivatives, logs));
+        let mut all = Vec::with_capacity(told.len());
+        for (k, told) in told.into_iter().enumerate() {
+            match told? {
+                Ok(predicted) => all.push(predicted),
+                Err(why) => return Ok(Err((k, why))),
+            }
+        }
+        Ok(Ok(all))
+    }
+
+    /// Where one slip is predicted.
+    fn slip(
+        &self,
+        layouts: &[Layout<C>],
+        number: usize,
+        derivatives: bool,
+        logs: &[f64],
+    ) -> Result<Result<Predicted, NoSlip>, Error> {
+        let slip = &self.asked.slips[number];
+        let Layout { grasp, base } = &layouts[slip.layout];
+        let squeezed;
+        let grasp = if slip.squeeze == 1.0 {
+            grasp
+        } else {
+            squeezed = grasp.squeezed(slip.squeeze)?;
+            &squeezed
+        };
+        let seen = Seen { grasp, base: *base + slip.base, slip, asked: self.asked, logs, derivatives };
+        let told = match slip.kind {
+            SlipKind::First => first::predicted(&seen)?,
+            SlipKind::Gross => gross::predicted(&seen)?,
+        };
+        Ok(told.and_then(|told| {
+            if told.at > 0.0 { Ok(told) } else { Err("something slides before anything pulls") }
+        }))
+    }
+}
+
+/// One slip to be predicted.
+pub(super) struct Seen<'a, const C: usize> {
+    pub(super) grasp: &'a Grasp<C>,
+    /// All that acts besides.
+    pub(super) base: Wrench<C>,
+    pub(super) slip: &'a Slip<C>,
+    pub(super) asked: &'a Identify<C>,
+    pub(super) logs: &'a [f64],
+    /// Whether derivatives are wanted.
+    pub(super) derivatives: bool,
+}
+
+impl<const C: usize> Seen<'_, C> {
+    /// The load that grows, if it does not turn.
+    pub(super) fn load(&self) -> Option<&Wrench<C>> {
+        if let Grown::Load(load) = &self.slip.grown { Some(load) } else { None }
+    }
+
+    /// Contacts that an unknown is one of.
+    pub(super) fn contacts_of(&self, unknown: usize) -> impl Iterator<Item = usize> {
+        let (unknown, layout) = (&self.asked.unknowns[unknown], self.slip.layout);
+        (0..self.grasp.len()).filter(move |i| unknown.is_of(layout, *i))
+    }
+
+    /// Derivatives by the logarithm of each unknown, from those of the kinds; zero of unknowns of other layouts.
+    pub(super) fn by_unknowns(
+        &self,
+        by: impl Fn(UnknownKind, usize, f64) -> Option<f64>,
+    ) -> Option<Vec<f64>> {
+        let each = |(j, log): (usize, &f64)| {
+            let unknown = &self.asked.unknowns[j];
+            if !unknown.is_in(self.slip.layout) {
+                return Some(0.0);
+            }
+            by(unknown.kind, j, log.exp()).filter(|value| value.is_finite())
+        };
+        self.logs.iter().enumerate().map(each).collect()
+    }
+
+    /// Whether the squeeze is nothing but normal commands of contacts, which the derivatives know.
+    pub(super) fn is_pressed_by_commands(&self) -> bool {
+        let grasp = self.grasp;
+        grasp.joint_commands().is_empty()
+            && grasp.contacts().iter().all(|contact| contact.force.is_none() && contact.suction == 0.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::unknown::Unknown;
+    use super::*;
+    use crate::grasp::Contact;
+
+    /// Exact derivatives are the differences of answers, to the accuracy of these.
+    fn agree<const C: usize>(grasp: Grasp<C>, asked: &Identify<C>, logs: &[f64]) -> Result<(), Error> {
+        let layouts = [grasp];
+        let model = Model { layouts: &layouts, asked };
+        let Ok(linear) = model.linear(logs)? else { panic!("every slip is predicted") };
+        assert_eq!(linear.by_differences, 0);
+        let Ok(middle) = model.predicted(logs, false)? else { panic!("every slip is predicted") };
+        let all: Vec<_> = (0..middle.len()).collect();
+        for column in 0..logs.len() {
+            let differences = model.differences(logs, column, &all, &middle)?;
+            for (k, difference) in differences.iter().enumerate() {
+                let exact = linear.jacobian[(k, column)];
+                let off = (exact - difference).abs();
+                assert!(off < 1e-5, "slip {k}, unknown {column}: {exact} {difference}");
+            }
+        }
+        Ok(())
+    }
+
+    /// Three fingers in the plane, uneven in everything, under loads with moments: first slips.
+    #[test]
+    fn of_first_slip() -> Result<(), Error> {
+        let finger = |angle: f64, k: f64, mu: f64, command: [f64; 2]| {
+            let (sin, cos) = angle.sin_cos();
+            Contact::<2>::new([0.03 * cos, 0.03 * sin], [-cos, 0.1 - sin])
+                .series_stiffness(1000.0 * k, 700.0)
+                .friction(mu)
+                .command(command)
+        };
+        let grasp = Grasp::new([
+            finger(0.1, 1.0, 0.4, [0.01, 1e-4]),
+            finger(2.0, 1.3, 0.6, [0.012, 0.0]),
+            finger(4.0, 0.9, 0.5, [0.011, -2e-4]),
+        ])?;
+        let loads = [[1.0, 0.2], [-0.4, 1.0], [-0.3, -1.0]];
+        let slips = loads.map(|force| Slip::first(Wrench::<2>::force_at(force, [0.004, -0.01])));
+        let mut unknowns: Vec<_> = (0..3).map(|k| Unknown::friction().of_contacts([k])).collect();
+        unknowns.extend([Unknown::squeeze(), Unknown::stiffness().of_contacts([1])]);
+        agree(grasp, &Identify::new(unknowns, slips), &[-0.9, -0.6, -0.7, 0.1, 0.2])
+    }
+
+    /// Four feet, one more than statics can tell the loads of, pushed about: gross slips.
+    #[test]
+    fn of_gross_slip() -> Result<(), Error> {
+        let foot = |x: f64, y: f64| {
+            Contact::<3>::new([x, y, 0.0], [0.0, 0.0, 1.0]).series_stiffness(1e5, 7e4).friction(0.5)
+        };
+        let grasp = Grasp::new([foot(0.1, 0.08), foot(-0.1, 0.11), foot(-0.09, -0.1), foot(0.12, -0.1)])?;
+        let pushes = [[1.0, 0.2, 0.03], [-0.4, 1.0, -0.08], [0.1, -1.0, 0.2], [0.3, 0.3, 0.0]];
+        let slips = pushes.map(|[x, y, m]| Slip::gross(Wrench::<3>::new([x, y, 0.0], [0.0, 0.0, m])));
+        let mut unknowns: Vec<_> = (0..4).map(|k| Unknown::carried().of_contacts([k])).collect();
+        unknowns.extend([Unknown::friction().of_contacts([0, 1]), Unknown::friction().of_contacts([2, 3])]);
+        agree(grasp, &Identify::new(unknowns, slips), &[0.9, 1.4, 0.8, 1.9, -0.7, -1.1])
+    }
+}

@@ -1,0 +1,139 @@
+//! What is sought from which slips.
+
+use super::answer::Identified;
+use super::fit::fitted;
+use super::model::Model;
+use super::slip::Slip;
+use super::spread::told;
+use super::unknown::Unknown;
+use crate::ask::Grasp;
+use crate::error::Error;
+
+/// Numbers that are sought, and the slips that were seen. Checked when it is asked.
+#[derive(Debug, Clone)]
+pub struct Identify<const C: usize> {
+    pub(super) unknowns: Vec<Unknown>,
+    pub(super) slips: Vec<Slip<C>>,
+    /// What is known besides.
+    pub(super) known: Vec<Known>,
+    /// Grasps that slips were seen of beside the one that is asked.
+    pub(super) others: Vec<Grasp<C>>,
+    pub(super) outliers: f64,
+    pub(super) iterations: usize,
+}
+
+/// A number, or the sum of several, that is known from elsewhere.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Known {
+    pub(super) unknowns: Vec<usize>,
+    pub(super) value: f64,
+    pub(super) scatter: f64,
+}
+
+/// Residuals beyond so many standard deviations count less. Of numbers that are normally distributed one in twenty lies there, and estimates scatter 1 %
+/// more than those of least squares.
+const OUTLIERS: f64 = 2.0;
+/// A search that is not done by then creeps along what is hardly fixed.
+const ITERATIONS: usize = 100;
+
+impl<const C: usize> Identify<C> {
+    /// These numbers from these slips.
+    pub fn new(
+        unknowns: impl IntoIterator<Item = Unknown>,
+        slips: impl IntoIterator<Item = Slip<C>>,
+    ) -> Self {
+        Self {
+            unknowns: unknowns.into_iter().collect(),
+            slips: slips.into_iter().collect(),
+            known: Vec::new(),
+            others: Vec::new(),
+            outliers: OUTLIERS,
+            iterations: ITERATIONS,
+        }
+    }
+
+    /// These slips where some were seen of other grasps: of the same contacts at other places, for instance. The one that is asked is layout 0.
+    #[must_use]
+    pub fn and_layouts(mut self, others: impl IntoIterator<Item = Grasp<C>>) -> Self {
+        self.others.extend(others);
+        self
+    }
+
+    /// What the sum of some unknowns, by their numbers from 0, is known to be, with its standard deviation as a part of it: what all supports
+    /// carry together, by a scale; of one unknown what another measurement says.
+    #[must_use]
+    pub fn knowing(mut self, unknowns: impl IntoIterator<Item = usize>, value: f64, scatter: f64) -> Self {
+        self.known.push(Known { unknowns: unknowns.into_iter().collect(), value, scatter });
+        self
+    }
+
+    /// Slips that are off by more than so many standard deviations count less (default 2, Huber's loss: the square up to there, and a straight line beyond).
+    /// Infinite for least squares.
+    #[doc(alias = "Huber")]
+    #[must_use]
+    pub fn with_outliers_beyond(mut self, deviations: f64) -> Self {
+        self.outliers = deviations;
+        self
+    }
+
+    /// With at most so many steps of the search (default 100).
+    #[must_use]
+    pub fn with_iterations(mut self, most: usize) -> Self {
+        self.iterations = most;
+        self
+    }
+
+    /// The grasp with what was found: a coefficient of friction, a squeeze. Where a number is not fixed it has the value at which the search began, or one that
+    /// goes with the others.
+    ///
+    /// # Errors
+    /// As for [`Grasp::identify`].
+    pub fn grasp_with(&self, grasp: &Grasp<C>, found: &Identified) -> Result<Grasp<C>, Error> {
+        let layouts = self.layouts(grasp);
+        self.check(&layouts)?;
+        let logs: Vec<_> = found.estimates.iter().map(|estimate| estimate.value.ln()).collect();
+        let model = Model { layouts: &layouts, asked: self };
+        Ok(model.at(&logs)?.swap_remove(0).grasp)
+    }
+
+    fn layouts(&self, grasp: &Grasp<C>) -> Vec<Grasp<C>> {
+        std::iter::once(grasp).chain(&self.others).cloned().collect()
+    }
+}
+
+impl<const C: usize> Grasp<C> {
+    /// What do slips that were seen tell of this grasp? See [the room](crate::identify).
+    ///
+    /// ```
+    /// use grasp_lcp::identify::{Identify, Slip, Unknown};
+    /// use grasp_lcp::need::Need;
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // Two jaws that press with 10 N each; nobody knows their friction. Five times a load was hung on until it slid.
+    /// let jaw = |x: f64, name| Contact::new([x, 0.0], [-x, 0.0]).name(name).series_stiffness(1000.0, 800.0).friction(0.5).pressed_with(10.0);
+    /// let gripper = Grasp::new([jaw(-0.03, "left"), jaw(0.03, "right")])?;
+    /// let slid_at = [6.1, 5.8, 6.4, 6.0, 6.2].map(|newtons| Slip::gross(Wrench::force([0.0, -newtons])));
+    /// let asked = Identify::new([Unknown::friction()], slid_at);
+    /// let found = gripper.identify(&asked)?;
+    /// assert_eq!(found.to_string(), "friction 0.305 ± 0.005 (95 %: 0.291 to 0.319) from 5 slips, which scatter by 3.7 %");
+    ///
+    /// // The load is 2 μ N. How hard must it press on, if friction is as low as the slips allow?
+    /// let sure = asked.grasp_with(&gripper, &found)?;
+    /// let needed = sure.need(&Need::squeeze(Wrench::force([0.0, -4.0])).if_lower_by(found.friction_less(), 0.0))?;
+    /// assert!(needed.to_string().starts_with("NEEDS 6.56"), "{needed}");
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Identify`] naming the slip or the unknown, field, value and what is allowed; as for [`Self::hold`].
+    #[doc(alias = "calibrate")]
+    #[doc(alias = "estimate")]
+    #[doc(alias = "fit")]
+    pub fn identify(&self, asked: &Identify<C>) -> Result<Identified, Error> {
+        let layouts = asked.layouts(self);
+        asked.check(&layouts)?;
+        let model = Model { layouts: &layouts, asked };
+        let fit = fitted(&model)?;
+        Ok(told(&model, &fit))
+    }
+}

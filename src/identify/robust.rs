@@ -1,0 +1,97 @@
+//! Huber's loss: the square of a residual up to some standard deviations, and a straight line beyond.
+
+use crate::numerics::{normal_density, normal_tail};
+
+/// A scale smaller than this is that of rounding: slips that agree to all digits.
+const ROUNDING: f64 = 1e-12;
+/// The scale is a fixed point, found to all digits that matter by then.
+const ROUNDS: usize = 60;
+
+/// The loss with its corner, in standard deviations.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Huber(pub(super) f64);
+
+impl Huber {
+    /// Of a residual in standard deviations; half its square inside.
+    pub(super) fn loss(self, u: f64) -> f64 {
+        let size = u.abs();
+        if size <= self.0 { 0.5 * u * u } else { self.0 * (size - 0.5 * self.0) }
+    }
+
+    /// What a residual counts, beside one of least squares.
+    pub(super) fn weight(self, u: f64) -> f64 {
+        let size = u.abs();
+        if size <= self.0 { 1.0 } else { self.0 / size }
+    }
+
+    /// The mean square of cut residuals that are normally distributed: 1 without a corner.
+    pub(super) fn mean_square(self) -> f64 {
+        if self.0.is_infinite() {
+            return 1.0;
+        }
+        let tail = normal_tail(self.0);
+        1.0 - 2.0 * tail - 2.0 * self.0 * normal_density(self.0) + 2.0 * self.0 * self.0 * tail
+    }
+
+    /// The sum of squares of residuals that are cut at the corner.
+    pub(super) fn squares(self, residuals: impl Iterator<Item = f64>) -> f64 {
+        residuals.map(|u| u.clamp(-self.0, self.0).powi(2)).sum()
+    }
+
+    /// The scatter of residuals with so many degrees of freedom: Huber's second proposal, that of least squares without a corner.
+    pub(super) fn scale(self, residuals: &[f64], degrees: usize) -> f64 {
+        let all = residuals.iter().map(|r| r * r).sum::<f64>();
+        let expected = degrees.max(1) as f64 * self.mean_square();
+        let mut scale = (all / degrees.max(1) as f64).sqrt().max(ROUNDING);
+        for _ in 0..ROUNDS {
+            let squares = self.squares(residuals.iter().map(|r| r / scale));
+            scale = (scale * (squares / expected).sqrt()).max(ROUNDING);
+        }
+        scale
+    }
+
+    /// By how much variances are larger than those of least squares with the same scatter: a mean of so many residuals, of which so many
+    /// lie inside, with so many unknowns (Huber and Ronchetti, Robust Statistics, 2009, 7.6).
+    pub(super) fn variance(self, all: usize, inside: usize, unknowns: usize) -> f64 {
+        let part = (inside as f64 / all as f64).max(0.5);
+        let correction = 1.0 + unknowns as f64 / all as f64 * (1.0 - part) / part;
+        self.mean_square() * (correction / part).powi(2)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::Draw;
+
+    /// Numbers that are normally distributed have the scale that they were drawn with, whatever the corner; the mean square is that of their cut.
+    #[test]
+    fn the_scale_is_that_of_a_normal_distribution() {
+        let drawn: Vec<f64> = (0..20_000).map(|k| 3.0 * Draw::new([1, 2, k]).normal()).collect();
+        for corner in [1.0, 2.0, f64::INFINITY] {
+            let huber = Huber(corner);
+            let scale = huber.scale(&drawn, drawn.len());
+            assert!((scale / 3.0 - 1.0).abs() < 0.02, "{corner}: {scale}");
+            let mean = huber.squares(drawn.iter().map(|x| x / 3.0)) / drawn.len() as f64;
+            assert!((mean - huber.mean_square()).abs() < 0.02, "{corner}: {mean}");
+        }
+    }
+
+    /// A tenth of them ten times as far off hardly moves it.
+    #[test]
+    fn a_few_far_off_hardly_count() {
+        let far = |k: u64| if k % 10 == 0 { 30.0 } else { 1.0 };
+        let drawn: Vec<f64> = (0..5000).map(|k| far(k) * Draw::new([7, 2, k]).normal()).collect();
+        let [squares, cut] = [f64::INFINITY, 1.5].map(|corner| Huber(corner).scale(&drawn, drawn.len()));
+        assert!(squares > 9.0 && cut < 1.7, "{squares} {cut}");
+    }
+
+    #[test]
+    fn the_loss_is_smooth_at_its_corner() {
+        let huber = Huber(1.5);
+        let slope = |u: f64| (huber.loss(u + 1e-6) - huber.loss(u - 1e-6)) / 2e-6;
+        for u in [-4.0, -1.6, -1.5, 0.3, 1.4, 1.5, 9.0] {
+            assert!((slope(u) - u * huber.weight(u)).abs() < 1e-6, "{u}");
+        }
+    }
+}

@@ -1,0 +1,140 @@
+//! How well the unknowns are known.
+
+use nalgebra::DMatrix;
+
+use super::answer::{Ending, Estimate, Identified};
+use super::combination::FreeCombination;
+use super::fit::{Fit, FitEnd, Scatter, rank, singular};
+use super::model::{Linear, Model};
+use crate::numerics::two_sided;
+
+/// What intervals hold.
+const HELD: f64 = 0.95;
+/// A part of an unknown in what is not fixed, squared, below which it is fixed.
+const FIXED: f64 = 1e-6;
+/// A number whose logarithm scatters by more is not told: its interval spans two powers of ten, and the problem is not linear over that.
+const TOO_WIDE: f64 = 1.0;
+
+/// Where slips are predicted this close to where they were, nothing has changed for them.
+const STAYS: f64 = 1e-6;
+
+/// The answer at the end of a search.
+pub(super) fn told<const C: usize>(model: &Model<'_, C>, fit: &Fit) -> Identified {
+    let grasp = &model.layouts[0];
+    let names: Vec<String> = model.asked.unknowns.iter().map(|unknown| unknown.called(grasp)).collect();
+    let spread = fit.linear.as_ref().map(|linear| Spread::of(model, linear));
+    let estimates = names.iter().zip(&fit.logs).enumerate().map(|(j, (name, log))| {
+        let value = log.exp();
+        let known = spread.as_ref().and_then(|spread| spread.of_unknown(j));
+        let (error, times) = known.unwrap_or((f64::INFINITY, 0.0));
+        let is_known = error.is_finite() && error <= TOO_WIDE;
+        let off = (times * error).exp();
+        Estimate {
+            name: name.clone(),
+            kind: model.asked.unknowns[j].kind,
+            value,
+            is_fixed: spread.as_ref().is_some_and(|spread| spread.fixes(j))
+                && (is_known || !error.is_finite()),
+            standard_error: is_known.then_some(value * error),
+            interval: is_known.then_some([value / off, value * off]),
+        }
+    });
+    let estimates: Vec<_> = estimates.collect();
+    let ending = match fit.end {
+        FitEnd::Converged => Ending::Converged,
+        FitEnd::Limit => Ending::NotConverged { iterations: fit.iterations },
+        FitEnd::NoSlip(slip, why) => Ending::NotPredicted { slip, says: why.to_owned() },
+    };
+    let stays = |times: &[f64]| {
+        let there: Vec<_> = fit.logs.iter().zip(times).map(|(log, times)| log + times.ln()).collect();
+        let (Ok(Ok(there)), Some(here)) = (model.residuals(&there), &fit.linear) else { return false };
+        there.iter().zip(&here.residuals).all(|(there, here)| (there - here).abs() <= STAYS)
+    };
+    let values: Vec<_> = fit.logs.iter().map(|log| log.exp()).collect();
+    let among = |spread: &Spread| FreeCombination::among(spread.free(), (&names, &values), &stays);
+    let free = spread.as_ref().map_or_else(Vec::new, among);
+    let (residuals, by_differences) = fit.linear.as_ref().map_or_else(Default::default, |linear| {
+        (linear.residuals[..model.asked.slips.len()].to_vec(), linear.by_differences)
+    });
+    let sigma = fit.scatter.rows.iter();
+    let weights = residuals.iter().zip(sigma).map(|(r, sigma)| model.huber().weight(r / sigma)).collect();
+    Identified {
+        estimates,
+        ending,
+        slips: model.asked.slips.len(),
+        scatter: spread
+            .as_ref()
+            .and_then(|spread| spread.scatter.estimated)
+            .filter(|_| spread.as_ref().is_some_and(|spread| spread.degrees > 0)),
+        misfit: spread.as_ref().and_then(Spread::misfit),
+        degrees_of_freedom: spread.as_ref().map_or(0, |spread| spread.degrees),
+        free,
+        residuals,
+        weights,
+        by_differences,
+        iterations: fit.iterations,
+    }
+}
+
+/// Variances of logarithms at the solution.
+struct Spread {
+    values: Vec<f64>,
+    directions: DMatrix<f64>,
+    rank: usize,
+    degrees: usize,
+    scatter: Scatter,
+    /// Mean square of residuals, where their scatter is given.
+    square: Option<f64>,
+}
+
+impl Spread {
+    fn of<const C: usize>(model: &Model<'_, C>, linear: &Linear) -> Self {
+        let (slips, unknowns) = (model.asked.slips.len(), model.asked.unknowns.len());
+        let rows = linear.residuals.len();
+        let rank = rank(linear);
+        let degrees = rows.saturating_sub(rank);
+        let scatter = model.scatter(&linear.residuals, rank);
+        let huber = model.huber();
+        let off = || linear.residuals[..slips].iter().zip(&scatter.rows).map(|(r, sigma)| r / sigma);
+        let inside = off().filter(|u| u.abs() <= huber.0).count();
+        let wider = huber.variance(slips, inside, unknowns).sqrt();
+        let weight = |(k, sigma): (usize, &f64)| (if k < slips { sigma * wider } else { *sigma }).recip();
+        let weights: Vec<_> = scatter.rows.iter().enumerate().map(weight).collect();
+        let (values, directions, _) = singular(&linear.jacobian, &linear.residuals, &weights);
+        let square = scatter.estimated.is_none() && degrees > 0;
+        let square = square.then(|| huber.squares(off()) / (degrees as f64 * huber.mean_square()));
+        Self { values, directions, rank, degrees, scatter, square }
+    }
+
+    /// Directions from the best fixed on.
+    fn in_order(&self) -> Vec<usize> {
+        let mut order: Vec<_> = (0..self.values.len()).collect();
+        order.sort_by(|a, b| self.values[*b].total_cmp(&self.values[*a]));
+        order
+    }
+
+    /// Directions that are not fixed, as columns.
+    fn free(&self) -> DMatrix<f64> {
+        self.directions.select_columns(&self.in_order()[self.rank..])
+    }
+
+    fn fixes(&self, unknown: usize) -> bool {
+        self.free().row(unknown).norm_squared() <= FIXED
+    }
+
+    /// The standard error of a logarithm, and how many of them the interval reaches. `None` where it is not fixed, or its scatter is not known.
+    fn of_unknown(&self, unknown: usize) -> Option<(f64, f64)> {
+        let degrees = self.scatter.estimated.is_some().then_some(self.degrees);
+        if !self.fixes(unknown) || degrees == Some(0) {
+            return None;
+        }
+        let part = |k: &usize| (self.directions[(unknown, *k)] / self.values[*k]).powi(2);
+        let variance: f64 = self.in_order()[..self.rank].iter().map(part).sum();
+        Some((variance.sqrt(), two_sided(HELD, degrees)))
+    }
+
+    /// How many times the scatter that was given residuals have.
+    fn misfit(&self) -> Option<f64> {
+        self.square.map(f64::sqrt)
+    }
+}

@@ -1,0 +1,107 @@
+//! What slips tell, in a sentence.
+
+use std::fmt;
+
+use super::answer::{Ending, Estimate, Identified};
+use super::unknown::UnknownKind;
+use crate::words::{Words, listed};
+
+/// Slips that count less than this lie far off.
+const FAR_OFF: f64 = 0.5;
+/// Slips that are so many times as far off as said are told of.
+const MISFIT: f64 = 1.5;
+
+impl fmt::Display for Identified {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let words = Words::of(f);
+        let slips = if self.slips == 1 { "1 slip".to_owned() } else { format!("{} slips", self.slips) };
+        if let Ending::NotPredicted { slip, says } = &self.ending {
+            return write!(f, "NOT FOUND from {slips}: slip {slip} is not predicted, {says}");
+        }
+        let told: Vec<_> = self.estimates.iter().map(|estimate| estimate.told(words)).collect();
+        write!(f, "{} from {slips}", told.join(", "))?;
+        if let Some(scatter) = self.scatter {
+            write!(f, ", which scatter by {} %", Words::with_digits(2).number(100.0 * scatter))?;
+        }
+        if let Some(misfit) = self.misfit.filter(|misfit| *misfit > MISFIT) {
+            write!(
+                f,
+                ", which are {} times as far off as their scatter says",
+                Words::with_digits(2).number(misfit)
+            )?;
+        }
+        for combination in &self.free {
+            write!(f, ". {}", capital(&combination.says))?;
+        }
+        let is_wide = |estimate: &&Estimate| {
+            !estimate.is_fixed && !self.free.iter().any(|free| free.unknowns.contains(&estimate.name))
+        };
+        let wide: Vec<_> =
+            self.estimates.iter().filter(is_wide).map(|estimate| estimate.name.clone()).collect();
+        if !wide.is_empty() {
+            write!(f, ". {} not fixed: the slips scatter too much", capital(&are(&wide)))?;
+        }
+        let without_error = |estimate: &Estimate| estimate.is_fixed && estimate.interval.is_none();
+        if self.estimates.iter().any(without_error) {
+            write!(
+                f,
+                ". How sure that is is not known: there are as many unknowns as slips, and their scatter is not given"
+            )?;
+        }
+        match self.weights.iter().filter(|weight| **weight < FAR_OFF).count() {
+            0 => {}
+            1 => write!(f, ". 1 slip lies far off and counts less")?,
+            far => write!(f, ". {far} slips lie far off and count less")?,
+        }
+        match self.ending {
+            Ending::NotConverged { iterations } => {
+                write!(f, ". NOT CONVERGED in {iterations} steps: these numbers may still change")
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+/// "a is", "a and b are".
+fn are(names: &[String]) -> String {
+    format!("{} {}", listed(names), if names.len() == 1 { "is" } else { "are" })
+}
+
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
+
+impl Estimate {
+    fn told(&self, words: Words) -> String {
+        let name = &self.name;
+        let (unit, behind) = match self.kind {
+            UnknownKind::Friction => ("", ""),
+            UnknownKind::Carried => (" N", ""),
+            UnknownKind::Squeeze => ("", " times the squeeze given"),
+            UnknownKind::Stiffness => ("", " times the tangential stiffness given"),
+        };
+        match (self.standard_error, self.interval) {
+            (Some(error), Some([low, high])) => {
+                let [value, error, low, high] =
+                    [self.value, error, low, high].map(|x| to_error(x, error, words));
+                format!("{name} {value}{unit} ± {error}{unit}{behind} (95 %: {low}{unit} to {high}{unit})")
+            }
+            _ if self.is_fixed => format!("{name} {}{unit}{behind}", words.number(self.value)),
+            _ => format!("{name} not fixed"),
+        }
+    }
+}
+
+/// To two digits of its error, but no more digits than asked for.
+fn to_error(x: f64, error: f64, words: Words) -> String {
+    let decimals = 1.0 - error.log10().floor();
+    // Of a number that is known better than that the digits say enough.
+    let most = words.digits() as f64 - 1.0 - x.abs().log10().floor();
+    if !(0.0..=12.0).contains(&decimals) || decimals > most {
+        return words.number(x);
+    }
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to 12")]
+    let decimals = decimals as usize;
+    format!("{x:.decimals$}")
+}

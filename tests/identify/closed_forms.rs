@@ -1,0 +1,105 @@
+//! Slips without scatter, at loads that are known by hand: every unknown comes back to the last digits.
+
+use grasp_lcp::identify::{Ending, Identified, Identify, Slip, Unknown};
+use grasp_lcp::planar::{Contact, Grasp, Turn, Wrench};
+
+type Tested = Result<(), grasp_lcp::Error>;
+
+fn jaws() -> Result<Grasp, grasp_lcp::Error> {
+    let jaw = |x: f64, name: &str| {
+        let jaw = Contact::new([x, 0.0], [-x, 0.0]).name(name).friction(0.5);
+        jaw.series_stiffness(1000.0, 800.0).pressed_with(10.0)
+    };
+    Grasp::new([jaw(-0.03, "left"), jaw(0.03, "right")])
+}
+
+fn down(newtons: f64) -> Wrench {
+    Wrench::force([0.0, -newtons])
+}
+
+fn are(found: &Identified, values: &[f64]) {
+    assert_eq!(found.ending, Ending::Converged, "{found}");
+    for (estimate, value) in found.estimates.iter().zip(values) {
+        assert!((estimate.value / value - 1.0).abs() < 1e-9 && estimate.is_fixed, "{value}: {found}");
+    }
+}
+
+/// A pinch holds 2 μ N, at first slip and at gross slip.
+#[test]
+fn friction_of_a_pinch() -> Tested {
+    for slip in [Slip::first, Slip::gross] {
+        let found =
+            jaws()?.identify(&Identify::new([Unknown::friction()], [slip(down(6.2)), slip(down(6.2))]))?;
+        are(&found, &[0.31]);
+        assert_eq!(found.by_differences, 0, "exact derivatives");
+    }
+    Ok(())
+}
+
+/// With friction as given, 0.5, a pinch that holds 12 N presses with 12 N, 1.2 times as hard as was said.
+#[test]
+fn squeeze_of_a_pinch() -> Tested {
+    for slip in [Slip::first, Slip::gross] {
+        let slips = [slip(down(12.0)), slip(down(12.0))];
+        are(&jaws()?.identify(&Identify::new([Unknown::squeeze()], slips.clone()))?, &[1.2]);
+        // Pressed by one jaw alone harder, both share: to 1.2 of each it takes 1.4 of one.
+        are(&jaws()?.identify(&Identify::new([Unknown::squeeze().of_contacts([1])], slips))?, &[1.4]);
+    }
+    Ok(())
+}
+
+/// Loosened until it slides, a pinch that carries 4 N with μ = 0.4 lets go at half of its 10 N.
+#[test]
+fn friction_from_a_squeeze_that_is_loosened() -> Tested {
+    let slips = [Slip::gross(down(4.0)).squeezed(0.5)];
+    are(&jaws()?.identify(&Identify::new([Unknown::friction()], slips))?, &[0.4]);
+    Ok(())
+}
+
+/// A block on an incline begins to slide where tan θ = μ.
+#[test]
+fn friction_from_an_angle() -> Tested {
+    let foot = |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e5, 1e5).friction(0.3);
+    let block = Grasp::new([foot(-0.1), foot(0.1)])?;
+    let turn = Turn::tilting([0.0, -5.0], [0.0, 0.0]).up_to(0.4_f64.atan());
+    are(&block.identify(&Identify::new([Unknown::friction()], [Slip::gross_on_turn(turn)]))?, &[0.4]);
+    are(&block.identify(&Identify::new([Unknown::friction()], [Slip::first_on_turn(turn)]))?, &[0.4]);
+    Ok(())
+}
+
+/// Two feet share a pull as their tangential springs do: the one that carries k₁/(k₁+k₂) of it slides first, at μ N (k₁+k₂)/k₁. With friction known the
+/// first slip tells the ratio, which was given as one.
+#[test]
+fn a_ratio_of_stiffnesses_from_first_slip() -> Tested {
+    let foot = |x: f64| {
+        Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e4, 1e4).friction(0.5).pressed_with(10.0)
+    };
+    let guide = Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(1e14, 1e9).kept_closed();
+    let feet = Grasp::new([foot(-0.1), foot(0.1), guide])?;
+    let ratio = 2.5;
+    let pull = 0.5 * 10.0 * (ratio + 1.0) / ratio;
+    let asked = Identify::new(
+        [Unknown::stiffness().of_contacts([0]).starting_at(2.0)],
+        [Slip::first(Wrench::force([pull, 0.0]))],
+    );
+    let found = feet.identify(&asked)?;
+    assert!((found.estimates[0].value / ratio - 1.0).abs() < 1e-6, "{found}");
+    Ok(())
+}
+
+/// Slips of two layouts, of jaws that press with 10 N and of others that press with 4 N: one friction of both, and the squeeze of the second.
+#[test]
+fn two_layouts() -> Tested {
+    let gently = jaws()?.squeezed(0.4)?;
+    let slips = [Slip::gross(down(6.0)), Slip::gross(down(3.6)).in_layout(1)];
+    let unknowns = [Unknown::friction(), Unknown::squeeze().in_layout(1)];
+    let found = jaws()?.identify(&Identify::new(unknowns, slips).and_layouts([gently]))?;
+    are(&found, &[0.3, 1.5]);
+    assert!(
+        found.to_string().starts_with(
+            "friction 0.3, squeeze in layout 1 1.5 times the squeeze given from 2 slips. How sure"
+        ),
+        "{found}"
+    );
+    Ok(())
+}

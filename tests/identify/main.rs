@@ -1,0 +1,8 @@
+//! What slips that were seen tell: numbers that are known by hand, their errors, and what is not fixed.
+
+mod closed_forms;
+mod coverage;
+mod measured_pushes;
+mod mistakes;
+mod not_fixed;
+mod scattered;

@@ -1,0 +1,127 @@
+//! What slips do not fix is said plainly, and has no numbers.
+
+use grasp_lcp::identify::{Identified, Identify, Slip, Unknown};
+use grasp_lcp::planar::{Contact, Grasp, Wrench};
+
+type Tested = Result<(), grasp_lcp::Error>;
+
+fn jaws() -> Result<Grasp, grasp_lcp::Error> {
+    let jaw = |x: f64, name: &str| {
+        let jaw = Contact::new([x, 0.0], [-x, 0.0]).name(name).friction(0.5);
+        jaw.series_stiffness(1000.0, 800.0).pressed_with(10.0)
+    };
+    Grasp::new([jaw(-0.03, "left"), jaw(0.03, "right")])
+}
+
+fn slips() -> [Slip<2>; 5] {
+    [5.9, 6.1, 6.3, 6.0, 5.8].map(|newtons| Slip::gross(Wrench::force([0.0, -newtons])))
+}
+
+fn says(found: &Identified, sentence: &str) {
+    assert!(found.to_string().contains(sentence), "{found}");
+    assert!(
+        found
+            .estimates
+            .iter()
+            .filter(|estimate| !estimate.is_fixed)
+            .all(|estimate| { estimate.standard_error.is_none() && estimate.interval.is_none() })
+    );
+}
+
+/// A pinch holds 2 μ N: neither by itself.
+#[test]
+fn friction_and_squeeze() -> Tested {
+    let found = jaws()?.identify(&Identify::new([Unknown::friction(), Unknown::squeeze()], slips()))?;
+    says(&found, "Friction and squeeze are not fixed apart by these slips: only their product");
+    says(&found, "friction not fixed, squeeze not fixed from 5 slips");
+    // The product is found all the same.
+    let product = found.estimates[0].value * found.estimates[1].value;
+    assert!((product - 0.30).abs() < 0.01, "{product}");
+    assert_eq!(found.free.len(), 1);
+    Ok(())
+}
+
+/// With a squeeze that is known from elsewhere friction is.
+#[test]
+fn what_is_known_besides_fixes_it() -> Tested {
+    let unknowns = [Unknown::friction(), Unknown::squeeze()];
+    let found = jaws()?.identify(&Identify::new(unknowns, slips()).knowing([1], 1.0, 0.05))?;
+    let [mu, squeeze] = &found.estimates[..] else { panic!("two unknowns") };
+    assert!(mu.is_fixed && (mu.value - 0.30).abs() < 0.01 && found.free.is_empty(), "{found}");
+    // Five percent of the squeeze and what slips scatter by, 0.9 % of their mean.
+    let part = |estimate: &grasp_lcp::identify::Estimate| {
+        estimate.standard_error.map_or(f64::NAN, |error| error / estimate.value)
+    };
+    assert!((part(squeeze) - 0.05).abs() < 1e-6, "{found}");
+    assert!((part(mu) - 0.05_f64.hypot(0.015 / 5.0_f64.sqrt())).abs() < 0.003, "{found}");
+    Ok(())
+}
+
+/// A load of the limit does not depend on stiffness.
+#[test]
+fn stiffness_from_gross_slip() -> Tested {
+    let found = jaws()?.identify(&Identify::new([Unknown::stiffness(), Unknown::friction()], slips()))?;
+    says(&found, "Tangential stiffness is not fixed: these slips do not depend on it");
+    assert!(found.estimates[1].is_fixed, "{found}");
+    Ok(())
+}
+
+/// Two feet of 5 N each slide together, each with its own friction: what is fixed is their sum, though derivatives do not tell it from a product.
+#[test]
+fn friction_of_each_foot_from_both() -> Tested {
+    let foot =
+        |x: f64, name| Contact::new([x, 0.0], [0.0, 1.0]).name(name).series_stiffness(1e5, 1e5).friction(0.5);
+    let block = Grasp::new([foot(-0.1, "left"), foot(0.1, "right")])?;
+    let pulls = [2.9, 3.1, 3.0, 3.2];
+    let slips = pulls
+        .map(|newtons| Slip::gross(Wrench::force([newtons, 0.0])).on_top_of(Wrench::force([0.0, -10.0])));
+    let each = [0, 1].map(|k| Unknown::friction().of_contacts([k]));
+    let found = block.identify(&Identify::new(each, slips))?;
+    says(&found, "Friction of left and friction of right are not fixed apart by these slips: only their sum");
+    let sum: f64 = found.estimates.iter().map(|estimate| estimate.value).sum();
+    assert!((sum - 0.61).abs() < 0.01, "{sum}");
+    Ok(())
+}
+
+/// Between jaws the one with less friction lets go, at twice what it holds: with the same start nobody knows which one that was.
+#[test]
+fn friction_of_each_jaw_from_the_weaker() -> Tested {
+    let each = [0, 1].map(|k| Unknown::friction().of_contacts([k]));
+    let found = jaws()?.identify(&Identify::new(each, slips()))?;
+    says(
+        &found,
+        "Friction of left and friction of right are not fixed apart by these slips: only what they do together",
+    );
+    Ok(())
+}
+
+/// Friction, and what each foot carries: without a scale all loads may be smaller by what friction is greater; with one nothing is open.
+#[test]
+fn friction_and_loads_of_supports() -> Result<(), support::Failure> {
+    let known = support::identified::three_feet(12)?;
+    let mut draw = support::splitmix::Random(3);
+    let limits = known.limits()?;
+    let weighed = known.guess.identify(&known.asked(&limits, &mut draw))?;
+    assert!(weighed.free.is_empty() && weighed.by_differences == 0, "{weighed}");
+    let slips = limits.iter().map(|load| grasp_lcp::identify::Slip::gross(*load));
+    let found = known.guess.identify(&Identify::new(known.unknowns.iter().cloned(), slips))?;
+    let told = "Friction may be greater by any factor where load of contact 0, load of contact 1 and load of contact 2 are smaller by it";
+    assert!(found.to_string().contains(told), "{found}");
+    // Their shares are found.
+    let loads: Vec<_> = found.estimates[1..].iter().map(|estimate| estimate.value).collect();
+    let sum: f64 = loads.iter().sum();
+    for (load, truth) in loads.iter().zip(&known.truth[1..]) {
+        assert!((load / sum - truth / 14.0).abs() < 1e-6, "{found}");
+    }
+    Ok(())
+}
+
+/// Scatter that leaves a number open by more than a factor of e: it is not told.
+#[test]
+fn what_scatters_too_much() -> Tested {
+    let slips = [0.6, 60.0, 6.0].map(|newtons| Slip::gross(Wrench::force([0.0, -newtons])));
+    let found = jaws()?.identify(&Identify::new([Unknown::friction()], slips))?;
+    assert!(found.to_string().starts_with("friction not fixed from 3 slips"), "{found}");
+    assert!(found.to_string().contains("Friction is not fixed: the slips scatter too much"), "{found}");
+    Ok(())
+}

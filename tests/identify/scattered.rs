@@ -1,0 +1,106 @@
+//! Errors beside formulas of statistics, and slips that lie far off.
+
+use grasp_lcp::identify::{Identify, Slip, Unknown};
+use grasp_lcp::need::Need;
+use grasp_lcp::planar::{Contact, Grasp, Wrench};
+
+type Tested = Result<(), grasp_lcp::Error>;
+
+fn jaws() -> Result<Grasp, grasp_lcp::Error> {
+    let jaw = |x: f64| {
+        Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).pressed_with(10.0)
+    };
+    Grasp::new([jaw(-0.03), jaw(0.03)])
+}
+
+fn slip(newtons: f64) -> Slip<2> {
+    Slip::gross(Wrench::force([0.0, -newtons]))
+}
+
+const LOADS: [f64; 5] = [5.4, 6.1, 6.6, 5.9, 6.3];
+
+fn logarithms() -> (f64, f64) {
+    let logs = LOADS.map(|newtons| (newtons / 20.0).ln());
+    let mean = logs.iter().sum::<f64>() / 5.0;
+    (mean, (logs.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / 4.0).sqrt())
+}
+
+/// Least squares of logarithms: their mean, s / √n, and Student's quantile with 4 degrees of freedom.
+#[test]
+fn a_mean_and_its_standard_error() -> Tested {
+    let asked = Identify::new([Unknown::friction()], LOADS.map(slip)).with_outliers_beyond(f64::INFINITY);
+    let found = jaws()?.identify(&asked)?;
+    let ((mean, s), mu) = (logarithms(), &found.estimates[0]);
+    let close = |a: Option<f64>, b: f64| a.is_some_and(|a| (a / b - 1.0).abs() < 1e-6);
+    assert!(close(Some(mu.value), mean.exp()) && close(found.scatter, s), "{found}");
+    assert!(close(mu.standard_error, mean.exp() * s / 5.0_f64.sqrt()), "{found}");
+    let half = 2.776_445 * s / 5.0_f64.sqrt();
+    assert!(close(mu.interval.map(|[low, _]| low), (mean - half).exp()), "{found}");
+    assert!(close(mu.interval.map(|[_, high]| high), (mean + half).exp()), "{found}");
+    Ok(())
+}
+
+/// With a scatter that is given it is σ / √n, and the normal quantile; slips that are farther off are told of.
+#[test]
+fn a_scatter_that_is_given() -> Tested {
+    let asked = |sigma: f64| {
+        let slips = LOADS.map(|newtons| slip(newtons).scattering_by(sigma));
+        Identify::new([Unknown::friction()], slips).with_outliers_beyond(f64::INFINITY)
+    };
+    let found = jaws()?.identify(&asked(0.1))?;
+    let (mean, s) = logarithms();
+    let mu = &found.estimates[0];
+    assert!(
+        mu.standard_error
+            .is_some_and(|error| (error / (mean.exp() * 0.1 / 5.0_f64.sqrt()) - 1.0).abs() < 1e-6)
+    );
+    let half = 1.959_964 * 0.1 / 5.0_f64.sqrt();
+    assert!(mu.interval.is_some_and(|[low, _]| (low / (mean - half).exp() - 1.0).abs() < 1e-6), "{found}");
+    assert!(found.misfit.is_some_and(|misfit| (misfit / (s / 0.1) - 1.0).abs() < 1e-6), "{found}");
+    let tight = jaws()?.identify(&asked(0.01))?.to_string();
+    assert!(tight.contains("as far off as their scatter says"), "{tight}");
+    Ok(())
+}
+
+/// One load of ten that was written down ten times too large moves friction by no more than its error; least squares by a quarter.
+#[test]
+fn a_slip_far_off_counts_less() -> Tested {
+    let loads = [5.9, 6.1, 6.0, 6.2, 5.8, 6.1, 5.9, 6.05, 5.95, 60.0].map(slip);
+    let asked = Identify::new([Unknown::friction()], loads);
+    let found = jaws()?.identify(&asked)?;
+    let squares = jaws()?.identify(&asked.clone().with_outliers_beyond(f64::INFINITY))?;
+    let [robust, plain] = [&found, &squares].map(|found| found.estimates[0].value);
+    assert!((robust / 0.3 - 1.0).abs() < 0.06 && plain > 0.37, "{robust} {plain}");
+    assert!(found.to_string().ends_with("1 slip lies far off and counts less"), "{found}");
+    assert!(
+        found.weights[9] < 0.2 && found.weights[..9].iter().all(|weight| *weight == 1.0),
+        "{:?}",
+        found.weights
+    );
+    Ok(())
+}
+
+/// What is found goes on into needs and reserves: the least squeeze is that for friction at the low end of its interval.
+#[test]
+fn errors_go_on_into_needs() -> Tested {
+    let asked = Identify::new([Unknown::friction()], LOADS.map(slip));
+    let found = jaws()?.identify(&asked)?;
+    let sure = asked.grasp_with(&jaws()?, &found)?;
+    let mu = &found.estimates[0];
+    let low = mu.interval.map_or(f64::NAN, |[low, _]| low);
+    let need =
+        Need::squeeze(Wrench::force([0.0, -4.0])).if_lower_by(found.friction_less(), found.squeeze_less());
+    let needed = sure.need(&need)?;
+    let [plain, safe] = [Some(&needed.amount), needed.safe.as_ref()]
+        .map(|amount| amount.and_then(|amount| amount.bound()).unwrap_or(f64::NAN));
+    // 2 μ N = 4 N, N = 10 N times the squeeze.
+    assert!(
+        (plain - 4.0 / (20.0 * mu.value)).abs() < 1e-9 && (safe - 4.0 / (20.0 * low)).abs() < 1e-9,
+        "{needed}"
+    );
+    let part = mu.standard_error.map_or(f64::NAN, |error| error / mu.value);
+    assert_eq!(found.uncertainty(1).friction, part);
+    let reserve = sure.reserve(&Wrench::ZERO, &found.uncertainty(1), 2.0)?;
+    assert!(format!("{reserve:?}").len() > 10);
+    Ok(())
+}

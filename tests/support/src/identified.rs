@@ -1,0 +1,178 @@
+//! Slips of grasps whose numbers are known, with scatter that is drawn: how often the intervals found from them hold the truth.
+
+use grasp_lcp::identify::{Estimate, Identify, Slip, SlipKind, Unknown};
+use grasp_lcp::{Error, planar, spatial};
+
+use crate::Failure;
+use crate::splitmix::Random;
+
+/// A grasp with all numbers known, loads at which it slips, and what is sought from slips of it.
+pub struct Known<const C: usize> {
+    /// In a table.
+    pub name: &'static str,
+    /// With the true numbers.
+    pub grasp: grasp_lcp::ask::Grasp<C>,
+    /// As the search sees it first.
+    pub guess: grasp_lcp::ask::Grasp<C>,
+    /// What acts besides.
+    pub base: grasp_lcp::grasp::Wrench<C>,
+    /// Directions that slips are looked for along.
+    pub loads: Vec<grasp_lcp::grasp::Wrench<C>>,
+    /// Which slip is seen.
+    pub kind: SlipKind,
+    /// What is sought.
+    pub unknowns: Vec<Unknown>,
+    /// Its true values.
+    pub truth: Vec<f64>,
+    /// What all unknowns but the first sum up to, as far as it is known.
+    pub sum: Option<(f64, f64)>,
+    /// Standard deviation of a load, over it.
+    pub scatter: f64,
+    /// Whether the search is told.
+    pub is_told: bool,
+}
+
+/// How often each unknown lay in its interval, of how many draws.
+pub struct Coverage {
+    /// Of each unknown.
+    pub held: Vec<usize>,
+    /// Of so many.
+    pub draws: usize,
+}
+
+impl Coverage {
+    /// Of an unknown, in percent.
+    pub fn percent(&self, unknown: usize) -> f64 {
+        100.0 * self.held[unknown] as f64 / self.draws as f64
+    }
+}
+
+impl<const C: usize> Known<C> {
+    /// The loads at which it slips, without scatter.
+    pub fn limits(&self) -> Result<Vec<grasp_lcp::grasp::Wrench<C>>, Failure> {
+        let limit = |load: &grasp_lcp::grasp::Wrench<C>| {
+            let verdict = self.grasp.hold(grasp_lcp::load_path::Ramp::load(self.base, *load))?;
+            let factor = match self.kind {
+                SlipKind::First => verdict.first_slip.as_ref().map(|first| first.factor),
+                _ => verdict.lost.as_ref().map(|lost| lost.factor),
+            };
+            Ok(*load * factor.ok_or_else(|| verdict.to_string())?)
+        };
+        self.loads.iter().map(limit).collect()
+    }
+
+    /// The question, for slips that are drawn: each load off by its scatter, normally distributed.
+    pub fn asked(&self, limits: &[grasp_lcp::grasp::Wrench<C>], draw: &mut Random) -> Identify<C> {
+        let slip = |load: &grasp_lcp::grasp::Wrench<C>| {
+            let load = *load * (self.scatter * draw.normal()).exp();
+            let slip = if self.kind == SlipKind::First { Slip::first(load) } else { Slip::gross(load) };
+            let carried = self.sum.is_some();
+            let slip = if carried { slip } else { slip.on_top_of(self.base) };
+            if self.is_told { slip.scattering_by(self.scatter) } else { slip }
+        };
+        let slips: Vec<_> = limits.iter().map(slip).collect();
+        let asked = Identify::new(self.unknowns.iter().cloned(), slips);
+        match self.sum {
+            Some((sum, scatter)) => {
+                asked.knowing(1..self.unknowns.len(), sum * (scatter * draw.normal()).exp(), scatter)
+            }
+            None => asked,
+        }
+    }
+
+    /// Intervals of so many draws.
+    pub fn coverage(&self, draws: usize) -> Result<Coverage, Failure> {
+        let limits = self.limits()?;
+        let mut draw = Random(47);
+        let mut held = vec![0; self.unknowns.len()];
+        for _ in 0..draws {
+            let found = self.guess.identify(&self.asked(&limits, &mut draw))?;
+            for ((held, estimate), truth) in held.iter_mut().zip(&found.estimates).zip(&self.truth) {
+                let Estimate { interval: Some([low, high]), .. } = estimate else {
+                    return Err(format!("{}: {found}", self.name).into());
+                };
+                *held += usize::from(low <= truth && truth <= high);
+            }
+        }
+        Ok(Coverage { held, draws })
+    }
+}
+
+fn jaws(friction: [f64; 2]) -> Result<planar::Grasp, Error> {
+    let jaw = |x: f64, mu: f64, name: &str| {
+        let jaw = planar::Contact::new([x, 0.0], [-x, 0.0]).name(name).friction(mu);
+        jaw.series_stiffness(1000.0, 800.0).pressed_with(10.0)
+    };
+    planar::Grasp::new([jaw(-0.03, friction[0], "left"), jaw(0.03, friction[1], "right")])
+}
+
+/// Two jaws with one coefficient of friction, pulled out of them a few times.
+pub fn pinch(slips: usize) -> Result<Known<2>, Error> {
+    Ok(Known {
+        name: "friction of two jaws",
+        grasp: jaws([0.3; 2])?,
+        guess: jaws([0.8; 2])?,
+        base: planar::Wrench::ZERO,
+        loads: vec![planar::Wrench::force([0.0, -1.0]); slips],
+        kind: SlipKind::Gross,
+        unknowns: vec![Unknown::friction()],
+        truth: vec![0.3],
+        sum: None,
+        scatter: 0.08,
+        is_told: false,
+    })
+}
+
+/// First slip of the left jaw under loads to the left of the middle, of the right one under others; the scatter is known.
+pub fn first_slips() -> Result<Known<2>, Error> {
+    let load = |x: f64| planar::Wrench::force_at([0.0, -1.0], [x, 0.0]);
+    Ok(Known {
+        name: "friction of each jaw, from first slips",
+        grasp: jaws([0.3, 0.45])?,
+        guess: jaws([0.7, 0.7])?,
+        base: planar::Wrench::ZERO,
+        loads: [-0.02, -0.018, -0.016, -0.014, -0.012, 0.02, 0.022, 0.024, 0.026, 0.028].map(load).into(),
+        kind: SlipKind::First,
+        unknowns: vec![Unknown::friction().of_contacts([0]), Unknown::friction().of_contacts([1])],
+        truth: vec![0.3, 0.45],
+        sum: None,
+        scatter: 0.03,
+        is_told: true,
+    })
+}
+
+/// A block of 14 N on three feet is pushed about: friction, and what each foot carries.
+pub fn three_feet(slips: usize) -> Result<Known<3>, Error> {
+    let at = [[-0.04, -0.04], [0.04, -0.02], [-0.02, 0.08]];
+    let carried = [3.0, 7.0, 4.0];
+    let feet = |friction: f64| {
+        let foot = |at: [f64; 2]| {
+            spatial::Contact::new([at[0], at[1], 0.0], [0.0, 0.0, 1.0])
+                .series_stiffness(1e6, 1e6)
+                .friction(friction)
+        };
+        spatial::Grasp::new(at.map(foot))
+    };
+    let weights =
+        at.iter().zip(carried).map(|(at, n)| spatial::Wrench::force_at([0.0, 0.0, -n], [at[0], at[1], 0.0]));
+    let base = weights.fold(spatial::Wrench::ZERO, |sum, weight| sum + weight);
+    let push = |k: usize| {
+        let angle = 2.4 * k as f64;
+        let arm = 0.09 * ((k % 5) as f64 - 2.0) / 2.0;
+        spatial::Wrench::new([angle.cos(), angle.sin(), 0.0], [0.0, 0.0, arm])
+    };
+    let foot = |k: usize| Unknown::carried().of_contacts([k]);
+    Ok(Known {
+        name: "friction and loads of three feet",
+        grasp: feet(0.4)?,
+        guess: feet(0.7)?,
+        base,
+        loads: (0..slips).map(push).collect(),
+        kind: SlipKind::Gross,
+        unknowns: vec![Unknown::friction(), foot(0), foot(1), foot(2)],
+        truth: vec![0.4, 3.0, 7.0, 4.0],
+        sum: Some((14.0, 0.002)),
+        scatter: 0.06,
+        is_told: false,
+    })
+}
