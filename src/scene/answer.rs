@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::held::{HoldAnswer, NeedAnswer};
+use super::identify_asked::IdentifyAnswer;
 use super::onset::{OnsetAnswer, TurnAnswer};
 use super::path::PathAnswer;
 use super::shake_asked::{ShakeAnswer, ShakedownAnswer};
@@ -31,4 +32,6 @@ pub enum Answer<const C: usize> {
     Shake(ShakeAnswer<C>),
     /// To `shakedown`.
     Shakedown(ShakedownAnswer<C>),
+    /// To `identify`.
+    Identify(IdentifyAnswer),
 }

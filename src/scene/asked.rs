@@ -6,6 +6,7 @@ use nalgebra::SVector;
 
 use super::answer::Answer;
 use super::held::NeedAnswer;
+use super::identify_asked::IdentifyAnswer;
 use super::labels::SceneNames;
 use super::onset::Factor;
 use super::question::{Commands, Goal, LegAsked, LoadGoal, Question, RampAsked};
@@ -89,6 +90,7 @@ impl<const C: usize> Setup<C> {
             Question::Follow { legs, .. } => self.legs(legs).map(drop),
             Question::Shake(asked) => self.cycle(asked).map(drop),
             Question::Shakedown(asked) => asked.check(),
+            Question::Identify(asked) => self.check_identify(asked),
         }
     }
 
@@ -196,6 +198,9 @@ impl<const C: usize> Setup<C> {
                 Answer::Shake(labels.shaken(grasp.shake(&asked.base, &self.cycle(asked)?)?, words))
             }
             Question::Shakedown(asked) => Answer::Shakedown(ShakedownAnswer::of(asked.found(grasp)?, words)),
+            Question::Identify(asked) => {
+                Answer::Identify(IdentifyAnswer::of(grasp.identify(&self.identify(asked)?)?, words))
+            }
         })
     }
 }

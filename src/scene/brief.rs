@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::identify_asked::ended;
 use super::labels::SceneNames;
 use super::question::Question;
 use super::setup::Setup;
@@ -10,6 +11,7 @@ use crate::equilibrium::{ContactState, Equilibrium, Outcome};
 use crate::error::Error;
 use crate::grasp::WholeContact;
 use crate::hold::{Holding, Verdict};
+use crate::identify::Identified;
 use crate::load_path::{DriveChange, Onset, PathEnd, Ramp};
 use crate::need::{Amount, Needed, Quantity};
 use crate::shake::{Repeats, Shakedown, Shaken};
@@ -34,7 +36,7 @@ pub struct Brief {
     pub question: &'static str,
     /// The name of the outcome there.
     pub outcome: &'static str,
-    /// The load factor of an onset, or where a load that is put on is lost; of an amount that is needed the amount.
+    /// The load factor of an onset, or where a load that is put on is lost; of an amount that is needed the amount, of slips that were seen the first unknown.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub factor: Option<f64>,
     /// The angle of an onset while the load turns, rad.
@@ -99,6 +101,7 @@ impl<const C: usize> Setup<C> {
             }
             Question::Shake(asked) => shaken_briefly(&grasp.shake(&asked.base, &self.cycle(asked)?)?),
             Question::Shakedown(asked) => shakedown_briefly(asked.found(grasp)?.as_ref()),
+            Question::Identify(asked) => identified_briefly(&grasp.identify(&self.identify(asked)?)?),
         })
     }
 }
@@ -252,6 +255,12 @@ fn shakedown_briefly<const C: usize>(found: Option<&Shakedown<C>>) -> Brief {
     };
     let first = found.binding.first().map(|binding| binding.contact.label.clone());
     Brief { factor: Some(found.factor), first, ..Brief::new("shakedown", outcome) }
+}
+
+/// How the search ended, with the first unknown where it is fixed.
+fn identified_briefly(found: &Identified) -> Brief {
+    let first = found.estimates.first().filter(|estimate| estimate.is_fixed);
+    Brief { factor: first.map(|estimate| estimate.value), ..Brief::new("identify", ended(&found.ending)) }
 }
 
 fn doing<const C: usize>(state: &ContactState<C>) -> &'static str {

@@ -31,7 +31,8 @@ impl<'q, const C: usize> Growing<'q, C> {
             Question::OnsetOfTurn(_)
             | Question::Follow { .. }
             | Question::Shake(_)
-            | Question::Shakedown(_) => {
+            | Question::Shakedown(_)
+            | Question::Identify(_) => {
                 return None;
             }
         };

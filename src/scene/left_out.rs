@@ -137,6 +137,10 @@ impl<const C: usize> Setup<C> {
                 }
                 _ => Vec::new(),
             }),
+            Question::Identify(asked) => {
+                let found = grasp.identify(&self.identify(asked)?)?;
+                Ok(found.estimates.iter().map(|estimate| estimate.value).collect())
+            }
             Question::Onset(_)
             | Question::OnsetOfTurn(_)
             | Question::Follow { .. }

@@ -143,6 +143,7 @@
 //! | `onset_of_turn` | a turn | the onset of sliding while the load turns |
 //! | `follow` | `start` (a wrench), `legs` | the load path of a program |
 //! | `shake` | `base` (a wrench), `loads` or `legs` | what becomes of loads that are put on and taken off again and again, or of a cycle of legs, see [`ShakeAsked`] |
+//! | `identify` | `unknowns`, `slips`, `layouts`, `known` | friction, loads of supports, squeeze or stiffness from slips that were seen, see [`IdentifyAsked`] |
 //! | `shakedown` | `base` (a wrench), `loads` | up to how many times such loads, in whichever order they come, it could come to rest |
 //!
 //! Of several bodies `together_with` has loads by name, `{"upper": {"force": [-5, 0]}}`, which grow as the load does; a `base` is then none.
@@ -289,6 +290,7 @@
 //! | `onset_of_turn` | the same, with `angle_rad` for the factor, and the edges that are touched | [`TurnAnswer`] |
 //! | `follow` | `completed`, `lost`, `no_start`, `undecided` | [`PathAnswer`] |
 //! | `shake` | the sentence `says`, and as `repeats` one of `rests`, `dies_out`, `alternates`, `walks`, `lost`, `no_rest`, `undecided` | [`ShakeAnswer`] |
+//! | `identify` | the sentence `says`, and as `ending` one of `converged`, `not_converged`, `not_predicted` | [`IdentifyAnswer`] |
 //! | `shakedown` | the sentence `says`, `rests` where the order does not decide, and `factor`, `slips`, `binding` where anything is known | [`ShakedownAnswer`] |
 //!
 //! The names in the text are those of the fields and variants of these types, in lower case with
@@ -322,6 +324,7 @@ mod fingertip;
 mod given_answers;
 mod growing;
 mod held;
+mod identify_asked;
 mod joint;
 mod labels;
 mod left_out;
@@ -356,6 +359,7 @@ pub use fault::{Fault, FaultKind, TextPosition};
 pub use finger::FingerSetup;
 pub use fingertip::{Fingertip, MovedBy};
 pub use held::{HoldAnswer, NeedAnswer};
+pub use identify_asked::{ContactPoints, IdentifyAnswer, IdentifyAsked, KnownSum, SlipAsked, UnknownAsked};
 pub use link::LinkSetup;
 pub use need_asked::NeedAsked;
 pub use onset::{Angle, Factor, OnsetAnswer, OnsetAt, TurnAnswer};

@@ -211,7 +211,7 @@ impl<const C: usize> Setup<C> {
     }
 
     /// The points of a contact of the scene, as the grasp counts them.
-    fn points_of(&self, contact: usize) -> Result<Vec<usize>, Error> {
+    pub(super) fn points_of(&self, contact: usize) -> Result<Vec<usize>, Error> {
         let mut first = 0;
         for (index, entry) in self.entries().enumerate() {
             let count = entry.count()?;

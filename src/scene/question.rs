@@ -6,6 +6,7 @@ use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
 
+use super::identify_asked::IdentifyAsked;
 use super::need_asked::NeedAsked;
 use super::object;
 use super::shake_asked::{ShakeAsked, ShakedownAsked};
@@ -15,7 +16,7 @@ use crate::load_path::Turn;
 use crate::serial::AsGiven;
 use crate::words::printable;
 
-/// One question, `{"hold": …}`, `{"need": …}`, `{"solve": …}`, `{"onset": …}`, `{"onset_of_turn": …}`, `{"follow": …}`, `{"shake": …}` or `{"shakedown": …}`.
+/// One question, `{"hold": …}`, `{"need": …}`, `{"solve": …}`, `{"onset": …}`, `{"onset_of_turn": …}`, `{"follow": …}`, `{"shake": …}`, `{"shakedown": …}` or `{"identify": …}`.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(remote = "Self", rename_all = "snake_case", deny_unknown_fields)]
@@ -59,6 +60,8 @@ pub enum Question<const C: usize> {
     Shake(Box<ShakeAsked<C>>),
     /// Does it survive loads that repeat in any order? See [`Statics::shakedown`](crate::ask::Statics::shakedown).
     Shakedown(Box<ShakedownAsked<C>>),
+    /// What do slips that were seen tell? See [`Grasp::identify`](crate::ask::Grasp::identify).
+    Identify(Box<IdentifyAsked<C>>),
 }
 
 /// Told to whoever writes no object, such as `"onset"` alone.

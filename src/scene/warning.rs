@@ -202,6 +202,7 @@ impl<const C: usize> Setup<C> {
             Question::Follow { start, .. } => *start == Wrench::ZERO,
             Question::Shake(asked) => asked.base == Wrench::ZERO,
             Question::Shakedown(asked) => asked.base == Wrench::ZERO,
+            Question::Identify(asked) => asked.begins_without_load(),
         };
         self.questions.is_empty() || self.questions.iter().any(without)
     }
