@@ -11,6 +11,7 @@
 //! | Is the object caught, or does it fall at the first slip? | [`kinetic_friction`] |
 //! | How are wedges, vices, stacks and arches said, with more bodies than one? | [`several_bodies`] |
 //! | Does it survive shaking, and what walks out? | [`loads_that_repeat`] |
+//! | What do slips that were seen tell of friction, loads of supports and squeeze? | [`slips_that_were_seen`] |
 //! | How is a suction cup said, and when does it let go? | [`suction_cups`] |
 //! | How are joints, tendons, stalled motors and held forces said, and what do they change? | [`hands`] |
 //!
@@ -24,6 +25,7 @@ pub mod loads_that_repeat;
 pub mod reading_a_ray;
 pub mod several_bodies;
 pub mod several_equilibria;
+pub mod slips_that_were_seen;
 pub mod suction_cups;
 pub mod tour;
 pub mod which_answer;

@@ -10,19 +10,15 @@ use crate::error::Error;
 pub(super) const NOT_FIXED: f64 = 1e-6;
 /// A step of logarithms below this is none.
 const NO_STEP: f64 = 1e-10;
-/// A step that cannot be made any better is the end where it is as small as this: at an edge of two contacts that leave together.
-const EDGE: f64 = 1e-6;
 /// No logarithm goes farther in a step: within it slips are predicted from here.
 const LONGEST: f64 = 1.0;
 /// Damping at first, beside the largest singular value squared; by so much less after a step that does, more after one that does not.
 const DAMPING: f64 = 1e-3;
 const LESS: f64 = 0.1;
-const MORE: f64 = 5.0;
-/// Beyond, a step is no longer than rounding.
-const MOST_DAMPING: f64 = 1e16;
-/// A step that promises no more than this part of the loss is the last: of n slips it is √(n 1e-10) of a standard error long. Sliding arcs are followed
+const MORE: f64 = 10.0;
+/// A step that promises no more than this part of the loss is none, either: of n slips it is √n 1e-4 of a standard error long. Sliding arcs are followed
 /// to 1e-9, so that no loss is known to its last digits.
-const PROMISE: f64 = 1e-10;
+const PROMISE: f64 = 1e-8;
 
 /// Where the search has ended.
 pub(super) struct Fit {
@@ -89,58 +85,55 @@ pub(super) fn fitted<const C: usize>(model: &Model<'_, C>) -> Result<Fit, Error>
     let nothing = Scatter { rows: Vec::new(), estimated: None };
     let mut fit = Fit { logs: begin, linear: None, scatter: nothing, iterations: 0, end: FitEnd::Limit };
     let mut damping = DAMPING;
+    let mut linear = match model.linear(&fit.logs)? {
+        Ok(linear) => linear,
+        Err((slip, why)) => {
+            fit.end = FitEnd::NoSlip(slip, why);
+            return Ok(fit);
+        }
+    };
     loop {
-        let linear = match model.linear(&fit.logs)? {
-            Ok(linear) => linear,
-            Err((slip, why)) => {
-                fit.end = FitEnd::NoSlip(slip, why);
-                return Ok(fit);
-            }
-        };
         fit.scatter = model.scatter(&linear.residuals, rank(&linear));
         let steps = Steps::of(model, &linear, &fit.scatter);
         let loss = model.loss(&linear.residuals, &fit.scatter);
         let full = steps.step(0.0);
-        let is_done = largest(&full) <= NO_STEP || steps.promise(&full) <= PROMISE * loss;
-        fit.linear = Some(linear);
-        if is_done {
+        let is_little = |step: &DVector<f64>| step.amax() <= NO_STEP || steps.promise(step) <= PROMISE * loss;
+        if is_little(&full) {
             fit.end = FitEnd::Converged;
-            return Ok(fit);
+            break;
         }
         if fit.iterations == model.asked.iterations {
-            return Ok(fit);
+            break;
         }
         fit.iterations += 1;
-        let mut last = (0, "");
-        loop {
+        let mut unseen = None;
+        let better = loop {
             let mut step = steps.step(damping);
-            let longest = largest(&step);
-            if longest > LONGEST {
-                step *= LONGEST / longest;
+            if is_little(&step) {
+                break None;
             }
+            step *= (LONGEST / step.amax()).min(1.0);
             let there: Vec<f64> = fit.logs.iter().zip(step.iter()).map(|(x, dx)| x + dx).collect();
-            let told = model.residuals(&there)?;
-            if let Err(none) = told {
-                last = none;
-            }
-            if told.is_ok_and(|residuals| model.loss(&residuals, &fit.scatter) < loss) {
-                fit.logs = there;
-                damping = (damping * LESS).max(f64::EPSILON);
-                break;
+            match model.linear(&there)? {
+                Ok(linear) if model.loss(&linear.residuals, &fit.scatter) < loss => {
+                    break Some((there, linear));
+                }
+                Ok(_) => {}
+                Err(none) => unseen = Some(none),
             }
             damping *= MORE;
-            if damping > MOST_DAMPING || largest(&step) <= NO_STEP {
-                // Nothing nearby is better: an edge, unless slips end there.
-                let is_edge = last.1.is_empty() || largest(&full) <= EDGE;
-                fit.end = if is_edge { FitEnd::Converged } else { FitEnd::NoSlip(last.0, last.1) };
-                return Ok(fit);
-            }
-        }
+        };
+        let Some((there, better)) = better else {
+            // Nothing nearby is better: an edge, unless slips end there.
+            fit.end = unseen.map_or(FitEnd::Converged, |(slip, why)| FitEnd::NoSlip(slip, why));
+            break;
+        };
+        (fit.logs, linear) = (there, better);
+        damping = (damping * LESS).max(f64::EPSILON);
     }
-}
-
-fn largest(step: &DVector<f64>) -> f64 {
-    step.amax()
+    // Where a slip is not predicted nothing is told.
+    fit.linear = Some(linear).filter(|_| !matches!(fit.end, FitEnd::NoSlip(..)));
+    Ok(fit)
 }
 
 /// How many combinations slips fix.

@@ -6,6 +6,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 #[cfg(feature = "cli-full")]
 use clap_complete::Shell;
 
+use crate::identifies::Identifies;
 use crate::map::Unsure;
 use crate::new::{FIELDS, Template};
 pub(crate) use crate::numbers::{BodyPush, Numbers};
@@ -144,6 +145,16 @@ pub(crate) enum Command {
         at: Option<Numbers>,
         #[command(flatten)]
         ask: Ask,
+    },
+    /// What do slips that were seen tell of friction, loads of supports, squeeze or stiffness?
+    ///
+    /// Columns of the table are fx, fy, fz (N) of the load under which it slid, mx, my, mz (in the plane m, N m), at_x, at_y, at_z (m) where the force acted,
+    /// squeeze (times that of the scene), slip (first or gross) and scatter_percent. Numbers come with their errors; what slips do not fix is named.
+    Identify {
+        #[command(flatten)]
+        ask: Ask,
+        #[command(flatten)]
+        slips: Identifies,
     },
     /// How much is held in every direction, and which is the weakest? A table and pictures.
     ///

@@ -7,6 +7,7 @@ use std::process::ExitCode;
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::hold::Holding;
+use grasp_lcp::identify::Ending;
 use grasp_lcp::load_path::Turn;
 use grasp_lcp::need::Amount;
 use grasp_lcp::scene::{
@@ -18,6 +19,7 @@ use grasp_lcp::{planar, spatial};
 
 use crate::arguments::{Ask, LoadArguments, Numbers, Wanted};
 use crate::failure::{Failure, UNDECIDED};
+use crate::identifies::Identifies;
 use crate::loads::{direction, point, pull_of_mass, weight_of};
 use crate::shakes::Shakes;
 use crate::words::Style;
@@ -46,6 +48,7 @@ pub(crate) enum Asked {
         at: Option<Numbers>,
     },
     Shake(Shakes),
+    Identify(Identifies),
 }
 
 /// Asks and prints. The code says whether everything is decided.
@@ -102,7 +105,7 @@ type TurnOf<const C: usize> = fn([f64; C], Option<&Numbers>, Option<&Numbers>) -
 pub(crate) struct Meaning<const C: usize> {
     pub(crate) force_at: fn([f64; C], [f64; C]) -> Wrench<C>,
     /// Of as many components as there are planes to turn in.
-    moment: fn(&[f64]) -> Wrench<C>,
+    pub(crate) moment: fn(&[f64]) -> Wrench<C>,
     pub(crate) turn: TurnOf<C>,
 }
 
@@ -134,6 +137,7 @@ fn put<const C: usize>(setup: &mut Setup<C>, asked: &Asked, words: &Meaning<C>) 
         }
         Asked::Follow { to, from, at } => words.follow(to, from.as_ref(), at.as_ref())?,
         Asked::Shake(shakes) => words.shake(shakes)?,
+        Asked::Identify(slips) => words.identify(slips, setup)?,
     };
     match question {
         Some(question) => setup.questions = vec![question],
@@ -152,6 +156,7 @@ fn put<const C: usize>(setup: &mut Setup<C>, asked: &Asked, words: &Meaning<C>) 
             }
             Asked::Turn { .. } => "the scene has no such question: say --mass or --weight",
             Asked::Follow { .. } => "the scene has no such question: say --to",
+            Asked::Identify(_) => "the scene has no such question: say a table of slips behind the scene",
             Asked::Shake(_) => "the scene has no such question: say --force, or --mass and --acceleration",
         };
         return Err(Failure::Usage(message.to_owned()));
@@ -168,6 +173,7 @@ fn is_of_kind<const C: usize>(question: &Question<C>, asked: &Asked) -> bool {
         Asked::Onset(_) => matches!(question, Question::Onset(_)),
         Asked::Turn { .. } => matches!(question, Question::OnsetOfTurn(_)),
         Asked::Follow { .. } => matches!(question, Question::Follow { .. }),
+        Asked::Identify(_) => matches!(question, Question::Identify(_)),
         Asked::Shake(_) => matches!(question, Question::Shake(_) | Question::Shakedown(_)),
     }
 }
@@ -279,6 +285,7 @@ fn is_undecided<const C: usize>(answer: &Answer<C>) -> bool {
         Answer::Onset(answer) => matches!(answer, OnsetAnswer::Undecided(_)),
         Answer::OnsetOfTurn(answer) => matches!(answer.onset, OnsetAnswer::Undecided(_)),
         Answer::Shakedown(answer) => answer.found.is_none(),
+        Answer::Identify(answer) => answer.identified.ending != Ending::Converged,
         Answer::Shake(answer) => matches!(answer.shaken.repeats, Repeats::Undecided { .. }),
         Answer::Follow(answer) => match &answer.end {
             PathOutcome::NoStart { start } => matches!(**start, Outcome::Undecided(_)),

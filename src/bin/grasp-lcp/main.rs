@@ -11,6 +11,7 @@ mod drawing;
 mod failure;
 mod files;
 mod followed;
+mod identifies;
 mod loads;
 mod map;
 mod needs;
@@ -77,6 +78,7 @@ fn run(command: Command) -> Result<ExitCode, Failure> {
                 &Asked::Shake(Shakes { force, mass, acceleration, any_order, base, at }),
             );
         }
+        Command::Identify { ask, slips } => return asking::ask(&ask, &Asked::Identify(slips)),
         Command::Map { scene, at, unsure, json, output } => {
             let pictures = Pictures::new(&output, &scene);
             map::map(&files::read(&scene)?, at.as_ref(), &unsure, (!json).then_some(&pictures))?;

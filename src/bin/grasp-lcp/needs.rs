@@ -35,7 +35,7 @@ impl<const C: usize> Meaning<C> {
         };
         asked.together_with = self.together_with(&wanted.load)?;
         self.put_loads(&mut asked, wanted, sought)?;
-        asked.contact = wanted.contact.as_ref().map(|name| named(name, setup)).transpose()?;
+        asked.contact = wanted.contact.as_ref().map(|name| named("contact", name, setup)).transpose()?;
         Ok(Some(asked))
     }
 
@@ -103,8 +103,8 @@ fn refuse_others(wanted: &Wanted, sought: QuantityAsked) -> Result<(), Failure> 
     Err(Failure::Usage(message.to_owned()))
 }
 
-/// The contact of this name.
-fn named<const C: usize>(name: &str, setup: &Setup<C>) -> Result<usize, Failure> {
+/// The contact of this name, of an option.
+pub(crate) fn named<const C: usize>(option: &str, name: &str, setup: &Setup<C>) -> Result<usize, Failure> {
     let labels: Vec<_> = setup.entries().enumerate().map(|(i, entry)| entry.contact.label_text(i)).collect();
     let name = printable(name);
     let mut by_name = (0..labels.len()).filter(|i| labels[*i] == name);
@@ -112,10 +112,10 @@ fn named<const C: usize>(name: &str, setup: &Setup<C>) -> Result<usize, Failure>
         (Some(contact), None) => Ok(contact),
         (None, _) => {
             let all = labels.join(", ");
-            Err(Failure::Usage(format!("--contact: there is no {name}, must be one of {all}")))
+            Err(Failure::Usage(format!("--{option}: there is no {name}, must be one of {all}")))
         }
         (Some(_), Some(_)) => {
-            Err(Failure::Usage(format!("--contact: there are several {name}, must be the name of one")))
+            Err(Failure::Usage(format!("--{option}: there are several {name}, must be the name of one")))
         }
     }
 }

@@ -22,7 +22,10 @@ pub(crate) fn print<const C: usize>(
     answers: &[Answer<C>],
 ) -> io::Result<()> {
     let is_a_sentence = |answer: &Answer<C>| {
-        matches!(answer, Answer::Hold(_) | Answer::Need(_) | Answer::Shake(_) | Answer::Shakedown(_))
+        matches!(
+            answer,
+            Answer::Hold(_) | Answer::Need(_) | Answer::Shake(_) | Answer::Shakedown(_) | Answer::Identify(_)
+        )
     };
     // A sentence is what was asked for, and comes first.
     if !answers.iter().all(is_a_sentence) {
@@ -99,6 +102,7 @@ impl Report<'_> {
                 answer.shaken.state.as_ref().map_or(Ok(()), |state| self.table(state))
             }
             (_, Answer::Shakedown(answer)) => writeln!(self.out, "{}", answer.says),
+            (_, Answer::Identify(answer)) => writeln!(self.out, "{}", answer.says),
             (_, Answer::Need(answer)) => writeln!(self.out, "{:.digits$}", answer.needed),
             (Question::Solve { load, together_with }, Answer::Solve(answer)) => {
                 writeln!(

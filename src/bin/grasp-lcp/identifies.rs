@@ -1,0 +1,224 @@
+//! Slips that were seen, from a table, and what the command line seeks from them.
+
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+
+use grasp_lcp::identify::{SlipKind, UnknownKind};
+use grasp_lcp::scene::{IdentifyAsked, KnownSum, Question, Setup, SlipAsked, UnknownAsked};
+use grasp_lcp::words::printable;
+
+use crate::arguments::Numbers;
+use crate::asking::Meaning;
+use crate::failure::Failure;
+use crate::needs::named;
+
+/// What is sought, and the table of what was seen.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Identifies {
+    /// A table of slips: lines of numbers between commas, under a line with the names of the columns. Without it the scene's own questions are asked.
+    pub(crate) table: Option<PathBuf>,
+    /// What is sought, one number for all contacts or for those that are named: friction, carried (the load of a support, N), squeeze or stiffness;
+    /// friction of all if left out.
+    #[arg(long, value_name = "WHAT[=CONTACT,CONTACT]")]
+    pub(crate) unknown: Vec<Sought>,
+    /// What the sum of some unknowns, by their numbers from 0, is known to be, with its standard deviation in percent.
+    #[arg(long, value_name = "0+1=VALUE,PERCENT")]
+    pub(crate) known: Vec<Sum>,
+    /// The slips are those of the first contact, where the table does not say.
+    #[arg(long)]
+    pub(crate) first: bool,
+    /// The standard deviation of loads in percent, where the table does not say; estimated if left out.
+    #[arg(long, allow_hyphen_values = true, value_parser = crate::numbers::percent, value_name = "PERCENT")]
+    pub(crate) scatter: Option<f64>,
+    /// A force that acted besides, N.
+    #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
+    pub(crate) base: Option<Numbers>,
+}
+
+/// One number that is sought.
+#[derive(Debug, Clone)]
+pub(crate) struct Sought {
+    kind: UnknownKind,
+    contacts: Vec<String>,
+}
+
+impl FromStr for Sought {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (kind, contacts) = text.split_once('=').map_or((text, None), |(kind, rest)| (kind, Some(rest)));
+        let kind = match kind {
+            "friction" => UnknownKind::Friction,
+            "carried" => UnknownKind::Carried,
+            "squeeze" => UnknownKind::Squeeze,
+            "stiffness" => UnknownKind::Stiffness,
+            _ => {
+                return Err(
+                    "must be friction, carried, squeeze or stiffness, such as friction=left,right".to_owned()
+                );
+            }
+        };
+        let contacts = contacts.into_iter().flat_map(|names| names.split(',')).map(str::to_owned).collect();
+        Ok(Self { kind, contacts })
+    }
+}
+
+/// A sum that is known.
+#[derive(Debug, Clone)]
+pub(crate) struct Sum {
+    unknowns: Vec<usize>,
+    value: f64,
+    percent: f64,
+}
+
+impl FromStr for Sum {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let parts = text.split_once('=').and_then(|(unknowns, rest)| Some((unknowns, rest.split_once(',')?)));
+        let sum = parts.and_then(|(unknowns, (value, percent))| {
+            let unknowns = unknowns.split('+').map(|number| number.trim().parse().ok());
+            Some(Self {
+                unknowns: unknowns.collect::<Option<_>>()?,
+                value: value.trim().parse().ok()?,
+                percent: percent.trim().parse().ok()?,
+            })
+        });
+        sum.ok_or_else(|| {
+            "must be numbers of unknowns, their sum and its scatter in percent, such as 1+2=9.8,0.5"
+                .to_owned()
+        })
+    }
+}
+
+impl<const C: usize> Meaning<C> {
+    /// What do slips tell?
+    pub(crate) fn identify(
+        &self,
+        given: &Identifies,
+        setup: &Setup<C>,
+    ) -> Result<Option<Question<C>>, Failure> {
+        let Some(path) = &given.table else {
+            let others = !given.unknown.is_empty() || !given.known.is_empty() || given.first;
+            let missing = "say which slips were seen: a table behind the scene".to_owned();
+            let is_more = others || given.scatter.is_some() || given.base.is_some();
+            return if is_more { Err(Failure::Usage(missing)) } else { Ok(None) };
+        };
+        let mut unknowns = Vec::new();
+        for sought in &given.unknown {
+            let mut unknown = UnknownAsked::of(sought.kind);
+            for name in &sought.contacts {
+                unknown.contacts.push(named("unknown", name, setup)?);
+            }
+            unknowns.push(unknown);
+        }
+        if unknowns.is_empty() {
+            unknowns.push(UnknownAsked::of(UnknownKind::Friction));
+        }
+        let mut asked = IdentifyAsked::new(unknowns, self.slips(path, given)?);
+        let known = given.known.iter();
+        asked.known =
+            known.map(|sum| KnownSum::new(sum.unknowns.clone(), sum.value, 0.01 * sum.percent)).collect();
+        Ok(Some(Question::Identify(Box::new(asked))))
+    }
+
+    /// The rows of a table.
+    fn slips(&self, path: &Path, given: &Identifies) -> Result<Vec<SlipAsked<C>>, Failure> {
+        let name = printable(&path.display().to_string()).into_owned();
+        let text =
+            std::fs::read_to_string(path).map_err(|error| Failure::Files(format!("{name}: {error}")))?;
+        let mut lines = text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty());
+        let refused =
+            |line: usize, fault: String| Failure::Scene(format!("{name}: line {}, {fault}", line + 1));
+        let columns = columns::<C>();
+        let Some((head, heads)) = lines.next() else {
+            return Err(refused(
+                0,
+                format!("nothing given, must be names of columns: {}", columns.join(", ")),
+            ));
+        };
+        let heads: Vec<_> = heads.split(',').map(str::trim).collect();
+        if let Some(other) = heads.iter().find(|head| !columns.contains(head)) {
+            let other = printable(other);
+            return Err(refused(
+                head,
+                format!("column `{other}`: unknown name, must be one of {}", columns.join(", ")),
+            ));
+        }
+        let mut slips = Vec::new();
+        for (line, row) in lines {
+            let cells: Vec<_> = row.split(',').map(str::trim).collect();
+            if cells.len() != heads.len() {
+                let fault = format!("{} columns given, must be {}", cells.len(), heads.len());
+                return Err(refused(line, fault));
+            }
+            slips.push(self.slip(&heads, &cells, given).map_err(|fault| match fault {
+                Fault::Cell(fault) => refused(line, fault),
+                Fault::Usage(failure) => failure,
+            })?);
+        }
+        Ok(slips)
+    }
+
+    fn slip(&self, heads: &[&str], cells: &[&str], given: &Identifies) -> Result<SlipAsked<C>, Fault> {
+        let [mut force, mut at, mut moment] = [[0.0; 3]; 3];
+        let (mut kind, mut squeeze) = (if given.first { SlipKind::First } else { SlipKind::Gross }, None);
+        let mut scatter = given.scatter;
+        for (head, cell) in heads.iter().zip(cells) {
+            if *head == "slip" {
+                kind = match *cell {
+                    "first" => SlipKind::First,
+                    "gross" => SlipKind::Gross,
+                    other => {
+                        return Err(Fault::Cell(format!(
+                            "slip: `{}` given, must be first or gross",
+                            printable(other)
+                        )));
+                    }
+                };
+                continue;
+            }
+            let number = cell.parse::<f64>().ok().filter(|number| number.is_finite()).ok_or_else(|| {
+                Fault::Cell(format!("{head}: `{}` given, must be a finite number", printable(cell)))
+            })?;
+            match *head {
+                "squeeze" => squeeze = Some(number),
+                "scatter_percent" => scatter = Some(number),
+                "m" => moment[0] = number,
+                _ => {
+                    let axis = usize::from(head.ends_with('y')) + 2 * usize::from(head.ends_with('z'));
+                    let row = match head.as_bytes()[0] {
+                        b'f' => &mut force,
+                        b'a' => &mut at,
+                        _ => &mut moment,
+                    };
+                    row[axis] = number;
+                }
+            }
+        }
+        let [force, at] = [force, at].map(|row| std::array::from_fn(|axis| row[axis]));
+        let mut slip = SlipAsked::gross((self.force_at)(force, at) + (self.moment)(&moment));
+        (slip.slip, slip.squeeze) = (kind, squeeze);
+        slip.scatter = scatter.map(|percent| 0.01 * percent);
+        if given.base.is_some() {
+            slip.base = Some(self.base(given.base.as_ref(), None).map_err(Fault::Usage)?);
+        }
+        Ok(slip)
+    }
+}
+
+/// What is wrong with a line.
+enum Fault {
+    Cell(String),
+    Usage(Failure),
+}
+
+/// The names that columns may have.
+fn columns<const C: usize>() -> Vec<&'static str> {
+    let of_space: &[_] = if C == 3 {
+        &["fx", "fy", "fz", "mx", "my", "mz", "at_x", "at_y", "at_z"]
+    } else {
+        &["fx", "fy", "m", "at_x", "at_y"]
+    };
+    of_space.iter().copied().chain(["squeeze", "slip", "scatter_percent"]).collect()
+}
