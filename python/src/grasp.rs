@@ -101,6 +101,7 @@ where
         Some(Answer::Follow(answer)) => json(&answer),
         Some(Answer::Shake(answer)) => json(&answer),
         Some(Answer::Shakedown(answer)) => json(&answer),
+        Some(Answer::Identify(answer)) => json(&answer),
         _ => Err(wrong("question: is of a kind that is not answered here")),
     }
 }

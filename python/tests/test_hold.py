@@ -97,3 +97,38 @@ def test_friction_that_is_lower_once_contacts_slide() -> None:
     assert feet.need("load", [8, 0], may_slide=True).amount == pytest.approx(9 / 8, rel=1e-9)
     with pytest.raises(ValueError, match="kinetic_friction"):
         Grasp.planar([[0, 0]], [[0, 1]], series_stiffness=1.0, friction=0.5, kinetic_friction=0.6)
+
+
+def test_what_slips_tell_of_a_pinch() -> None:
+    grasp = pinch(0.5, 8.0)
+    loads = [[0, -4.7], [0, -4.9], [0, -4.8], [0, -4.6]]
+    found = grasp.identify(["friction"], loads)
+    # 2 μ N = W, in logarithms.
+    logs = [math.log(-load[1] / 16.0) for load in loads]
+    mean = sum(logs) / 4
+    (mu,) = found.estimates
+    assert mu.value == pytest.approx(math.exp(mean), rel=1e-6)
+    deviation = math.sqrt(sum((x - mean) ** 2 for x in logs) / 3)
+    assert found.residuals == pytest.approx([x - mean for x in logs], abs=1e-6)
+    assert mu.standard_error is not None and mu.interval is not None
+    assert mu.standard_error == pytest.approx(mu.value * deviation / 2, rel=0.15)
+    assert mu.interval[0] < mu.value < mu.interval[1]
+    assert (found.outcome, mu.is_fixed, found.not_fixed) == ("converged", True, ())
+    assert str(found).startswith("friction 0.29")
+    told = grasp.identify(["friction"], loads, scatter=0.02, base=[0, 0])
+    assert told.misfit is not None and told.scatter is None
+
+
+def test_what_slips_do_not_fix() -> None:
+    grasp = pinch(0.5, 8.0)
+    loads = [[0, -4.7], [0, -4.9], [0, -4.8]]
+    found = grasp.identify(["friction", "squeeze"], loads)
+    assert found.not_fixed == ("friction and squeeze are not fixed apart by these slips: only their product",)
+    assert [(each.is_fixed, each.standard_error, each.interval) for each in found.estimates] == [(False, None, None)] * 2
+    weighed = grasp.identify(["friction", {"quantity": "squeeze", "name": "motor"}], loads, known=[([1], 1.0, 0.01)])
+    assert [each.is_fixed for each in weighed.estimates] == [True, True]
+    assert weighed.estimates[1].name == "motor"
+    moved = grasp.identify(["friction"], loads, slip="first", layouts=[[[-0.05, 0], [0.05, 0]]], layout=[0, 1, 1])
+    assert moved.estimates[0].value == pytest.approx(0.3, abs=0.01)
+    with pytest.raises(TypeError, match="give one of loads and turns"):
+        grasp.identify(["friction"])

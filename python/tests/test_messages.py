@@ -102,6 +102,15 @@ CASES: list[tuple[Callable[[], object], type[Exception], str]] = [
         ValueError,
         "joint_change: 1 given, must be 0, one a joint and one a tendon",
     ),
+    (lambda: pinch().identify("friction", [0, -4]), ValueError, "unknowns[0]: 'f' given, must be friction, carried, squeeze or stiffness"),
+    (lambda: pinch().identify([3], [0, -4]), TypeError, "unknowns[0]: int given, must be a text or a mapping with a quantity"),
+    (lambda: pinch().identify(["friction"], [[0, -4], [0, np.nan]]), ValueError, "loads[1, 1] is nan, must be finite"),
+    (
+        lambda: pinch().identify(["friction"], [[0, -4]], squeeze=[1, 2]),
+        ValueError,
+        "squeeze: 2 given, must be one for all or 1, one a slip",
+    ),
+    (lambda: pinch().identify(["friction"], [0, 0]), ValueError, "slip 0: size of the load is 0, must be more than 0"),
     (lambda: pinch().turn(), ValueError, "turn: nothing turns: give weight, or force, or cosine and sine"),
     (lambda: pinch().turn(weight=[0, np.nan]), ValueError, "weight[1] is nan, must be finite"),
     (

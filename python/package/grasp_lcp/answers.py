@@ -299,6 +299,90 @@ class Needed(Sentence):
         return tuple(number(press["force"]) for press in found.get("presses", ()))
 
 
+class Estimate(View):
+    """One number that slips tell, with its error."""
+
+    @property
+    def name(self) -> str:
+        """What it is."""
+        return str(self._tree["name"])
+
+    @property
+    def value(self) -> float:
+        """A coefficient of friction, N, or a multiple of what was given; where it is not fixed one of many."""
+        return number(self._tree["value"])
+
+    @property
+    def is_fixed(self) -> bool:
+        """Whether the slips fix it."""
+        return bool(self._tree["is_fixed"])
+
+    @property
+    def standard_error(self) -> float | None:
+        """Its standard error; None where it is not fixed, or the scatter of slips is not known."""
+        return optional_number(self._tree.get("standard_error"))
+
+    @property
+    def interval(self) -> tuple[float, float] | None:
+        """What holds the truth in 95 of 100 cases."""
+        found = self._tree.get("interval")
+        return None if found is None else (number(found[0]), number(found[1]))
+
+    def __repr__(self) -> str:
+        error = "" if self.standard_error is None else f" ± {self.standard_error:.2g}"
+        return f"<Estimate: {self.name} {self.value:.6g}{error}>" if self.is_fixed else f"<Estimate: {self.name} not fixed>"
+
+
+class Identified(Answer):
+    """What slips that were seen tell: ``"converged"``, ``"not_converged"`` or ``"not_predicted"``; printed, it is a sentence."""
+
+    @property
+    def outcome(self) -> str:
+        """How the search ended, in the words of the scene format."""
+        return str(self._tree["ending"])
+
+    @property
+    def says(self) -> str:
+        """The answer in a sentence."""
+        return str(self._tree["says"])
+
+    @cached_property
+    def estimates(self) -> tuple[Estimate, ...]:
+        """The numbers, in the order in which they were asked for."""
+        return tuple(Estimate(tree) for tree in self._tree["estimates"])
+
+    @property
+    def scatter(self) -> float | None:
+        """The scatter of loads or angles as a part of them, where it was estimated."""
+        return optional_number(self._tree.get("scatter"))
+
+    @property
+    def misfit(self) -> float | None:
+        """Where the scatter was given: how many times as far off the slips are."""
+        return optional_number(self._tree.get("misfit"))
+
+    @property
+    def not_fixed(self) -> tuple[str, ...]:
+        """What the slips do not fix, a sentence each."""
+        return tuple(str(tree["says"]) for tree in self._tree.get("free", ()))
+
+    @cached_property
+    def residuals(self) -> Array:
+        """Logarithm of what was seen over what is predicted, shape (k,)."""
+        return array(self._tree["residuals"])
+
+    @cached_property
+    def weights(self) -> Array:
+        """What each slip counts, shape (k,): less than 1 where it is far off."""
+        return array(self._tree["weights"])
+
+    def __str__(self) -> str:
+        return self.says
+
+    def __repr__(self) -> str:
+        return f"<Identified: {self.says}>"
+
+
 class Solution(Answer):
     """The answer to "does it hold under this load?": ``"equilibrium"``, ``"no_equilibrium"`` (with its proof) or ``"undecided"``."""
 

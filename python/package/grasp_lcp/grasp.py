@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from . import _grasp_lcp
 from ._bodies import bodies_in_scene
 from ._columns import as_written, columns, dumped, finite, floats, listed, one_each, plain, wrench_json
-from .answers import Answer, Needed, Onset, Path, Shakedown, Shaken, Solution, TurnOnset, Verdict
+from .answers import Answer, Identified, Needed, Onset, Path, Shakedown, Shaken, Solution, TurnOnset, Verdict
 from .equilibrium import Equilibrium
 from .quality import Closure, LeastSqueeze, LoadLimit, Quality, WeakestDirection, WrenchBall
 
@@ -398,6 +398,89 @@ class Grasp:
         asked.update(self._together(together_with))
         return Needed(self._held.ask(dumped({"need": asked})))
 
+    def identify(
+        self,
+        unknowns: Sequence[str | Mapping[str, Any]],
+        loads: ArrayLike | None = None,
+        *,
+        slip: str | Sequence[str] = "gross",
+        base: ArrayLike | Mapping[str, Any] | None = None,
+        turns: Sequence[Mapping[str, Any]] | None = None,
+        squeeze: ArrayLike = 1.0,
+        scatter: ArrayLike | None = None,
+        layouts: Sequence[ArrayLike] | None = None,
+        layout: Sequence[int] | None = None,
+        known: Sequence[tuple[Sequence[int], float, float]] = (),
+        outliers: float | None = None,
+        iterations: int | None = None,
+    ) -> Identified:
+        """What do slips that were seen tell of friction, loads of supports, squeeze or stiffness? Numbers, each with its error.
+
+        :param unknowns: each ``"friction"``, ``"carried"``, ``"squeeze"`` or ``"stiffness"``, or a mapping with that ``quantity``, the numbers or
+            names of its ``contacts``, and ``layout``, ``name`` and ``start`` where they matter.
+        :param loads: a row for each slip, the load under which it was seen: shape (k, c) or (k, d), N and N m.
+        :param slip: ``"gross"`` or ``"first"``, one for all slips or one each.
+        :param base: what acted besides.
+        :param turns: in place of loads the turns, each up to the angle at which it slid, in the words of :meth:`turn`.
+        :param squeeze: how many times the squeeze of the grasp, one for all or one each.
+        :param scatter: standard deviation of loads as a part of them, one for all or one each; estimated from the slips if left out.
+        :param layouts: other points of the contacts, each of shape (n, c); ``layout`` then says of each slip which one, 0 for the grasp.
+        :param known: numbers of unknowns, what they sum up to, and its standard deviation as a part of it.
+        :param outliers: slips that are off by more standard deviations count less; 2 unless said otherwise.
+        """
+        slips = self._slips(loads, turns)
+        words = [slip] * len(slips) if isinstance(slip, str) else listed("slip", slip, "a word, or one for each slip")
+        columns: dict[str, list[Any]] = {"slip": words}
+        for name, given in (("squeeze", squeeze), ("scatter", scatter)):
+            if given is not None:
+                columns[name] = (
+                    (finite(name, given) * np.ones(len(slips))).tolist() if np.ndim(given) == 0 else finite(name, given).tolist()
+                )
+        if layout is not None:
+            columns["layout"] = [int(number) for number in listed("layout", layout, "a number for each slip")]
+        for name, column in columns.items():
+            if len(column) != len(slips):
+                raise ValueError(f"{name}: {len(column)} given, must be one for all or {len(slips)}, one a slip")
+            for each, value in zip(slips, column, strict=True):
+                each[name] = value
+        if base is not None:
+            written = wrench_json("base", base, self.axes)
+            for each in slips:
+                each["base"] = written
+        asked: dict[str, Any] = {"unknowns": [self._unknown(k, each) for k, each in enumerate(listed("unknowns", unknowns, "a list"))]}
+        asked["slips"] = slips
+        if layouts is not None:
+            asked["layouts"] = [finite(f"layouts[{k}]", points).tolist() for k, points in enumerate(layouts)]
+        if known:
+            asked["known"] = [{"unknowns": list(those), "value": value, "scatter": part} for those, value, part in known]
+        for name, number in (("outliers", outliers), ("iterations", iterations)):
+            if number is not None:
+                asked[name] = number
+        return Identified(self._held.ask(dumped({"identify": asked})))
+
+    def _slips(self, loads: ArrayLike | None, turns: Sequence[Mapping[str, Any]] | None) -> list[dict[str, Any]]:
+        """What each slip was seen under, as scenes write it."""
+        if (loads is None) == (turns is None):
+            raise TypeError("identify: give one of loads and turns")
+        if turns is not None:
+            return [{"turn": self._turn_words(turn)} for turn in listed("turns", turns, "a list of turns")]
+        rows = np.atleast_2d(finite("loads", loads if loads is not None else ()))
+        return [{"load": wrench_json(f"loads[{k}]", row, self.axes)} for k, row in enumerate(rows)]
+
+    def _unknown(self, index: int, given: str | Mapping[str, Any]) -> dict[str, Any]:
+        """An unknown as scenes write it, its contacts by number."""
+        kinds = ("friction", "carried", "squeeze", "stiffness")
+        if not isinstance(given, (str, Mapping)):
+            raise TypeError(f"unknowns[{index}]: {type(given).__name__} given, must be a text or a mapping with a quantity")
+        written: dict[str, Any] = {"quantity": given} if isinstance(given, str) else dict(given)
+        if written.get("quantity") not in kinds:
+            raise ValueError(f"unknowns[{index}]: {written.get('quantity')!r} given, must be {', '.join(kinds[:-1])} or {kinds[-1]}")
+        if "contacts" in written:
+            contacts = written["contacts"]
+            each = [contacts] if isinstance(contacts, (str, int)) else listed(f"unknowns[{index}]['contacts']", contacts, "a list")
+            written["contacts"] = [self._numbered(contact) for contact in each]
+        return written
+
     def solve(self, load: ArrayLike, *, together_with: Mapping[str, ArrayLike | Mapping[str, Any]] | None = None) -> Solution:
         """The equilibrium under a load, or the proof that there is none.
 
@@ -600,6 +683,7 @@ _KINDS: dict[str, type[Answer]] = {
     "hold": Verdict,
     "shake": Shaken,
     "shakedown": Shakedown,
+    "identify": Identified,
     "need": Needed,
     "solve": Solution,
     "onset": Onset,
