@@ -48,6 +48,18 @@ pub enum Error {
         /// What is allowed.
         allowed: &'static str,
     },
+    /// A curve or surface that a contact may move along is none, or the contact does not lie on it.
+    #[error("contact {contact}: {field} is {value}, must be {allowed}")]
+    Surface {
+        /// Which contact.
+        contact: ContactLabel,
+        /// What of its surface.
+        field: &'static str,
+        /// What was given.
+        value: f64,
+        /// What is allowed.
+        allowed: &'static str,
+    },
     /// A component of a wrench is not finite, or absurdly large.
     #[error("{what}: component {component} is {value}, must be finite and at most 1e50 in size")]
     Wrench {

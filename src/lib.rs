@@ -68,6 +68,7 @@
 //! | [`hold`] | does it hold: one load put on from rest, answered in a sentence |
 //! | [`identify`] | friction, loads of supports, squeeze and stiffness from slips that were seen, with their errors |
 //! | [`need`] | how much squeeze, friction, load, arm or angle it takes or allows |
+//! | [`improve`] | where fingers should be on given surfaces, and how hard they should press, so that the first slip comes late |
 //! | [`equilibrium`] | trial state → kinematic form → force form → proofs; the answer as physics |
 //! | [`statics`] | force closure and form closure: which loads contact forces could balance |
 //! | [`squeeze`] | how much squeeze suffices for a set of loads, which direction is weakest, and the least onset within bounds of commands and loads |
@@ -110,6 +111,7 @@ pub mod grasp;
 pub mod guide;
 pub mod hold;
 pub mod identify;
+pub mod improve;
 pub mod lcp;
 pub mod load_path;
 pub mod need;

@@ -30,6 +30,7 @@ use crate::load_path::Ramp;
 /// | what comes just beyond an onset | [`beyond`](Self::beyond), [`state_at_onset`](Self::state_at_onset) |
 /// | every event of a load program, with slip memory | [`follow`](Self::follow); thousands of contacts [`follow_patch`](Self::follow_patch); on the round cone in steps [`follow_in_steps`](Self::follow_in_steps) |
 /// | how much squeeze, friction, load, arm or angle it takes | [`need`](Self::need); for squeeze in closed form [`least_squeeze`](Self::least_squeeze) |
+/// | where the fingers should be, and how hard they should press | [`improve`](Self::improve) |
 /// | the direction in which the least force slides | [`weakest_direction`](Self::weakest_direction) |
 /// | how an answer changes with the data | [`sensitivity`](crate::ask::Sensitivity::of) |
 /// | how far an onset spreads where data are not known exactly | [`robust_onset`](Self::robust_onset), [`least_onset_within`](Self::least_onset_within) |
@@ -166,6 +167,11 @@ impl<const C: usize> Grasp<C> {
     /// [lower](crate::grasp::Contact::kinetic) then.
     pub fn solve(&self, load: &Wrench<C>) -> Result<Outcome<C>, Error> {
         self.engine.solve(load, &self.settings)
+    }
+
+    /// Refuses a question where there are joints or several bodies.
+    pub(crate) fn refuse_hands(&self, question: &'static str) -> Result<(), Error> {
+        self.engine.refuse_hands(question)
     }
 
     /// Whether some drive pushes at rest.

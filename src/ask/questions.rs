@@ -125,6 +125,7 @@ type Changed<const C: usize> = Result<Arc<dyn Questions<C>>, Error>;
 questions! {
     any {
         fn contacts(&self) -> &[Contact<C>];
+        fn refuse_hands(&self, question: &'static str) -> Result<(), Error>;
         fn frame(&self, contact: usize) -> &SMatrix<f64, C, C>;
         #[cfg(feature = "serde")]
         fn presses(&self) -> bool;

@@ -43,7 +43,7 @@ impl Draw {
     }
 
     /// In (0, 1), never at its ends.
-    fn uniform(&mut self) -> f64 {
+    pub(crate) fn uniform(&mut self) -> f64 {
         ((self.next() >> 12) as f64 + 0.5) / (1_u64 << 52) as f64
     }
 

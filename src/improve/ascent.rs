@@ -1,0 +1,274 @@
+//! From one start to where it ends.
+
+use nalgebra::DVector;
+
+use super::answer::Search;
+use super::curvature::Curvature;
+use super::events::{Asked, Bound, BoundKind, Event, events};
+use super::placing::{Choice, Kind, Placing};
+use super::step::{Program, Step};
+use super::sticking::Sticking;
+use crate::ask::Grasp;
+use crate::error::Error;
+use crate::grasp::Wrench;
+use crate::load_path::{Onset, Ramp};
+use crate::squeeze::{Loads, WeakestDirection};
+
+/// The first box, in units of the variables, the largest, and the least.
+const RADII: [f64; 3] = [0.1, 1.0, 1e-11];
+/// A step is taken if the true first slip grows by this part of what it is to grow by; by this more the box grows, with less than this it shrinks.
+const TAKEN: f64 = 1e-4;
+const GROWS: f64 = 0.75;
+const SHRINKS: f64 = 0.25;
+/// Less is rounding, as a part of the first slip.
+const NOTHING: f64 = 1e-14;
+/// Gradients that cancel up to this part are an optimum to first order; at this one nothing more is sought.
+pub(super) const OPTIMAL: f64 = 1e-6;
+const ARRIVED: f64 = 1e-10;
+/// A force at rest may break its condition by this part of the greatest force: rounding.
+const ROUNDING: f64 = 1e-12;
+
+/// The loads of a question: what acts at rest, and what grows.
+pub(super) struct Loaded<const C: usize> {
+    base: Wrench<C>,
+    loads: Vec<Wrench<C>>,
+    asked: Asked,
+    any: Option<([f64; C], f64)>,
+}
+
+impl<const C: usize> Loaded<C> {
+    pub(super) fn of(loads: &Loads<C>, base: &Wrench<C>) -> Self {
+        match loads {
+            Loads::Each(list) => Self { base: *base, loads: list.clone(), asked: Asked::Each, any: None },
+            Loads::AnyForce { base: beside, size, point } => {
+                let axis = |axis: usize| {
+                    let force = std::array::from_fn(|k| if k == axis { *size } else { 0.0 });
+                    Wrench::force_through(&(*point).into(), &force.into())
+                };
+                let loads = (0..C).map(axis).collect();
+                Self { base: *base + *beside, loads, asked: Asked::AnyForce, any: Some((*point, *size)) }
+            }
+            Loads::Turn(_) => Self { base: *base, loads: Vec::new(), asked: Asked::Each, any: None },
+        }
+    }
+
+    #[cfg(test)]
+    pub(super) fn asked(&self) -> &Asked {
+        &self.asked
+    }
+
+    /// The least first slip of a grasp; `None` where something slides at rest, or nothing holds.
+    pub(super) fn first_slip(&self, grasp: &Grasp<C>) -> Result<Option<f64>, Error> {
+        if let Some((point, size)) = self.any {
+            return Ok(match grasp.weakest_direction(&self.base, point)? {
+                WeakestDirection::Force { size: least, .. } => Some(least / size),
+                WeakestDirection::Never => Some(f64::INFINITY),
+                _ => None,
+            });
+        }
+        let mut least = f64::INFINITY;
+        for load in &self.loads {
+            let onset = grasp.onset(&Ramp::load(self.base, *load))?;
+            let (Onset::At(_) | Onset::Never | Onset::GivesWay { .. }) = onset else { return Ok(None) };
+            let Some(factor) = onset.factor() else { return Ok(None) };
+            least = least.min(factor);
+        }
+        Ok(Some(least))
+    }
+}
+
+/// A placing that holds at rest, with its forces.
+#[derive(Debug)]
+pub(super) struct Held<const C: usize> {
+    pub(super) placing: Placing<C>,
+    pub(super) sticking: Sticking<C>,
+    /// Its least first slip, as a factor of the loads.
+    pub(super) factor: f64,
+}
+
+/// Where an ascent has ended.
+pub(super) struct Ascent<const C: usize> {
+    pub(super) held: Held<C>,
+    pub(super) search: Search,
+    pub(super) steps: usize,
+    /// What stands in the way there.
+    pub(super) last: Option<Last<C>>,
+}
+
+/// A step, and the events and bounds that its multipliers are of.
+pub(super) struct Last<const C: usize> {
+    pub(super) step: Step,
+    pub(super) events: Vec<Event<C>>,
+    pub(super) bounds: Vec<Bound>,
+    /// The contacts whose surfaces end in the bounds behind those.
+    pub(super) rooms: Vec<usize>,
+}
+
+/// What is searched, for which loads.
+pub(super) struct Climb<'q, const C: usize> {
+    pub(super) choice: &'q Choice<'q, C>,
+    pub(super) loaded: &'q Loaded<C>,
+    pub(super) grasp: &'q Grasp<C>,
+}
+
+impl<const C: usize> Climb<'_, C> {
+    /// Greatest normal forces of contacts whose squeeze may change.
+    fn most(&self) -> Vec<Option<f64>> {
+        let mut most = vec![None; self.choice.given.len()];
+        for variable in &self.choice.variables {
+            if let Kind::Press { most: force } = variable.what {
+                most[variable.contact] = Some(force);
+            }
+        }
+        most
+    }
+
+    /// A placing pressed less hard, where it presses harder than it may; `None` where it does not stick at rest.
+    pub(super) fn held(&self, mut placing: Placing<C>) -> Result<Option<Held<C>>, Error> {
+        let (Loaded { base, loads, asked, .. }, most) = (self.loaded, self.most());
+        let of = |placing: &Placing<C>| Sticking::of(self.choice, placing, base, loads);
+        let Some(mut sticking) = of(&placing)? else { return Ok(None) };
+        let mut part = 1.0_f64;
+        for (i, most) in most.iter().enumerate() {
+            let (rest, squeeze) = (sticking.forces.rest[i][0], sticking.forces.squeeze[i][0]);
+            if let Some(most) = most
+                && rest + squeeze > *most
+            {
+                part = part.min((most - rest) / squeeze);
+            }
+        }
+        if part < 0.0 || part.is_nan() {
+            return Ok(None);
+        }
+        if part < 1.0 {
+            placing.presses.iter_mut().flatten().for_each(|press| *press *= part);
+            let Some(again) = of(&placing)? else { return Ok(None) };
+            sticking = again;
+        }
+        let contacts = self.choice.contacts(&placing);
+        let (_, bounds) = events(&contacts, asked, &most, &sticking, &[]);
+        let size = (0..contacts.len()).map(|i| sticking.at_rest(i).norm()).fold(0.0, f64::max);
+        if bounds.iter().any(|bound| bound.left < -ROUNDING * size) {
+            return Ok(None);
+        }
+        let grasp = Grasp::new(contacts)?.with(self.grasp.settings());
+        let factor = self.loaded.first_slip(&grasp)?;
+        Ok(factor.filter(|factor| *factor > 0.0).map(|factor| Held { placing, sticking, factor }))
+    }
+
+    /// Up from a start.
+    pub(super) fn up(&self, mut held: Held<C>) -> Result<Ascent<C>, Error> {
+        let n = self.choice.variables.len();
+        let (mut radius, mut curvature, mut steps) = (RADII[0], Curvature::flat(n), 0);
+        let ended = |held, search, steps, last| Ok(Ascent { held, search, steps, last });
+        let mut before: Option<Last<C>> = None;
+        loop {
+            if held.factor.is_infinite() {
+                return ended(held, Search::NothingSlides, steps, None);
+            }
+            let Some(derivatives) = held.sticking.derivatives(self.choice, &held.placing) else {
+                return ended(held, Search::Unbalanced, steps, None);
+            };
+            let contacts = self.choice.contacts(&held.placing);
+            let (events, bounds) =
+                events(&contacts, &self.loaded.asked, &self.most(), &held.sticking, &derivatives);
+            if let Some(old) = before.take() {
+                let fell = fallen(&old, (&events, &bounds), held.factor, self.choice.unit_of_force());
+                curvature.learn(&old.step.d, &fell);
+            }
+            let (program, rooms) = self.program(&held, &events, &bounds);
+            loop {
+                let Some(step) = program.step(radius, &curvature.0) else {
+                    return ended(held, Search::Stalled, steps, None);
+                };
+                let arrived = step.residual <= ARRIVED || step.gain <= NOTHING || radius < RADII[2];
+                if arrived || steps >= self.choice.question.steps {
+                    // Curvature that was learnt elsewhere may hide where to go.
+                    if arrived && step.residual > OPTIMAL && curvature.0.amax() > 0.0 {
+                        (curvature, radius) = (Curvature::flat(n), RADII[0].min(radius * 1e3));
+                        continue;
+                    }
+                    let search = match step.residual {
+                        residual if residual <= OPTIMAL => Search::Optimum,
+                        _ if arrived => Search::Stalled,
+                        _ => Search::OutOfSteps,
+                    };
+                    return ended(held, search, steps, Some(Last { step, events, bounds, rooms }));
+                }
+                steps += 1;
+                let trial = self.held(self.choice.moved(&held.placing, step.d.as_slice()))?;
+                let gain = trial.as_ref().map_or(-1.0, |trial| trial.factor / held.factor - 1.0);
+                let as_told = gain / step.gain;
+                if as_told > GROWS && step.d.amax() >= 0.99 * radius {
+                    radius = (2.0 * radius).min(RADII[1]);
+                } else if as_told < SHRINKS {
+                    radius = 0.25 * radius.min(step.d.amax());
+                }
+                if let Some(trial) = trial.filter(|_| as_told >= TAKEN) {
+                    before = Some(Last { step, events, bounds, rooms });
+                    held = trial;
+                    break;
+                }
+            }
+        }
+    }
+
+    /// The program of a step, and the contacts whose surfaces end in its last bounds.
+    fn program(&self, held: &Held<C>, events: &[Event<C>], bounds: &[Bound]) -> (Program, Vec<usize>) {
+        let variables = &self.choice.variables;
+        let force = self.choice.unit_of_force();
+        let mut rows: Vec<_> =
+            bounds.iter().map(|bound| (&bound.gradient / force, bound.left / force)).collect();
+        let (mut rooms, mut reach) = (Vec::new(), vec![[f64::NEG_INFINITY, f64::INFINITY]; variables.len()]);
+        for (i, spot) in held.placing.spots.iter().enumerate() {
+            for (row, room) in spot.iter().flat_map(|spot| &spot.rooms) {
+                let unit = variables.iter().find(|v| v.contact == i).map_or(1.0, |v| v.unit);
+                let of = variables.iter().map(|variable| match variable.what {
+                    Kind::Along(axis) if variable.contact == i => -row[axis],
+                    _ => 0.0,
+                });
+                rows.push((DVector::from_iterator(variables.len(), of), room / unit));
+                rooms.push(i);
+            }
+        }
+        for (j, variable) in variables.iter().enumerate() {
+            if let (Kind::Press { most }, Some(press)) =
+                (variable.what, held.placing.presses[variable.contact])
+            {
+                reach[j] = [-press / variable.unit, (most - press) / variable.unit];
+            }
+        }
+        let program = Program {
+            factors: events.iter().map(|event| event.factor / held.factor).collect(),
+            gradients: events.iter().map(|event| &event.gradient / held.factor).collect(),
+            bounds: rows,
+            reach,
+        };
+        (program, rooms)
+    }
+}
+
+/// By how much the gradient of events and bounds, weighed by multipliers, fell along a step.
+fn fallen<const C: usize>(
+    old: &Last<C>,
+    (events, bounds): (&[Event<C>], &[Bound]),
+    factor: f64,
+    force: f64,
+) -> DVector<f64> {
+    let step = &old.step;
+    let mut fell = DVector::zeros(step.d.len());
+    for (event, share) in old.events.iter().zip(&step.events).filter(|(_, share)| **share > 0.0) {
+        // Of several alike, the one that comes next to the old one.
+        let same = events.iter().filter(|other| other.condition.is(&event.condition));
+        let apart = |other: &&Event<C>| (other.factor - event.factor).abs();
+        if let Some(same) = same.min_by(|a, b| apart(a).total_cmp(&apart(b))) {
+            fell += (&event.gradient - &same.gradient) * (share / factor);
+        }
+    }
+    let is_force = |bound: &&Bound| bound.kind == BoundKind::Force;
+    let known = old.bounds.iter().zip(&step.bounds).filter(|(bound, _)| is_force(bound));
+    for ((bound, multiplier), new) in known.zip(bounds.iter().filter(is_force)) {
+        fell += (&bound.gradient - &new.gradient) * (multiplier / force);
+    }
+    fell
+}

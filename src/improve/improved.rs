@@ -1,0 +1,201 @@
+//! All starts, and the best of them.
+
+use super::answer::{Binds, Improved, InTheWay, Placed, Search};
+use super::ascent::{Ascent, Climb, Held, Last, Loaded};
+use super::events::BoundKind;
+use super::placing::{Choice, Kind};
+use super::question::Improve;
+use crate::ask::Grasp;
+use crate::error::Error;
+use crate::grasp::WholeContacts;
+use crate::numerics::{Draw, in_order};
+use crate::squeeze::Loads;
+
+/// For each start so many places are drawn, of which the best are gone up from.
+const DRAWN_FOR_EACH: usize = 24;
+/// A start has to end this part above those before it to be taken: rounding would choose among equals.
+const BETTER: f64 = 1e-9;
+/// Multipliers below this part of their unit are rounding.
+const SEEN: f64 = 1e-7;
+
+impl<const C: usize> Grasp<C> {
+    /// Where should the fingers be, and how hard should they press, so that the first slip comes as late as possible? See [`Improve`].
+    ///
+    /// On the round cone in space. The same bits for any number of threads.
+    ///
+    /// ```
+    /// use grasp_lcp::improve::{Improve, Surface};
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // Two jaws, one of them 10 mm too high, lift 1 N at a time; each may press with up to 10 N.
+    /// let jaw = |x: f64, y: f64, name| Contact::new([x, y], [-x, 0.0]).name(name).series_stiffness(1e3, 8e2).friction(0.5).pressed_with(8.0);
+    /// let gripper = Grasp::new([jaw(-0.03, 0.0, "left"), jaw(0.03, 0.01, "right")])?;
+    /// let edge = |x: f64| Surface::segment([x, -0.02], [x, 0.02]);
+    /// let question = Improve::new(Wrench::force([0.0, -1.0])).along(0, edge(-0.03)).along(1, edge(0.03)).pressing_at_most(10.0);
+    /// let improved = gripper.improve(&question)?;
+    ///
+    /// // Level with each other both slide at once: 2 μ N.
+    /// assert!((improved.after.expect("sticks at rest") - 10.0).abs() < 1e-9);
+    /// assert!(improved.is_locally_best());
+    /// let words = improved.to_string();
+    /// assert!(words.starts_with("FIRST SLIP at 10 N instead of"), "{words}");
+    /// let better = gripper.placed_as(&improved)?;
+    /// assert!(better.hold(Wrench::force([0.0, -9.9]))?.sticks() == Some(true));
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Surface`] for a surface that is none, or that a contact does not lie on; [`Error::Wrench`], [`Error::Argument`], [`Error::Contact`] and
+    /// [`Error::Question`] for loads, forces and contacts that are not for it; [`Error::NotForHands`] for a grasp by a hand.
+    #[doc(alias = "grasp synthesis", alias = "fixture design", alias = "optimise", alias = "best grasp")]
+    pub fn improve(&self, question: &Improve<C>) -> Result<Improved<C>, Error> {
+        question.check(self)?;
+        let mut settings = *self.settings();
+        settings.round = true;
+        let grasp = self.with(&settings);
+        let loaded = Loaded::of(&question.loads, &question.base);
+        let (choice, given) = Choice::of(&grasp, question)?;
+        let climb = Climb { choice: &choice, loaded: &loaded, grasp: &grasp };
+        let before = loaded.first_slip(&grasp)?.filter(|factor| *factor > 0.0);
+        let mut starts: Vec<Held<C>> = climb.held(given.clone())?.into_iter().collect();
+        let numbers: Vec<u64> = (0..question.starts.saturating_mul(DRAWN_FOR_EACH) as u64).collect();
+        let drawn = in_order(&numbers, &|number| {
+            climb.held(choice.drawn(&given, &mut Draw::new([question.seed, *number, IMPROVE])))
+        });
+        let mut drawn: Vec<Held<C>> =
+            drawn.into_iter().collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect();
+        drawn.sort_by(|a, b| b.factor.total_cmp(&a.factor));
+        starts.extend(drawn.into_iter().take(question.starts));
+        let placings: Vec<_> = starts.into_iter().map(|held| held.placing).collect();
+        let ascents = in_order(&placings, &|placing| {
+            climb.held(placing.clone())?.map(|held| climb.up(held)).transpose()
+        });
+        let ascents: Vec<Ascent<C>> =
+            ascents.into_iter().collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect();
+        let (count, steps) = (ascents.len(), ascents.iter().map(|ascent| ascent.steps).sum());
+        let best = ascents.into_iter().reduce(|best, next| {
+            let more = next.held.factor > best.held.factor * (1.0 + BETTER);
+            let proved = next.held.factor >= best.held.factor
+                && next.search == Search::Optimum
+                && best.search != Search::Optimum;
+            if more || proved { next } else { best }
+        });
+        let force = match &question.loads {
+            Loads::Each(list) if list.len() == 1 => {
+                list[0].measure().filter(|(_, unit)| *unit == "N").map(|(size, _)| size)
+            }
+            Loads::AnyForce { size, .. } => Some(*size),
+            _ => None,
+        };
+        let mut answer = Improved {
+            before,
+            after: None,
+            force,
+            contacts: Vec::new(),
+            in_the_way: Vec::new(),
+            search: Search::NoStart,
+            residual: None,
+            starts: count,
+            steps,
+        };
+        let Some(Ascent { held, search, last, .. }) = best else { return Ok(answer) };
+        (answer.after, answer.search) = (Some(held.factor), search);
+        answer.contacts = placed(&choice, &held);
+        if let Some(last) = last {
+            answer.residual = Some(last.step.residual);
+            answer.in_the_way = in_the_way(&choice, &held, &last);
+        }
+        Ok(answer)
+    }
+
+    /// This grasp with contacts placed and commanded as an answer has them.
+    ///
+    /// # Errors
+    /// [`Error::Size`] if the answer is of another number of contacts.
+    pub fn placed_as(&self, improved: &Improved<C>) -> Result<Self, Error> {
+        let (given, expected) = (improved.contacts.len(), self.len());
+        if given != expected {
+            return Err(Error::Size { what: "contacts of the answer", given, expected });
+        }
+        let contacts = self.contacts().iter().zip(&improved.contacts).map(|(contact, placed)| {
+            let mut contact = contact.clone();
+            (contact.point, contact.normal) = (placed.point, placed.normal);
+            (contact.tangent, contact.command) = (Some(placed.tangent), placed.command);
+            contact
+        });
+        Ok(Grasp::new(contacts)?.with(self.settings()))
+    }
+}
+
+/// Sets the places that are drawn apart from those of others.
+const IMPROVE: u64 = 48;
+
+fn placed<const C: usize>(choice: &Choice<'_, C>, held: &Held<C>) -> Vec<Placed<C>> {
+    let contacts = choice.contacts(&held.placing);
+    let parts = WholeContacts::of(&choice.given);
+    let place = |(i, contact): (usize, &crate::grasp::Contact<C>)| {
+        let surface = choice.question.surfaces.get(&i).map(|surface| surface.name().to_owned());
+        let part = parts.with(&|k| k == i).into_iter().next()?;
+        Some(Placed {
+            contact: part,
+            surface,
+            point: contact.point,
+            normal: contact.normal.normalize(),
+            tangent: held.placing.tangents[i],
+            command: contact.command,
+            moved: (contact.point - choice.given[i].point).norm(),
+            pressed_with: held.placing.presses[i],
+            normal_force: held.sticking.at_rest(i)[0],
+        })
+    };
+    contacts.iter().enumerate().filter_map(place).collect()
+}
+
+fn in_the_way<const C: usize>(choice: &Choice<'_, C>, held: &Held<C>, last: &Last<C>) -> Vec<InTheWay> {
+    let Last { step, events, bounds, rooms } = last;
+    let parts = WholeContacts::of(&choice.given);
+    let mut all: Vec<(usize, Binds)> = Vec::new();
+    for (event, share) in events.iter().zip(&step.events).filter(|(_, share)| **share > SEEN) {
+        let (contact, load) = (event.condition.contact, event.condition.load);
+        let known = all.iter_mut().find_map(|(of, binds)| match binds {
+            Binds::FirstSlip { load: under, share } if *of == contact && *under == load => Some(share),
+            _ => None,
+        });
+        match known {
+            Some(known) => *known += share,
+            None => all.push((contact, Binds::FirstSlip { load, share: *share })),
+        }
+    }
+    let force = choice.unit_of_force();
+    let gain = |multiplier: f64, unit: f64| multiplier * held.factor / unit;
+    for (bound, multiplier) in bounds.iter().zip(&step.bounds).filter(|(_, y)| **y > SEEN) {
+        let per_newton = gain(*multiplier, force);
+        all.push((
+            bound.contact,
+            match bound.kind {
+                BoundKind::Sticks => Binds::Rest { per_newton },
+                BoundKind::Force => Binds::Force { per_newton },
+            },
+        ));
+    }
+    let of_rooms = rooms.iter().zip(step.bounds.iter().skip(bounds.len()));
+    for (contact, multiplier) in of_rooms.filter(|(_, y)| **y > SEEN) {
+        let unit = choice.variables.iter().find(|v| v.contact == *contact).map_or(1.0, |v| v.unit);
+        all.push((*contact, Binds::End { per_metre: gain(*multiplier, unit) }));
+    }
+    for (variable, [down, up]) in choice.variables.iter().zip(&step.ends) {
+        if let Kind::Press { .. } = variable.what {
+            if *up > SEEN {
+                all.push((variable.contact, Binds::Pressed { per_newton: gain(*up, variable.unit) }));
+            }
+            if *down > SEEN {
+                all.push((variable.contact, Binds::NotPressed { per_newton: gain(*down, variable.unit) }));
+            }
+        }
+    }
+    let told = |(contact, binds): (usize, Binds)| {
+        let contact = parts.with(&|k| k == contact).into_iter().next()?;
+        Some(InTheWay { contact, binds })
+    };
+    all.into_iter().filter_map(told).collect()
+}

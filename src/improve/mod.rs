@@ -1,0 +1,58 @@
+//! Where should the fingers be? Positions on given curves or surfaces and squeezes within force limits, such that the first slip comes as late as possible.
+//!
+//! An [`Improve`] says for which loads, which contacts may move along which [`Surface`], and how hard they may press;
+//! [`Grasp::improve`](crate::ask::Grasp::improve) answers with an [`Improved`]: places, squeezes, the first slip before and after, and what stands in the way
+//! of more.
+//!
+//! While everything sticks, forces are linear in the load and in the squeeze, `F = F⁰ + τ F¹`, and each condition `a·F >= 0` of each contact and load
+//! has a factor τ of its own at which it is broken. The first slip is the least of them: piecewise smooth in places and squeezes x,
+//!
+//! ```text
+//! τ(x) = min_k τ_k(x),      dτ_k = -a·(dF⁰ + τ dF¹) / a·F¹
+//! ```
+//!
+//! with exact derivatives ([`Sensitivity::of`](crate::ask::Sensitivity::of)). Each step maximises the least of the linearised τ_k within a box, less a
+//! curvature that the steps before have shown; it is taken if the true first slip grows. Its multipliers are the certificate:
+//!
+//! ```text
+//! Σ λ_k ∇τ_k + Σ ν_b ∇b = 0,      λ, ν >= 0,      Σ λ_k = 1
+//! ```
+//!
+//! over events that come first, and bounds that are met: to first order no other place and squeeze nearby is better. What is left of it is told.
+//! Surfaces bend, so there are several such optima as a rule: the search begins at the grasp given and at the best of many scattered ones.
+//!
+//! | file | idea |
+//! |---|---|
+//! | `surface`, `spline` | curves and surfaces that contacts may move along |
+//! | `spot`, `places` | a place on one of them: its normal, directions to go, how it bends, how far it goes |
+//! | `question` | what is asked |
+//! | `placing` | a choice of places and squeezes, and the grasp that it makes |
+//! | `sticking` | forces while everything sticks, and their derivatives |
+//! | `events` | when each condition is broken, and how that changes |
+//! | `step` | the program of one step, and its multipliers |
+//! | `curvature` | what steps have shown of how events bend |
+//! | `ascent` | from one start to where it ends |
+//! | `improved` | all starts, and the best of them |
+//! | `answer`, `words` | the answer, and its sentence |
+//! | `differences` | derivatives against differences, a test |
+
+mod answer;
+mod ascent;
+mod curvature;
+#[cfg(test)]
+mod differences;
+mod events;
+mod improved;
+mod places;
+mod placing;
+mod question;
+mod spline;
+mod spot;
+mod step;
+mod sticking;
+mod surface;
+mod words;
+
+pub use answer::{Binds, Improved, InTheWay, Placed, Search};
+pub use question::Improve;
+pub use surface::Surface;

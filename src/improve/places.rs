@@ -1,0 +1,237 @@
+//! What each curve or surface is at a place of it, which place is next to a point, and places drawn evenly.
+
+use nalgebra::SVector;
+
+use super::surface::{Shape, Surface};
+
+pub(super) fn unit_direction<const C: usize>(to: &SVector<f64, C>) -> [f64; 3] {
+    let to = to.normalize();
+    std::array::from_fn(|k| to.get(k).copied().unwrap_or(0.0))
+}
+
+/// What a surface is at a place.
+pub(super) struct There<const C: usize> {
+    pub(super) point: SVector<f64, C>,
+    pub(super) normal: SVector<f64, C>,
+    pub(super) along: Vec<SVector<f64, C>>,
+    pub(super) bends: Vec<f64>,
+    pub(super) rooms: Vec<([f64; 2], f64)>,
+}
+
+/// At a right angle to one direction in the plane, or to two in space.
+fn across<const C: usize>(along: &[SVector<f64, C>]) -> SVector<f64, C> {
+    let a = &along[0];
+    if C == 2 {
+        return SVector::from_fn(|k, _| if k == 0 { a[1] } else { -a[0] });
+    }
+    let b = &along[1];
+    SVector::from_fn(|k, _| a[(k + 1) % C] * b[(k + 2) % C] - a[(k + 2) % C] * b[(k + 1) % C])
+}
+
+/// Two directions at right angles to a third one, in space.
+fn both_across<const C: usize>(axis: &SVector<f64, C>) -> [SVector<f64, C>; 2] {
+    let mut least = SVector::zeros();
+    least[axis.iamin()] = 1.0;
+    let first = (least - axis * axis.dot(&least)).normalize();
+    [first, across(&[*axis, first])]
+}
+
+impl<const C: usize> Surface<C> {
+    /// The place next to a point, and the normal there on the side of another one.
+    #[cfg(test)]
+    pub(super) fn place_of(&self, point: [f64; C], normal: [f64; C]) -> ([f64; C], [f64; C]) {
+        let spot = super::spot::Spot::nearest(self, &point.into(), &normal.into());
+        (spot.point.into(), spot.normal.into())
+    }
+
+    pub(super) fn parts(&self) -> usize {
+        match &self.0 {
+            Shape::Segments(parts) => parts.len(),
+            Shape::Triangles(parts) => parts.len(),
+            _ => 1,
+        }
+    }
+
+    /// Length or area of a part.
+    pub(super) fn size(&self, part: usize) -> f64 {
+        match &self.0 {
+            Shape::Segments(parts) => (parts[part][1] - parts[part][0]).norm(),
+            Shape::Triangles(parts) => {
+                let [a, b, c] = &parts[part];
+                across(&[b - a, c - a]).norm()
+            }
+            _ => 1.0,
+        }
+    }
+
+    pub(super) fn there(&self, part: usize, at: [f64; 3]) -> There<C> {
+        let [a, b, c] = at;
+        let between = |axis: usize, at: f64, length: f64| {
+            let row = |sign: f64| std::array::from_fn(|k| if k == axis { sign } else { 0.0 });
+            [(row(1.0), length - at), (row(-1.0), at)]
+        };
+        match &self.0 {
+            Shape::Segments(parts) => {
+                let [from, to] = &parts[part];
+                let (along, length) = ((to - from).normalize(), (to - from).norm());
+                let along = vec![along];
+                There {
+                    point: from + along[0] * a,
+                    normal: across(&along),
+                    along,
+                    bends: vec![0.0],
+                    rooms: between(0, a, length).into(),
+                }
+            }
+            Shape::Arc { centre, radius, from, over } => {
+                let (sin, cos) = (from + a).sin_cos();
+                let out = SVector::<f64, C>::from_fn(|k, _| [cos, sin][k.min(1)]);
+                let along = SVector::from_fn(|k, _| [-sin, cos][k.min(1)]);
+                let rooms = over.map_or(Vec::new(), |over| between(0, a * radius, over * radius).into());
+                let point = centre + out * *radius;
+                There { point, normal: out, along: vec![along], bends: vec![1.0 / radius], rooms }
+            }
+            Shape::Spline(spline) => {
+                let [point, first, second] = spline.at(a);
+                let speed = first.norm();
+                let along = vec![first / speed];
+                let normal = across(&along);
+                // n·p' = 0 for all parameters.
+                let bends = vec![-normal.dot(&second) / (speed * speed)];
+                let open = !spline.is_closed();
+                let rooms =
+                    if open { between(0, a * speed, spline.end() * speed).into() } else { Vec::new() };
+                There { point, normal, along, bends, rooms }
+            }
+            Shape::Rectangle { corner, sides } => {
+                let along: Vec<_> = sides.iter().map(SVector::normalize).collect();
+                let mut rooms = Vec::from(between(0, a, sides[0].norm()));
+                rooms.extend(between(1, b, sides[1].norm()));
+                let point = corner + along[0] * a + along[1] * b;
+                There { point, normal: across(&along), along, bends: vec![0.0; 2], rooms }
+            }
+            Shape::Cylinder { ends, radius } => {
+                let axis = ends[1] - ends[0];
+                let (length, axis) = (axis.norm(), axis.normalize());
+                let [x, y] = both_across(&axis);
+                let (sin, cos) = b.sin_cos();
+                let (out, around) = (x * cos + y * sin, y * cos - x * sin);
+                let point = ends[0] + axis * a + out * *radius;
+                let rooms = between(0, a, length).into();
+                There { point, normal: out, along: vec![axis, around], bends: vec![0.0, 1.0 / radius], rooms }
+            }
+            Shape::Sphere { centre, radius } => {
+                let out = SVector::<f64, C>::from_fn(|k, _| [a, b, c][k]);
+                let along = both_across(&out).to_vec();
+                There {
+                    point: centre + out * *radius,
+                    normal: out,
+                    along,
+                    bends: vec![1.0 / radius; 2],
+                    rooms: Vec::new(),
+                }
+            }
+            Shape::Triangles(parts) => {
+                let corners = &parts[part];
+                let [x, y] = frame(corners);
+                let point = corners[0] + x * a + y * b;
+                let (along, normal) = (vec![x, y], across(&[x, y]));
+                let room = |k: usize| {
+                    let (from, to) = (corners[k], corners[(k + 1) % 3]);
+                    // Corners go around counterclockwise in their frame: outward is to the right of each side.
+                    let out = across(&[(to - from).normalize(), normal]);
+                    ([out.dot(&x), out.dot(&y)], -out.dot(&(point - from)))
+                };
+                There { point, normal, bends: vec![0.0; 2], rooms: (0..3).map(room).collect(), along }
+            }
+        }
+    }
+
+    /// Coordinates of the place of a part next to a point.
+    pub(super) fn nearest(&self, part: usize, point: &SVector<f64, C>) -> [f64; 3] {
+        match &self.0 {
+            Shape::Segments(parts) => {
+                let [from, to] = &parts[part];
+                let along = (to - from).normalize();
+                [along.dot(&(point - from)).clamp(0.0, (to - from).norm()), 0.0, 0.0]
+            }
+            Shape::Arc { centre, from, over, .. } => {
+                let away = point - centre;
+                let angle = (away[1].atan2(away[0]) - from).rem_euclid(std::f64::consts::TAU);
+                let beyond = |over: f64| {
+                    let nearer_to_begin = std::f64::consts::TAU - angle < angle - over;
+                    if nearer_to_begin { 0.0 } else { over }
+                };
+                [over.map_or(angle, |over| if angle <= over { angle } else { beyond(over) }), 0.0, 0.0]
+            }
+            Shape::Spline(spline) => [spline.nearest(point), 0.0, 0.0],
+            Shape::Rectangle { corner, sides } => {
+                let at = |k: usize| {
+                    let side = &sides[k];
+                    (side.normalize().dot(&(point - corner))).clamp(0.0, side.norm())
+                };
+                [at(0), at(1), 0.0]
+            }
+            Shape::Cylinder { ends, .. } => {
+                let axis = ends[1] - ends[0];
+                let (length, axis) = (axis.norm(), axis.normalize());
+                let [x, y] = both_across(&axis);
+                let away = point - ends[0];
+                [axis.dot(&away).clamp(0.0, length), y.dot(&away).atan2(x.dot(&away)), 0.0]
+            }
+            Shape::Sphere { centre, .. } => {
+                let away = point - centre;
+                unit_direction(&if away.norm() > 0.0 { away } else { SVector::repeat(1.0) })
+            }
+            Shape::Triangles(parts) => {
+                let corners = &parts[part];
+                let [x, y] = frame(corners);
+                let flat = |p: &SVector<f64, C>| [x.dot(&(p - corners[0])), y.dot(&(p - corners[0]))];
+                let ([u, v], there) = (flat(point), |at: [f64; 2]| self.there(part, [at[0], at[1], 0.0]));
+                if there([u, v]).rooms.iter().all(|(_, room)| *room >= 0.0) {
+                    return [u, v, 0.0];
+                }
+                let on_side = |k: usize| {
+                    let (from, to) = (corners[k], corners[(k + 1) % 3]);
+                    let side = to - from;
+                    from + side * (side.dot(&(point - from)) / side.norm_squared()).clamp(0.0, 1.0)
+                };
+                let off = |p: &SVector<f64, C>| (p - point).norm();
+                let nearest = (0..3).map(on_side).min_by(|p, q| off(p).total_cmp(&off(q)));
+                let [u, v] = flat(&nearest.unwrap_or(corners[0]));
+                [u, v, 0.0]
+            }
+        }
+    }
+
+    /// Coordinates of a part, evenly over it, from two numbers between 0 and 1.
+    pub(super) fn drawn(&self, part: usize, [u, v]: [f64; 2]) -> [f64; 3] {
+        let turn = std::f64::consts::TAU;
+        match &self.0 {
+            Shape::Segments(parts) => [u * (parts[part][1] - parts[part][0]).norm(), 0.0, 0.0],
+            Shape::Arc { over, .. } => [u * over.unwrap_or(turn), 0.0, 0.0],
+            Shape::Spline(spline) => [u * spline.end(), 0.0, 0.0],
+            Shape::Rectangle { sides, .. } => [u * sides[0].norm(), v * sides[1].norm(), 0.0],
+            Shape::Cylinder { ends, .. } => [u * (ends[1] - ends[0]).norm(), v * turn, 0.0],
+            Shape::Sphere { .. } => {
+                let (z, (sin, cos)) = (2.0 * u - 1.0, (turn * v).sin_cos());
+                let radius = (1.0 - z * z).sqrt();
+                [radius * cos, radius * sin, z]
+            }
+            Shape::Triangles(parts) => {
+                let corners = &parts[part];
+                let [x, y] = frame(corners);
+                let [u, v] = if u + v > 1.0 { [1.0 - u, 1.0 - v] } else { [u, v] };
+                let away = (corners[1] - corners[0]) * u + (corners[2] - corners[0]) * v;
+                [x.dot(&away), y.dot(&away), 0.0]
+            }
+        }
+    }
+}
+
+/// Directions in the plane of a triangle, the first along its first side.
+fn frame<const C: usize>(corners: &[SVector<f64, C>; 3]) -> [SVector<f64, C>; 2] {
+    let x = (corners[1] - corners[0]).normalize();
+    let other = corners[2] - corners[0];
+    [x, (other - x * x.dot(&other)).normalize()]
+}

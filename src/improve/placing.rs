@@ -1,0 +1,183 @@
+//! A choice of places and squeezes, and the grasp that it makes.
+
+use nalgebra::SVector;
+
+use super::question::Improve;
+use super::spot::Spot;
+use crate::ask::Grasp;
+use crate::error::Error;
+use crate::grasp::{Contact, Hold};
+use crate::numerics::Draw;
+
+/// A point that lies off its surface by more than this part of the size of its coordinates is refused, and so is a normal by more than this angle, rad.
+const OFF: f64 = 1e-6;
+
+/// One number that may change.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Variable {
+    pub(super) contact: usize,
+    pub(super) what: Kind,
+    /// What counts as one in a step: m, N.
+    pub(super) unit: f64,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Kind {
+    /// Its place, along a direction of its spot.
+    Along(usize),
+    /// The force that it is told to press with, from 0 to so much, N.
+    Press { most: f64 },
+}
+
+#[cfg(test)]
+impl Variable {
+    /// A step that takes a fifth of a squeeze away, and leaves places.
+    pub(super) fn relaxed(&self) -> f64 {
+        if let Kind::Press { .. } = self.what { -0.2 } else { 0.0 }
+    }
+}
+
+/// What may change of a grasp, and what stays.
+#[derive(Debug)]
+pub(super) struct Choice<'q, const C: usize> {
+    pub(super) question: &'q Improve<C>,
+    pub(super) given: Vec<Contact<C>>,
+    /// The first tangents given.
+    tangents: Vec<SVector<f64, C>>,
+    pub(super) variables: Vec<Variable>,
+}
+
+/// Values of what may change.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Placing<const C: usize> {
+    pub(super) spots: Vec<Option<Spot<C>>>,
+    /// The first tangents of all contacts.
+    pub(super) tangents: Vec<SVector<f64, C>>,
+    /// Of contacts whose squeeze may change, N.
+    pub(super) presses: Vec<Option<f64>>,
+}
+
+impl<'q, const C: usize> Choice<'q, C> {
+    /// With the placing that is given. A contact that does not lie on its surface is refused.
+    pub(super) fn of(grasp: &Grasp<C>, question: &'q Improve<C>) -> Result<(Self, Placing<C>), Error> {
+        let given = grasp.contacts().to_vec();
+        let tangents: Vec<SVector<f64, C>> =
+            grasp.frames().map(|frame| frame.column(1).into_owned()).collect();
+        let middle = given.iter().map(Contact::point).sum::<SVector<f64, C>>() / given.len() as f64;
+        let square = given.iter().map(|contact| (contact.point - middle).norm_squared()).sum::<f64>();
+        let length = (square / given.len() as f64).sqrt();
+        let length = if length > 0.0 { length } else { 1.0 };
+        let (mut variables, mut spots, mut presses) = (Vec::new(), Vec::new(), Vec::new());
+        for (contact, at) in given.iter().enumerate() {
+            let spot =
+                question.surfaces.get(&contact).map(|surface| Spot::nearest(surface, &at.point, &at.normal));
+            if let Some(spot) = &spot {
+                let refused = |field, value, allowed| {
+                    Err(Error::Surface { contact: at.label(contact), field, value, allowed })
+                };
+                let off = (spot.point - at.point).norm();
+                if off > OFF * (length + at.point.norm()) {
+                    return refused(
+                        "distance of its point from its surface",
+                        off,
+                        "0 m: the point has to lie on it",
+                    );
+                }
+                let aside = (at.normal.normalize() - spot.normal).norm();
+                if aside > OFF {
+                    return refused("angle between its normal and that of its surface", aside, "0 rad");
+                }
+                let along = |axis| Variable { contact, what: Kind::Along(axis), unit: length };
+                variables.extend((0..spot.along.len()).map(along));
+            }
+            spots.push(spot);
+            let most = question.most_of(contact).filter(|_| at.hold != Hold::Bonded);
+            let stiffness = at.series_stiffness_of_axes()[0];
+            let given = |most: f64| (stiffness * (at.command[0] - at.clearance)).clamp(0.0, most);
+            presses.push(most.map(given));
+            let press = |most| Variable { contact, what: Kind::Press { most }, unit: most };
+            variables.extend(most.map(press));
+        }
+        let choice = Self { question, given, tangents: tangents.clone(), variables };
+        Ok((choice, Placing { spots, tangents, presses }))
+    }
+
+    /// A placing drawn anywhere, everything pressed as hard as it may.
+    pub(super) fn drawn(&self, from: &Placing<C>, draw: &mut Draw) -> Placing<C> {
+        let mut placing = from.clone();
+        for (contact, surface) in &self.question.surfaces {
+            let spot = placing.spots[*contact].as_ref().map(|spot| spot.drawn(surface, draw));
+            placing.tangents[*contact] = self.tangent(*contact, &self.tangents[*contact], spot.as_ref());
+            placing.spots[*contact] = spot;
+        }
+        for (contact, press) in placing.presses.iter_mut().enumerate() {
+            *press = self.question.most_of(contact).filter(|_| press.is_some());
+        }
+        placing
+    }
+
+    /// Where a step leads, in units of each variable.
+    pub(super) fn moved(&self, from: &Placing<C>, step: &[f64]) -> Placing<C> {
+        let mut placing = from.clone();
+        for (contact, surface) in &self.question.surfaces {
+            let of = self.variables.iter().zip(step);
+            let of = of.filter(|(variable, _)| variable.contact == *contact);
+            let along: Vec<f64> = of
+                .filter(|(variable, _)| matches!(variable.what, Kind::Along(_)))
+                .map(|(variable, step)| variable.unit * step)
+                .collect();
+            let spot = from.spots[*contact].as_ref().map(|spot| spot.moved(surface, &along));
+            placing.tangents[*contact] = self.tangent(*contact, &from.tangents[*contact], spot.as_ref());
+            placing.spots[*contact] = spot;
+        }
+        for (variable, step) in self.variables.iter().zip(step) {
+            if let (Kind::Press { most }, Some(press)) =
+                (variable.what, &mut placing.presses[variable.contact])
+            {
+                *press = (*press + variable.unit * step).clamp(0.0, most);
+            }
+        }
+        placing
+    }
+
+    /// The first tangent of a frame that has come along without turning about its normal.
+    fn tangent(&self, contact: usize, from: &SVector<f64, C>, spot: Option<&Spot<C>>) -> SVector<f64, C> {
+        let Some(normal) = spot.map(|spot| spot.normal) else { return *from };
+        if C == 2 {
+            let clockwise =
+                |n: &SVector<f64, C>| SVector::<f64, C>::from_fn(|k, _| if k == 0 { n[1] } else { -n[0] });
+            let sign = clockwise(&self.given[contact].normal).dot(&self.tangents[contact]);
+            return clockwise(&normal) * sign.signum();
+        }
+        let across = from - normal * normal.dot(from);
+        if across.norm() > OFF {
+            return across.normalize();
+        }
+        let mut axis = SVector::<f64, C>::zeros();
+        axis[normal.iamin()] = 1.0;
+        (axis - normal * normal.dot(&axis)).normalize()
+    }
+
+    /// What counts as one newton among forces: the greatest one that a contact may press with.
+    pub(super) fn unit_of_force(&self) -> f64 {
+        let press = |variable: &Variable| if let Kind::Press { most } = variable.what { most } else { 0.0 };
+        let most = self.variables.iter().map(press).fold(0.0, f64::max);
+        if most > 0.0 { most } else { 1.0 }
+    }
+
+    /// The contacts of a placing, with their commands.
+    pub(super) fn contacts(&self, placing: &Placing<C>) -> Vec<Contact<C>> {
+        let with = |(i, given): (usize, &Contact<C>)| {
+            let mut contact = given.clone();
+            if let Some(spot) = &placing.spots[i] {
+                (contact.point, contact.normal) = (spot.point, spot.normal);
+                contact.tangent = Some(placing.tangents[i]);
+            }
+            if let Some(press) = placing.presses[i] {
+                contact.command[0] = contact.clearance + press / contact.series_stiffness_of_axes()[0];
+            }
+            contact
+        };
+        self.given.iter().enumerate().map(with).collect()
+    }
+}

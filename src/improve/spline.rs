@@ -1,0 +1,116 @@
+//! A cubic spline through points, whose second derivative is continuous: normals and curvatures change without a jump.
+
+use nalgebra::{DMatrix, SVector};
+
+/// Points, the parameters at which they are met, and second derivatives there.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Spline<const C: usize> {
+    points: Vec<SVector<f64, C>>,
+    at: Vec<f64>,
+    bends: Vec<SVector<f64, C>>,
+    closed: bool,
+}
+
+impl<const C: usize> Spline<C> {
+    /// Of points that follow each other; a closed one comes back to the first.
+    pub(super) fn through(mut points: Vec<SVector<f64, C>>, closed: bool) -> Self {
+        if let (true, Some(first)) = (closed && points.len() > 2, points.first().copied()) {
+            points.push(first);
+        }
+        let mut at = vec![0.0];
+        at.extend(points.windows(2).scan(0.0, |sum, ends| {
+            *sum += (ends[1] - ends[0]).norm();
+            Some(*sum)
+        }));
+        let mut spline = Self { bends: vec![SVector::zeros(); points.len()], points, at, closed };
+        spline.bend();
+        spline
+    }
+
+    /// Second derivatives such that first ones have no jump.
+    fn bend(&mut self) {
+        let n = self.points.len();
+        if n < 3 {
+            return;
+        }
+        let step = |k: usize| self.at[k + 1] - self.at[k];
+        let slope = |k: usize| (self.points[k + 1] - self.points[k]) / step(k);
+        let mut rows = DMatrix::<f64>::zeros(n, n);
+        let mut known = DMatrix::<f64>::zeros(n, C);
+        for k in 1..n - 1 {
+            (rows[(k, k - 1)], rows[(k, k)], rows[(k, k + 1)]) =
+                (step(k - 1), 2.0 * (step(k - 1) + step(k)), step(k));
+            known.set_row(k, &((slope(k) - slope(k - 1)) * 6.0).transpose());
+        }
+        (rows[(0, 0)], rows[(n - 1, n - 1)]) = (1.0, 1.0);
+        if self.closed {
+            let last = n - 2;
+            rows[(0, n - 1)] = -1.0;
+            (rows[(n - 1, 0)], rows[(n - 1, 1)]) = (2.0 * (step(last) + step(0)), step(0));
+            (rows[(n - 1, last)], rows[(n - 1, n - 1)]) = (step(last), 0.0);
+            known.set_row(n - 1, &((slope(0) - slope(last)) * 6.0).transpose());
+        }
+        if let Some(bends) = rows.lu().solve(&known) {
+            self.bends = bends.row_iter().map(|row| SVector::from_fn(|axis, _| row[axis])).collect();
+        }
+    }
+
+    pub(super) fn points(&self) -> &[SVector<f64, C>] {
+        &self.points
+    }
+
+    /// Of points that follow each other; zero of fewer than two.
+    pub(super) fn least_distance(&self) -> f64 {
+        let least = self.at.windows(2).map(|ends| ends[1] - ends[0]).fold(f64::INFINITY, f64::min);
+        if self.points.len() < 2 { 0.0 } else { least }
+    }
+
+    /// The last parameter.
+    pub(super) fn end(&self) -> f64 {
+        self.at.last().copied().unwrap_or(0.0)
+    }
+
+    pub(super) fn is_closed(&self) -> bool {
+        self.closed
+    }
+
+    /// This parameter on the spline: around a closed one, at the end of an open one.
+    pub(super) fn within(&self, t: f64) -> f64 {
+        if self.closed { t.rem_euclid(self.end()) } else { t.clamp(0.0, self.end()) }
+    }
+
+    /// Point, first and second derivative.
+    pub(super) fn at(&self, t: f64) -> [SVector<f64, C>; 3] {
+        let k = self.at.partition_point(|at| *at <= t).clamp(1, self.at.len() - 1) - 1;
+        let (h, left, right) = (self.at[k + 1] - self.at[k], t - self.at[k], self.at[k + 1] - t);
+        let ([p, q], [a, b]) = ([self.points[k], self.points[k + 1]], [self.bends[k], self.bends[k + 1]]);
+        let ends = [p / h - a * (h / 6.0), q / h - b * (h / 6.0)];
+        let point = (a * right.powi(3) + b * left.powi(3)) / (6.0 * h) + ends[0] * right + ends[1] * left;
+        let first = (b * left.powi(2) - a * right.powi(2)) / (2.0 * h) + ends[1] - ends[0];
+        [point, first, (a * right + b * left) / h]
+    }
+
+    /// The parameter of the point next to one.
+    pub(super) fn nearest(&self, point: &SVector<f64, C>) -> f64 {
+        let pieces = (self.at.len() - 1) * PER_PIECE;
+        let t = |k: usize| self.end() * k as f64 / pieces as f64;
+        let off = |t: f64| (self.at(t)[0] - point).norm_squared();
+        let begin = (0..=pieces).map(t).min_by(|a, b| off(*a).total_cmp(&off(*b))).unwrap_or(0.0);
+        let mut best = begin;
+        for _ in 0..NEWTON {
+            let [at, first, second] = self.at(best);
+            let away = at - point;
+            let curve = first.norm_squared() + away.dot(&second);
+            let next = self.within(best - away.dot(&first) / curve);
+            if off(next) >= off(best) || next.is_nan() {
+                break;
+            }
+            best = next;
+        }
+        best
+    }
+}
+
+/// The nearest point is looked for among so many of each piece, and found from there by so many steps of Newton's method.
+const PER_PIECE: usize = 32;
+const NEWTON: usize = 30;

@@ -1,0 +1,116 @@
+//! A place on a curve or surface: its normal, directions to go, how it bends there, and how far it goes.
+
+use nalgebra::SVector;
+
+use super::places::unit_direction;
+use super::surface::{Shape, Surface};
+use crate::numerics::Draw;
+
+/// A place on a part of a surface. Coordinates there are those of the part: lengths or angles, of a sphere a unit direction.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Spot<const C: usize> {
+    part: usize,
+    at: [f64; 3],
+    /// On which side of the surface its normal is.
+    side: f64,
+    pub(super) point: SVector<f64, C>,
+    /// Into the object.
+    pub(super) normal: SVector<f64, C>,
+    /// Unit directions along the surface, at right angles: those in which it bends most and least.
+    pub(super) along: Vec<SVector<f64, C>>,
+    /// The normal changes by so much along each for a metre that way: 1/m.
+    pub(super) bends: Vec<f64>,
+    /// Steps with `row·step <= room` stay on the part, m.
+    pub(super) rooms: Vec<([f64; 2], f64)>,
+}
+
+impl<const C: usize> Spot<C> {
+    fn new(surface: &Surface<C>, part: usize, at: [f64; 3], side: f64) -> Self {
+        let there = surface.there(part, at);
+        let (normal, bends) = (there.normal * side, there.bends.iter().map(|bend| bend * side).collect());
+        Self { part, at, side, point: there.point, normal, along: there.along, bends, rooms: there.rooms }
+    }
+
+    /// The place next to a point, on the side that a normal tells.
+    pub(super) fn nearest(surface: &Surface<C>, point: &SVector<f64, C>, normal: &SVector<f64, C>) -> Self {
+        let spots = (0..surface.parts()).map(|part| {
+            let spot = Self::new(surface, part, surface.nearest(part, point), 1.0);
+            let side = if spot.normal.dot(normal) < 0.0 { -1.0 } else { 1.0 };
+            if side > 0.0 { spot } else { Self::new(surface, part, spot.at, side) }
+        });
+        // Where parts meet, the one whose normal it is.
+        let off = |spot: &Self| (spot.point - point).norm();
+        let turned = |spot: &Self| 1.0 - spot.normal.dot(normal) / normal.norm();
+        let mut best: Option<Self> = None;
+        for spot in spots {
+            let better = best.as_ref().is_none_or(|best| {
+                let edge = ON_AN_EDGE * (1.0 + spot.point.norm());
+                off(&spot) < off(best) - edge
+                    || (off(&spot) <= off(best) + edge && turned(&spot) < turned(best))
+            });
+            if better {
+                best = Some(spot);
+            }
+        }
+        best.unwrap_or_else(|| Self::new(surface, 0, [0.0; 3], 1.0))
+    }
+
+    /// Where a step along its directions leads, m.
+    pub(super) fn moved(&self, surface: &Surface<C>, step: &[f64]) -> Self {
+        let [a, b, c] = self.at;
+        let (first, second) = (step[0], step.get(1).copied().unwrap_or(0.0));
+        let at = match &surface.0 {
+            Shape::Segments(parts) => {
+                let [from, to] = &parts[self.part];
+                [(a + first).clamp(0.0, (to - from).norm()), 0.0, 0.0]
+            }
+            Shape::Arc { radius, over, .. } => {
+                let angle = a + first / radius;
+                [over.map_or(angle, |over| angle.clamp(0.0, over)), 0.0, 0.0]
+            }
+            Shape::Spline(spline) => [spline.within(a + first / spline.at(a)[1].norm()), 0.0, 0.0],
+            Shape::Rectangle { sides, .. } => {
+                [(a + first).clamp(0.0, sides[0].norm()), (b + second).clamp(0.0, sides[1].norm()), 0.0]
+            }
+            Shape::Cylinder { ends, radius } => {
+                [(a + first).clamp(0.0, (ends[1] - ends[0]).norm()), b + second / radius, 0.0]
+            }
+            Shape::Sphere { radius, .. } => {
+                let step = self.along[0] * first + self.along[1] * second;
+                let angle = step.norm() / radius;
+                let from = SVector::<f64, C>::from_fn(|k, _| [a, b, c][k]);
+                let to = if angle > 0.0 { from * angle.cos() + step.normalize() * angle.sin() } else { from };
+                unit_direction(&to)
+            }
+            Shape::Triangles(_) => [a + first, b + second, 0.0],
+        };
+        let mut moved = Self::new(surface, self.part, at, self.side);
+        if let Shape::Sphere { .. } = surface.0 {
+            // Directions go along: what steps have shown of curvature is told in them.
+            let across = self.along[0] - moved.normal * self.along[0].dot(&moved.normal);
+            if across.norm() > 0.5 {
+                let first = across.normalize();
+                let second = self.along[1] - moved.normal * self.along[1].dot(&moved.normal);
+                moved.along = vec![first, (second - first * second.dot(&first)).normalize()];
+            }
+        }
+        moved
+    }
+
+    /// A place drawn anywhere on the surface, as likely on each part as that is large; on the same side.
+    pub(super) fn drawn(&self, surface: &Surface<C>, draw: &mut Draw) -> Self {
+        let sizes: Vec<f64> = (0..surface.parts()).map(|part| surface.size(part)).collect();
+        let mut left = draw.uniform() * sizes.iter().sum::<f64>();
+        let mut part = 0;
+        while part + 1 < sizes.len() && left > sizes[part] {
+            left -= sizes[part];
+            part += 1;
+        }
+        let [u, v] = [draw.uniform(), draw.uniform()];
+        // Triangles of a mesh have their corners in one order all over it, edges their ends: the side is the same.
+        Self::new(surface, part, surface.drawn(part, [u, v]), self.side)
+    }
+}
+
+/// Parts whose distances are this much alike meet, of the size of coordinates.
+const ON_AN_EDGE: f64 = 1e-12;

@@ -1,0 +1,128 @@
+//! The program of one step: the least of linearised events is greatest within a box, less what curvature takes.
+//!
+//! ```text
+//! min  t + ½ dᵀB d     such that     t + τ_k + g_k·d >= top,     h_b·d + left_b >= 0,     low <= d <= high
+//! ```
+//!
+//! Its conditions of an optimum are a complementarity problem, whose matrix `[B, -Aᵀ; A, 0]` is positive semidefinite as B is: Lemke's method ends at a
+//! solution, and there is one. What the box of the step adds to the multipliers, and B d, is what stationarity lacks at d = 0.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::lcp::{Lcp, Outcome, Settings};
+
+/// Numbers near one: factors in parts of the present first slip, variables in their units.
+pub(super) struct Program {
+    pub(super) factors: Vec<f64>,
+    pub(super) gradients: Vec<DVector<f64>>,
+    /// Rows `h·d + left >= 0`.
+    pub(super) bounds: Vec<(DVector<f64>, f64)>,
+    /// How far each variable may go down and up at all.
+    pub(super) reach: Vec<[f64; 2]>,
+}
+
+/// A step and its multipliers.
+#[derive(Debug, Clone)]
+pub(super) struct Step {
+    pub(super) d: DVector<f64>,
+    /// By how much the first slip grows if everything is as told here.
+    pub(super) gain: f64,
+    /// Of each event; they add up to one.
+    pub(super) events: Vec<f64>,
+    pub(super) bounds: Vec<f64>,
+    /// Of the ends of each variable, down and up.
+    pub(super) ends: Vec<[f64; 2]>,
+    /// What the multipliers leave of `Σ λ ∇τ + Σ ν ∇b = 0`, and of events and bounds that are met.
+    pub(super) residual: f64,
+}
+
+impl Program {
+    /// The step within a box of this half width; `None` where rounding is in the way.
+    pub(super) fn step(&self, radius: f64, curvature: &DMatrix<f64>) -> Option<Step> {
+        let n = self.reach.len();
+        let low = DVector::from_fn(n, |j, _| (-radius).max(self.reach[j][0].min(0.0)));
+        let high = DVector::from_fn(n, |j, _| radius.min(self.reach[j][1].max(0.0)));
+        let ends = |g: &DVector<f64>| {
+            (0..n).fold([0.0; 2], |[least, most], j| {
+                let [a, b] = [g[j] * low[j], g[j] * high[j]];
+                [least + a.min(b), most + a.max(b)]
+            })
+        };
+        let events = || self.factors.iter().zip(&self.gradients);
+        let top = events().map(|(factor, g)| factor + ends(g)[1]).fold(f64::INFINITY, f64::min);
+        if !top.is_finite() {
+            return None;
+        }
+        // No other event can come first within the box.
+        let near: Vec<usize> =
+            events().enumerate().filter(|(_, (f, g))| *f + ends(g)[0] < top).map(|(k, _)| k).collect();
+        let near = if near.is_empty() { vec![0] } else { near };
+        let top = top + ABOVE;
+        let (m, b) = (near.len(), self.bounds.len());
+        let (first, size) = (n + 1, n + 1 + m + b + n);
+        let mut matrix = DMatrix::zeros(size, size);
+        let mut q = DVector::zeros(size);
+        matrix.view_mut((0, 0), (n, n)).copy_from(curvature);
+        q.rows_mut(0, n).copy_from(&(curvature * &low));
+        q[n] = 1.0;
+        let mut put = |row: usize, g: &DVector<f64>, t: f64, left: f64| {
+            for j in 0..n {
+                (matrix[(row, j)], matrix[(j, row)]) = (g[j], -g[j]);
+            }
+            (matrix[(row, n)], matrix[(n, row)]) = (t, -t);
+            q[row] = left;
+        };
+        for (row, k) in near.iter().enumerate() {
+            let g = &self.gradients[*k];
+            put(first + row, g, 1.0, self.factors[*k] + g.dot(&low) - top);
+        }
+        for (row, (h, left)) in self.bounds.iter().enumerate() {
+            put(first + m + row, h, 0.0, left.max(0.0) + h.dot(&low));
+        }
+        for j in 0..n {
+            let mut one = DVector::zeros(n);
+            one[j] = -1.0;
+            put(first + m + b + j, &one, 0.0, high[j] - low[j]);
+        }
+        let problem = Lcp::new(matrix, q).ok()?;
+        let solved = [Settings::one_path(), Settings::default()].into_iter().find_map(|settings| {
+            match problem.solve_with(&settings) {
+                Outcome::Solved(solution) => Some(solution),
+                _ => None,
+            }
+        })?;
+        let z = &solved.z;
+        let d = DVector::from_fn(n, |j, _| (z[j] + low[j]).clamp(low[j], high[j]));
+        let least = events().map(|(factor, g)| factor + g.dot(&d)).fold(f64::INFINITY, f64::min);
+        let now = self.factors.iter().copied().fold(f64::INFINITY, f64::min);
+        let bent = curvature * &d;
+        let mut events = vec![0.0; self.factors.len()];
+        let share: f64 = z.rows(first, m).sum();
+        let share = if share > 0.0 { share } else { 1.0 };
+        near.iter().enumerate().for_each(|(row, k)| events[*k] = z[first + row] / share);
+        let bounds: Vec<f64> = z.rows(first + m, b).iter().map(|y| y / share).collect();
+        // What is left of the gradients is what the ends of variables take, where they are met, and else a residual.
+        let mut left = DVector::zeros(n);
+        events.iter().zip(&self.gradients).for_each(|(y, g)| left += g * *y);
+        bounds.iter().zip(&self.bounds).for_each(|(y, (h, _))| left += h * *y);
+        let mut taken = vec![[0.0; 2]; n];
+        for j in 0..n {
+            let [down, up] = self.reach[j];
+            if left[j] > 0.0 && up <= AT_AN_END {
+                (taken[j][1], left[j]) = (left[j], 0.0);
+            } else if left[j] < 0.0 && down >= -AT_AN_END {
+                (taken[j][0], left[j]) = (-left[j], 0.0);
+            }
+        }
+        let met = events.iter().zip(&self.factors).map(|(y, factor)| y * (factor - now)).sum::<f64>()
+            + bounds.iter().zip(&self.bounds).map(|(y, (_, left))| y * left.max(0.0)).sum::<f64>();
+        let residual = left.amax().max(met);
+        let gain = least - now - 0.5 * bent.dot(&d);
+        Some(Step { d, gain, events, bounds, ends: taken, residual })
+    }
+}
+
+/// The top of the program lies so far above what can be reached that its t is above zero, and multipliers of events add up to one.
+const ABOVE: f64 = 0.5;
+/// An end of a variable this near, in its unit, is met.
+const AT_AN_END: f64 = 1e-12;

@@ -1,0 +1,192 @@
+//! Curves and surfaces that contacts may move along.
+
+use nalgebra::SVector;
+
+use super::spline::Spline;
+use crate::error::{ContactLabel, Error, is_moderate};
+
+/// A curve in the plane or a surface in space that a contact may move along; the normal of the contact follows. On which side the object lies is told by
+/// the normal that the contact is given with. Checked when it is asked about.
+///
+/// ```
+/// use grasp_lcp::improve::Surface;
+///
+/// let edge = Surface::segment([-0.04, -0.02], [-0.04, 0.02]);
+/// let disc = Surface::circle([0.0, 0.0], 0.05);
+/// let can = Surface::cylinder([0.0, 0.0, -0.05], [0.0, 0.0, 0.05], 0.03);
+/// # let _ = (edge, disc, can);
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Surface<const C: usize>(pub(super) Shape<C>);
+
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Shape<const C: usize> {
+    /// Ends of each.
+    Segments(Vec<[SVector<f64, C>; 2]>),
+    /// In the plane, from one angle counterclockwise over another; all around if that is `None`.
+    Arc {
+        centre: SVector<f64, C>,
+        radius: f64,
+        from: f64,
+        over: Option<f64>,
+    },
+    /// In the plane.
+    Spline(Spline<C>),
+    /// A corner, and the sides from there, at a right angle.
+    Rectangle {
+        corner: SVector<f64, C>,
+        sides: [SVector<f64, C>; 2],
+    },
+    /// All around its axis, from one end of it to the other.
+    Cylinder {
+        ends: [SVector<f64, C>; 2],
+        radius: f64,
+    },
+    Sphere {
+        centre: SVector<f64, C>,
+        radius: f64,
+    },
+    /// Corners of each.
+    Triangles(Vec<[SVector<f64, C>; 3]>),
+}
+
+/// Sides of a rectangle whose angle is this far off a right one are refused.
+const SKEWED: f64 = 1e-9;
+
+impl Surface<2> {
+    /// A straight edge between two points, m.
+    #[must_use]
+    pub fn segment(from: impl Into<[f64; 2]>, to: impl Into<[f64; 2]>) -> Self {
+        Self(Shape::Segments(vec![[from.into().into(), to.into().into()]]))
+    }
+
+    /// Straight edges from point to point, m. A contact stays on the edge that it begins on; starts are scattered over all of them.
+    #[must_use]
+    pub fn polyline(points: impl IntoIterator<Item = [f64; 2]>) -> Self {
+        let points: Vec<_> = points.into_iter().map(SVector::from).collect();
+        Self(Shape::Segments(points.windows(2).map(|ends| [ends[0], ends[1]]).collect()))
+    }
+
+    /// A circle: centre and radius, m.
+    #[must_use]
+    pub fn circle(centre: impl Into<[f64; 2]>, radius: f64) -> Self {
+        Self(Shape::Arc { centre: centre.into().into(), radius, from: 0.0, over: None })
+    }
+
+    /// Part of a circle: from an angle, counted from x to y, over another one, rad.
+    #[must_use]
+    pub fn arc(centre: impl Into<[f64; 2]>, radius: f64, from: f64, over: f64) -> Self {
+        Self(Shape::Arc { centre: centre.into().into(), radius, from, over: Some(over) })
+    }
+
+    /// A cubic spline through points, m, at their distances as parameters; without curvature at its ends, or closed.
+    #[must_use]
+    pub fn spline(points: impl IntoIterator<Item = [f64; 2]>, closed: bool) -> Self {
+        Self(Shape::Spline(Spline::through(points.into_iter().map(SVector::from).collect(), closed)))
+    }
+}
+
+impl Surface<3> {
+    /// A plane rectangle: a corner and the two sides from there, at a right angle, m.
+    #[must_use]
+    pub fn rectangle(corner: impl Into<[f64; 3]>, sides: [[f64; 3]; 2]) -> Self {
+        Self(Shape::Rectangle { corner: corner.into().into(), sides: sides.map(SVector::from) })
+    }
+
+    /// A cylinder all around, between the ends of its axis, m.
+    #[must_use]
+    pub fn cylinder(from: impl Into<[f64; 3]>, to: impl Into<[f64; 3]>, radius: f64) -> Self {
+        Self(Shape::Cylinder { ends: [from.into().into(), to.into().into()], radius })
+    }
+
+    /// A sphere: centre and radius, m.
+    #[must_use]
+    pub fn sphere(centre: impl Into<[f64; 3]>, radius: f64) -> Self {
+        Self(Shape::Sphere { centre: centre.into().into(), radius })
+    }
+
+    /// Triangles, such as those of a mesh, by their corners, m. A contact stays on the triangle that it begins on; starts are scattered over all of them.
+    #[must_use]
+    pub fn triangles(corners: impl IntoIterator<Item = [[f64; 3]; 3]>) -> Self {
+        Self(Shape::Triangles(corners.into_iter().map(|corners| corners.map(SVector::from)).collect()))
+    }
+}
+
+impl<const C: usize> Surface<C> {
+    /// What it is called: "edge", "circle", …
+    pub(super) fn name(&self) -> &'static str {
+        match &self.0 {
+            Shape::Segments(_) => "edge",
+            Shape::Arc { over: None, .. } => "circle",
+            Shape::Arc { .. } => "arc",
+            Shape::Spline(_) => "spline",
+            Shape::Rectangle { .. } => "rectangle",
+            Shape::Cylinder { .. } => "cylinder",
+            Shape::Sphere { .. } => "sphere",
+            Shape::Triangles(_) => "triangle",
+        }
+    }
+
+    /// Refuses what is no curve or surface, and numbers that are not finite.
+    pub(super) fn check(&self, contact: &ContactLabel) -> Result<(), Error> {
+        let refused =
+            |field, value, allowed| Err(Error::Surface { contact: contact.clone(), field, value, allowed });
+        let wrong = |points: &mut dyn Iterator<Item = &SVector<f64, C>>| {
+            points.flat_map(|p| p.iter().copied().collect::<Vec<_>>()).find(|x| !is_moderate(*x))
+        };
+        let size = "finite, above 0 and at most 1e50 m";
+        let long = |length: f64| length > 0.0 && is_moderate(length);
+        let (points, length): (Option<f64>, (&'static str, f64)) = match &self.0 {
+            Shape::Segments(parts) => {
+                let least = parts.iter().map(|[a, b]| (b - a).norm()).fold(f64::INFINITY, f64::min);
+                let least = if parts.is_empty() { 0.0 } else { least };
+                (wrong(&mut parts.iter().flatten()), ("length of an edge of its surface", least))
+            }
+            Shape::Arc { centre, radius, from, over } => {
+                let over = over.unwrap_or(1.0);
+                if !(over > 0.0 && over <= std::f64::consts::TAU && is_moderate(*from)) {
+                    let value = if is_moderate(*from) { over } else { *from };
+                    return refused(
+                        "angle of its arc",
+                        value,
+                        "finite, the arc above 0 and at most a full turn, rad",
+                    );
+                }
+                (wrong(&mut std::iter::once(centre)), ("radius of its surface", *radius))
+            }
+            Shape::Spline(spline) => {
+                let least = spline.least_distance();
+                (wrong(&mut spline.points().iter()), ("least distance of points of its spline", least))
+            }
+            Shape::Rectangle { corner, sides } => {
+                let [a, b] = sides.map(|side| side.norm());
+                let skew = sides[0].dot(&sides[1]) / (a * b);
+                if skew.abs() > SKEWED {
+                    return refused("cosine between the sides of its rectangle", skew, "0, a right angle");
+                }
+                let points = wrong(&mut std::iter::once(corner).chain(sides));
+                (points, ("side of its rectangle", a.min(b)))
+            }
+            Shape::Cylinder { ends, radius } => {
+                let least = radius.min((ends[1] - ends[0]).norm());
+                (wrong(&mut ends.iter()), ("radius or length of its cylinder", least))
+            }
+            Shape::Sphere { centre, radius } => {
+                (wrong(&mut std::iter::once(centre)), ("radius of its surface", *radius))
+            }
+            Shape::Triangles(parts) => {
+                let height = |[a, b, c]: &[SVector<f64, C>; 3]| {
+                    let (side, other) = (b - a, c - a);
+                    (other - side * (side.dot(&other) / side.norm_squared())).norm()
+                };
+                let least = parts.iter().map(height).fold(f64::INFINITY, f64::min);
+                let least = if parts.is_empty() { 0.0 } else { least };
+                (wrong(&mut parts.iter().flatten()), ("height of a triangle of its surface", least))
+            }
+        };
+        if let Some(value) = points {
+            return refused("coordinate of its surface", value, crate::error::MODERATE);
+        }
+        if long(length.1) { Ok(()) } else { refused(length.0, length.1, size) }
+    }
+}

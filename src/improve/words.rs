@@ -1,0 +1,126 @@
+//! Where the fingers should be in a sentence, as one would say it to a colleague.
+
+use std::fmt;
+
+use super::answer::{Binds, Improved, Placed, Search};
+use crate::words::{Words, listed};
+
+/// Less is rounding, as a part of the largest length or force that is told.
+const ALIKE: f64 = 1e-6;
+/// More contacts are not told one by one.
+const MANY: usize = 9;
+
+impl<const C: usize> fmt::Display for Improved<C> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let words = Words::of(f);
+        let Some(after) = self.after else {
+            return write!(f, "NO GRASP on these surfaces was found that sticks at rest");
+        };
+        let unit = if self.force.is_some() { "N" } else { "times the loads" };
+        let much = |factor: f64| words.number(factor * self.force.unwrap_or(1.0));
+        match self.before {
+            _ if after.is_infinite() => write!(f, "NEVER SLIPS, however large the loads are")?,
+            Some(before) if after <= before * (1.0 + ALIKE) => {
+                write!(f, "FIRST SLIP at {} {unit}, and nothing better was found", much(after))?;
+            }
+            Some(before) => {
+                write!(f, "FIRST SLIP at {} {unit} instead of {} {unit}", much(after), much(before))?;
+            }
+            None => write!(f, "FIRST SLIP at {} {unit} instead of sliding at rest", much(after))?,
+        }
+        let told = self.told(words);
+        if !told.is_empty() {
+            write!(f, ": {told}")?;
+        }
+        write!(f, ". {}", self.proof(words))
+    }
+}
+
+impl<const C: usize> Improved<C> {
+    /// "left moves 3.1 mm along its edge, right 2 mm along its circle; both press with 10 N".
+    fn told(&self, words: Words) -> String {
+        let far = self.contacts.iter().map(|placed| placed.moved).fold(0.0, f64::max);
+        let moves: Vec<&Placed<C>> =
+            self.contacts.iter().filter(|placed| placed.moved > ALIKE * far && far > 0.0).collect();
+        let mut told = Vec::new();
+        if moves.len() > MANY {
+            told.push(format!("{} contacts move", moves.len()));
+        } else if !moves.is_empty() {
+            let one = |(k, placed): (usize, &&Placed<C>)| {
+                let verb = if k == 0 { "moves " } else { "" };
+                let surface = placed.surface.as_deref().unwrap_or("surface");
+                format!("{} {verb}{} along its {surface}", placed.contact, words.length(placed.moved))
+            };
+            told.push(listed(&moves.iter().enumerate().map(one).collect::<Vec<_>>()));
+        }
+        let pressed: Vec<&Placed<C>> =
+            self.contacts.iter().filter(|placed| placed.pressed_with.is_some()).collect();
+        let force = |placed: &Placed<C>| words.number(placed.normal_force);
+        if let Some(first) = pressed.first() {
+            let most = pressed.iter().map(|placed| placed.normal_force).fold(0.0, f64::max);
+            let alike = pressed.iter().all(|p| (p.normal_force - first.normal_force).abs() <= ALIKE * most);
+            let names: Vec<_> = pressed.iter().map(|placed| placed.contact.text()).collect();
+            if alike {
+                let (who, verb) = match names.len() {
+                    1 => (names[0].to_string(), "presses"),
+                    2 => ("both".to_owned(), "press"),
+                    _ => ("all".to_owned(), "press"),
+                };
+                told.push(format!("{who} {verb} with {} N", force(first)));
+            } else if pressed.len() <= MANY {
+                let each = pressed.iter().enumerate().map(|(k, placed)| {
+                    let verb = if k == 0 { "presses with " } else { "with " };
+                    format!("{} {verb}{} N", placed.contact.text(), force(placed))
+                });
+                told.push(listed(&each.collect::<Vec<_>>()));
+            }
+        }
+        told.join("; ")
+    }
+
+    /// What stands in the way, or why the search ended.
+    fn proof(&self, words: Words) -> String {
+        match self.search {
+            Search::Optimum => {
+                let mut slides: Vec<String> = Vec::new();
+                let mut bounds: Vec<String> = Vec::new();
+                for way in &self.in_the_way {
+                    let name = way.contact.text();
+                    let list =
+                        if let Binds::FirstSlip { .. } = way.binds { &mut slides } else { &mut bounds };
+                    let one = match way.binds {
+                        Binds::FirstSlip { .. } => name.into_owned(),
+                        Binds::Force { .. } | Binds::Pressed { .. } => {
+                            format!("the greatest force of {name}")
+                        }
+                        Binds::NotPressed { .. } => format!("{name}, which cannot pull"),
+                        Binds::End { .. } => format!("the end of the surface of {name}"),
+                        Binds::Rest { .. } => format!("the friction of {name} at rest"),
+                    };
+                    if !list.contains(&one) {
+                        list.push(one);
+                    }
+                }
+                let first = if slides.len() == 1 { "leaves" } else { "leave" };
+                let within = match &bounds[..] {
+                    [] => String::new(),
+                    bounds => format!(", within {}", listed(bounds)),
+                };
+                format!(
+                    "Nothing nearby is better to first order, as {} {first} first{within}",
+                    listed(&slides)
+                )
+            }
+            Search::Stalled => {
+                let residual = self
+                    .residual
+                    .map_or(String::new(), |r| format!(" (gradients leave {})", words.number(r)));
+                format!("No step gains more, without proof that nothing nearby is better{residual}")
+            }
+            Search::OutOfSteps => "The search ended when it had made as many steps as it may".to_owned(),
+            Search::Unbalanced => "At other places nothing would balance the loads".to_owned(),
+            Search::NothingSlides => "Nothing slides there".to_owned(),
+            Search::NoStart => "No start sticks at rest".to_owned(),
+        }
+    }
+}

@@ -1,0 +1,59 @@
+//! What is asked badly is refused by name.
+
+use grasp_lcp::Error;
+use grasp_lcp::improve::{Improve, Surface};
+use grasp_lcp::planar::{Contact, Grasp, Loads, Turn, Wrench};
+
+fn refusal(question: &Improve<2>) -> String {
+    let jaw = |x: f64, name| {
+        Contact::new([x, 0.0], [-x, 0.0])
+            .name(name)
+            .series_stiffness(1e3, 8e2)
+            .friction(0.5)
+            .pressed_with(8.0)
+    };
+    let grasp = Grasp::new([jaw(-0.03, "left"), jaw(0.03, "right")]).expect("two jaws");
+    grasp.improve(question).map_or_else(|error: Error| error.to_string(), |answer| panic!("{answer}"))
+}
+
+fn asked() -> Improve<2> {
+    Improve::new(Wrench::force([0.0, -1.0]))
+}
+
+#[test]
+fn messages_name_contact_field_value_and_what_is_allowed() {
+    let cases = [
+        (
+            asked(),
+            "improve: surface is given of no contact and no greatest force, must be one: nothing may change",
+        ),
+        (
+            asked().along(0, Surface::circle([0.0, 0.0], -1.0)),
+            "contact 0 (left): radius of its surface is -1, must be finite, above 0 and at most 1e50 m",
+        ),
+        (
+            asked().along(1, Surface::segment([0.04, -0.01], [0.04, 0.01])),
+            "contact 1 (right): distance of its point from its surface is 0.010000000000000002, must be 0 m: the point has to lie on it",
+        ),
+        (
+            asked().along(0, Surface::segment([-0.03, 0.0], [-0.02, 0.0])),
+            "contact 0 (left): angle between its normal and that of its surface is 1.4142135623730951, must be 0 rad",
+        ),
+        (
+            asked().along(2, Surface::circle([0.0, 0.0], 1.0)),
+            "number of the contact is 2, must be less than the number of contacts",
+        ),
+        (
+            asked().pressing_at_most(-2.0),
+            "contact 0 (left): pressing force is -2, must be at most a force above 0 and up to 1e50 N",
+        ),
+        (
+            Improve::new(Loads::Turn(Turn::tilting([0.0, -1.0], [0.0, 0.0]))).pressing_at_most(1.0),
+            "improve: turn is given, must be loads that grow or a force of any direction",
+        ),
+        (Improve::new(Vec::new()).pressing_at_most(1.0), "number of loads is 0, must be at least 1"),
+    ];
+    for (question, message) in cases {
+        assert_eq!(refusal(&question), message);
+    }
+}

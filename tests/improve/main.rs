@@ -1,0 +1,7 @@
+//! Where fingers should be: optima in closed form, multipliers against differences, and starts from everywhere against a grid.
+
+mod against_a_grid;
+mod bad_questions;
+mod closed_forms;
+mod in_space;
+mod multipliers;
