@@ -85,6 +85,18 @@ def test_a_block_walks_while_it_is_rocked() -> None:
     assert least == pytest.approx(3.5 / 6, rel=1e-8)
 
 
+def test_fingers_are_placed_where_they_slide_late() -> None:
+    jaws = Grasp.planar([[-0.03, 0.004], [0.03, -0.006]], [[1, 0], [-1, 0]], series_stiffness=[1e3, 8e2], friction=0.5, pressed_with=8.0)
+    sides = [{"segment": [[x, -0.02], [x, 0.02]]} for x in (-0.03, 0.03)]
+    improved = jaws.improve([0, -1], surfaces=sides, at_most=10)
+    assert improved.after == pytest.approx(10, rel=1e-10) and improved.is_locally_best
+    assert improved.before is not None and improved.before < 8
+    assert str(improved).startswith("FIRST SLIP at 10 N instead of")
+    better = jaws.placed_as(improved)
+    assert better.onset([0, -1]).factor == pytest.approx(10, rel=1e-10)
+    assert improved.points[0, 1] == pytest.approx(improved.points[1, 1], abs=1e-9)
+
+
 def test_friction_that_is_lower_once_contacts_slide() -> None:
     # Two feet share a pull. The stiff one begins to slide at 7.5 N and keeps 4 N; the other one catches 3.5 N, and slides at 9 N.
     feet = Grasp.planar(

@@ -134,6 +134,12 @@ CASES: list[tuple[Callable[[], object], type[Exception], str]] = [
         ValueError,
         "legs[1]: shape (4,) given, must be (2,) of a force or (3,) of a force and a moment",
     ),
+    (
+        lambda: pinch().improve([0, -1]),
+        ValueError,
+        "improve: surface is given of no contact and no greatest force, must be one: nothing may change",
+    ),
+    (lambda: pinch().improve(at_most=1), ValueError, "improve: load is missing, must be one of load, loads and any_force"),
     (lambda: pinch().quality(budget=-1), ValueError, "budget is -1, must be more than 0 and at most 1e50"),
     (lambda: pinch().load_limit([0, 0]), ValueError, "size of direction is 0, must be more than 0"),
     (lambda: pinch().least_squeeze(), TypeError, "least_squeeze: give one of loads, any_force and turn"),

@@ -8,6 +8,7 @@
 //! | Why are there several equilibria, and which one is real? | [`several_equilibria`] |
 //! | What does it mean that Lemke's method ended on a ray? | [`reading_a_ray`] |
 //! | Round cone or polygon, and how many facets? | [`choosing_facets`] |
+//! | Where should fingers be, and how hard should they press? | [`choosing_fingers`] |
 //! | Is the object caught, or does it fall at the first slip? | [`kinetic_friction`] |
 //! | How are wedges, vices, stacks and arches said, with more bodies than one? | [`several_bodies`] |
 //! | Does it survive shaking, and what walks out? | [`loads_that_repeat`] |
@@ -18,6 +19,7 @@
 //! The pages have no items of their own; their examples are compiled and run with the tests.
 
 pub mod choosing_facets;
+pub mod choosing_fingers;
 pub mod everyday;
 pub mod hands;
 pub mod kinetic_friction;

@@ -142,7 +142,7 @@ pub enum Search {
     Unbalanced,
     /// However large the loads are, nothing slides.
     NothingSlides,
-    /// No start sticks at rest.
+    /// No start sticks at rest and resists the loads.
     NoStart,
 }
 

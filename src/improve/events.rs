@@ -1,7 +1,7 @@
 //! When each condition of each contact is broken under each load, and how that changes.
 //!
-//! A condition of a force is `a·F >= 0`: of friction `a = (μ, ∓1)` in the plane, `(μ, -cos φ, -sin φ)` at every angle φ in space; without friction, or with
-//! friction without limit, `a = (1, 0…)`.
+//! A condition of a force is `a·F >= 0`: of friction `a = (μ, ∓1)` in the plane, `(μ, -cos φ, -sin φ)` at every angle φ in space; without
+//! friction, or with friction without limit, `a = (1, 0…)`.
 
 use std::f64::consts::{PI, TAU};
 

@@ -57,16 +57,17 @@ impl<const C: usize> Grasp<C> {
         let (choice, given) = Choice::of(&grasp, question)?;
         let climb = Climb { choice: &choice, loaded: &loaded, grasp: &grasp };
         let before = loaded.first_slip(&grasp)?.filter(|factor| *factor > 0.0);
-        let mut starts: Vec<Held<C>> = climb.held(given.clone())?.into_iter().collect();
-        let numbers: Vec<u64> = (0..question.starts.saturating_mul(DRAWN_FOR_EACH) as u64).collect();
+        let numbers: Vec<u64> = (0..(question.starts * DRAWN_FOR_EACH) as u64).collect();
         let drawn = in_order(&numbers, &|number| {
-            climb.held(choice.drawn(&given, &mut Draw::new([question.seed, *number, IMPROVE])))
+            let drawn = choice.drawn(&given, &mut Draw::new([question.seed, *number, IMPROVE]));
+            // Its forces are not kept: of thousands they would take room.
+            Ok::<_, Error>(climb.held(drawn)?.map(|held| (held.factor, held.placing)))
         });
-        let mut drawn: Vec<Held<C>> =
+        let mut drawn: Vec<_> =
             drawn.into_iter().collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect();
-        drawn.sort_by(|a, b| b.factor.total_cmp(&a.factor));
-        starts.extend(drawn.into_iter().take(question.starts));
-        let placings: Vec<_> = starts.into_iter().map(|held| held.placing).collect();
+        drawn.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let best = drawn.into_iter().take(question.starts).map(|(_, placing)| placing);
+        let placings: Vec<_> = std::iter::once(given.clone()).chain(best).collect();
         let ascents = in_order(&placings, &|placing| {
             climb.held(placing.clone())?.map(|held| climb.up(held)).transpose()
         });

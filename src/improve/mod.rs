@@ -55,4 +55,6 @@ mod words;
 
 pub use answer::{Binds, Improved, InTheWay, Placed, Search};
 pub use question::Improve;
+#[cfg(feature = "serde")]
+pub(crate) use surface::Shape;
 pub use surface::Surface;

@@ -8,6 +8,9 @@ use crate::error::{Error, Field, MODERATE, is_moderate};
 use crate::grasp::{Hold, Wrench};
 use crate::squeeze::Loads;
 
+/// More starts take minutes for what a few tell.
+const MOST_STARTS: usize = 1_000;
+
 /// Which loads are to slide as late as possible, which contacts may move along what, and how hard they may press. Checked when it is asked.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Improve<const C: usize> {
@@ -98,6 +101,10 @@ impl<const C: usize> Improve<C> {
     pub(crate) fn check(&self, grasp: &Grasp<C>) -> Result<(), Error> {
         grasp.refuse_hands("improve")?;
         self.base.check("base load")?;
+        if self.starts > MOST_STARTS {
+            let (what, allowed) = ("number of starts", "at most 1000");
+            return Err(Error::Argument { what, value: self.starts as f64, allowed });
+        }
         self.loads.check_size()?;
         let wrong = |field, fault| Err(Error::Question { question: "improve", field, fault });
         match &self.loads {
@@ -146,6 +153,9 @@ impl<const C: usize> Improve<C> {
                         "is given of a soft fingertip, must be of contacts that are points",
                     );
                 }
+            }
+            if contact.point_of_pad.is_some() && self.most_of(i).is_some() {
+                return wrong("at_most", "is given of a soft fingertip, must be of contacts that are points");
             }
             let pressed = self.most_of(i).filter(|_| contact.hold != Hold::Bonded);
             if let Some(force) = pressed.filter(|force| !(*force > 0.0 && is_moderate(*force))) {

@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, SVector};
 
 /// Points, the parameters at which they are met, and second derivatives there.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Spline<const C: usize> {
+pub(crate) struct Spline<const C: usize> {
     points: Vec<SVector<f64, C>>,
     at: Vec<f64>,
     bends: Vec<SVector<f64, C>>,
@@ -14,7 +14,8 @@ pub(super) struct Spline<const C: usize> {
 impl<const C: usize> Spline<C> {
     /// Of points that follow each other; a closed one comes back to the first.
     pub(super) fn through(mut points: Vec<SVector<f64, C>>, closed: bool) -> Self {
-        if let (true, Some(first)) = (closed && points.len() > 2, points.first().copied()) {
+        let closed = closed && points.len() > 2;
+        if let (true, Some(first)) = (closed, points.first().copied()) {
             points.push(first);
         }
         let mut at = vec![0.0];
@@ -59,6 +60,12 @@ impl<const C: usize> Spline<C> {
         &self.points
     }
 
+    /// Those that were given: a closed one has its first point twice.
+    #[cfg(feature = "serde")]
+    pub(crate) fn given(&self) -> &[SVector<f64, C>] {
+        &self.points[..self.points.len() - usize::from(self.closed)]
+    }
+
     /// Of points that follow each other; zero of fewer than two.
     pub(super) fn least_distance(&self) -> f64 {
         let least = self.at.windows(2).map(|ends| ends[1] - ends[0]).fold(f64::INFINITY, f64::min);
@@ -70,7 +77,7 @@ impl<const C: usize> Spline<C> {
         self.at.last().copied().unwrap_or(0.0)
     }
 
-    pub(super) fn is_closed(&self) -> bool {
+    pub(crate) fn is_closed(&self) -> bool {
         self.closed
     }
 

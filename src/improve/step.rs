@@ -62,6 +62,7 @@ impl Program {
         let (first, size) = (n + 1, n + 1 + m + b + n);
         let mut matrix = DMatrix::zeros(size, size);
         let mut q = DVector::zeros(size);
+        let curvature = &(curvature + DMatrix::identity(n, n) * SHORT);
         matrix.view_mut((0, 0), (n, n)).copy_from(curvature);
         q.rows_mut(0, n).copy_from(&(curvature * &low));
         q[n] = 1.0;
@@ -124,5 +125,7 @@ impl Program {
 
 /// The top of the program lies so far above what can be reached that its t is above zero, and multipliers of events add up to one.
 const ABOVE: f64 = 0.5;
+/// Of several steps that gain as much the shortest is taken: nothing moves for nothing.
+const SHORT: f64 = 1e-4;
 /// An end of a variable this near, in its unit, is met.
 const AT_AN_END: f64 = 1e-12;

@@ -20,7 +20,7 @@ use crate::error::{ContactLabel, Error, is_moderate};
 pub struct Surface<const C: usize>(pub(super) Shape<C>);
 
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Shape<const C: usize> {
+pub(crate) enum Shape<const C: usize> {
     /// Ends of each.
     Segments(Vec<[SVector<f64, C>; 2]>),
     /// In the plane, from one angle counterclockwise over another; all around if that is `None`.
@@ -63,8 +63,7 @@ impl Surface<2> {
     /// Straight edges from point to point, m. A contact stays on the edge that it begins on; starts are scattered over all of them.
     #[must_use]
     pub fn polyline(points: impl IntoIterator<Item = [f64; 2]>) -> Self {
-        let points: Vec<_> = points.into_iter().map(SVector::from).collect();
-        Self(Shape::Segments(points.windows(2).map(|ends| [ends[0], ends[1]]).collect()))
+        Self(Shape::polyline(&points.into_iter().map(SVector::from).collect::<Vec<_>>()))
     }
 
     /// A circle: centre and radius, m.
@@ -82,7 +81,7 @@ impl Surface<2> {
     /// A cubic spline through points, m, at their distances as parameters; without curvature at its ends, or closed.
     #[must_use]
     pub fn spline(points: impl IntoIterator<Item = [f64; 2]>, closed: bool) -> Self {
-        Self(Shape::Spline(Spline::through(points.into_iter().map(SVector::from).collect(), closed)))
+        Self(Shape::spline(points.into_iter().map(SVector::from).collect(), closed))
     }
 }
 
@@ -109,6 +108,27 @@ impl Surface<3> {
     #[must_use]
     pub fn triangles(corners: impl IntoIterator<Item = [[f64; 3]; 3]>) -> Self {
         Self(Shape::Triangles(corners.into_iter().map(|corners| corners.map(SVector::from)).collect()))
+    }
+}
+
+impl<const C: usize> Shape<C> {
+    pub(crate) fn polyline(points: &[SVector<f64, C>]) -> Self {
+        Self::Segments(points.windows(2).map(|ends| [ends[0], ends[1]]).collect())
+    }
+
+    pub(crate) fn spline(points: Vec<SVector<f64, C>>, closed: bool) -> Self {
+        Self::Spline(Spline::through(points, closed))
+    }
+}
+
+#[cfg(feature = "serde")]
+impl<const C: usize> Surface<C> {
+    pub(crate) fn of(shape: Shape<C>) -> Self {
+        Self(shape)
+    }
+
+    pub(crate) fn shape(&self) -> &Shape<C> {
+        &self.0
     }
 }
 

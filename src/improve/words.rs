@@ -14,7 +14,10 @@ impl<const C: usize> fmt::Display for Improved<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
         let Some(after) = self.after else {
-            return write!(f, "NO GRASP on these surfaces was found that sticks at rest");
+            return write!(
+                f,
+                "NO GRASP on these surfaces was found that sticks at rest and resists the loads"
+            );
         };
         let unit = if self.force.is_some() { "N" } else { "times the loads" };
         let much = |factor: f64| words.number(factor * self.force.unwrap_or(1.0));
@@ -90,9 +93,8 @@ impl<const C: usize> Improved<C> {
                         if let Binds::FirstSlip { .. } = way.binds { &mut slides } else { &mut bounds };
                     let one = match way.binds {
                         Binds::FirstSlip { .. } => name.into_owned(),
-                        Binds::Force { .. } | Binds::Pressed { .. } => {
-                            format!("the greatest force of {name}")
-                        }
+                        Binds::Force { .. } => format!("the greatest force of {name}"),
+                        Binds::Pressed { .. } => format!("the greatest command of {name}"),
                         Binds::NotPressed { .. } => format!("{name}, which cannot pull"),
                         Binds::End { .. } => format!("the end of the surface of {name}"),
                         Binds::Rest { .. } => format!("the friction of {name} at rest"),
@@ -120,7 +122,7 @@ impl<const C: usize> Improved<C> {
             Search::OutOfSteps => "The search ended when it had made as many steps as it may".to_owned(),
             Search::Unbalanced => "At other places nothing would balance the loads".to_owned(),
             Search::NothingSlides => "Nothing slides there".to_owned(),
-            Search::NoStart => "No start sticks at rest".to_owned(),
+            Search::NoStart => "No start sticks at rest and resists the loads".to_owned(),
         }
     }
 }

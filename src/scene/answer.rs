@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::held::{HoldAnswer, NeedAnswer};
 use super::identify_asked::IdentifyAnswer;
+use super::improve_asked::ImproveAnswer;
 use super::onset::{OnsetAnswer, TurnAnswer};
 use super::path::PathAnswer;
 use super::shake_asked::{ShakeAnswer, ShakedownAnswer};
@@ -20,6 +21,8 @@ pub enum Answer<const C: usize> {
     Hold(HoldAnswer<C>),
     /// To `need`.
     Need(NeedAnswer),
+    /// To `improve`.
+    Improve(ImproveAnswer<C>),
     /// To `solve`.
     Solve(SolveAnswer<C>),
     /// To `onset`.

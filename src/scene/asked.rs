@@ -7,6 +7,7 @@ use nalgebra::SVector;
 use super::answer::Answer;
 use super::held::NeedAnswer;
 use super::identify_asked::IdentifyAnswer;
+use super::improve_asked::ImproveAnswer;
 use super::labels::SceneNames;
 use super::onset::Factor;
 use super::question::{Commands, Goal, LegAsked, LoadGoal, Question, RampAsked};
@@ -86,6 +87,7 @@ impl<const C: usize> Setup<C> {
         match question {
             Question::Hold { .. } | Question::Solve { .. } | Question::OnsetOfTurn(_) => Ok(()),
             Question::Need(asked) => self.need(asked).map(drop),
+            Question::Improve(asked) => self.improve(asked).map(drop),
             Question::Onset(asked) => self.ramp(asked).map(drop),
             Question::Follow { legs, .. } => self.legs(legs).map(drop),
             Question::Shake(asked) => self.cycle(asked).map(drop),
@@ -177,6 +179,9 @@ impl<const C: usize> Setup<C> {
             Question::Need(asked) => {
                 let needed = grasp.need(&self.need(asked)?.told_in(words))?;
                 Answer::Need(NeedAnswer::of(needed, words))
+            }
+            Question::Improve(asked) => {
+                Answer::Improve(ImproveAnswer::of(grasp.improve(&self.improve(asked)?)?, words))
             }
             Question::Solve { load, .. } => {
                 Answer::Solve(labels.solve(grasp, load, grasp.solve(load)?, words)?)

@@ -12,6 +12,7 @@ use crate::error::Error;
 use crate::grasp::WholeContact;
 use crate::hold::{Holding, Verdict};
 use crate::identify::Identified;
+use crate::improve::{Binds, Improved, Search};
 use crate::load_path::{DriveChange, Onset, PathEnd, Ramp};
 use crate::need::{Amount, Needed, Quantity};
 use crate::shake::{Repeats, Shakedown, Shaken};
@@ -85,6 +86,7 @@ impl<const C: usize> Setup<C> {
         Ok(match question {
             Question::Hold { base, load, .. } => held_briefly(&grasp.hold(Ramp::load(*base, *load))?),
             Question::Need(asked) => needed_briefly(&grasp.need(&self.need(asked)?)?),
+            Question::Improve(asked) => improved_briefly(&grasp.improve(&self.improve(asked)?)?),
             Question::Solve { load, .. } => labels.solved_briefly("solve", &grasp.solve(load)?),
             Question::Onset(asked) => labels.onset_briefly("onset", grasp, &grasp.onset(&self.ramp(asked)?)?),
             Question::OnsetOfTurn(turn) => {
@@ -227,6 +229,22 @@ fn needed_briefly(needed: &Needed) -> Brief {
     let amount = needed.amount.bound();
     let (factor, angle) = if needed.quantity == Quantity::Angle { (None, amount) } else { (amount, None) };
     Brief { factor, angle, ..Brief::new("need", outcome) }
+}
+
+/// The first slip of the best grasp, and who slides first there.
+fn improved_briefly<const C: usize>(improved: &Improved<C>) -> Brief {
+    let outcome = match improved.search {
+        Search::Optimum => "optimum",
+        Search::Stalled => "stalled",
+        Search::OutOfSteps => "out_of_steps",
+        Search::Unbalanced => "unbalanced",
+        Search::NothingSlides => "nothing_slides",
+        Search::NoStart => "no_start",
+    };
+    let mut ways = improved.in_the_way.iter();
+    let first = ways.find(|way| matches!(way.binds, Binds::FirstSlip { .. }));
+    let first = first.map(|way| way.contact.label.clone());
+    Brief { factor: improved.after, first, ..Brief::new("improve", outcome) }
 }
 
 /// What becomes of a load that repeats, with the contact that slides.

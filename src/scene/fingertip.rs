@@ -6,6 +6,7 @@ use super::cup::Cup;
 use super::patch::Tip;
 use crate::error::Error;
 use crate::grasp::{Contact, SoftFingertip};
+use crate::improve::Surface;
 
 /// A contact of a scene: one point, or the patch of a soft fingertip around it.
 ///
@@ -29,6 +30,8 @@ pub struct Fingertip<const C: usize> {
     pub soft: Option<Tip>,
     /// The suction cup that it is, in place of a soft fingertip.
     pub cup: Option<Cup>,
+    /// What it may move along where fingers are [improved](crate::improve).
+    pub surface: Option<Surface<C>>,
     /// No stiffness was given: a default takes its place, see [`Setup::stiffness_left_out`](super::Setup::stiffness_left_out).
     pub no_stiffness: bool,
     /// For the reader of the file.
@@ -57,6 +60,7 @@ impl<const C: usize> From<Contact<C>> for Fingertip<C> {
             contact,
             soft: None,
             cup: None,
+            surface: None,
             no_stiffness: false,
             comment: None,
             moved_by: MovedBy::LastLink,
@@ -76,6 +80,12 @@ impl<const C: usize> Fingertip<C> {
     #[must_use]
     pub fn with_cup(self, cup: Cup) -> Self {
         Self { cup: Some(cup), soft: None, ..self }
+    }
+
+    /// This contact with a curve or surface that it may move along where fingers are [improved](crate::improve).
+    #[must_use]
+    pub fn along(self, surface: Surface<C>) -> Self {
+        Self { surface: Some(surface), ..self }
     }
 
     /// This contact of a finger on another link than the last, or moved by a Jacobian that is given.

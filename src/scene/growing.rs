@@ -28,7 +28,8 @@ impl<'q, const C: usize> Growing<'q, C> {
             Question::Need(asked) => {
                 ("need", asked.base.unwrap_or(Wrench::ZERO), asked.only_load(), &asked.together_with)
             }
-            Question::OnsetOfTurn(_)
+            Question::Improve(_)
+            | Question::OnsetOfTurn(_)
             | Question::Follow { .. }
             | Question::Shake(_)
             | Question::Shakedown(_)

@@ -131,6 +131,9 @@ impl<const C: usize> Setup<C> {
             Question::Need(asked) => {
                 Ok(vec![grasp.need(&self.need(asked)?)?.amount.bound().unwrap_or(f64::INFINITY)])
             }
+            Question::Improve(asked) => {
+                Ok(vec![grasp.improve(&self.improve(asked)?)?.after.unwrap_or(f64::INFINITY)])
+            }
             Question::Solve { load, .. } => Ok(match grasp.solve(load)? {
                 Outcome::Equilibrium(state) => {
                     state.contacts.iter().map(ContactAnswer::normal_force).collect()

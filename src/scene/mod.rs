@@ -57,6 +57,7 @@
 //! | `hold` | `"unilateral"`, `"kept_closed"` or `"bonded"`, see [`Hold`](crate::grasp::Hold) | | unilateral |
 //! | `suction` | a suction cup in place of the point: `{"radius": …, "pressure": …}` with m and Pa, or a `force`, N, in place of the pressure, and `points`, 12 if left out; see [`SuctionCup`](crate::grasp::SuctionCup). Or a number: what a vacuum within a soft fingertip pulls with | N | none |
 //! | `soft` | the patch of a soft fingertip in place of the point, see below | | a point |
+//! | `surface` | what it may move along where fingers are improved, the normal following: in the plane `segment`, `polyline`, `spline`, `closed_spline` (points), `circle` (`centre`, `radius`), `arc` (also `from_deg`, `over_deg`); in space `rectangle` (`corner`, `sides`), `cylinder` (`axis` from end to end, `radius`), `sphere` (`centre`, `radius`), `triangles` (corners of each) | m, degrees | it stays |
 //!
 //! The patch shares stiffness and has friction, command, clearance and hold of the contact (see
 //! [`SoftFingertip`](crate::grasp::SoftFingertip)). In space `{"ring": {"radius": …, "points": …}}`,
@@ -138,6 +139,7 @@
 //! |---|---|---|
 //! | `hold` | `base`, `load` (wrenches), `together_with` | what becomes of the load as it is put on from rest |
 //! | `need` | `quantity`, loads, `together_with` | the amount that it takes, see [`NeedAsked`] |
+//! | `improve` | `base`, loads, `at_most`; a `surface` of contacts | where fingers should be, and how hard they should press, see [`ImproveAsked`] |
 //! | `solve` | `load` (a wrench), `together_with` | the equilibrium under it |
 //! | `onset` | `base`, `direction` (wrenches), `command_change`, `joint_change`, `together_with` | the onset of sliding under `base + τ direction`, commands changing by τ times their change |
 //! | `onset_of_turn` | a turn | the onset of sliding while the load turns |
@@ -285,6 +287,7 @@
 //! |---|---|---|
 //! | `hold` | the sentence `says`, and as `holding` one of `sticks`, `slides`, `loose`, `lost`, `no_rest`, `undecided` | [`HoldAnswer`] |
 //! | `need` | the sentence `says`, and as `amount` one of `bound`, `any`, `none`, `undecided` | [`NeedAnswer`] |
+//! | `improve` | the sentence `says`, and as `search` one of `optimum`, `stalled`, `out_of_steps`, `unbalanced`, `nothing_slides`, `no_start` | [`ImproveAnswer`] |
 //! | `solve` | `equilibrium`, `no_equilibrium`, `undecided` ; where that does not tell whether it is held, `from_rest` what `hold` says | [`SolveAnswer`] |
 //! | `onset` | `at`, `never`, `already_sliding`, `no_base`, `gives_way`, `undecided` | [`OnsetAnswer`] |
 //! | `onset_of_turn` | the same, with `angle_rad` for the factor, and the edges that are touched | [`TurnAnswer`] |
@@ -325,6 +328,7 @@ mod given_answers;
 mod growing;
 mod held;
 mod identify_asked;
+mod improve_asked;
 mod joint;
 mod labels;
 mod left_out;
@@ -344,6 +348,7 @@ mod setup;
 mod shake_asked;
 mod solved;
 mod springs;
+mod surface;
 mod turn;
 mod warning;
 mod wrench;
@@ -360,6 +365,7 @@ pub use finger::FingerSetup;
 pub use fingertip::{Fingertip, MovedBy};
 pub use held::{HoldAnswer, NeedAnswer};
 pub use identify_asked::{ContactPoints, IdentifyAnswer, IdentifyAsked, KnownSum, SlipAsked, UnknownAsked};
+pub use improve_asked::{ImproveAnswer, ImproveAsked};
 pub use link::LinkSetup;
 pub use need_asked::NeedAsked;
 pub use onset::{Angle, Factor, OnsetAnswer, OnsetAt, TurnAnswer};

@@ -111,18 +111,35 @@ impl<const C: usize> NeedAsked<C> {
 
     /// The loads, if they are given in one way.
     fn loads(&self) -> Result<Loads<C>, Error> {
-        let base = self.load.unwrap_or(Wrench::ZERO);
-        let point = self.at.map_or([0.0; C], Into::into);
-        match (self.load, &self.loads[..], self.any_force, self.turn) {
-            (Some(load), [], None, None) => Ok(load.into()),
-            (None, [_, ..], None, None) => Ok(Loads::Each(self.loads.clone())),
-            (_, [], Some(size), None) => Ok(Loads::AnyForce { base, size, point }),
-            (None, [], None, Some(turn)) => Ok(Loads::Turn(turn)),
-            (None, [], None, None) => {
+        let others = self.load.is_some() || !self.loads.is_empty() || self.any_force.is_some();
+        match self.turn {
+            Some(turn) if !others => Ok(Loads::Turn(turn)),
+            Some(_) => Err(wrong("load", "is given twice, must be one of load, loads, any_force and turn")),
+            None if !others => {
                 Err(wrong("load", "is missing, must be one of load, loads, any_force and turn"))
             }
-            _ => Err(wrong("load", "is given twice, must be one of load, loads, any_force and turn")),
+            None => loads_given("need", (self.load, &self.loads), (self.any_force, self.at)),
         }
+    }
+}
+
+/// Loads that are given in one way: one, or several, or a force of any direction, beside which one may be.
+pub(super) fn loads_given<const C: usize>(
+    question: &'static str,
+    (load, loads): (Option<Wrench<C>>, &[Wrench<C>]),
+    (any_force, at): (Option<f64>, Option<SVector<f64, C>>),
+) -> Result<Loads<C>, Error> {
+    let wrong = |field, fault| Err(Error::Question { question, field, fault });
+    if at.is_some() && any_force.is_none() {
+        return wrong("at", "is given, must be left out unless there is any_force (a load has its own)");
+    }
+    let (base, point) = (load.unwrap_or(Wrench::ZERO), at.map_or([0.0; C], Into::into));
+    match (load, loads, any_force) {
+        (Some(load), [], None) => Ok(load.into()),
+        (None, [_, ..], None) => Ok(Loads::Each(loads.to_vec())),
+        (_, [], Some(size)) => Ok(Loads::AnyForce { base, size, point }),
+        (None, [], None) => wrong("load", "is missing, must be one of load, loads and any_force"),
+        _ => wrong("load", "is given twice, must be one of load, loads and any_force"),
     }
 }
 

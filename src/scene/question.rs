@@ -7,6 +7,7 @@ use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
 
 use super::identify_asked::IdentifyAsked;
+use super::improve_asked::ImproveAsked;
 use super::need_asked::NeedAsked;
 use super::object;
 use super::shake_asked::{ShakeAsked, ShakedownAsked};
@@ -16,7 +17,7 @@ use crate::load_path::Turn;
 use crate::serial::AsGiven;
 use crate::words::printable;
 
-/// One question, `{"hold": …}`, `{"need": …}`, `{"solve": …}`, `{"onset": …}`, `{"onset_of_turn": …}`, `{"follow": …}`, `{"shake": …}`, `{"shakedown": …}` or `{"identify": …}`.
+/// One question, `{"hold": …}`, `{"need": …}`, `{"improve": …}`, `{"solve": …}`, `{"onset": …}`, `{"onset_of_turn": …}`, `{"follow": …}`, `{"shake": …}`, `{"shakedown": …}` or `{"identify": …}`.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(remote = "Self", rename_all = "snake_case", deny_unknown_fields)]
@@ -35,6 +36,8 @@ pub enum Question<const C: usize> {
     },
     /// How much does it need? See [`Grasp::need`](crate::ask::Grasp::need).
     Need(Box<NeedAsked<C>>),
+    /// Where should the fingers be? See [`Grasp::improve`](crate::ask::Grasp::improve).
+    Improve(Box<ImproveAsked<C>>),
     /// The equilibrium under a load; see [`Grasp::solve`](crate::ask::Grasp::solve).
     Solve {
         /// The load; none unless said otherwise.

@@ -196,6 +196,7 @@ impl<const C: usize> Setup<C> {
             Question::Need(asked) => {
                 asked.begins_without_load() && !asked.put_on().any(|load| self.lies_on_a_contact(load))
             }
+            Question::Improve(asked) => asked.base.is_none(),
             Question::Solve { load, .. } => *load == Wrench::ZERO,
             Question::Onset(asked) => asked.base == Wrench::ZERO,
             Question::OnsetOfTurn(turn) => turn.load_at(0.0) == Wrench::ZERO,

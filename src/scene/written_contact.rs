@@ -14,6 +14,7 @@ use super::patch::Tip;
 use super::springs::Springs;
 use crate::error::{ContactLabel, Error};
 use crate::grasp::{Axes, Contact, Hold, Stiffness};
+use crate::improve::Surface;
 use crate::serial::{AsGiven, AxisRow, Friction, Given, Number};
 
 /// A contact as it stands in a file.
@@ -81,6 +82,9 @@ struct Written<const C: usize> {
     /// A suction cup in place of the point; or what a vacuum within a soft fingertip pulls with, N.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     suction: Option<WrittenSuction>,
+    /// The curve or surface that it may move along where fingers are improved.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    surface: Option<Surface<C>>,
     /// Which joints of its finger move it; all if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     moved_by: Option<WrittenMover>,
@@ -140,6 +144,7 @@ impl<const C: usize> Serialize for Fingertip<C> {
                 Some(cup) => Some(WrittenSuction::Cup(cup.clone())),
                 None => said(contact.suction).then_some(WrittenSuction::Force(contact.suction)),
             },
+            surface: self.surface.clone(),
             moved_by: match &self.moved_by {
                 MovedBy::LastLink => None,
                 MovedBy::Link(joints) => Some(WrittenMover::Link(*joints)),
@@ -232,7 +237,8 @@ impl<const C: usize> Fingertip<C> {
             Some(WrittenMover::Link(joints)) => MovedBy::Link(joints),
             Some(WrittenMover::Jacobian(rows)) => MovedBy::Jacobian(rows.matrix("jacobian")?),
         };
-        Ok(Self { contact, soft: written.soft, cup, no_stiffness: false, comment: written.comment, moved_by })
+        let (soft, surface, comment) = (written.soft, written.surface, written.comment);
+        Ok(Self { contact, soft, cup, surface, no_stiffness: false, comment, moved_by })
     }
 
     /// Refuses what no grasp would take. Springs that a finger's compliance stands for are judged with the finger.

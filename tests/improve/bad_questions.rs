@@ -51,6 +51,10 @@ fn messages_name_contact_field_value_and_what_is_allowed() {
             Improve::new(Loads::Turn(Turn::tilting([0.0, -1.0], [0.0, 0.0]))).pressing_at_most(1.0),
             "improve: turn is given, must be loads that grow or a force of any direction",
         ),
+        (
+            asked().pressing_at_most(1.0).with_starts(1_000_000),
+            "number of starts is 1000000, must be at most 1000",
+        ),
         (Improve::new(Vec::new()).pressing_at_most(1.0), "number of loads is 0, must be at least 1"),
     ];
     for (question, message) in cases {

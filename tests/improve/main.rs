@@ -5,3 +5,4 @@ mod bad_questions;
 mod closed_forms;
 mod in_space;
 mod multipliers;
+mod same_bits;

@@ -134,7 +134,7 @@ fn what_is_missing_doubled_or_unknown_is_named() {
         (
             "\"friction\"",
             "\"fricton\"",
-            "unknown field `fricton` (`friction`?), must be one of `name`, `comment`, `on`, `against`, `point`, `normal`, `tangent`, `body_stiffness`, `finger_stiffness`, `series_stiffness`, `stiffness`, `friction`, `kinetic_friction`, `command`, `command_world`, `pressed_with`, `force`, `clearance`, `hold`, `soft`, `suction`, `moved_by`",
+            "unknown field `fricton` (`friction`?), must be one of `name`, `comment`, `on`, `against`, `point`, `normal`, `tangent`, `body_stiffness`, `finger_stiffness`, `series_stiffness`, `stiffness`, `friction`, `kinetic_friction`, `command`, `command_world`, `pressed_with`, `force`, `clearance`, `hold`, `soft`, `suction`, `surface`, `moved_by`",
         ),
         (
             "\"settings\"",
@@ -149,7 +149,7 @@ fn what_is_missing_doubled_or_unknown_is_named() {
         (
             "\"solve\"",
             "\"slove\"",
-            "unknown name `slove` (`solve`?), must be one of `hold`, `need`, `solve`, `onset`, `onset_of_turn`, `follow`, `shake`, `shakedown`, `identify`",
+            "unknown name `slove` (`solve`?), must be one of `hold`, `need`, `improve`, `solve`, `onset`, `onset_of_turn`, `follow`, `shake`, `shakedown`, `identify`",
         ),
         ("\"load\"", "\"lode\"", "unknown field `lode`, must be `load`"),
         (

@@ -13,7 +13,7 @@ that names the argument.
 """
 
 from . import friction, lcp
-from .answers import Answer, Beyond, Event, Identified, Leaving, Needed, Onset, Path, Proof, Shakedown, Shaken, Solution, TurnOnset, Verdict
+from .answers import Answer, Beyond, Event, Identified, Improved, Leaving, Needed, Onset, Path, Proof, Shakedown, Shaken, Solution, TurnOnset, Verdict
 from .batch import ContactState, Equilibria, Onsets, OnsetStatus, SolveStatus, onsets, solve_batch
 from .equilibrium import Contact, Drive, Equilibrium, Pad
 from .grasp import Grasp, Leg, Settings, answers, wrench
@@ -31,6 +31,7 @@ __all__ = [
     "Event",
     "Grasp",
     "Identified",
+    "Improved",
     "LeastSqueeze",
     "Leaving",
     "Leg",

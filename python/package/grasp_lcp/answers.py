@@ -383,6 +383,83 @@ class Identified(Answer):
         return f"<Identified: {self.says}>"
 
 
+class Improved(Answer):
+    """Where the fingers should be, and how hard they should press; printed, it is a sentence.
+
+    How the search ended is ``"optimum"`` where multipliers prove that to first order nothing nearby is better, or ``"stalled"``,
+    ``"out_of_steps"``, ``"unbalanced"``, ``"nothing_slides"``, ``"no_start"``.
+    """
+
+    @property
+    def outcome(self) -> str:
+        """How the search ended, in the words of the scene format."""
+        return str(self._tree["search"])
+
+    @property
+    def says(self) -> str:
+        """The answer in a sentence."""
+        return str(self._tree["says"])
+
+    @property
+    def before(self) -> float | None:
+        """The first slip of the grasp given, as a multiple of the loads; None where something slides at rest."""
+        return optional_number(self._tree.get("before"))
+
+    @property
+    def after(self) -> float | None:
+        """The first slip of the best grasp; None where none was found that sticks at rest, ``inf`` where nothing slides."""
+        return optional_number(self._tree.get("after"))
+
+    @property
+    def is_locally_best(self) -> bool:
+        """Whether it is proved that to first order no other place and squeeze nearby is better."""
+        return self.outcome == "optimum"
+
+    @property
+    def residual(self) -> float | None:
+        """What the multipliers leave of zero, as a part of the first slip; None where there are none."""
+        return optional_number(self._tree.get("residual"))
+
+    def _placed(self, name: str) -> Array:
+        return array([placed[name] for placed in self._tree["contacts"]])
+
+    @property
+    def points(self) -> Array:
+        """Where contacts are, m, shape (n, c)."""
+        return self._placed("point")
+
+    @property
+    def normals(self) -> Array:
+        """Unit normals into the object, shape (n, c)."""
+        return self._placed("normal")
+
+    @property
+    def tangents(self) -> Array:
+        """Unit first tangents, shape (n, c)."""
+        return self._placed("tangent")
+
+    @property
+    def commands(self) -> Array:
+        """Commands in the contact frames, m, shape (n, c)."""
+        return self._placed("command")
+
+    @property
+    def normal_forces(self) -> Array:
+        """Normal forces at rest, N, shape (n,)."""
+        return self._placed("normal_force")
+
+    @property
+    def in_the_way(self) -> tuple[Mapping[str, Any], ...]:
+        """What stands in the way of more, each a ``contact``, ``what`` it is and its multiplier."""
+        return tuple(self._tree["in_the_way"])
+
+    def __str__(self) -> str:
+        return self.says
+
+    def __repr__(self) -> str:
+        return f"<Improved: {self.says}>"
+
+
 class Solution(Answer):
     """The answer to "does it hold under this load?": ``"equilibrium"``, ``"no_equilibrium"`` (with its proof) or ``"undecided"``."""
 

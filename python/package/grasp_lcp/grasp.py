@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from . import _grasp_lcp
 from ._bodies import bodies_in_scene
 from ._columns import as_written, columns, dumped, finite, floats, listed, one_each, plain, wrench_json
-from .answers import Answer, Identified, Needed, Onset, Path, Shakedown, Shaken, Solution, TurnOnset, Verdict
+from .answers import Answer, Identified, Improved, Needed, Onset, Path, Shakedown, Shaken, Solution, TurnOnset, Verdict
 from .equilibrium import Equilibrium
 from .quality import Closure, LeastSqueeze, LoadLimit, Quality, WeakestDirection, WrenchBall
 
@@ -481,6 +481,66 @@ class Grasp:
             written["contacts"] = [self._numbered(contact) for contact in each]
         return written
 
+    def improve(
+        self,
+        load: ArrayLike | Mapping[str, Any] | None = None,
+        *,
+        surfaces: Mapping[str, Any] | Sequence[Mapping[str, Any] | None] | None = None,
+        at_most: float | None = None,
+        base: ArrayLike | Mapping[str, Any] | None = None,
+        loads: Sequence[ArrayLike | Mapping[str, Any]] | None = None,
+        any_force: float | None = None,
+        at: ArrayLike | None = None,
+        starts: int | None = None,
+        steps: int | None = None,
+        seed: int | None = None,
+    ) -> Improved:
+        """Where should the fingers be, and how hard should they press, so that the first slip comes as late as possible?
+
+        :param load: what grows; beside ``any_force`` what acts besides.
+        :param surfaces: what contacts may move along, as scenes write it, one for all or a list of one or None a contact: in the plane ``{"segment":
+            [[0, 0], [0, 1]]}``, ``polyline``, ``circle``, ``arc``, ``spline`` or ``closed_spline``, in space ``rectangle``, ``cylinder``,
+            ``sphere`` or ``triangles``. Without it those of the scene.
+        :param at_most: contacts may press with up to this force, N; as they are commanded without it.
+        :param base: what is there at rest, however large the loads are.
+        :param loads: loads that grow, one at a time, in place of it.
+        :param any_force: a force of any direction, of which this size counts as one, N, that acts at ``at``.
+        :param starts: starts beside this grasp, 8 without it.
+        :param steps: steps from each start at most, 200 without it.
+        :param seed: another number gives other starts.
+        """
+        held = self if surfaces is None else self._spread(surface=surfaces)
+        asked: dict[str, Any] = {}
+        for name, wrench_given in (("base", base), ("load", load)):
+            if wrench_given is not None:
+                asked[name] = wrench_json(name, wrench_given, self.axes)
+        if loads is not None:
+            asked["loads"] = [
+                wrench_json(f"loads[{k}]", each, self.axes) for k, each in enumerate(listed("loads", loads, "a list of loads"))
+            ]
+        numbers = (("any_force", any_force), ("at", at), ("at_most", at_most), ("starts", starts), ("steps", steps), ("seed", seed))
+        for name, given in numbers:
+            if given is not None:
+                asked[name] = plain(name, given)
+        return Improved(held._held.ask(dumped({"improve": asked})))
+
+    def placed_as(self, improved: Improved) -> Grasp:
+        """This grasp with its contacts placed and commanded as an answer has them.
+
+        :raises ValueError: if the answer is of another number of contacts, or of soft fingertips.
+        """
+        scene = self.to_dict()
+        contacts = scene["planar" if self.axes == 2 else "spatial"]["contacts"]
+        if len(improved.points) != len(contacts):
+            raise ValueError(f"improved: {len(improved.points)} contacts given, must be {len(contacts)}, all of them points")
+        rows = zip(contacts, improved.points, improved.normals, improved.tangents, improved.commands, strict=True)
+        for contact, point, normal, tangent, command in rows:
+            for name in ("pressed_with", "command_world"):
+                contact.pop(name, None)
+            given = {"point": point, "normal": normal, "tangent": tangent, "command": command}
+            contact.update({name: row.tolist() for name, row in given.items()})
+        return Grasp.from_dict(scene)
+
     def solve(self, load: ArrayLike, *, together_with: Mapping[str, ArrayLike | Mapping[str, Any]] | None = None) -> Solution:
         """The equilibrium under a load, or the proof that there is none.
 
@@ -685,6 +745,7 @@ _KINDS: dict[str, type[Answer]] = {
     "shakedown": Shakedown,
     "identify": Identified,
     "need": Needed,
+    "improve": Improved,
     "solve": Solution,
     "onset": Onset,
     "onset_of_turn": TurnOnset,

@@ -28,6 +28,7 @@ Examples:
   grasp-lcp new gripper > gripper.json        a scene to begin with; `new --help` explains its fields
   grasp-lcp hold mug.json --mass 0.4          does it hold 400 g, and how much more
   grasp-lcp need mug.json squeeze --mass 0.4  how many newtons each finger has to press with
+  grasp-lcp improve pinch.json --mass 0.5     where the fingers should be, on their surfaces
   grasp-lcp onset mug.json --force 0,0,-1     the weight at which the first finger slides
   grasp-lcp draw mug.json                     its answers as a page, and as SVG
   grasp-lcp stream < scenes.jsonl             one scene a line in, one answer a line out
@@ -70,6 +71,24 @@ pub(crate) enum Command {
         ask: Ask,
         #[command(flatten)]
         wanted: Wanted,
+    },
+    /// Where should the fingers be, and how hard should they press, so that the first slip comes as late as possible?
+    ///
+    /// Contacts that may move have a `surface` in the scene. The answer says what stands in the way of more, and `draw` shows the grasp before and after.
+    Improve {
+        #[command(flatten)]
+        load: LoadArguments,
+        /// A force that is there at rest, N, where the load acts.
+        #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
+        base: Option<Numbers>,
+        /// A force of any direction, of which this size counts as one, N, beside the load.
+        #[arg(long, allow_hyphen_values = true, value_parser = newtons, value_name = "N")]
+        any_force: Option<f64>,
+        /// Contacts may press with up to this force, N; as they are commanded if left out.
+        #[arg(long, allow_hyphen_values = true, value_parser = newtons, value_name = "N")]
+        at_most: Option<f64>,
+        #[command(flatten)]
+        ask: Ask,
     },
     /// Where does the object go, and what do the contacts carry, under a load?
     Solve {

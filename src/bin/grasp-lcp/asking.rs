@@ -11,7 +11,8 @@ use grasp_lcp::identify::Ending;
 use grasp_lcp::load_path::Turn;
 use grasp_lcp::need::Amount;
 use grasp_lcp::scene::{
-    Answer, Answers, Goal, LegAsked, OnsetAnswer, PathOutcome, Question, RampAsked, Setup, Space,
+    Answer, Answers, Goal, ImproveAsked, LegAsked, OnsetAnswer, PathOutcome, Question, RampAsked, Setup,
+    Space,
 };
 use grasp_lcp::shake::Repeats;
 use grasp_lcp::words::Words;
@@ -33,6 +34,12 @@ pub(crate) enum Asked {
         base: Option<Numbers>,
     },
     Need(Wanted),
+    Improve {
+        load: LoadArguments,
+        base: Option<Numbers>,
+        any_force: Option<f64>,
+        at_most: Option<f64>,
+    },
     Solve(LoadArguments),
     Onset(LoadArguments),
     Turn {
@@ -114,6 +121,9 @@ fn put<const C: usize>(setup: &mut Setup<C>, asked: &Asked, words: &Meaning<C>) 
     let question = match asked {
         Asked::Hold { load, base } => words.hold(load, base.as_ref())?,
         Asked::Need(wanted) => words.need(wanted, setup)?.map(|asked| Question::Need(Box::new(asked))),
+        Asked::Improve { load, base, any_force, at_most } => {
+            words.improve(load, base.as_ref(), *any_force, *at_most)?
+        }
         Asked::Everything | Asked::Turn { mass: None, weight: None, at: None, base: None, axis: None } => {
             None
         }
@@ -146,7 +156,7 @@ fn put<const C: usize>(setup: &mut Setup<C>, asked: &Asked, words: &Meaning<C>) 
     if setup.questions.is_empty() {
         let message = match asked {
             Asked::Everything => {
-                "the scene asks nothing: use `hold`, `need`, `onset`, `solve`, `turn`, `follow` or `shake` with a load"
+                "the scene asks nothing: use `hold`, `need`, `improve`, `onset`, `solve`, `turn`, `follow` or `shake` with a load"
             }
             Asked::Hold { .. } | Asked::Solve(_) | Asked::Onset(_) => {
                 "the scene has no such question: say --mass, --force or --moment"
@@ -154,6 +164,7 @@ fn put<const C: usize>(setup: &mut Setup<C>, asked: &Asked, words: &Meaning<C>) 
             Asked::Need(_) => {
                 "the scene has no such question: say what is needed, such as `squeeze --mass 0.4`"
             }
+            Asked::Improve { .. } => "the scene has no such question: say --mass, --force or --any-force",
             Asked::Turn { .. } => "the scene has no such question: say --mass or --weight",
             Asked::Follow { .. } => "the scene has no such question: say --to",
             Asked::Identify(_) => "the scene has no such question: say a table of slips behind the scene",
@@ -169,6 +180,7 @@ fn is_of_kind<const C: usize>(question: &Question<C>, asked: &Asked) -> bool {
         Asked::Everything => true,
         Asked::Hold { .. } => matches!(question, Question::Hold { .. }),
         Asked::Need(_) => matches!(question, Question::Need(_)),
+        Asked::Improve { .. } => matches!(question, Question::Improve(_)),
         Asked::Solve(_) => matches!(question, Question::Solve { .. }),
         Asked::Onset(_) => matches!(question, Question::Onset(_)),
         Asked::Turn { .. } => matches!(question, Question::OnsetOfTurn(_)),
@@ -227,6 +239,35 @@ impl<const C: usize> Meaning<C> {
     fn hold(&self, load: &LoadArguments, base: Option<&Numbers>) -> Result<Option<Question<C>>, Failure> {
         let (base, together_with) = (self.base(base, load.at.as_ref())?, self.together_with(load)?);
         Ok(self.wrench(load)?.map(|load| Question::Hold { base, load, together_with }))
+    }
+
+    /// Where should the fingers be?
+    fn improve(
+        &self,
+        load: &LoadArguments,
+        base: Option<&Numbers>,
+        any_force: Option<f64>,
+        at_most: Option<f64>,
+    ) -> Result<Option<Question<C>>, Failure> {
+        if !load.together_with.is_empty() {
+            let message = "--together-with: given, must be left out where fingers are improved";
+            return Err(Failure::Usage(message.to_owned()));
+        }
+        let wrench = self.wrench(load)?;
+        if wrench.is_none() && any_force.is_none() {
+            let given = base.is_some() || at_most.is_some();
+            let missing =
+                "say which load is to slide late: --mass, --force, --moment or --any-force".to_owned();
+            return if given { Err(Failure::Usage(missing)) } else { Ok(None) };
+        }
+        let base = base.map(|_| self.base(base, load.at.as_ref())).transpose()?;
+        let at = any_force.map(|_| point(load.at.as_ref())).transpose()?.map(Into::into);
+        Ok(Some(Question::Improve(Box::new(ImproveAsked {
+            any_force,
+            at,
+            at_most,
+            ..ImproveAsked::of(base, wrench)
+        }))))
     }
 
     /// A force at a point.

@@ -6,6 +6,7 @@ use std::io::{self, Write};
 use grasp_lcp::equilibrium::{ContactState, Equilibrium, Outcome, WholeAnswer};
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::hold::Verdict;
+use grasp_lcp::improve::Improved;
 use grasp_lcp::load_path::{Beyond, Departure, EdgeOf, Leaving, PartChange};
 use grasp_lcp::scene::{Answer, OnsetAnswer, OnsetAt, Question, Setup, TurnAnswer};
 use grasp_lcp::words::printable;
@@ -24,7 +25,7 @@ pub(crate) fn print<const C: usize>(
     let is_a_sentence = |answer: &Answer<C>| {
         matches!(
             answer,
-            Answer::Hold(_) | Answer::Need(_) | Answer::Shake(_) | Answer::Shakedown(_) | Answer::Identify(_)
+            Answer::Hold(_) | Answer::Need(_) | Answer::Improve(_) | Answer::Shake(_) | Answer::Shakedown(_) | Answer::Identify(_)
         )
     };
     // A sentence is what was asked for, and comes first.
@@ -90,6 +91,19 @@ impl Report<'_> {
         table(self.out, self.style, state)
     }
 
+    /// The sentence, and where each contact that may change is then.
+    fn improved<const C: usize>(&mut self, improved: &Improved<C>) -> io::Result<()> {
+        let (digits, words) = (self.style.digits(), self.style.words);
+        writeln!(self.out, "{improved:.digits$}")?;
+        for placed in &improved.contacts {
+            let at = words.numbers(placed.point.as_slice());
+            let normal = words.numbers(placed.normal.as_slice());
+            let force = words.number(placed.normal_force);
+            self.line(&format!("{} at {at} m, normal {normal}, presses with {force} N", placed.contact))?;
+        }
+        Ok(())
+    }
+
     fn answer<const C: usize>(&mut self, question: &Question<C>, answer: &Answer<C>) -> io::Result<()> {
         let digits = self.style.digits();
         match (question, answer) {
@@ -104,6 +118,7 @@ impl Report<'_> {
             (_, Answer::Shakedown(answer)) => writeln!(self.out, "{}", answer.says),
             (_, Answer::Identify(answer)) => writeln!(self.out, "{}", answer.says),
             (_, Answer::Need(answer)) => writeln!(self.out, "{:.digits$}", answer.needed),
+            (_, Answer::Improve(answer)) => self.improved(&answer.improved),
             (Question::Solve { load, together_with }, Answer::Solve(answer)) => {
                 writeln!(
                     self.out,

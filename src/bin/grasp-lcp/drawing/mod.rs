@@ -27,8 +27,8 @@ pub(crate) fn draw(scene: &Scene, pictures: &Pictures<'_>) -> Result<(), Failure
 }
 
 /// What the name of a picture ends with: the first question has the name of the scene, others their number besides.
-fn ending(number: usize) -> String {
-    if number == 1 { ".svg".to_owned() } else { format!("_{number}.svg") }
+fn ending(number: usize, besides: &str) -> String {
+    if number == 1 { format!("{besides}.svg") } else { format!("_{number}{besides}.svg") }
 }
 
 /// A picture for each question: of the equilibrium that answers it, or of the grasp alone.
@@ -49,10 +49,10 @@ fn planar(setup: &Setup<2>, pictures: &Pictures<'_>) -> Result<(), Failure> {
     let mut stills = Vec::new();
     for (index, question) in setup.questions.iter().enumerate() {
         let answers = shown(setup, &grasp, question)?;
-        let key = answers.key_index();
+        let keys = answers.keys();
         for (k, Shown { label, says, grasp: other, what }) in answers.0.into_iter().enumerate() {
             let grasp = other.as_ref().unwrap_or(&grasp);
-            if key == Some(k) {
+            if let Some((_, besides)) = keys.iter().find(|(key, _)| *key == k) {
                 let title = format!("{title}, question {}: {label}", index + 1);
                 let mut picture = PlanarPicture::new(grasp, &title).outlines(outlines());
                 for sentence in &says {
@@ -65,7 +65,7 @@ fn planar(setup: &Setup<2>, pictures: &Pictures<'_>) -> Result<(), Failure> {
                         if let Some(load) = load { picture.load(*load) } else { picture }
                     }
                 };
-                stills.push((ending(index + 1), picture.to_svg()?));
+                stills.push((ending(index + 1, besides), picture.to_svg()?));
             }
             let label = format!("{}. {label}", index + 1);
             page = match what {
@@ -97,7 +97,8 @@ fn spatial(setup: &Setup<3>, pictures: &Pictures<'_>) -> Result<(), Failure> {
     let mut stills = Vec::new();
     for (index, question) in setup.questions.iter().enumerate() {
         let answers = shown(setup, &grasp, question)?;
-        stills.extend(answers.key_index().map(|key| (index + 1, page.answers() + key)));
+        let keys = answers.keys().into_iter();
+        stills.extend(keys.map(|(key, besides)| (ending(index + 1, besides), page.answers() + key)));
         for Shown { label, says, grasp: other, what } in answers.0 {
             let label = format!("{}. {label}", index + 1);
             page = match what {
@@ -117,8 +118,8 @@ fn spatial(setup: &Setup<3>, pictures: &Pictures<'_>) -> Result<(), Failure> {
     if stills.is_empty() {
         return pictures.save(".svg", &page.to_svg(None, View::default())?);
     }
-    for (number, answer) in stills {
-        pictures.save(&ending(number), &page.to_svg(Some(answer), View::default())?)?;
+    for (ending, answer) in stills {
+        pictures.save(&ending, &page.to_svg(Some(answer), View::default())?)?;
     }
     Ok(())
 }

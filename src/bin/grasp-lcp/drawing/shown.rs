@@ -6,7 +6,7 @@ use grasp_lcp::grasp::{Motion, Wrench};
 use grasp_lcp::hold::Verdict;
 use grasp_lcp::load_path::{Event, Leg, LoadPath, Onset, PathEnd, Ramp};
 use grasp_lcp::need::Amount;
-use grasp_lcp::scene::{NeedAsked, Question, Setup};
+use grasp_lcp::scene::{ImproveAsked, NeedAsked, Question, Setup};
 use grasp_lcp::shake::Shaken;
 use grasp_lcp::words::Words;
 
@@ -34,16 +34,20 @@ pub(super) enum What<const C: usize> {
 pub(super) struct ShownAnswers<const C: usize>(pub(super) Vec<Shown<C>>);
 
 impl<const C: usize> ShownAnswers<C> {
-    /// Which one stands for the question: that of a hold comes first, that of a program last.
-    pub(super) fn key_index(&self) -> Option<usize> {
-        let is_event = |shown: &Shown<C>| shown.label.starts_with(LEG);
-        let first = self.0.first()?;
-        Some(if is_event(first) { self.0.len() - 1 } else { 0 })
+    /// Which ones stand for the question, and what the names of their pictures end with besides: that of a hold comes first, that of a program last. Of
+    /// fingers that are improved the grasp before has a picture, too.
+    pub(super) fn keys(&self) -> Vec<(usize, &'static str)> {
+        let begins = |shown: &Shown<C>, with| shown.label.starts_with(with);
+        let key = self.0.first().map(|first| if begins(first, LEG) { self.0.len() - 1 } else { 0 });
+        let before = self.0.iter().position(|shown| begins(shown, BEFORE)).filter(|k| Some(*k) != key);
+        key.map(|key| (key, "")).into_iter().chain(before.map(|before| (before, "_before"))).collect()
     }
 }
 
 /// What labels of events begin with.
 const LEG: &str = "leg ";
+/// And those of a grasp that was improved.
+const BEFORE: &str = "before";
 
 /// What is to be shown of a question.
 pub(super) fn shown<const C: usize>(
@@ -58,6 +62,7 @@ pub(super) fn shown<const C: usize>(
             held(grasp.hold(ramp.clone())?, ramp.load_at(1.0))
         }
         Question::Need(asked) => vec![needed(setup, grasp, asked)?],
+        Question::Improve(asked) => improved(setup, grasp, asked)?,
         Question::Solve { load, .. } => vec![solved(grasp, load)?],
         Question::Onset(ramp) => {
             let ramp = setup.ramp(ramp)?;
@@ -142,6 +147,36 @@ fn needed<const C: usize>(
         Some((other, found)) => Shown { grasp: Some(other), says: vec![says], ..state(label, found) },
         None => nothing(label, says, asked.load),
     })
+}
+
+/// At the first slip itself rounding would decide whether something slides.
+const JUST_BELOW: f64 = 1.0 - 1e-9;
+
+/// The best grasp, and the one before, each at its first slip along the load or else at rest.
+fn improved<const C: usize>(
+    setup: &Setup<C>,
+    grasp: &Grasp<C>,
+    asked: &ImproveAsked<C>,
+) -> Result<Vec<Shown<C>>, Failure> {
+    let improved = grasp.improve(&setup.improve(asked)?)?;
+    let says = improved.to_string();
+    let base = asked.base.unwrap_or(Wrench::ZERO);
+    let seen = |grasp: &Grasp<C>, label: &str, factor: Option<f64>| {
+        let load = asked.load.filter(|_| asked.any_force.is_none());
+        let at = load
+            .zip(factor.filter(|factor| factor.is_finite()))
+            .map(|(load, factor)| base + load * (factor * JUST_BELOW));
+        let mut shown = solved(grasp, &at.unwrap_or(base))?;
+        shown.label = format!("{label}, {}", if at.is_some() { "at first slip" } else { "at rest" });
+        Ok::<_, Failure>(shown)
+    };
+    let before = seen(grasp, BEFORE, improved.before)?;
+    if improved.after.is_none() {
+        return Ok(vec![Shown { says: vec![says], ..before }]);
+    }
+    let other = grasp.placed_as(&improved)?;
+    let after = seen(&other, "after", improved.after)?;
+    Ok(vec![Shown { grasp: Some(other), says: vec![says], ..after }, before])
 }
 
 /// The equilibrium, or why there is none and what happens from rest.

@@ -1,0 +1,171 @@
+//! Curves and surfaces that contacts may move along, as they are written.
+
+use serde::de::{Deserialize, Deserializer};
+use serde::ser::{Serialize, Serializer};
+
+use super::object;
+use crate::improve::{Shape, Surface};
+use crate::serial::{AsGiven, AxisRow, Given};
+
+/// A curve in the plane or a surface in space, all lengths in m.
+#[derive(serde::Serialize, serde::Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case", deny_unknown_fields, bound = "")]
+enum WrittenSurface<const C: usize> {
+    /// In the plane: the ends of a straight edge.
+    Segment([AxisRow<Given, C>; 2]),
+    /// In the plane: straight edges from point to point.
+    Polyline(Vec<AxisRow<Given, C>>),
+    /// In the plane.
+    Circle {
+        /// Its centre, m.
+        centre: AxisRow<Given, C>,
+        /// m.
+        #[serde(with = "AsGiven::<f64>")]
+        radius: f64,
+    },
+    /// In the plane: part of a circle.
+    Arc {
+        /// The centre, m.
+        centre: AxisRow<Given, C>,
+        /// m.
+        #[serde(with = "AsGiven::<f64>")]
+        radius: f64,
+        /// Where it begins, degrees from x to y.
+        #[serde(with = "AsGiven::<f64>")]
+        from_deg: f64,
+        /// Over so many degrees from there.
+        #[serde(with = "AsGiven::<f64>")]
+        over_deg: f64,
+    },
+    /// In the plane: a cubic spline through points.
+    Spline(Vec<AxisRow<Given, C>>),
+    /// In the plane: one that comes back to the first.
+    ClosedSpline(Vec<AxisRow<Given, C>>),
+    /// In space: a corner, and the sides from there.
+    Rectangle {
+        /// m.
+        corner: AxisRow<Given, C>,
+        /// At a right angle, m.
+        sides: [AxisRow<Given, C>; 2],
+    },
+    /// In space, all around.
+    Cylinder {
+        /// Its ends, m.
+        axis: [AxisRow<Given, C>; 2],
+        /// m.
+        #[serde(with = "AsGiven::<f64>")]
+        radius: f64,
+    },
+    /// In space.
+    Sphere {
+        /// Its centre, m.
+        centre: AxisRow<Given, C>,
+        /// m.
+        #[serde(with = "AsGiven::<f64>")]
+        radius: f64,
+    },
+    /// In space: the corners of each.
+    Triangles(Vec<[AxisRow<Given, C>; 3]>),
+}
+
+impl<const C: usize> WrittenSurface<C> {
+    /// The surface, if it is one for so many axes.
+    fn surface(self) -> Result<Surface<C>, String> {
+        let (name, axes) = match &self {
+            Self::Segment(_) => ("segment", 2),
+            Self::Polyline(_) => ("polyline", 2),
+            Self::Circle { .. } => ("circle", 2),
+            Self::Arc { .. } => ("arc", 2),
+            Self::Spline(_) => ("spline", 2),
+            Self::ClosedSpline(_) => ("closed_spline", 2),
+            Self::Rectangle { .. } => ("rectangle", 3),
+            Self::Cylinder { .. } => ("cylinder", 3),
+            Self::Sphere { .. } => ("sphere", 3),
+            Self::Triangles(_) => ("triangles", 3),
+        };
+        if axes != C {
+            let allowed = if C == 2 {
+                "segment, polyline, circle, arc, spline and closed_spline"
+            } else {
+                "rectangle, cylinder, sphere and triangles"
+            };
+            let space = if C == 2 { "the plane" } else { "space" };
+            return Err(format!("surface: {name} given, must be one of {allowed} in {space}"));
+        }
+        let points = |rows: Vec<AxisRow<Given, C>>| rows.into_iter().map(|row| row.0).collect::<Vec<_>>();
+        Ok(Surface::of(match self {
+            Self::Segment(ends) => Shape::Segments(vec![ends.map(|row| row.0)]),
+            Self::Polyline(rows) => Shape::polyline(&points(rows)),
+            Self::Circle { centre, radius } => Shape::Arc { centre: centre.0, radius, from: 0.0, over: None },
+            Self::Arc { centre, radius, from_deg, over_deg } => Shape::Arc {
+                centre: centre.0,
+                radius,
+                from: from_deg.to_radians(),
+                over: Some(over_deg.to_radians()),
+            },
+            Self::Spline(rows) => Shape::spline(points(rows), false),
+            Self::ClosedSpline(rows) => Shape::spline(points(rows), true),
+            Self::Rectangle { corner, sides } => {
+                Shape::Rectangle { corner: corner.0, sides: sides.map(|row| row.0) }
+            }
+            Self::Cylinder { axis, radius } => Shape::Cylinder { ends: axis.map(|row| row.0), radius },
+            Self::Sphere { centre, radius } => Shape::Sphere { centre: centre.0, radius },
+            Self::Triangles(rows) => {
+                Shape::Triangles(rows.into_iter().map(|corners| corners.map(|row| row.0)).collect())
+            }
+        }))
+    }
+
+    fn of(surface: &Surface<C>) -> Self {
+        let row = AxisRow::new;
+        match surface.shape() {
+            Shape::Segments(parts) => match &parts[..] {
+                [ends] => Self::Segment(ends.map(row)),
+                parts => {
+                    let first = parts.iter().take(1).map(|ends| ends[0]);
+                    Self::Polyline(first.chain(parts.iter().map(|ends| ends[1])).map(row).collect())
+                }
+            },
+            Shape::Arc { centre, radius, over: None, .. } => {
+                Self::Circle { centre: row(*centre), radius: *radius }
+            }
+            Shape::Arc { centre, radius, from, over: Some(over) } => Self::Arc {
+                centre: row(*centre),
+                radius: *radius,
+                from_deg: from.to_degrees(),
+                over_deg: over.to_degrees(),
+            },
+            Shape::Spline(spline) => {
+                let given = spline.given().iter().copied().map(row).collect();
+                if spline.is_closed() { Self::ClosedSpline(given) } else { Self::Spline(given) }
+            }
+            Shape::Rectangle { corner, sides } => {
+                Self::Rectangle { corner: row(*corner), sides: sides.map(row) }
+            }
+            Shape::Cylinder { ends, radius } => Self::Cylinder { axis: ends.map(row), radius: *radius },
+            Shape::Sphere { centre, radius } => Self::Sphere { centre: row(*centre), radius: *radius },
+            Shape::Triangles(parts) => {
+                Self::Triangles(parts.iter().map(|corners| corners.map(row)).collect())
+            }
+        }
+    }
+}
+
+impl<const C: usize> Serialize for Surface<C> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        WrittenSurface::of(self).serialize(serializer)
+    }
+}
+
+/// Told to whoever writes no object.
+const AN_OBJECT: &str = "a surface with its numbers, such as {\"circle\": {\"centre\": [0, 0], \"radius\": 0.05}}, with three numbers in space";
+
+impl<'de, const C: usize> Deserialize<'de> for Surface<C> {
+    fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
+        object::read(deserializer, AN_OBJECT, WrittenSurface::<C>::surface)
+    }
+}
+
+#[cfg(feature = "schema")]
+schema_as_written!("Surface", Surface<C>, WrittenSurface<C>, C);
