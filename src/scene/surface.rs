@@ -91,7 +91,7 @@ impl<const C: usize> WrittenSurface<C> {
                 "rectangle, cylinder, sphere and triangles"
             };
             let space = if C == 2 { "the plane" } else { "space" };
-            return Err(format!("surface: {name} given, must be one of {allowed} in {space}"));
+            return Err(format!("{name} given, must be one of {allowed} in {space}"));
         }
         let points = |rows: Vec<AxisRow<Given, C>>| rows.into_iter().map(|row| row.0).collect::<Vec<_>>();
         Ok(Surface::of(match self {
