@@ -95,6 +95,7 @@ where
     match answers.into_iter().next() {
         Some(Answer::Hold(answer)) => json(&answer),
         Some(Answer::Need(answer)) => json(&answer),
+        Some(Answer::Improve(answer)) => json(&answer),
         Some(Answer::Solve(answer)) => json(&answer),
         Some(Answer::Onset(answer)) => json(&answer),
         Some(Answer::OnsetOfTurn(answer)) => json(&answer),
