@@ -25,7 +25,12 @@ pub(crate) fn print<const C: usize>(
     let is_a_sentence = |answer: &Answer<C>| {
         matches!(
             answer,
-            Answer::Hold(_) | Answer::Need(_) | Answer::Improve(_) | Answer::Shake(_) | Answer::Shakedown(_) | Answer::Identify(_)
+            Answer::Hold(_)
+                | Answer::Need(_)
+                | Answer::Improve(_)
+                | Answer::Shake(_)
+                | Answer::Shakedown(_)
+                | Answer::Identify(_)
         )
     };
     // A sentence is what was asked for, and comes first.
