@@ -1,12 +1,16 @@
 //! Which friction a contact has: that of rest, or as long as it slides a lower one.
 
 use super::event::{Change, Event, PathEnd};
+use super::first_exits::PathState;
 use super::journey::Journey;
 use super::jump::Jump;
 use super::pieces::Pieces;
 use super::trajectory::Trajectory;
 use crate::contact::{ActiveSet, Mode};
 use crate::numerics::Size;
+
+/// A force below this part of the largest is gone, where stick and slip in turn have brought it there.
+const RUN_OUT: f64 = 1e-9;
 
 impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
     /// From rest on every contact has a cone of its own, if some are weaker once they slide. Those that slide already do with less. Cones that are given
@@ -57,6 +61,26 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
                 }
             }
         }
+    }
+
+    /// Whether a contact that sticks and slips in turn as it is relieved has all but lost its force: it does so infinitely often until then.
+    pub(super) fn runs_out(&self, standing: &PathState<C>) -> bool {
+        let largest = self.segment.largest;
+        let is_weaker = |i: usize| self.segment.problem.sites[i].kinetic.is_some();
+        standing.iter().any(|(i, _)| is_weaker(*i) && self.node.at.forces[*i].norm() <= RUN_OUT * largest)
+    }
+
+    /// What such a contact does next is decided as if all of its force were gone.
+    pub(super) fn let_run_out(&mut self, standing: &PathState<C>) {
+        let largest = self.segment.largest;
+        for (i, _) in standing {
+            let force = self.node.at.forces[*i].norm();
+            if force <= RUN_OUT * largest {
+                self.node.stands[*i].apex = true;
+                self.step_error += force / largest;
+            }
+        }
+        self.stalls = 0;
     }
 
     /// On a leg along which nothing changes, time passes: what slid comes to rest.

@@ -45,7 +45,8 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         // A step within its own uncertainty may be none: two motions that rounding chooses between would go on for ever.
         let uncertain = standing.iter().flat_map(|(_, exits)| exits).any(|exit| step <= exit.uncertainty);
         self.stalls = if to > self.factor && (leg_done || !uncertain) { 0 } else { self.stalls + 1 };
-        if self.stalls > MOST_STALLS {
+        let piled_up = self.stalls > MOST_STALLS;
+        if piled_up && !self.runs_out(&standing) {
             // Rounding chooses between continuations, one of which leads back to the other.
             return Err(journey.undecided(self.factor, Doubt::OnTheBoundary));
         }
@@ -56,6 +57,9 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         self.behind.push(self.stretch(journey, here.clone(), to, there.clone()));
         self.node.arrive(&mut self.segment, &here, to, &there);
         self.node.reach(&standing);
+        if piled_up {
+            self.let_run_out(&standing);
+        }
         self.factor = to;
         self.at_node = true;
         Ok(leg_done)

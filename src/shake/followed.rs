@@ -209,7 +209,10 @@ impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
         self.followed += 1;
         let there = recurrence.fixed_point().filter(|_| recurrence.ratio() < 1.0)?;
         let (limit, _) = Cycle::beginning_at(self.engine, &self.cycles, &there, self.settings)?;
-        (limit.change() <= last.same() && limit.cycles_until_closing().is_none()).then_some(limit)
+        // Where friction falls what happens at the limit may be another thing than just before it.
+        let happens_there = limit.from.weaker.is_empty() || limit.record.is_like(&last.record);
+        let is_one = limit.change() <= last.same() && limit.cycles_until_closing().is_none();
+        (happens_there && is_one).then_some(limit)
     }
 
     /// Whether the object has walked farther than it is large: small motions say nothing there.

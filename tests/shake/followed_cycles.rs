@@ -40,7 +40,10 @@ fn judge<const C: usize>(
         }] += 1;
         followed.push(shaken.followed);
         if let Some(fault) = fault(&cycle, &shaken, cycles, error)? {
-            wrong.push(format!("case {k}: {shaken}, and {fault}"));
+            let (ratio, cycles, gone) = (shaken.ratio, shaken.cycles, shaken.followed);
+            wrong.push(format!(
+                "case {k}: {shaken}, and {fault} (ratio {ratio}, cycle {cycles}, {gone} followed)"
+            ));
         }
         if matches!(shaken.repeats, Repeats::Undecided { .. }) {
             println!("case {k}: {shaken}");
