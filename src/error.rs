@@ -236,7 +236,7 @@ pub enum Error {
     },
     /// A question that would have to tell of a contact that slides, whose friction is lower then.
     #[error(
-        "{question} does not know that the friction of contact {contact} is lower once it slides: ask hold or follow, which do, or leave kinetic friction out"
+        "{question} does not know that the friction of contact {contact} is lower once it slides: ask hold, follow or shake, which do, or leave kinetic friction out"
     )]
     KineticFriction {
         /// The method.

@@ -42,7 +42,7 @@ impl<const C: usize> Grasp<C> {
     /// ```
     ///
     /// # Errors
-    /// As for [`Self::follow`]; [`Error::NotClosed`] for a cycle that ends elsewhere; [`Error::KineticFriction`].
+    /// As for [`Self::follow`]; [`Error::NotClosed`] for a cycle that ends elsewhere.
     #[doc(alias = "shakedown", alias = "ratcheting", alias = "vibration", alias = "cyclic load")]
     pub fn shake(&self, base: &Wrench<C>, cycle: &[Leg<C>]) -> Result<Shaken<C>, Error> {
         self.engine.shake(base, cycle, &self.settings)
