@@ -114,6 +114,6 @@ fn against_a_grid() -> Result<(), grasp_lcp::Error> {
     println!("  best of {STEPS}³ angles, in {grid_time:.1?}     {grid:.9}");
     println!("  least of all answers                {least:.9}, {below} below the grid by more than 1e-6");
     println!("  proved to first order               {proved}");
-    println!("  steps, time an answer               {}, {:.2?}", steps / STARTS, time / STARTS as u32);
+    println!("  steps, time an answer               {}, {:.2?}", steps / STARTS, time.div_f64(STARTS as f64));
     Ok(())
 }
