@@ -100,7 +100,7 @@ impl<const D: usize, const C: usize, const M: usize, X: Packed> RigidBody<D, C, 
             size += load[axis].abs();
         }
         for (finger, force) in self.fingers().iter().zip(forces) {
-            let force = world(finger, force);
+            let force = world(&finger.normal, force);
             let turning = moment(&finger.arm, &force);
             for k in 0..D {
                 left[k] += if k < C { force[k] } else { turning[k - C] };

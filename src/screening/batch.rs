@@ -2,6 +2,7 @@
 
 use super::block::Layout;
 use super::fingers::Fingers;
+use super::gradient::GradientOf;
 use super::kernels::{Kernel, Kernels};
 use super::lanes::{LANES, Lanes, Packed};
 use super::load_cases::LoadCases;
@@ -9,6 +10,7 @@ use super::part::Part;
 use super::pull::Pull;
 use super::question::ScreeningQuestion;
 use super::screened::{Screened, ScreenedTurn};
+use super::screened_gradient::ScreenedGradients;
 use super::screened_squeeze::ScreenedSqueeze;
 use super::turning_pull::TurningPull;
 use crate::numerics::each_taken;
@@ -152,6 +154,14 @@ impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
         self.ask_into(&Kernels::get().load_cases, cases, answers);
     }
 
+    /// How the onset of each grasp changes with all of its data, for each of the loads, on one thread; for all cores
+    /// there is [`sweep::onset_gradients_of_batch`](crate::sweep::onset_gradients_of_batch), with an example. They come as
+    /// from [`Self::onsets_into`], each with the bits of [`Fingers::onset_gradients`].
+    pub fn onset_gradients_into(&self, pulls: &[Pull<C>], gradients: &mut ScreenedGradients<C>) {
+        gradients.contacts = N;
+        self.ask_into(&Kernels::get().gradient, &of_the_first(pulls), &mut gradients.numbers);
+    }
+
     fn ask_into<Q: ScreeningQuestion<C>>(
         &self,
         kernel: &Kernel<D, C, N, Q>,
@@ -163,6 +173,15 @@ impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
 
     pub(crate) fn onsets_on_all_cores(&self, pulls: &[Pull<C>], answers: &mut Vec<Screened>) {
         self.ask_on_all_cores(&Kernels::get().pull, pulls, answers);
+    }
+
+    pub(crate) fn onset_gradients_on_all_cores(
+        &self,
+        pulls: &[Pull<C>],
+        gradients: &mut ScreenedGradients<C>,
+    ) {
+        gradients.contacts = N;
+        self.ask_on_all_cores(&Kernels::get().gradient, &of_the_first(pulls), &mut gradients.numbers);
     }
 
     pub(crate) fn turn_onsets_on_all_cores(&self, turns: &[TurningPull<C>], answers: &mut Vec<ScreenedTurn>) {
@@ -194,9 +213,10 @@ impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
         answers: &'a mut Vec<Q::Answer>,
     ) -> impl Iterator<Item = Part<'a, C, Q>> {
         // Every place is written below: what an earlier batch left there need not be wiped.
-        answers.resize(self.len * questions.len(), Q::UNKNOWN);
+        let of_grasp = questions.len() * Q::answers(N);
+        answers.resize(self.len * of_grasp, Q::UNKNOWN);
         let (blocks, [numbers, parted]) = (blocks.max(1), Self::SIZES);
-        let places = answers.chunks_mut((blocks * LANES * questions.len()).max(1));
+        let places = answers.chunks_mut((blocks * LANES * of_grasp).max(1));
         let parts = self.numbers.chunks(blocks * numbers).zip(self.parted.chunks(blocks * parted));
         parts.zip(places).map(move |((numbers, parted), answers)| Part {
             contacts: N,
@@ -206,4 +226,8 @@ impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
             answers,
         })
     }
+}
+
+fn of_the_first<const C: usize>(pulls: &[Pull<C>]) -> Vec<GradientOf<C>> {
+    pulls.iter().map(|&pull| GradientOf { pull, contact: None }).collect()
 }

@@ -50,10 +50,9 @@ pub(super) fn displacement<const D: usize, const C: usize, X: Packed>(arm: &[X; 
     u
 }
 
-/// The force in coordinate axes.
+/// The force, or a displacement in its place, in coordinate axes; from the normal.
 #[inline(always)]
-pub(super) fn world<const C: usize, X: Packed>(finger: &LaneFinger<C, X>, force: &Force<C, X>) -> [X; C] {
-    let n = &finger.normal;
+pub(super) fn world<const C: usize, X: Packed>(n: &[X; C], force: &Force<C, X>) -> [X; C] {
     let mut world = force.tangential;
     if C == 2 {
         world = [X::all(0.0); C];

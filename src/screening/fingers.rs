@@ -1,10 +1,13 @@
 //! The contacts of one grasp, checked once and made ready.
 
+use super::gradient::GradientOf;
+use super::gradient_row::Row;
 use super::kernels::Kernels;
 use super::load_cases::LoadCases;
 use super::one_grasp::OneGrasp;
 use super::pull::Pull;
 use super::screened::{Screened, ScreenedTurn};
+use super::screened_gradient::ScreenedGradients;
 use super::screened_squeeze::ScreenedSqueeze;
 use super::turning_pull::TurningPull;
 use crate::error::Error;
@@ -49,7 +52,48 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
     /// does not know.
     #[must_use]
     pub fn onset(&self, pull: &Pull<C>) -> Screened {
-        (Kernels::get().pull.one)(&self.grasp, pull)
+        Kernels::get().pull.ask(&self.grasp, pull)
+    }
+
+    /// How the onset changes with all data of the grasp and the load: one gradient for each contact that leaves there, in rising order, none without
+    /// a factor.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Fingers, Pull, Wrench};
+    ///
+    /// let jaw = |side: f64| {
+    ///     Contact::new([side, 0.0], [-side, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).command([0.01, 0.0])
+    /// };
+    /// let fingers = Fingers::new(&[jaw(-1.0), jaw(1.0)])?;
+    /// let gradients = fingers.onset_gradients(&Pull::new(&Wrench::ZERO, &Wrench::force([0.0, -1.0]))?);
+    /// // Each jaw presses with 10 N. Both leave together, at 2 μ N: each by its own friction.
+    /// assert_eq!(gradients.len(), 2);
+    /// for (jaw, gradient) in gradients.iter().enumerate() {
+    ///     assert!(gradient.is_one_sided() && gradient.contact() == Some(jaw));
+    ///     assert!((gradient.friction(jaw) - 20.0).abs() < 1e-12 && gradient.friction(1 - jaw) == 0.0);
+    /// }
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[must_use]
+    pub fn onset_gradients(&self, pull: &Pull<C>) -> ScreenedGradients<C> {
+        let numbers = Row::<C>::numbers(N);
+        let leaving: Vec<usize> = self.onset(pull).leaving().collect();
+        let mut gradients = vec![f64::NAN; leaving.len() * numbers];
+        for (row, contact) in gradients.chunks_exact_mut(numbers).zip(leaving) {
+            let question = GradientOf { pull: *pull, contact: Some(contact) };
+            (Kernels::get().gradient.one)(&self.grasp, &question, row);
+        }
+        ScreenedGradients { contacts: N, numbers: gradients }
+    }
+
+    /// How the onset changes, the first of [`Self::onset_gradients`] alone, in memory that is used again: after it `gradients` has this one, without numbers if there
+    /// is no factor, and once it had one of as many contacts nothing is allocated.
+    pub fn onset_gradient_into(&self, pull: &Pull<C>, gradients: &mut ScreenedGradients<C>) {
+        gradients.contacts = N;
+        gradients.numbers.clear();
+        gradients.numbers.resize(Row::<C>::numbers(N), f64::NAN);
+        let question = GradientOf { pull: *pull, contact: None };
+        (Kernels::get().gradient.one)(&self.grasp, &question, &mut gradients.numbers);
     }
 
     /// At which angle the first contact stops sticking while the load turns, and which ones do; or why
@@ -74,7 +118,7 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
     /// ```
     #[must_use]
     pub fn onset_of_turn(&self, turn: &TurningPull<C>) -> ScreenedTurn {
-        (Kernels::get().turning_pull.one)(&self.grasp, turn)
+        Kernels::get().turning_pull.ask(&self.grasp, turn)
     }
 
     /// The least common factor of all commands with which every contact touches and sticks under each
@@ -95,6 +139,6 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
     /// ```
     #[must_use]
     pub fn least_squeeze(&self, cases: &LoadCases<C>) -> ScreenedSqueeze {
-        (Kernels::get().load_cases.one)(&self.grasp, cases)
+        Kernels::get().load_cases.ask(&self.grasp, cases)
     }
 }

@@ -6,6 +6,7 @@
 use std::any::Any;
 
 use super::block::MOST_CONTACTS as MOST;
+use super::gradient::GradientOf;
 use super::load_cases::LoadCases;
 use super::one_grasp::OneGrasp;
 use super::part::{Part, screen};
@@ -21,11 +22,12 @@ pub(super) struct Kernels<const D: usize, const C: usize, const N: usize> {
     pub(super) pull: Kernel<D, C, N, Pull<C>>,
     pub(super) turning_pull: Kernel<D, C, N, TurningPull<C>>,
     pub(super) load_cases: Kernel<D, C, N, LoadCases<C>>,
+    pub(super) gradient: Kernel<D, C, N, GradientOf<C>>,
 }
 
 /// One question, to one grasp and to many.
 pub(super) struct Kernel<const D: usize, const C: usize, const N: usize, Q: ScreeningQuestion<C>> {
-    pub(super) one: fn(&OneGrasp<D, C, N>, &Q) -> Q::Answer,
+    pub(super) one: fn(&OneGrasp<D, C, N>, &Q, &mut [Q::Answer]),
     pub(super) many: fn(Part<'_, C, Q>),
 }
 
@@ -42,7 +44,8 @@ impl<const D: usize, const C: usize, const N: usize> Kernels<D, C, N> {
     const fn new<const M: usize>() -> Self {
         let prepare = OneGrasp::new;
         let (pull, turning_pull) = (Kernel::new::<M>(), Kernel::new::<M>());
-        Self { prepare, pull, turning_pull, load_cases: Kernel::new::<M>() }
+        let (load_cases, gradient) = (Kernel::new::<M>(), Kernel::new::<M>());
+        Self { prepare, pull, turning_pull, load_cases, gradient }
     }
 
     /// Those of so many contacts in the plane, or in space.
@@ -59,5 +62,13 @@ impl<const D: usize, const C: usize, const N: usize> Kernels<D, C, N> {
 impl<const D: usize, const C: usize, const N: usize, Q: ScreeningQuestion<C>> Kernel<D, C, N, Q> {
     const fn new<const M: usize>() -> Self {
         Self { one: OneGrasp::ask, many: screen::<D, C, M, Q> }
+    }
+
+    /// The answer to a question that has one.
+    #[inline]
+    pub(super) fn ask(&self, grasp: &OneGrasp<D, C, N>, question: &Q) -> Q::Answer {
+        let mut answer = [Q::UNKNOWN];
+        (self.one)(grasp, question, &mut answer);
+        answer[0]
     }
 }

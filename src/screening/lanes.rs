@@ -253,3 +253,14 @@ pub(super) fn dot<X: Packed, const C: usize>(a: &[X; C], b: &[X; C]) -> X {
     }
     sum
 }
+
+/// Vector product, in space.
+#[inline(always)]
+pub(super) fn cross<const C: usize, X: Packed>(a: &[X; C], b: &[X; C]) -> [X; C] {
+    let mut product = *a;
+    for axis in 0..C {
+        let (next, last) = ((axis + 1) % C, (axis + 2) % C);
+        product[axis] = a[next] * b[last] - a[last] * b[next];
+    }
+    product
+}

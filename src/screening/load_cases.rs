@@ -6,6 +6,7 @@ use super::least_factor::LeastFactor;
 use super::question::{Room, Scenes, ScreeningQuestion};
 use super::screened_squeeze::ScreenedSqueeze;
 use super::springs::StickingSprings;
+use super::told::Told;
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::numerics::Vectors;
@@ -40,7 +41,8 @@ impl<const C: usize> ScreeningQuestion<C> for LoadCases<C> {
         &self,
         scenes: &Scenes<'_, V, P, C, M, X>,
         [commands, overlaps, others]: Room<'_, C, M, X>,
-    ) -> X::Each<ScreenedSqueeze> {
+        told: &mut Told<'_, ScreenedSqueeze, X>,
+    ) {
         scenes.apart([commands, overlaps]);
         let mut enough = LeastFactor::new();
         for (number, load) in self.loads.iter().enumerate() {
@@ -54,7 +56,7 @@ impl<const C: usize> ScreeningQuestion<C> for LoadCases<C> {
             }
         }
         let (code, binding) = enough.least();
-        X::each(|lane| ScreenedSqueeze { code: code.lane(lane), binding: binding.lane(lane) })
+        told.each(X::each(|lane| ScreenedSqueeze { code: code.lane(lane), binding: binding.lane(lane) }));
     }
 }
 

@@ -18,6 +18,9 @@
 //! F_i(s) = s F_iᵃ + F_i(W)             a = s times the commands           squeeze: the least s >= 0 with |F_t| <= μ F_n at every contact
 //! ```
 //!
+//! How the factor of a load changes with every number of a grasp comes as [`ScreenedGradients`], all derivatives at the price of a few values:
+//! [`Fingers::onset_gradients`], and of many [`sweep::onset_gradients_of_batch`](crate::sweep::onset_gradients_of_batch).
+//!
 //! The method of the whole finds the same wherever every contact sticks to begin with and the numbers
 //! are not extreme. Elsewhere screening says why it has no answer ([`ScreeningVerdict`], [`SqueezeVerdict`])
 //! and leaves the question to it. Screening does not ask what comes beyond the onset.
@@ -36,26 +39,32 @@ mod balance;
 mod batch;
 mod block;
 mod cone;
+mod edge;
 mod factors;
 mod finger;
 mod fingers;
 mod first_exit;
 mod first_slip;
 mod forces;
+mod gradient;
+mod gradient_row;
 mod kernels;
 mod lanes;
 mod least_factor;
 mod load_cases;
 mod method;
+mod moved;
 mod one_grasp;
 mod pair;
 mod part;
 mod pull;
 mod question;
 mod screened;
+mod screened_gradient;
 mod screened_squeeze;
 mod springs;
 mod sticking;
+mod told;
 mod triangle;
 mod turning;
 mod turning_pull;
@@ -67,5 +76,6 @@ pub use first_slip::ScreeningVerdict;
 pub use load_cases::LoadCases;
 pub use pull::Pull;
 pub use screened::{Screened, ScreenedTurn};
+pub use screened_gradient::{ScreenedGradient, ScreenedGradients};
 pub use screened_squeeze::{ScreenedSqueeze, SqueezeVerdict};
 pub use turning_pull::TurningPull;

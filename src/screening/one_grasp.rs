@@ -8,6 +8,7 @@ use super::method::{self, Method};
 use super::pair::{self, Pair};
 use super::question::{Scenes, ScreeningQuestion};
 use super::springs::StickingSprings;
+use super::told::Told;
 use super::triangle::Triangle;
 use crate::error::{Error, Field};
 use crate::grasp::{Contact, Hold};
@@ -63,13 +64,13 @@ impl<const D: usize, const C: usize, const N: usize> OneGrasp<D, C, N> {
         Ok(grasp)
     }
 
-    /// The answer to a question.
-    pub(super) fn ask<Q: ScreeningQuestion<C>>(&self, question: &Q) -> Q::Answer {
+    /// Answers a question, in as many places as it has answers.
+    pub(super) fn ask<Q: ScreeningQuestion<C>>(&self, question: &Q, answers: &mut [Q::Answer]) {
         let (block, squeezed) = (self.scene.block(), &self.squeezed);
         match &self.ready {
-            Ready::Pair(pair) => answer(block, pair, squeezed, question),
-            Ready::Triangle(triangle) => answer(block, triangle, squeezed, question),
-            Ready::RigidBody(body) => answer(block, body, squeezed, question),
+            Ready::Pair(pair) => answer(block, pair, squeezed, question, answers),
+            Ready::Triangle(triangle) => answer(block, triangle, squeezed, question, answers),
+            Ready::RigidBody(body) => answer(block, body, squeezed, question, answers),
         }
     }
 }
@@ -79,13 +80,14 @@ fn answer<P: StickingSprings<C, N, f64>, const C: usize, const N: usize, Q: Scre
     ready: &P,
     squeezed: &Forces<C, N, f64>,
     question: &Q,
-) -> Q::Answer {
+    answers: &mut [Q::Answer],
+) {
     block.contacts = P::CONTACTS.unwrap_or(block.contacts);
     // Room that a question does not need is none.
     let (mut a, mut b, mut c) = (Forces::none(), Forces::none(), Forces::none());
     let scenes = Scenes { vectors: Compiled, block, ready, squeezed };
-    let [answer] = question.ask(&scenes, [&mut a, &mut b, &mut c]);
-    answer
+    let mut told = Told::new(answers, [true], [0, 1], Q::answers(N));
+    question.ask(&scenes, [&mut a, &mut b, &mut c], &mut told);
 }
 
 /// Makes a scene ready, and finds the forces of its commands.

@@ -21,7 +21,8 @@ use super::factors::NOTHING;
 use super::forces::{Forces, ON_THE_EDGE};
 use super::lanes::Packed;
 use super::method::Method;
-use super::springs::StickingSprings;
+use super::moved::{self, Moved};
+use super::springs::{Cause, StickingSprings};
 use crate::contact::ZERO_SLACK as ROUNDING;
 use crate::numerics::Vectors;
 
@@ -219,6 +220,18 @@ impl<const C: usize, const M: usize, X: Packed> StickingSprings<C, M, X> for Pai
             forces.rounding[i] = X::all(ON_THE_EDGE) * size;
         }
         (forces.unbalanced, forces.free) = (X::all(0.0), X::all(0.0));
+    }
+
+    #[inline(always)]
+    fn moved<V: Vectors>(
+        &self,
+        _: V,
+        block: &Block<'_, C, X>,
+        cause: &Cause<'_, C, X>,
+        forces: &Forces<C, M, X>,
+        moved: &mut Moved<C, M, X>,
+    ) {
+        moved::with_pair(block, cause, forces, moved);
     }
 }
 

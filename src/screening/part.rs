@@ -8,6 +8,7 @@ use super::method::{is_a_pair, is_a_triangle};
 use super::pair::Pair;
 use super::question::{Scenes, ScreeningQuestion};
 use super::springs::StickingSprings;
+use super::told::Told;
 use super::triangle::Triangle;
 use crate::numerics::{Compiled, OnVectors, Vectors, on_the_widest};
 
@@ -45,7 +46,8 @@ impl<const C: usize, Q: ScreeningQuestion<C>> Part<'_, C, Q> {
         let numbers = self.numbers.chunks_exact(Layout::<C>::numbers(contacts));
         let blocks = numbers.zip(self.parted.chunks_exact(2 * contacts));
         let blocks = blocks.map(|(numbers, parted)| Block::<C, Lanes> { contacts, numbers, parted });
-        let blocks = blocks.zip(self.answers.chunks_mut(LANES * self.questions.len()));
+        let of_block = LANES * self.questions.len() * Q::answers(contacts);
+        let blocks = blocks.zip(self.answers.chunks_mut(of_block));
         let questions = self.questions;
         let mut edges = Answering::<_, Triangle<C, Lanes>, C, 3>::on(vectors);
         let mut motions = Answering::<_, RigidBody<D, C, M, Lanes>, C, M>::on(vectors);
@@ -111,14 +113,8 @@ impl<V: Vectors, P: StickingSprings<C, M, Lanes>, const C: usize, const M: usize
         let scenes = Scenes { vectors: *vectors, block: *block, ready: &*ready, squeezed: &*squeezed };
         for (k, question) in questions.iter().enumerate() {
             let [a, b, c] = &mut *room;
-            let answered = question.ask(&scenes, [a, b, c]);
-            // A last block need not be full.
-            let of_grasps = answers.chunks_mut(questions.len()).zip(these);
-            for ((of_grasp, this), answer) in of_grasps.zip(answered) {
-                if this {
-                    of_grasp[k] = answer;
-                }
-            }
+            let mut told = Told::new(answers, these, [k, questions.len()], Q::answers(block.contacts));
+            question.ask(&scenes, [a, b, c], &mut told);
         }
     }
 }

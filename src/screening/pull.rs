@@ -7,6 +7,7 @@ use super::lanes::Packed;
 use super::question::{Room, Scenes, ScreeningQuestion};
 use super::screened::Screened;
 use super::springs::StickingSprings;
+use super::told::Told;
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::numerics::Vectors;
@@ -44,20 +45,22 @@ impl<const C: usize> ScreeningQuestion<C> for Pull<C> {
         &self,
         scenes: &Scenes<'_, V, P, C, M, X>,
         [rates, base, _]: Room<'_, C, M, X>,
-    ) -> X::Each<Screened> {
+        told: &mut Told<'_, Screened, X>,
+    ) {
         scenes.under(&self.direction, rates);
         // Not a choice of forces: what is compiled as one function keeps them in registers.
         if self.loaded {
             scenes.squeezed_under(&self.base, base);
-            judged(scenes, base, rates)
+            told.each(judged(scenes, base, rates));
         } else {
-            judged(scenes, scenes.squeezed, rates)
+            told.each(judged(scenes, scenes.squeezed, rates));
         }
     }
 }
 
+/// The verdicts on scenes from their forces at factor zero and the rates.
 #[inline(always)]
-fn judged<V: Vectors, P: StickingSprings<C, M, X>, const C: usize, const M: usize, X: Packed>(
+pub(super) fn judged<V: Vectors, P: StickingSprings<C, M, X>, const C: usize, const M: usize, X: Packed>(
     scenes: &Scenes<'_, V, P, C, M, X>,
     base: &Forces<C, M, X>,
     rates: &Forces<C, M, X>,

@@ -4,6 +4,7 @@ use super::block::{Block, Commanded, count};
 use super::forces::{Forces, ON_THE_EDGE};
 use super::lanes::Packed;
 use super::springs::StickingSprings;
+use super::told::Told;
 use crate::contact::ZERO_SLACK as ROUNDING;
 use crate::grasp::Wrench;
 use crate::numerics::Vectors;
@@ -26,12 +27,17 @@ pub(crate) trait ScreeningQuestion<const C: usize>: Sync + Sized {
     type Answer: Copy + Send;
     /// Before it is asked.
     const UNKNOWN: Self::Answer;
+    /// How many of them a scene of so many contacts gets, side by side.
+    fn answers(_contacts: usize) -> usize {
+        1
+    }
     /// Must be inlined for the caller's vectors to be used.
     fn ask<V: Vectors, P: StickingSprings<C, M, X>, const M: usize, X: Packed>(
         &self,
         scenes: &Scenes<'_, V, P, C, M, X>,
         room: Room<'_, C, M, X>,
-    ) -> X::Each<Self::Answer>;
+        told: &mut Told<'_, Self::Answer, X>,
+    );
 }
 
 impl<V: Vectors, P: StickingSprings<C, M, X>, const C: usize, const M: usize, X: Packed>

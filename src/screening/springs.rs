@@ -4,7 +4,15 @@ use super::block::{Block, Commanded};
 use super::forces::Forces;
 use super::lanes::Packed;
 use super::method::Method;
+use super::moved::Moved;
 use crate::numerics::Vectors;
+
+/// What moves the object.
+pub(super) struct Cause<'a, const C: usize, X: Packed> {
+    pub(super) commands: Commanded<'a, C, X>,
+    /// The load on each, moments about the origin; zeros behind in the plane.
+    pub(super) load: [X; 6],
+}
 
 /// What is known of scenes before any load acts: a pair, a triangle, or the stiffness of the object.
 pub(super) trait StickingSprings<const C: usize, const M: usize, X: Packed>: Copy {
@@ -34,5 +42,15 @@ pub(super) trait StickingSprings<const C: usize, const M: usize, X: Packed>: Cop
         block: &Block<'_, C, X>,
         others: Option<&Commanded<'_, C, X>>,
         forces: &mut Forces<C, M, X>,
+    );
+
+    /// How commands and a load move the object, with the forces that they bring about together.
+    fn moved<V: Vectors>(
+        &self,
+        vectors: V,
+        block: &Block<'_, C, X>,
+        cause: &Cause<'_, C, X>,
+        forces: &Forces<C, M, X>,
+        moved: &mut Moved<C, M, X>,
     );
 }

@@ -12,7 +12,8 @@ use super::finger::{Force, displacement, stretched};
 use super::forces::{Forces, ON_THE_EDGE};
 use super::lanes::Packed;
 use super::method::Method;
-use super::springs::StickingSprings;
+use super::moved::Moved;
+use super::springs::{Cause, StickingSprings};
 use crate::contact::ZERO_SLACK as ROUNDING;
 use crate::numerics::Vectors;
 
@@ -62,6 +63,21 @@ impl<const D: usize, const C: usize, const M: usize, X: Packed> StickingSprings<
         let commands = others.copied().unwrap_or_else(|| block.commands());
         sticking(v, self, Some(&commands), &[0.0; 6], forces);
     }
+
+    #[inline(never)]
+    fn moved<V: Vectors>(
+        &self,
+        v: V,
+        _: &Block<'_, C, X>,
+        cause: &Cause<'_, C, X>,
+        _: &Forces<C, M, X>,
+        moved: &mut Moved<C, M, X>,
+    ) {
+        v.run(
+            #[inline(always)]
+            || move_object(self, cause, moved),
+        );
+    }
 }
 
 /// Forces that the commands of the fingers alone bring about, or a load alone, the fingers at rest.
@@ -93,6 +109,29 @@ fn stretch<const D: usize, const C: usize, const M: usize, X: Packed>(
         lanes[k] = X::all(load[k]);
     }
     let load = if commands.is_none() { body.carried(&lanes) } else { lanes };
+    let Settled { contacts, moved, part } = let_go(body, commands, &load);
+    forces.of[..fingers.len()].copy_from_slice(&contacts[..fingers.len()]);
+    bound_rounding(body, commands, &load, &moved, forces);
+    forces.unbalanced = part;
+    forces.free = part.above(X::all(GIVES_WAY), body.free(), zero);
+}
+
+/// Forces, the motion of the object, and which part of the load is left.
+struct Settled<const D: usize, const C: usize, const M: usize, X: Packed> {
+    contacts: [Force<C, X>; M],
+    moved: [X; D],
+    part: X,
+}
+
+/// Where the object settles under commands and a load about the centroid.
+#[inline(always)]
+fn let_go<const D: usize, const C: usize, const M: usize, X: Packed>(
+    body: &RigidBody<D, C, M, X>,
+    commands: Option<&Commanded<'_, C, X>>,
+    load: &[X; D],
+) -> Settled<D, C, M, X> {
+    let zero = X::all(0.0);
+    let fingers = body.fingers();
     let mut contacts = [Force { normal: zero, tangential: [zero; C] }; M];
     for (i, (finger, force)) in fingers.iter().zip(&mut contacts).enumerate() {
         if let Some(commands) = commands {
@@ -104,7 +143,7 @@ fn stretch<const D: usize, const C: usize, const M: usize, X: Packed>(
         }
     }
     let (mut left, mut part) =
-        if commands.is_some() { body.unbalanced(&contacts, &load) } else { (load, zero) };
+        if commands.is_some() { body.unbalanced(&contacts, load) } else { (*load, zero) };
     let mut moved = [zero; D];
     for time in 0..=TIMES {
         let q = body.motion(&left);
@@ -119,7 +158,7 @@ fn stretch<const D: usize, const C: usize, const M: usize, X: Packed>(
                 force.tangential[axis] -= less.tangential[axis];
             }
         }
-        (left, part) = body.unbalanced(&contacts, &load);
+        (left, part) = body.unbalanced(&contacts, load);
         let improvable = part.above(X::all(IMPROVED), X::all(1.0), zero);
         if time == TIMES || improvable.is_all(0.0) {
             break;
@@ -129,10 +168,26 @@ fn stretch<const D: usize, const C: usize, const M: usize, X: Packed>(
             *entry = improvable.above(zero, *entry, zero);
         }
     }
-    forces.of[..fingers.len()].copy_from_slice(&contacts[..fingers.len()]);
-    bound_rounding(body, commands, &load, &moved, forces);
-    forces.unbalanced = part;
-    forces.free = part.above(X::all(GIVES_WAY), body.free(), zero);
+    Settled { contacts, moved, part }
+}
+
+/// The displacements of contacts where the object settles. What moves freely makes them no numbers: it may be anywhere.
+#[inline(always)]
+fn move_object<const D: usize, const C: usize, const M: usize, X: Packed>(
+    body: &RigidBody<D, C, M, X>,
+    cause: &Cause<'_, C, X>,
+    moved: &mut Moved<C, M, X>,
+) {
+    let mut load = [X::all(0.0); D];
+    load.copy_from_slice(&cause.load[..D]);
+    let mut settled = let_go(body, Some(&cause.commands), &body.carried(&load));
+    for entry in &mut settled.moved {
+        *entry = body.free().above(X::all(0.0), X::all(f64::NAN), *entry);
+    }
+    for (at, finger) in moved.at.iter_mut().zip(body.fingers()) {
+        *at = displacement(&finger.arm, &settled.moved);
+    }
+    moved.turn[..D - C].copy_from_slice(&settled.moved[C..]);
 }
 
 /// Bounds the rounding of forces: a part of the force, and a part of the force that its

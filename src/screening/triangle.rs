@@ -22,9 +22,10 @@
 use super::block::{Block, Commanded};
 use super::factors::LaneFactors;
 use super::forces::{Forces, ON_THE_EDGE};
-use super::lanes::{Packed, dot};
+use super::lanes::{Packed, cross, dot};
 use super::method::Method;
-use super::springs::StickingSprings;
+use super::moved::{self, Moved};
+use super::springs::{Cause, StickingSprings};
 use crate::contact::ZERO_SLACK as ROUNDING;
 use crate::numerics::Vectors;
 
@@ -44,7 +45,7 @@ pub(super) struct Triangle<const C: usize, X: Packed> {
     pub(super) edge: [[X; C]; N],
     pub(super) centre: [X; C],
     /// m and `|m|⁻²`.
-    across: [X; C],
+    pub(super) across: [X; C],
     pub(super) one_over_square: X,
     /// Entries along the normal of a contact of the edge that ends there and of the one that begins.
     ends: [X; N],
@@ -277,14 +278,19 @@ impl<const C: usize, const M: usize, X: Packed> StickingSprings<C, M, X> for Tri
             || self.squeezed(block, others, forces),
         );
     }
-}
 
-#[inline(always)]
-fn cross<const C: usize, X: Packed>(a: &[X; C], b: &[X; C]) -> [X; C] {
-    let mut product = *a;
-    for axis in 0..C {
-        let [next, last] = others(axis);
-        product[axis] = a[next] * b[last] - a[last] * b[next];
+    #[inline(never)]
+    fn moved<V: Vectors>(
+        &self,
+        v: V,
+        block: &Block<'_, C, X>,
+        cause: &Cause<'_, C, X>,
+        forces: &Forces<C, M, X>,
+        moved: &mut Moved<C, M, X>,
+    ) {
+        v.run(
+            #[inline(always)]
+            || moved::with_triangle(self, block, cause, forces, moved),
+        );
     }
-    product
 }

@@ -8,6 +8,7 @@ use super::lanes::Packed;
 use super::question::{Room, Scenes, ScreeningQuestion};
 use super::screened::ScreenedTurn;
 use super::springs::StickingSprings;
+use super::told::Told;
 use super::turning::judge;
 use crate::error::Error;
 use crate::grasp::Wrench;
@@ -47,15 +48,17 @@ impl<const C: usize> ScreeningQuestion<C> for TurningPull<C> {
         &self,
         scenes: &Scenes<'_, V, P, C, M, X>,
         [constant, cosine, sine]: Room<'_, C, M, X>,
-    ) -> X::Each<ScreenedTurn> {
+        told: &mut Told<'_, ScreenedTurn, X>,
+    ) {
         scenes.squeezed_under(&self.load.constant, constant);
         scenes.under(&self.load.cosine, cosine);
         scenes.under(&self.load.sine, sine);
         let forces = Harmonic { constant: &*constant, cosine: &*cosine, sine: &*sine };
         if P::CONTACTS.is_some() {
-            return judge(scenes.block.friction(), &forces, self.most);
+            told.each(judge(scenes.block.friction(), &forces, self.most));
+            return;
         }
-        judge_apart(scenes.vectors, scenes.block.friction(), &forces, self.most)
+        told.each(judge_apart(scenes.vectors, scenes.block.friction(), &forces, self.most));
     }
 }
 

@@ -1,6 +1,8 @@
 //! Batches of small grasps screened on all cores.
 
-use crate::screening::{Batch, LoadCases, Pull, Screened, ScreenedSqueeze, ScreenedTurn, TurningPull};
+use crate::screening::{
+    Batch, LoadCases, Pull, Screened, ScreenedGradients, ScreenedSqueeze, ScreenedTurn, TurningPull,
+};
 
 /// When the first contact of each grasp of a batch stops sticking as each of the loads grows:
 /// [`Batch::onsets_into`] on all cores. The answers come grasp by grasp, for each in the order of
@@ -11,6 +13,37 @@ pub fn onsets_of_batch<const D: usize, const C: usize, const N: usize>(
     answers: &mut Vec<Screened>,
 ) {
     batch.onsets_on_all_cores(pulls, answers);
+}
+
+/// How the onset of each grasp of a batch changes with all of its data, for each of the loads: points, normals, commands, stiffnesses, friction and load.
+/// Gradients come as from [`onsets_of_batch`].
+///
+/// ```
+/// use grasp_lcp::spatial::{Batch, Contact, Fingers, Pull, Wrench};
+/// use grasp_lcp::sweep::onset_gradients_of_batch;
+///
+/// // Three fingers on a disc press with 6 N each; the second one is worn.
+/// let finger = |x: f64, y: f64, mu: f64| {
+///     Contact::new([x, y, 0.0], [-x, -y, 0.0]).series_stiffness(1e3, 1e3).friction(mu).pressed_with(6.0)
+/// };
+/// let (c, s) = (-0.5, 0.75_f64.sqrt());
+/// let mut batch = Batch::default();
+/// batch.push(&Fingers::new(&[finger(1.0, 0.0, 0.5), finger(c, s, 0.4), finger(c, -s, 0.5)])?);
+///
+/// // Each bears a third of a load along the axis: the worn one slides at 3 μ N, however far it is from it.
+/// let mut gradients = Default::default();
+/// onset_gradients_of_batch(&batch, &[Pull::new(&Wrench::ZERO, &Wrench::force([0.0, 0.0, -1.0]))?], &mut gradients);
+/// let gradient = gradients.get(0).unwrap();
+/// assert_eq!((gradient.contact(), gradient.is_one_sided()), (Some(1), false));
+/// assert!((gradient.friction(1) - 18.0).abs() < 1e-12);
+/// # Ok::<(), grasp_lcp::Error>(())
+/// ```
+pub fn onset_gradients_of_batch<const D: usize, const C: usize, const N: usize>(
+    batch: &Batch<D, C, N>,
+    pulls: &[Pull<C>],
+    gradients: &mut ScreenedGradients<C>,
+) {
+    batch.onset_gradients_on_all_cores(pulls, gradients);
 }
 
 /// At which angle the first contact of each grasp of a batch stops sticking while each of the loads

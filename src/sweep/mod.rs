@@ -19,7 +19,7 @@ mod robust_onset;
 mod sticking;
 mod uncertainty;
 
-pub use batch::{least_squeezes_of_batch, onsets_of_batch, turn_onsets_of_batch};
+pub use batch::{least_squeezes_of_batch, onset_gradients_of_batch, onsets_of_batch, turn_onsets_of_batch};
 pub use in_order::map_in_order;
 pub use progress::{Progress, map_watched};
 pub use reserve::Reserve;

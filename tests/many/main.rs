@@ -6,6 +6,8 @@ mod screened_scenes;
 mod screening;
 mod screening_exact;
 mod screening_exact_space;
+mod screening_gradients;
+mod screening_gradients_exact;
 mod screening_squeeze;
 mod screening_turns;
 mod sweep;

@@ -2,7 +2,9 @@
 //!
 //! `cargo run --release -p reports --bin screen_grasps` samples three-finger grasps on a point cloud with normals, asks of each at which multiple of its weight the
 //! first finger slides, for gravity in 26 directions, and keeps the weakest direction. It prints the ten best grasps, checked with
-//! `Grasp::onset`, the throughput, and draws how the million are distributed.
+//! `Grasp::onset`, the throughput, also of gradients, and draws how the million are distributed.
+
+mod gradients;
 
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -60,6 +62,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         (GRASPS * directions().len()) as f64 / seconds * 1e-6,
         rayon::current_num_threads()
     );
+    gradients::print_cost(&cloud)?;
     let share = |count: usize| 100.0 * count as f64 / GRASPS as f64;
     println!(
         "  {:5.1} % do not even hold the squeeze: a finger would slide or open",

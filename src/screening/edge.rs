@@ -1,0 +1,106 @@
+//! The contact that stops sticking first, on the edge of its cone.
+
+use super::block::{Commanded, count};
+use super::cone::StickingCone;
+use super::forces::Forces;
+use super::lanes::{Packed, dot};
+use super::screened::Screened;
+
+/// Friction at the onset below this part of what it was made of has no direction of its own: the force leaves through the apex of its cone. With a
+/// smaller part a direction would have fewer than six digits.
+const APEX: f64 = 1e-9;
+
+/// The margin `m = α F_n - β |F_t|` that vanishes first, and what it changes by. Of the contact that leaves, zero for all others; not a number where
+/// none leaves.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Edge<const C: usize, const M: usize, X: Packed> {
+    pub(super) factor: X,
+    /// The number of that contact; -1 where there is none.
+    pub(super) contact: X,
+    /// `∂m/∂F`, along the normal and across it: a command in its place asks for the forces whose work says how m changes.
+    normal: [X; M],
+    tangential: [[X; M]; C],
+    /// `∂m/∂μ`.
+    pub(super) by_friction: [X; M],
+    /// m' along the load.
+    pub(super) rate: X,
+    /// Positive if the least factor has a kink here, so that derivatives are those to one side.
+    pub(super) kink: X,
+}
+
+impl<const C: usize, const M: usize, X: Packed> Edge<C, M, X> {
+    /// Nothing yet.
+    pub(super) fn none() -> Self {
+        let zero = X::all(0.0);
+        Self {
+            factor: zero,
+            contact: zero,
+            normal: [zero; M],
+            tangential: [[zero; M]; C],
+            by_friction: [zero; M],
+            rate: zero,
+            kink: zero,
+        }
+    }
+
+    /// Takes forces along to the factor at which the first contact leaves, or one of those that leave there.
+    #[inline(always)]
+    pub(super) fn reach(
+        &mut self,
+        friction: &[X],
+        (first, which): (X::Each<Screened>, Option<usize>),
+        rates: &Forces<C, M, X>,
+        forces: &mut Forces<C, M, X>,
+    ) {
+        let (zero, one) = (X::all(0.0), X::all(1.0));
+        let first = first.as_ref();
+        let chosen = |lane: usize| {
+            let contact = first[lane].leaving().find(|i| which.is_none_or(|which| which == *i));
+            contact.and_then(|i| u8::try_from(i).ok()).map_or(-1.0, f64::from)
+        };
+        let contact = X::of(X::each(chosen));
+        self.contact = contact;
+        self.factor =
+            contact.above(X::all(-0.5), X::of(X::each(|lane| first[lane].0.code)), X::all(f64::NAN));
+        self.rate = zero;
+        self.kink = X::of(X::each(|lane| f64::from(u8::from(first[lane].leaving().count() > 1))));
+        for i in 0..count::<M, X>(friction.len()) {
+            let cone = StickingCone::of(friction[i]);
+            let number = X::all(i as f64);
+            let here = X::all(0.5).above((contact - number).abs(), one, zero);
+            let (force, rate) = (&mut forces.of[i], &rates.of[i]);
+            let mut size = force.normal.abs() + self.factor * rate.normal.abs();
+            force.normal += self.factor * rate.normal;
+            // In the plane there is one tangent, and no number behind it.
+            for axis in 0..if C == 2 { 1 } else { C } {
+                let changed = self.factor * rate.tangential[axis];
+                size += force.tangential[axis].abs() + changed.abs();
+                force.tangential[axis] += changed;
+            }
+            let t = cone.friction(force);
+            let slides = dot(&t, &t).sqrt();
+            let apart = slides.above(X::all(APEX) * size, one, zero);
+            let inverse = apart.above(zero, here / slides, zero);
+            self.kink += here * (cone.beta - cone.beta * apart);
+            self.normal[i] = here * cone.alpha;
+            self.rate += self.normal[i] * rate.normal;
+            for axis in 0..C {
+                let along = -(inverse * t[axis]);
+                self.tangential[axis][i] = along;
+                self.rate += along * (cone.beta * rate.tangential[axis]);
+            }
+            self.by_friction[i] = here * cone.beta * force.normal;
+        }
+    }
+
+    /// `∂m/∂F` as if it were commands.
+    #[inline(always)]
+    pub(super) fn probe(&self, contacts: usize) -> Commanded<'_, C, X> {
+        let contacts = count::<M, X>(contacts);
+        let mut sheared = [&self.normal[..contacts]; C];
+        for axis in 0..C {
+            sheared[axis] = &self.tangential[axis][..contacts];
+        }
+        Commanded { pressed: &self.normal[..contacts], sheared }
+    }
+}

@@ -1,0 +1,108 @@
+//! How the factor of a pull changes with every number of a grasp.
+//!
+//! The factor is where the margin m of the contact that leaves vanishes, `dτ = -dm / m'`. With g = ∂m/∂F of that contact the springs are
+//! asked once more: how would they answer if its finger went by g, and nothing else happened? The forces P and the motion (v, ω̄) of the object that
+//! answer hold all derivatives. With the forces F and the motion (u, ω) at the onset, at each contact,
+//!
+//! ```text
+//! ∂m/∂a = P                          command                 ∂m/∂p = ω̄ × F + ω × P        point
+//! ∂m/∂k_n = F_n P_n / k_n²           stiffness               ∂m/∂θ = v × F + u × P        its frame turns, with springs and commands
+//! ∂m/∂k_t = F_t·P_t / k_t²                                   ∂m/∂W = -(v, ω̄) at the origin   load
+//! ```
+//!
+//! So a gradient takes one more answer of the springs than its value, however many numbers there are.
+
+use super::block::Block;
+use super::edge::Edge;
+use super::forces::Forces;
+use super::gradient_row::{Row, Slopes};
+use super::lanes::Packed;
+use super::moved::Moved;
+use super::pull::{Pull, judged};
+use super::question::{Room, Scenes, ScreeningQuestion};
+use super::screened::Screened;
+use super::springs::{Cause, StickingSprings};
+use super::told::Told;
+use crate::numerics::Vectors;
+
+/// The derivatives of the factor of a pull.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct GradientOf<const C: usize> {
+    pub(super) pull: Pull<C>,
+    /// Of which contact, if it leaves; else of the first that does.
+    pub(super) contact: Option<usize>,
+}
+
+impl<const C: usize> ScreeningQuestion<C> for GradientOf<C> {
+    type Answer = f64;
+    const UNKNOWN: f64 = f64::NAN;
+
+    fn answers(contacts: usize) -> usize {
+        Row::<C>::numbers(contacts)
+    }
+
+    #[inline(always)]
+    fn ask<V: Vectors, P: StickingSprings<C, M, X>, const M: usize, X: Packed>(
+        &self,
+        scenes: &Scenes<'_, V, P, C, M, X>,
+        [rates, forces, answered]: Room<'_, C, M, X>,
+        told: &mut Told<'_, f64, X>,
+    ) {
+        let (v, block, ready) = (scenes.vectors, &scenes.block, scenes.ready);
+        let Pull { base, direction, loaded } = &self.pull;
+        scenes.under(direction, rates);
+        if *loaded {
+            scenes.squeezed_under(base, forces);
+        } else {
+            *forces = *scenes.squeezed;
+        }
+        let first = judged(scenes, forces, rates);
+        let mut edge = Edge::none();
+        reach(v, &mut edge, block.friction(), (first, self.contact), [rates, forces]);
+        let probe = edge.probe(block.contacts);
+        ready.squeeze(v, block, Some(&probe), answered);
+        let (mut moved, mut virtually) = (Moved::none(), Moved::none());
+        let mut load = [X::all(0.0); 6];
+        for ((load, base), direction) in load.iter_mut().zip(base.components()).zip(direction.components()) {
+            *load = X::all(*base) + edge.factor * X::all(*direction);
+        }
+        ready.moved(v, block, &Cause { commands: block.commands(), load }, forces, &mut moved);
+        let probed = Cause { commands: probe, load: [X::all(0.0); 6] };
+        ready.moved(v, block, &probed, answered, &mut virtually);
+        let slopes = Slopes {
+            method: P::METHOD,
+            edge: &edge,
+            forces: [forces, answered],
+            motions: [&moved, &virtually],
+            first,
+        };
+        tell(v, &slopes, block, told);
+    }
+}
+
+#[inline(never)]
+fn reach<V: Vectors, const C: usize, const M: usize, X: Packed>(
+    v: V,
+    edge: &mut Edge<C, M, X>,
+    friction: &[X],
+    first: (X::Each<Screened>, Option<usize>),
+    [rates, forces]: [&mut Forces<C, M, X>; 2],
+) {
+    v.run(
+        #[inline(always)]
+        || edge.reach(friction, first, rates, forces),
+    );
+}
+
+#[inline(never)]
+fn tell<V: Vectors, const C: usize, const M: usize, X: Packed>(
+    v: V,
+    slopes: &Slopes<'_, C, M, X>,
+    block: &Block<'_, C, X>,
+    told: &mut Told<'_, f64, X>,
+) {
+    v.run(
+        #[inline(always)]
+        || slopes.tell(block, told),
+    );
+}

@@ -1,0 +1,147 @@
+//! The derivatives of one factor, in a row of numbers.
+
+use super::block::{Block, MOST_CONTACTS, count};
+use super::edge::Edge;
+use super::finger::world;
+use super::forces::Forces;
+use super::lanes::Packed;
+use super::method::Method;
+use super::moved::{Moved, worked};
+use super::screened::Screened;
+use super::told::Told;
+
+/// What stands where in a row: the answer of screening, then each field contact by contact, then the load.
+pub(super) struct Row<const C: usize>;
+
+impl<const C: usize> Row<C> {
+    pub(super) const CODE: usize = 0;
+    pub(super) const LEAVING: usize = 1;
+    pub(super) const CONTACT: usize = 2;
+    pub(super) const KINK: usize = 3;
+    pub(super) const POINT: usize = 4;
+    /// Components of the load.
+    pub(super) const LOADS: usize = 3 * (C - 1);
+
+    pub(super) const fn normal(contacts: usize) -> usize {
+        Self::POINT + C * contacts
+    }
+    pub(super) const fn command(contacts: usize) -> usize {
+        Self::normal(contacts) + C * contacts
+    }
+    pub(super) const fn stiffness(contacts: usize) -> usize {
+        Self::command(contacts) + C * contacts
+    }
+    pub(super) const fn friction(contacts: usize) -> usize {
+        Self::stiffness(contacts) + 2 * contacts
+    }
+    pub(super) const fn load(contacts: usize) -> usize {
+        Self::friction(contacts) + contacts
+    }
+    pub(super) const fn numbers(contacts: usize) -> usize {
+        Self::load(contacts) + Self::LOADS
+    }
+}
+
+/// Numbers of the longest row: that of five contacts in space.
+const MOST: usize = Row::<3>::numbers(MOST_CONTACTS);
+
+/// What derivatives are made of; see [`super::gradient`].
+pub(super) struct Slopes<'a, const C: usize, const M: usize, X: Packed> {
+    pub(super) method: Method,
+    pub(super) edge: &'a Edge<C, M, X>,
+    /// F and P.
+    pub(super) forces: [&'a Forces<C, M, X>; 2],
+    /// u with ω, and v with ω̄.
+    pub(super) motions: [&'a Moved<C, M, X>; 2],
+    pub(super) first: X::Each<Screened>,
+}
+
+impl<const C: usize, const M: usize, X: Packed> Slopes<'_, C, M, X> {
+    /// Writes the rows of the scenes of a block.
+    #[inline(always)]
+    pub(super) fn tell(&self, block: &Block<'_, C, X>, told: &mut Told<'_, f64, X>) {
+        let contacts = count::<M, X>(block.contacts);
+        let mut row = [X::all(0.0); MOST];
+        let scale = X::all(-1.0) / self.edge.rate;
+        let Edge { contact, kink, by_friction, .. } = self.edge;
+        (row[Row::<C>::CONTACT], row[Row::<C>::KINK]) = (*contact, *kink);
+        for i in 0..contacts {
+            self.contact(block, i, scale, &mut row);
+            row[Row::<C>::friction(contacts) + i] = scale * by_friction[i];
+        }
+        // The motion at the origin, where moments of loads are about.
+        let virtually = self.motions[1];
+        let mut turn = [X::all(0.0); C];
+        turn.copy_from_slice(&virtually.turn[..C]);
+        let mut arm = block.points().map(|row| row[0]);
+        for entry in &mut arm {
+            *entry = -*entry;
+        }
+        let less = -scale;
+        let load = &mut row[Row::<C>::load(contacts)..];
+        let (turned, _) = worked([&turn, &turn, &arm, &arm]);
+        for axis in 0..C {
+            load[axis] = less * (virtually.at[0][axis] + turned[axis]);
+        }
+        for axis in 0..Row::<C>::LOADS - C {
+            load[C + axis] = less * virtually.turn[axis];
+        }
+        let numbers = Row::<C>::numbers(contacts);
+        for (scene, screened) in self.first.as_ref().iter().enumerate() {
+            if let Some(places) = told.places(scene) {
+                for (place, number) in places.iter_mut().zip(&row[..numbers]) {
+                    *place = number.lane(scene);
+                }
+                (places[Row::<C>::CODE], places[Row::<C>::LEAVING]) = (screened.0.code, screened.0.leaving);
+            }
+        }
+    }
+
+    /// The fields of one contact.
+    #[inline(always)]
+    fn contact(&self, block: &Block<'_, C, X>, i: usize, scale: X, row: &mut [X; MOST]) {
+        let (zero, contacts) = (X::all(0.0), count::<M, X>(block.contacts));
+        let normal = block.normals().map(|row| row[i]);
+        let [k_n, k_t] = block.springs().map(|row| row[i]);
+        let [force, mut answered] = self.forces.map(|forces| forces.of[i]);
+        let give = |k: X| k.above(zero, X::all(1.0) / k, zero);
+        let gives = match self.method {
+            Method::Edges => [k_n, k_t],
+            Method::Motions => [give(k_n), give(k_t)],
+        };
+        if C == 2 && self.method == Method::Edges {
+            // A finger without friction leaves no squeeze between two: its compliances only tell how the object moves.
+            let squeezes = k_n.above(zero, scale, zero);
+            answered.normal = squeezes * answered.normal;
+            for entry in &mut answered.tangential {
+                *entry = squeezes * *entry;
+            }
+        } else {
+            answered.normal = scale * answered.normal;
+            for entry in &mut answered.tangential {
+                *entry = scale * *entry;
+            }
+        }
+        let (mut across, mut turns) = (zero, [[zero; C]; 2]);
+        for axis in 0..C {
+            across += force.tangential[axis] * answered.tangential[axis];
+            turns[0][axis] = self.motions[0].turn[axis];
+            turns[1][axis] = scale * self.motions[1].turn[axis];
+        }
+        let stiffness = &mut row[Row::<C>::stiffness(contacts) + 2 * i..][..2];
+        stiffness[0] = force.normal * answered.normal * gives[0] * gives[0];
+        stiffness[1] = across * gives[1] * gives[1];
+        let (force, answered) = (world(&normal, &force), world(&normal, &answered));
+        let mut virtually = self.motions[1].at[i];
+        for entry in &mut virtually {
+            *entry = scale * *entry;
+        }
+        let with_answered = worked([&turns[0], &self.motions[0].at[i], &answered, &normal]);
+        let with_force = worked([&turns[1], &virtually, &force, &normal]);
+        for axis in 0..C {
+            row[Row::<C>::POINT + C * i + axis] = with_answered.0[axis] + with_force.0[axis];
+            row[Row::<C>::normal(contacts) + C * i + axis] = with_answered.1[axis] + with_force.1[axis];
+            row[Row::<C>::command(contacts) + C * i + axis] = answered[axis];
+        }
+    }
+}

@@ -1,0 +1,106 @@
+//! How the object moves while every contact sticks, seen at its contacts.
+//!
+//! Where forces are found in compliances the springs say how far the object went at each contact, `u = a - C F`. Of displacements along an edge e the
+//! difference is `ω × e`, which tells the rotation.
+
+use super::block::{Block, Commanded};
+use super::finger::{Force, world};
+use super::forces::Forces;
+use super::lanes::{Packed, cross, dot};
+use super::springs::Cause;
+use super::triangle::{self, Triangle, others};
+
+/// A small motion of the object.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Moved<const C: usize, const M: usize, X: Packed> {
+    /// Displacements at the contacts along the coordinate axes.
+    pub(super) at: [[X; C]; M],
+    /// Rotation about the coordinate axes; in the plane the first entry.
+    pub(super) turn: [X; 3],
+}
+
+impl<const C: usize, const M: usize, X: Packed> Moved<C, M, X> {
+    /// No motion.
+    pub(super) fn none() -> Self {
+        Self { at: [[X::all(0.0); C]; M], turn: [X::all(0.0); 3] }
+    }
+}
+
+/// What the springs of a contact in compliances leave of its command.
+#[inline(always)]
+fn off_the_spring<const C: usize, X: Packed>(
+    block: &Block<'_, C, X>,
+    commands: &Commanded<'_, C, X>,
+    i: usize,
+    force: &Force<C, X>,
+) -> [X; C] {
+    let [c_n, c_t] = block.springs().map(|row| row[i]);
+    let mut left = *force;
+    left.normal = commands.pressed[i] - c_n * force.normal;
+    for axis in 0..C {
+        left.tangential[axis] = commands.sheared[axis][i] - c_t * force.tangential[axis];
+    }
+    world(&block.normals().map(|row| row[i]), &left)
+}
+
+/// That of an object between two contacts in the plane.
+#[inline(always)]
+pub(super) fn with_pair<const C: usize, const M: usize, X: Packed>(
+    block: &Block<'_, C, X>,
+    cause: &Cause<'_, C, X>,
+    forces: &Forces<C, M, X>,
+    moved: &mut Moved<C, M, X>,
+) {
+    let points = block.points();
+    for i in 0..2 {
+        moved.at[i] = off_the_spring(block, &cause.commands, i, &forces.of[i]);
+    }
+    let [x, y] = [0, 1].map(|axis| points[axis][1] - points[axis][0]);
+    let [u, v] = [0, 1].map(|axis| moved.at[1][axis] - moved.at[0][axis]);
+    moved.turn[0] = (x * v - y * u) / (x * x + y * y);
+}
+
+/// That of an object between three contacts in space: `ω = (m·d₂ e₁ - m·d₁ e₂ + ½ (e₂·d₁ - e₁·d₂) m) / |m|²` with `d = ω × e` of two edges.
+#[inline(always)]
+pub(super) fn with_triangle<const C: usize, const M: usize, X: Packed>(
+    triangle: &Triangle<C, X>,
+    block: &Block<'_, C, X>,
+    cause: &Cause<'_, C, X>,
+    forces: &Forces<C, M, X>,
+    moved: &mut Moved<C, M, X>,
+) {
+    for i in 0..triangle::N {
+        moved.at[i] = off_the_spring(block, &cause.commands, i, &forces.of[i]);
+    }
+    let along = |k: usize| {
+        let [tail, head] = others(k);
+        let mut along = moved.at[head];
+        for axis in 0..C {
+            along[axis] -= moved.at[tail][axis];
+        }
+        along
+    };
+    let (m, [e_1, e_2]) = (&triangle.across, [&triangle.edge[1], &triangle.edge[2]]);
+    let [d_1, d_2] = [along(1), along(2)];
+    let twice = dot(e_2, &d_1) - dot(e_1, &d_2);
+    let (x, y, z) = (dot(m, &d_2), dot(m, &d_1), X::all(0.5) * twice);
+    for axis in 0..C {
+        moved.turn[axis] = triangle.one_over_square * ((x * e_1[axis] - y * e_2[axis]) + z * m[axis]);
+    }
+}
+
+/// What a motion and a force make of each other at a contact: the change of their work if the contact moves, `ω × F`, and if its frame turns, `u × F`, as
+/// a change of the normal, `(u × F) × n`.
+#[inline(always)]
+pub(super) fn worked<const C: usize, X: Packed>([turn, at, force, normal]: [&[X; C]; 4]) -> ([X; C], [X; C]) {
+    if C == 2 {
+        let (mut moved, mut tilted) = (*force, *normal);
+        moved[0] = -(turn[0] * force[1]);
+        moved[1] = turn[0] * force[0];
+        let moment = at[0] * force[1] - at[1] * force[0];
+        tilted[0] = -(moment * normal[1]);
+        tilted[1] = moment * normal[0];
+        return (moved, tilted);
+    }
+    (cross(turn, force), cross(&cross(at, force), normal))
+}

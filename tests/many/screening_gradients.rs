@@ -1,0 +1,305 @@
+//! Gradients of screening against those of `Grasp::sensitivity`, which solves once more for every single datum.
+//!
+//! In the plane and in space, two to five contacts of every kind, about a place off the origin, with a base load and without: every field agrees to nine digits.
+
+use grasp_lcp::ask::Grasp;
+use grasp_lcp::grasp::{Contact, Wrench};
+use grasp_lcp::load_path::{Leaver, Ramp};
+use grasp_lcp::screening::{Batch, Fingers, Pull, ScreenedGradient, ScreenedGradients};
+use grasp_lcp::sweep::onset_gradients_of_batch;
+use grasp_lcp::{planar, spatial};
+use nalgebra::{SMatrix, SVector};
+use support::splitmix::Random;
+
+/// Of the largest number of a field.
+const CLOSE: f64 = 1e-9;
+
+fn vector<const N: usize>(random: &mut Random) -> SVector<f64, N> {
+    SVector::from_fn(|_, _| 2.0 * random.uniform() - 1.0)
+}
+
+/// Fingers around a place, most of them ordinary.
+fn contacts<const C: usize, const N: usize>(random: &mut Random, place: f64) -> [Contact<C>; N] {
+    std::array::from_fn(|_| {
+        let out = vector::<C>(random).normalize();
+        let mut stiffness = vector::<C>(random).map(|x| 10_f64.powf(1.0 + 0.5 * x));
+        stiffness[C - 1] = stiffness[1];
+        let mut command = vector::<C>(random) * 0.02;
+        command[0] = 0.1;
+        let contact = Contact::new(out + SVector::repeat(place), -out + vector::<C>(random) * 0.3)
+            .tangent(vector::<C>(random))
+            .series_stiffness_axes(stiffness)
+            .command(command);
+        let contact = match random.index(0, 15) {
+            0 => contact.friction(0.0),
+            1 => contact.friction(f64::INFINITY),
+            _ => contact.friction(0.3 + 0.6 * random.uniform()),
+        };
+        match random.index(0, 15) {
+            0 => contact.kept_closed(),
+            1 => contact.bonded(),
+            2 => contact.clearance(0.01),
+            _ => contact,
+        }
+    })
+}
+
+fn load<const D: usize, const C: usize>(random: &mut Random, size: f64, place: f64) -> Wrench<C> {
+    let mut load = vector::<D>(random) * size;
+    // Moments about the place.
+    if C == 2 {
+        load[2] += place * (load[1] - load[0]);
+    } else {
+        for (k, [a, b]) in [[2, 1], [0, 2], [1, 0]].into_iter().enumerate() {
+            load[C + k] += place * (load[a] - load[b]);
+        }
+    }
+    Wrench::from_components(load.as_slice())
+}
+
+/// The largest difference of two fields, in parts of their largest number; those that are not numbers in ours are left out, and counted.
+struct Compared {
+    off: f64,
+    /// Fields below this are rounding: what carries a load without springs does not depend on them.
+    least: f64,
+    left_out: usize,
+    numbers: usize,
+}
+
+impl Compared {
+    fn field(&mut self, pairs: impl IntoIterator<Item = (f64, f64)>) {
+        let pairs: Vec<_> = pairs.into_iter().collect();
+        let known = pairs.iter().filter(|(ours, _)| ours.is_finite());
+        let size = known.clone().map(|(a, b)| a.abs().max(b.abs())).fold(self.least, f64::max);
+        let off = known.map(|(a, b)| (a - b).abs() / size);
+        self.off = off.fold(self.off, |most, off| if off > most || off.is_nan() { off } else { most });
+        self.left_out += pairs.iter().filter(|(ours, _)| !ours.is_finite()).count();
+        self.numbers += pairs.len();
+    }
+}
+
+fn along<const C: usize>(frame: &SMatrix<f64, C, C>, ours: [f64; C]) -> SVector<f64, C> {
+    frame.tr_mul(&SVector::from(ours))
+}
+
+/// Compares every field of one gradient; `None` if the whole has none.
+fn compare<const C: usize>(
+    grasp: &Grasp<C>,
+    pull: [Wrench<C>; 2],
+    ours: &ScreenedGradient<'_, C>,
+    compared: &mut Compared,
+) -> Option<()> {
+    let onset = grasp.onset(&Ramp::load(pull[0], pull[1])).unwrap();
+    let event = onset.event()?;
+    let contact = Leaver::Contact(ours.contact()?);
+    let gradients = grasp.sensitivity().onset_gradients(event);
+    let theirs = gradients.iter().find(|gradient| gradient.leaving == contact)?;
+    let geometry = grasp.sensitivity().onset_gradients_by_geometry(event).unwrap();
+    let geometry = geometry.iter().find(|gradient| gradient.leaving == contact)?;
+    let frames: Vec<_> = grasp.frames().collect();
+    let all = 0..frames.len();
+    compared.field(all.clone().map(|i| (ours.friction(i), theirs.friction[i])));
+    compared.field(all.clone().flat_map(|i| {
+        let [normal, tangential] = ours.stiffness(i);
+        let of = &theirs.stiffness[i];
+        [(normal, of[0]), (tangential, of.rows_range(1..).sum())]
+    }));
+    let pairs = |ours: SVector<f64, C>, theirs: &SVector<f64, C>, from: usize| {
+        (from..C).map(|axis| (ours[axis], theirs[axis])).collect::<Vec<_>>()
+    };
+    compared.field(all.clone().flat_map(|i| pairs(along(frames[i], ours.command(i)), &theirs.command[i], 0)));
+    compared.field(all.clone().flat_map(|i| pairs(SVector::from(ours.point(i)), &geometry.point[i], 0)));
+    compared.field(all.clone().flat_map(|i| pairs(along(frames[i], ours.normal(i)), &geometry.normal[i], 1)));
+    compared.field(ours.base_load().iter().copied().zip(theirs.base_load.iter().copied()));
+    for i in all {
+        // Lengths of normals change nothing.
+        let normal = along(frames[i], ours.normal(i));
+        assert!(normal[0].is_nan() || normal[0].abs() <= 1e-9 * normal.norm(), "{normal}");
+    }
+    Some(())
+}
+
+/// How many gradients were compared; those of one grasp and those of a batch have the same bits.
+fn agree<const D: usize, const C: usize, const N: usize>(scenes: usize) -> (usize, Compared) {
+    let mut random = Random(100 * N as u64 + C as u64);
+    let (mut count, mut compared) = (0, Compared { off: 0.0, least: 0.0, left_out: 0, numbers: 0 });
+    for scene in 0..scenes {
+        let place = 0.7 * f64::from(u8::from(scene % 2 == 1));
+        let contacts = contacts::<C, N>(&mut random, place);
+        let base = if scene % 3 == 0 { 0.0 } else { 0.03 };
+        let pull = [load::<D, C>(&mut random, base, place), load::<D, C>(&mut random, 0.5, place)];
+        let fingers = Fingers::<D, C, N>::new(&contacts).unwrap();
+        let asked = Pull::new(&pull[0], &pull[1]).unwrap();
+        let each = fingers.onset_gradients(&asked);
+        assert_eq!(each.len(), fingers.onset(&asked).leaving().count());
+        let grasp = Grasp::new(contacts.iter().cloned()).unwrap();
+        for gradient in each.iter() {
+            assert_eq!(gradient.screened(), fingers.onset(&asked));
+            compared.least = 1e-3 * gradient.screened().factor().unwrap();
+            count += usize::from(compare(&grasp, pull, &gradient, &mut compared).is_some());
+        }
+    }
+    (count, compared)
+}
+
+#[test]
+fn those_of_the_whole_method_in_the_plane() {
+    for (count, compared) in
+        [agree::<3, 2, 2>(300), agree::<3, 2, 3>(300), agree::<3, 2, 4>(200), agree::<3, 2, 5>(200)]
+    {
+        assert!(compared.off < CLOSE, "{}", compared.off);
+        assert!(count > 30 && 20 * compared.left_out < compared.numbers, "{count} {}", compared.left_out);
+    }
+}
+
+#[test]
+fn those_of_the_whole_method_in_space() {
+    for (count, compared) in [agree::<6, 3, 3>(400), agree::<6, 3, 4>(200), agree::<6, 3, 5>(200)] {
+        assert!(compared.off < CLOSE, "{}", compared.off);
+        assert!(count > 30 && 20 * compared.left_out < compared.numbers, "{count} {}", compared.left_out);
+    }
+}
+
+/// Two hard fingers in space let the object spin about the line through them: what does not move their line is known.
+#[test]
+fn pairs_in_space_know_what_leaves_their_line() {
+    let finger = |x: f64, friction: f64| {
+        Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0])
+            .series_stiffness(1e3, 8e2)
+            .friction(friction)
+            .pressed_with(10.0)
+    };
+    let fingers = Fingers::<6, 3, 2>::new(&[finger(-1.0, 0.5), finger(1.0, 0.4)]).unwrap();
+    let pull = Pull::new(&Wrench::ZERO, &spatial::Wrench::force([0.0, 0.0, -1.0])).unwrap();
+    let gradients = fingers.onset_gradients(&pull);
+    let gradient = gradients.get(0).unwrap();
+    assert_eq!((gradient.contact(), gradient.is_one_sided()), (Some(1), false));
+    // 2 μ N: 8 N.
+    assert!((gradient.screened().factor().unwrap() - 8.0).abs() < 1e-13);
+    assert!((gradient.friction(1) - 20.0).abs() < 1e-12);
+    // One millimetre more of one finger presses half of its stiffness.
+    assert!((gradient.command(0)[0] - 400.0).abs() < 1e-10);
+    assert!(gradient.point(0).iter().chain(gradient.base_load()).all(|number| number.is_nan()));
+}
+
+/// Three fingers on a disc leave together under a load along its axis; each by its own friction.
+#[test]
+fn ties_are_told_and_each_has_its_gradient() {
+    let finger = |turn: f64| {
+        let (sin, cos) = (turn * std::f64::consts::TAU / 3.0).sin_cos();
+        Contact::new([cos, sin, 0.0], [-cos, -sin, 0.0])
+            .series_stiffness(1e3, 1e3)
+            .friction(0.5)
+            .pressed_with(6.0)
+    };
+    let fingers = Fingers::<6, 3, 3>::new(&[finger(0.0), finger(1.0), finger(2.0)]).unwrap();
+    let down = Pull::new(&Wrench::ZERO, &spatial::Wrench::force([0.0, 0.0, -1.0])).unwrap();
+    let gradients = fingers.onset_gradients(&down);
+    assert_eq!(gradients.len(), 3);
+    for (i, gradient) in gradients.iter().enumerate() {
+        assert!(gradient.is_one_sided() && gradient.contact() == Some(i));
+        assert!(gradient.screened().leaving().eq([0, 1, 2]));
+        for j in 0..3 {
+            let exact = if i == j { 18.0 } else { 0.0 };
+            assert!((gradient.friction(j) - exact).abs() < 1e-11);
+        }
+    }
+    let mut batch = Batch::default();
+    batch.push(&fingers);
+    let mut first = ScreenedGradients::new();
+    batch.onset_gradients_into(&[down], &mut first);
+    assert_eq!(first.get(0), gradients.get(0));
+    assert_eq!(first.get(1), None);
+}
+
+/// A finger that is pulled straight off leaves through the apex of its cone: with some friction on it, it would slide before.
+#[test]
+fn a_finger_pulled_off_leaves_through_the_apex() {
+    let finger = |x: f64| {
+        Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).pressed_with(10.0)
+    };
+    let fingers = Fingers::<3, 2, 2>::new(&[finger(-1.0), finger(1.0)]).unwrap();
+    let off = Pull::new(&Wrench::ZERO, &planar::Wrench::force([1.0, 0.0])).unwrap();
+    let gradients = fingers.onset_gradients(&off);
+    let gradient = gradients.get(0).unwrap();
+    assert!(gradient.is_one_sided() && gradients.len() == 1);
+    assert!((gradient.screened().factor().unwrap() - 20.0).abs() < 1e-12);
+    // F_n = 10 - τ/2: with a command more of d it is 500 d more.
+    assert!((gradient.command(0)[0] - 1000.0).abs() < 1e-9);
+}
+
+/// What has no factor has no gradient.
+#[test]
+fn without_a_factor_no_gradient() {
+    let finger = |x: f64| {
+        Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).pressed_with(10.0)
+    };
+    let fingers = Fingers::<3, 2, 2>::new(&[finger(-1.0), finger(1.0)]).unwrap();
+    let down = planar::Wrench::force([0.0, -1.0]);
+    for pull in [[down * 30.0, down], [Wrench::ZERO, Wrench::ZERO]] {
+        let pull = Pull::new(&pull[0], &pull[1]).unwrap();
+        assert!(fingers.onset_gradients(&pull).is_empty());
+        let mut batch = Batch::default();
+        batch.push(&fingers);
+        let mut gradients = ScreenedGradients::new();
+        batch.onset_gradients_into(&[pull], &mut gradients);
+        let gradient = gradients.get(0).unwrap();
+        assert_eq!((gradient.contact(), gradient.is_one_sided()), (None, false));
+        assert!(gradient.point(0).into_iter().chain([gradient.friction(1)]).all(f64::is_nan));
+        assert_eq!(gradient.screened(), fingers.onset(&pull));
+    }
+}
+
+/// Grasps of every kind in one batch, under several loads: whoever asks, and on how many threads, gets the same bits.
+fn same_bits<const D: usize, const C: usize, const N: usize>() {
+    let mut random = Random(7 + N as u64);
+    let fingers: Vec<_> = (0..3001)
+        .map(|k| Fingers::<D, C, N>::new(&contacts(&mut random, f64::from(k % 2))).unwrap())
+        .collect();
+    let mut batch = Batch::with_capacity(fingers.len());
+    fingers.iter().for_each(|fingers| batch.push(fingers));
+    let pulls: Vec<_> = [0.0, 0.02]
+        .map(|base| {
+            Pull::new(&load::<D, C>(&mut random, base, 0.5), &load::<D, C>(&mut random, 0.5, 0.5)).unwrap()
+        })
+        .to_vec();
+    let bits = |gradients: &ScreenedGradients<C>| -> Vec<u64> {
+        let number = |x: &f64| if x.is_nan() { f64::NAN.to_bits() } else { x.to_bits() };
+        gradients.numbers().iter().map(number).collect()
+    };
+    let mut gradients = ScreenedGradients::new();
+    batch.onset_gradients_into(&pulls, &mut gradients);
+    let here = bits(&gradients);
+    let swept = || {
+        let mut gradients = ScreenedGradients::new();
+        onset_gradients_of_batch(&batch, &pulls, &mut gradients);
+        bits(&gradients)
+    };
+    assert!(swept() == here);
+    #[cfg(feature = "parallel")]
+    for threads in [1, 2, 3] {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        assert!(pool.install(swept) == here, "{threads} threads");
+    }
+    let mut factors = 0;
+    for (k, fingers) in fingers.iter().enumerate() {
+        for (p, pull) in pulls.iter().enumerate() {
+            let of_batch = gradients.get(k * pulls.len() + p).unwrap();
+            // Codes of what is unclear may be no numbers.
+            assert_eq!(format!("{:?}", of_batch.screened()), format!("{:?}", fingers.onset(pull)));
+            let alone = fingers.onset_gradients(pull);
+            let Some(alone) = alone.get(0) else { continue };
+            assert_eq!(format!("{of_batch:?}"), format!("{alone:?}"));
+            factors += 1;
+        }
+    }
+    assert!(factors > 100, "{factors}");
+}
+
+#[test]
+fn the_same_bits_whoever_asks() {
+    same_bits::<3, 2, 2>();
+    same_bits::<3, 2, 3>();
+    same_bits::<6, 3, 3>();
+    same_bits::<6, 3, 5>();
+}
