@@ -73,7 +73,7 @@
 //! | [`statics`] | force closure and form closure: which loads contact forces could balance |
 //! | [`squeeze`] | how much squeeze suffices for a set of loads, which direction is weakest, and the least onset within bounds of commands and loads |
 //! | [`load_path`] | onset of sliding, what comes just beyond it; load programs followed with slip memory, for a few contacts ([`load_path::LoadPath`]) or thousands ([`load_path::PatchPath`]); sensitivities |
-//! | [`screening`] | the onset of sliding as a load grows or turns, with its gradient, and the least squeeze, for millions of grasps of two to five contacts |
+//! | [`screening`] | the onset of sliding as a load grows or turns, with its gradient, and the least squeeze, for millions of grasps of two to five contacts; a watch over measured forces |
 //! | [`energy`] | the paper's quadratic program, its comparison with complementarity, three laws of friction, stability |
 //! | [`sweep`] | many questions at once, in parallel (feature `parallel`, on by default); grasps that are not known exactly |
 //! | [`words`] | numbers with their units, motions and names as people read them |

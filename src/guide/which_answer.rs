@@ -38,6 +38,7 @@
 //! | Where does the object end up after loading and unloading? | [`Grasp::follow`](crate::ask::Grasp::follow) | `solve` knows no history: all slip starts from zero |
 //! | Which of a million grasps? | [`screening`](crate::screening) | the same onset, angle of onset or least squeeze, without the answer around it |
 //! | How does that change with every number of a million grasps? | [`onset_gradients_of_batch`](crate::sweep::onset_gradients_of_batch) | exact derivatives of the onset, and whether they are one-sided |
+//! | In a control loop: what have the forces left that are felt just now? | [`Fingers::watch`](crate::screening::Fingers::watch) | margin, first slip and extra squeeze, without an allocation |
 //! | Can the minimum of energy be used? | [`agreement_with_minimum_energy`](crate::ask::Energy::agreement) | beyond its factor the program returns numbers that balance nothing |
 //!
 //! ```

@@ -13,6 +13,7 @@ use super::part::{Part, screen};
 use super::pull::Pull;
 use super::question::ScreeningQuestion;
 use super::turning_pull::TurningPull;
+use super::watch::{Measured, Watched};
 use crate::error::Error;
 use crate::grasp::{Contact, assert_plane_or_space};
 
@@ -23,6 +24,7 @@ pub(super) struct Kernels<const D: usize, const C: usize, const N: usize> {
     pub(super) turning_pull: Kernel<D, C, N, TurningPull<C>>,
     pub(super) load_cases: Kernel<D, C, N, LoadCases<C>>,
     pub(super) gradient: Kernel<D, C, N, GradientOf<C>>,
+    pub(super) watch: fn(&OneGrasp<D, C, N>, &Measured<'_, C>) -> Watched,
 }
 
 /// One question, to one grasp and to many.
@@ -45,7 +47,7 @@ impl<const D: usize, const C: usize, const N: usize> Kernels<D, C, N> {
         let prepare = OneGrasp::new;
         let (pull, turning_pull) = (Kernel::new::<M>(), Kernel::new::<M>());
         let (load_cases, gradient) = (Kernel::new::<M>(), Kernel::new::<M>());
-        Self { prepare, pull, turning_pull, load_cases, gradient }
+        Self { prepare, pull, turning_pull, load_cases, gradient, watch: OneGrasp::watch }
     }
 
     /// Those of so many contacts in the plane, or in space.

@@ -21,6 +21,9 @@
 //! How the factor of a load changes with every number of a grasp comes as [`ScreenedGradients`], all derivatives at the price of a few values:
 //! [`Fingers::onset_gradients`], and of many [`sweep::onset_gradients_of_batch`](crate::sweep::onset_gradients_of_batch).
 //!
+//! In a control loop [`Fingers::watch`] says what measured forces have left: their margin, the first slip under a load to come, and how much
+//! more squeeze that takes.
+//!
 //! The method of the whole finds the same wherever every contact sticks to begin with and the numbers
 //! are not extreme. Elsewhere screening says why it has no answer ([`ScreeningVerdict`], [`SqueezeVerdict`])
 //! and leaves the question to it. Screening does not ask what comes beyond the onset.
@@ -69,6 +72,7 @@ mod triangle;
 mod turning;
 mod turning_pull;
 mod verdict;
+mod watch;
 
 pub use batch::Batch;
 pub use fingers::Fingers;
@@ -79,3 +83,4 @@ pub use screened::{Screened, ScreenedTurn};
 pub use screened_gradient::{ScreenedGradient, ScreenedGradients};
 pub use screened_squeeze::{ScreenedSqueeze, SqueezeVerdict};
 pub use turning_pull::TurningPull;
+pub use watch::Watched;

@@ -10,6 +10,7 @@ use super::question::{Scenes, ScreeningQuestion};
 use super::springs::StickingSprings;
 use super::told::Told;
 use super::triangle::Triangle;
+use super::watch::{Measured, Watched};
 use crate::error::{Error, Field};
 use crate::grasp::{Contact, Hold};
 use crate::numerics::Compiled;
@@ -72,6 +73,13 @@ impl<const D: usize, const C: usize, const N: usize> OneGrasp<D, C, N> {
             Ready::Triangle(triangle) => answer(block, triangle, squeezed, question, answers),
             Ready::RigidBody(body) => answer(block, body, squeezed, question, answers),
         }
+    }
+
+    /// What measured forces have left.
+    pub(super) fn watch(&self, measured: &Measured<'_, C>) -> Watched {
+        let mut watched = [Watched::UNKNOWN];
+        self.ask(measured, &mut watched);
+        watched[0]
     }
 }
 

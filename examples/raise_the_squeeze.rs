@@ -1,0 +1,66 @@
+//! A gripper feels its contact forces a thousand times a second and presses harder before anything slips.
+//!
+//! `cargo run --release -p grasp-lcp --example raise_the_squeeze`
+
+use std::f64::consts::{PI, TAU};
+
+use grasp_lcp::equilibrium::ContactState;
+use grasp_lcp::spatial::{Contact, Fingers, Grasp, Wrench};
+
+const MASS: f64 = 0.3; // kg
+const TICK: f64 = 1e-3; // s
+/// The watch looks so far ahead, s: the fingers take some milliseconds to press harder.
+const AHEAD: f64 = 0.03;
+/// So much the squeeze may grow in a tick, in parts of the first one.
+const FASTEST: f64 = 0.01;
+
+/// Three fingers round a bottle, 6 N each times the squeeze.
+fn fingers(squeeze: f64) -> [Contact; 3] {
+    [0.0, 1.0, 2.0].map(|third: f64| {
+        let (sin, cos) = (third * TAU / 3.0).sin_cos();
+        Contact::new([0.03 * cos, 0.03 * sin, 0.01 * third], [-cos, -sin, 0.0])
+            .series_stiffness(2e3, 1.5e3)
+            .friction(0.5)
+            .pressed_with(6.0 * squeeze)
+    })
+}
+
+/// The weight of a bottle that is lifted and swung, s.
+fn load(time: f64) -> Wrench {
+    let push = (PI * time).sin().powi(2);
+    Wrench::force_at([-5.0 * MASS * push, 0.0, -MASS * (9.81 + 12.0 * push)], [0.0, 0.0, -0.02])
+}
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let watch = Fingers::new(&fingers(1.0))?;
+    for watched in [false, true] {
+        let (mut squeeze, mut least) = (1.0_f64, f64::INFINITY);
+        let mut slipped = None;
+        for tick in 0..1000_u16 {
+            let time = f64::from(tick) * TICK;
+            // The world: springs and Coulomb's law.
+            let world = Grasp::new(fingers(squeeze))?;
+            let outcome = world.solve(&load(time))?;
+            let Some(state) = outcome.equilibrium() else { break };
+            if state.contacts.iter().any(|contact| contact.state != ContactState::Sticking) {
+                slipped = slipped.or(Some(time));
+            }
+            // The sensors.
+            let mut forces = [[0.0; 3]; 3];
+            for ((force, contact), frame) in forces.iter_mut().zip(&state.contacts).zip(world.frames()) {
+                *force = (frame * contact.force).into();
+            }
+            // The watch.
+            let seen = watch.watch(&forces, &(load(time + AHEAD) - load(time)))?;
+            least = least.min(seen.margin());
+            if watched {
+                squeeze += seen.extra_squeeze().factor().unwrap_or(FASTEST).min(FASTEST);
+            }
+        }
+        let what = if watched { "with the watch" } else { "with the first squeeze" };
+        let when =
+            slipped.map_or("nothing slips".to_owned(), |time| format!("a finger slips at {time:.3} s"));
+        println!("{what}: {when}; least margin {least:.3} N, in the end {:.2} N a finger", 6.0 * squeeze);
+    }
+    Ok(())
+}

@@ -1,0 +1,190 @@
+//! A watch in a control loop: from measured contact forces to what they have left.
+
+use std::fmt;
+
+use super::block::count;
+use super::cone::StickingCone;
+use super::fingers::Fingers;
+use super::first_slip::SlipCode;
+use super::forces::{Forces, ON_THE_EDGE};
+use super::kernels::Kernels;
+use super::lanes::{Packed, dot};
+use super::least_factor::LeastFactor;
+use super::pull::judged;
+use super::question::{Room, Scenes, ScreeningQuestion};
+use super::screened::Screened;
+use super::screened_squeeze::ScreenedSqueeze;
+use super::springs::StickingSprings;
+use super::told::Told;
+use crate::contact::ZERO_SLACK as ROUNDING;
+use crate::error::{ContactLabel, Error, Field};
+use crate::grasp::Wrench;
+use crate::numerics::Vectors;
+
+/// What measured contact forces of one grasp have left.
+#[derive(Clone, Copy, PartialEq)]
+pub struct Watched {
+    margin: f64,
+    tightest: usize,
+    first_slip: Screened,
+    extra_squeeze: ScreenedSqueeze,
+}
+
+impl Watched {
+    pub(super) const UNKNOWN: Self = Self {
+        margin: f64::NAN,
+        tightest: 0,
+        first_slip: Screened(SlipCode::UNKNOWN),
+        extra_squeeze: ScreenedSqueeze::UNKNOWN,
+    };
+
+    /// The least margin of a contact, N: `μ F_n - |F_t|` where it may slide, `F_n` where it can only open. Negative where a measured force
+    /// lies outside of its cone: that contact slides already, or the measurement or its friction is off. Infinite if no contact can leave.
+    #[must_use]
+    pub fn margin(&self) -> f64 {
+        self.margin
+    }
+
+    /// The contact with that margin, from 0; the first of several.
+    #[must_use]
+    pub fn tightest(&self) -> usize {
+        self.tightest
+    }
+
+    /// At which multiple of the load to come the first contact stops sticking, and which one: one is enough of it.
+    #[must_use]
+    pub fn first_slip(&self) -> Screened {
+        self.first_slip
+    }
+
+    /// The least part of all commands to be put on top, at once with the load to come, with which every contact keeps sticking: zero where that
+    /// needs no more. With a squeeze raised by it the load to come is just held.
+    #[must_use]
+    pub fn extra_squeeze(&self) -> ScreenedSqueeze {
+        self.extra_squeeze
+    }
+}
+
+impl fmt::Debug for Watched {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Watched")
+            .field("margin", &self.margin)
+            .field("tightest", &self.tightest)
+            .field("first_slip", &self.first_slip)
+            .field("extra_squeeze", &self.extra_squeeze)
+            .finish()
+    }
+}
+
+impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
+    /// What contact forces have left that were measured just now, while a load is to come on top of the present one. Nothing is
+    /// allocated and nothing is searched for: the same few steps whatever the numbers, for a loop that must answer in time.
+    ///
+    /// Forces act on the object at the contacts, along the coordinate axes, N. They need not be those that the springs of the fingers would give: what has slipped or is off
+    /// shows in them. Only changes from there go by the springs: by the load to come (N and N m, moments about the origin) and by more
+    /// squeeze, as long as every contact sticks.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Contact, Fingers, Wrench};
+    ///
+    /// // Jaws that press with 10 N, μ = 0.5, and hold 6 N: each bears 3 N of the 5 N that it can.
+    /// let jaw = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).pressed_with(10.0);
+    /// let fingers = Fingers::new(&[jaw(-1.0), jaw(1.0)])?;
+    /// let watched = fingers.watch(&[[10.0, 3.0], [-10.0, 3.0]], &Wrench::force([0.0, -5.0]))?;
+    /// assert!((watched.margin() - 2.0).abs() < 1e-13);
+    /// // Of 5 N more they hold four fifths; for all of it they must press with 11 N.
+    /// assert!((watched.first_slip().factor().unwrap() - 0.8).abs() < 1e-13);
+    /// assert!((watched.extra_squeeze().factor().unwrap() - 0.1).abs() < 1e-13);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Contact`] naming the contact whose force is not finite or larger than 1e50, [`Error::Wrench`] for such a component of the load.
+    pub fn watch(&self, forces: &[[f64; C]; N], to_come: &Wrench<C>) -> Result<Watched, Error> {
+        to_come.check("load to come")?;
+        for (index, force) in forces.iter().enumerate() {
+            if let Some(&value) = force.iter().find(|value| !value.is_finite() || value.abs() > LARGEST) {
+                let contact = ContactLabel { index, point: None, name: None, link: None };
+                let allowed = "a number of at most 1e50 N";
+                return Err(Error::Contact { contact, field: Field::Force, value, allowed });
+            }
+        }
+        Ok((Kernels::get().watch)(&self.grasp, &Measured { forces, to_come }))
+    }
+}
+
+/// Of a component of a force, N: as of loads.
+const LARGEST: f64 = 1e50;
+
+/// Measured forces, and the load to come.
+pub(super) struct Measured<'a, const C: usize> {
+    forces: &'a [[f64; C]],
+    to_come: &'a Wrench<C>,
+}
+
+impl<const C: usize> Measured<'_, C> {
+    /// The forces in parts along the normals and across. Their twelfth digits may be off.
+    #[inline(always)]
+    fn write<const M: usize, X: Packed>(&self, normals: [&[X]; C], measured: &mut Forces<C, M, X>) {
+        *measured = Forces::none();
+        for (i, force) in self.forces.iter().enumerate().take(M) {
+            let (normal, world) = (normals.map(|row| row[i]), force.map(X::all));
+            let along = dot(&normal, &world);
+            let part = &mut measured.of[i];
+            part.normal = along;
+            let mut size = along.abs();
+            if C == 2 {
+                part.tangential[0] = normal[1] * world[0] - normal[0] * world[1];
+                size += part.tangential[0].abs();
+            } else {
+                for axis in 0..C {
+                    part.tangential[axis] = world[axis] - along * normal[axis];
+                    size += part.tangential[axis].abs();
+                }
+            }
+            measured.rounding[i] = X::all(ON_THE_EDGE) * size;
+        }
+    }
+}
+
+impl<const C: usize> ScreeningQuestion<C> for Measured<'_, C> {
+    type Answer = Watched;
+    const UNKNOWN: Watched = Watched::UNKNOWN;
+
+    #[inline(always)]
+    fn ask<V: Vectors, P: StickingSprings<C, M, X>, const M: usize, X: Packed>(
+        &self,
+        scenes: &Scenes<'_, V, P, C, M, X>,
+        [to_come, measured, commands]: Room<'_, C, M, X>,
+        told: &mut Told<'_, Watched, X>,
+    ) {
+        let (friction, contacts) = (scenes.block.friction(), scenes.block.contacts);
+        scenes.under(self.to_come, to_come);
+        self.write(scenes.block.normals(), measured);
+        let first_slip = judged(scenes, measured, to_come);
+        let (mut margin, mut tightest) = (X::all(f64::INFINITY), X::all(0.0));
+        for i in 0..count::<M, X>(contacts) {
+            let cone = StickingCone::of(friction[i]);
+            let t = cone.friction(&measured.of[i]);
+            let here = cone.alpha * measured.of[i].normal - dot(&t, &t).sqrt();
+            let here = cone.alpha.above(X::all(0.0), here, X::all(f64::INFINITY));
+            tightest = margin.above(here, X::all(i as f64), tightest);
+            margin = margin.min(here);
+        }
+        for rounding in &mut measured.rounding {
+            *rounding = X::all(ROUNDING / ON_THE_EDGE) * *rounding;
+        }
+        to_come.add_to(contacts, measured, 1.0);
+        scenes.apart([commands, measured]);
+        let mut enough = LeastFactor::new();
+        enough.under(0, friction, [&*commands, &*to_come]);
+        let (code, binding) = enough.least();
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // it is a small whole number
+        told.each(X::each(|scene| Watched {
+            margin: margin.lane(scene),
+            tightest: tightest.lane(scene) as usize,
+            first_slip: first_slip.as_ref()[scene],
+            extra_squeeze: ScreenedSqueeze { code: code.lane(scene), binding: binding.lane(scene) },
+        }));
+    }
+}
