@@ -18,17 +18,17 @@ const FASTEST: f64 = 0.01;
 fn fingers(squeeze: f64) -> [Contact; 3] {
     [0.0, 1.0, 2.0].map(|third: f64| {
         let (sin, cos) = (third * TAU / 3.0).sin_cos();
-        Contact::new([0.03 * cos, 0.03 * sin, 0.01 * third], [-cos, -sin, 0.0])
+        Contact::new([0.03 * cos, 0.03 * sin, 0.0], [-cos, -sin, 0.0])
             .series_stiffness(2e3, 1.5e3)
             .friction(0.5)
             .pressed_with(6.0 * squeeze)
     })
 }
 
-/// The weight of a bottle that is lifted and swung, s.
+/// The load of a bottle that is lifted and swung, at a time in s.
 fn load(time: f64) -> Wrench {
     let push = (PI * time).sin().powi(2);
-    Wrench::force_at([-5.0 * MASS * push, 0.0, -MASS * (9.81 + 12.0 * push)], [0.0, 0.0, -0.02])
+    Wrench::force_at([-8.0 * MASS * push, 0.0, -MASS * (9.81 + 20.0 * push)], [0.0, 0.0, -0.005])
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -41,7 +41,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             // The world: springs and Coulomb's law.
             let world = Grasp::new(fingers(squeeze))?;
             let outcome = world.solve(&load(time))?;
-            let Some(state) = outcome.equilibrium() else { break };
+            let Some(state) = outcome.equilibrium() else {
+                slipped = slipped.or(Some(time));
+                break;
+            };
             if state.contacts.iter().any(|contact| contact.state != ContactState::Sticking) {
                 slipped = slipped.or(Some(time));
             }
@@ -50,8 +53,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             for ((force, contact), frame) in forces.iter_mut().zip(&state.contacts).zip(world.frames()) {
                 *force = (frame * contact.force).into();
             }
-            // The watch.
-            let seen = watch.watch(&forces, &(load(time + AHEAD) - load(time)))?;
+            // The watch: what is planned, and a tenth of the load in reserve.
+            let to_come = load(time + AHEAD) - load(time) + 0.1 * load(time);
+            let seen = watch.watch(&forces, &to_come)?;
             least = least.min(seen.margin());
             if watched {
                 squeeze += seen.extra_squeeze().factor().unwrap_or(FASTEST).min(FASTEST);
