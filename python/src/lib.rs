@@ -10,6 +10,7 @@ mod columns;
 mod equilibria;
 mod errors;
 mod friction;
+mod gradients;
 mod grasp;
 mod kept;
 mod lcp;
@@ -31,6 +32,8 @@ mod _grasp_lcp {
     use super::equilibria::equilibria_of_rows;
     #[pymodule_export]
     use super::friction::solve_friction;
+    #[pymodule_export]
+    use super::gradients::onset_gradients_of_rows;
     #[pymodule_export]
     use super::grasp::{Grasp, answers_of_scene};
     #[pymodule_export]

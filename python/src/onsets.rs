@@ -16,12 +16,12 @@ use crate::columns::{Columns, GivenColumns};
 use crate::errors::{has_nan, wrong};
 
 /// Grasps that a thread takes at once: so many stay in its cache from being read to being screened.
-const CHUNK: usize = 2048;
+pub(crate) const CHUNK: usize = 2048;
 
 /// How a row ends; `grasp_lcp.OnsetStatus` has the numbers.
 #[derive(Clone, Copy, PartialEq)]
 #[repr(u8)]
-enum Status {
+pub(crate) enum Status {
     Leaves,
     Never,
     NotSticking,
@@ -72,18 +72,18 @@ pub(crate) fn onsets_of_rows<'py>(
 }
 
 /// What is asked of each row.
-struct Rows<'a, const C: usize> {
-    columns: &'a Columns<'a>,
+pub(crate) struct Rows<'a, const C: usize> {
+    pub(crate) columns: &'a Columns<'a>,
     loads: Vec<[Wrench<C>; 2]>,
-    pulls: Vec<Result<Pull<C>, Status>>,
+    pub(crate) pulls: Vec<Result<Pull<C>, Status>>,
     /// Whether each row has its own load.
-    own: bool,
+    pub(crate) own: bool,
     /// Whether the method of the whole answers what screening leaves open.
     complete: bool,
 }
 
 impl<'a, const C: usize> Rows<'a, C> {
-    fn new(
+    pub(crate) fn new(
         columns: &'a Columns<'a>,
         base: &ArrayView2<'_, f64>,
         direction: &ArrayView2<'_, f64>,
@@ -101,15 +101,21 @@ impl<'a, const C: usize> Rows<'a, C> {
     }
 
     /// Loads of a row.
-    fn of_row(&self, row: usize) -> Range<usize> {
+    pub(crate) fn of_row(&self, row: usize) -> Range<usize> {
         if self.own { row..row + 1 } else { 0..self.loads.len() }
+    }
+
+    /// What comes of some rows at once.
+    pub(crate) fn in_chunks<T: Send>(&self, answer: impl Fn(Range<usize>) -> T + Sync + Send) -> Vec<T> {
+        let rows = self.columns.rows();
+        let chunks: Vec<_> = (0..rows).step_by(CHUNK).map(|first| first..rows.min(first + CHUNK)).collect();
+        map_in_order(&chunks, |chunk| answer(chunk.clone()))
     }
 
     /// Every row by what answers some of them.
     fn each(&self, answer: impl Fn(Range<usize>) -> Found + Sync + Send) -> Found {
         let rows = self.columns.rows();
-        let chunks: Vec<_> = (0..rows).step_by(CHUNK).map(|first| first..rows.min(first + CHUNK)).collect();
-        let mut parts = map_in_order(&chunks, |chunk| answer(chunk.clone())).into_iter();
+        let mut parts = self.in_chunks(answer).into_iter();
         let Some(mut all) = parts.next() else { return Found::unclear(0, 0) };
         let more = rows.div_ceil(CHUNK).saturating_sub(1) * all.factor.len();
         all.factor.reserve(more);
@@ -244,13 +250,7 @@ impl Found {
 
     #[inline]
     fn set(&mut self, place: usize, answer: &Screened, contacts: usize) {
-        let (status, factor) = match answer.verdict() {
-            ScreeningVerdict::Leaves => (Status::Leaves, answer.factor().unwrap_or(f64::NAN)),
-            ScreeningVerdict::Never => (Status::Never, f64::INFINITY),
-            ScreeningVerdict::NotSticking => (Status::NotSticking, f64::NAN),
-            ScreeningVerdict::GivesWay => (Status::GivesWay, f64::NAN),
-            _ => (Status::Unclear, f64::NAN),
-        };
+        let (status, factor) = ended(answer);
         (self.factor[place], self.status[place]) = (factor, status as u8);
         for contact in answer.leaving() {
             self.leaving[place * contacts + contact] = true;
@@ -275,7 +275,19 @@ impl Found {
     }
 }
 
+/// How screening ended, with the factor.
+#[inline]
+pub(crate) fn ended(answer: &Screened) -> (Status, f64) {
+    match answer.verdict() {
+        ScreeningVerdict::Leaves => (Status::Leaves, answer.factor().unwrap_or(f64::NAN)),
+        ScreeningVerdict::Never => (Status::Never, f64::INFINITY),
+        ScreeningVerdict::NotSticking => (Status::NotSticking, f64::NAN),
+        ScreeningVerdict::GivesWay => (Status::GivesWay, f64::NAN),
+        _ => (Status::Unclear, f64::NAN),
+    }
+}
+
 /// What is wrong with a row.
-fn status_of(error: &Error) -> Status {
+pub(crate) fn status_of(error: &Error) -> Status {
     if has_nan(error) { Status::NotANumber } else { Status::Malformed }
 }

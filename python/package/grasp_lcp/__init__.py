@@ -7,7 +7,8 @@
     >>> grasp.onset([0, -4.905])
     <Onset at factor 1.63099: contact 0 slides over the object along +y, contact 1 slides over the object along +y>
 
-One grasp: :class:`Grasp`. Many at once: :func:`onsets`, :func:`solve_batch`. Problems by themselves: :mod:`grasp_lcp.lcp`,
+One grasp: :class:`Grasp`. Many at once: :func:`onsets`, :func:`onset_gradients`, :func:`solve_batch`; for those who learn :mod:`grasp_lcp.torch`
+and :mod:`grasp_lcp.jax`, which are imported only when asked for. Problems by themselves: :mod:`grasp_lcp.lcp`,
 :mod:`grasp_lcp.friction`. "No equilibrium exists" is an answer, never an exception; malformed input is a ``ValueError`` or a ``TypeError``
 that names the argument.
 """
@@ -16,6 +17,7 @@ from . import friction, lcp
 from .answers import Answer, Beyond, Event, Identified, Improved, Leaving, Needed, Onset, Path, Proof, Shakedown, Shaken, Solution, TurnOnset, Verdict
 from .batch import ContactState, Equilibria, Onsets, OnsetStatus, SolveStatus, onsets, solve_batch
 from .equilibrium import Contact, Drive, Equilibrium, Pad
+from .gradients import OnsetGradients, onset_gradients
 from .grasp import Grasp, Leg, Settings, answers, wrench
 from .quality import Closure, LeastSqueeze, LoadLimit, Quality, WeakestDirection, WrenchBall
 
@@ -38,6 +40,7 @@ __all__ = [
     "LoadLimit",
     "Needed",
     "Onset",
+    "OnsetGradients",
     "OnsetStatus",
     "Onsets",
     "Pad",
@@ -56,6 +59,7 @@ __all__ = [
     "answers",
     "friction",
     "lcp",
+    "onset_gradients",
     "onsets",
     "solve_batch",
     "wrench",

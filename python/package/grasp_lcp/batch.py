@@ -171,6 +171,29 @@ def _paired(grasps: tuple[int, ...], made: dict[str, Any], loads: Array) -> tupl
     return shape, made, np.ascontiguousarray(spread), True
 
 
+def asked(
+    points: ArrayLike,
+    normals: ArrayLike,
+    direction: ArrayLike,
+    base: ArrayLike | None,
+    friction: ArrayLike,
+    hold: str | Sequence[str],
+    **others: ArrayLike | None,
+) -> tuple[tuple[int, ...], dict[str, Any], Array, Array, bool]:
+    """The shape of a batch of questions for onsets, its contacts, base loads and directions, and whether each grasp has its own."""
+    axes = _axes(points)
+    leading, made = columns(axes, points, normals, friction, hold, **others)
+    along = _loads("direction", direction, axes)
+    start = np.zeros_like(along) if base is None else _loads("base", base, axes)
+    try:
+        both = np.concatenate(np.broadcast_arrays(start, along), axis=-1)
+    except ValueError:
+        raise ValueError(f"base: shape {start.shape} given for direction of shape {along.shape}, must broadcast to it") from None
+    shape, made, both, own = _paired(leading, made, both)
+    first, second = np.split(both, 2, axis=-1)
+    return shape, made, first, second, own
+
+
 def onsets(
     points: ArrayLike,
     normals: ArrayLike,
@@ -206,20 +229,11 @@ def onsets(
 
     The other parameters are those of :meth:`Grasp.planar`, with axes of the batch in front.
     """
-    axes = _axes(points)
-    leading, made = columns(
-        axes, points, normals, friction, hold, series_stiffness=series_stiffness, body_stiffness=body_stiffness,
+    shape, made, first, second, own = asked(
+        points, normals, direction, base, friction, hold, series_stiffness=series_stiffness, body_stiffness=body_stiffness,
         finger_stiffness=finger_stiffness, command=command, command_world=command_world, pressed_with=pressed_with,
         clearance=clearance, tangents=tangents,
     )  # fmt: skip
-    along = _loads("direction", direction, axes)
-    start = np.zeros_like(along) if base is None else _loads("base", base, axes)
-    try:
-        both = np.concatenate(np.broadcast_arrays(start, along), axis=-1)
-    except ValueError:
-        raise ValueError(f"base: shape {start.shape} given for direction of shape {along.shape}, must broadcast to it") from None
-    shape, made, both, own = _paired(leading, made, both)
-    first, second = np.split(both, 2, axis=-1)
     factor, status, leaving = _grasp_lcp.onsets_of_rows(made, first, second, own, complete)
     return Onsets(factor.reshape(shape), status.reshape(shape), leaving.reshape(*shape, made["points"].shape[1]))
 

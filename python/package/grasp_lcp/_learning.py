@@ -1,0 +1,62 @@
+"""What :mod:`grasp_lcp.torch` and :mod:`grasp_lcp.jax` share: factors and derivatives, with commands that stay along the coordinate axes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from ._views import Array
+from .batch import onsets
+from .gradients import onset_gradients
+
+SECOND = "onset_factor has no second derivatives: its factor is smooth only piece by piece, and its gradient is exact as it is"
+"""Why a second backward pass is refused."""
+
+Hold = str | Sequence[str]
+"""As :func:`grasp_lcp.onsets` has it."""
+
+
+def factors(data: Sequence[Array], hold: Hold) -> Array:
+    """Factors of points, normals, friction, series stiffness, commands along the coordinate axes, base load and direction."""
+    points, normals, friction, stiffness, command, base, direction = data
+    direction, base = _shared(direction, base)
+    found = onsets(
+        points, normals, direction, base, friction=friction, series_stiffness=stiffness, command_world=command, hold=hold
+    )  # fmt: skip
+    return np.broadcast_to(found.factor, _leading(data))
+
+
+def factors_and_gradients(data: Sequence[Array], hold: Hold) -> list[Array]:
+    """Factors, and their derivatives by each of the data: zero where there is no factor, so that other rows of a batch go on."""
+    points, normals, friction, stiffness, command, base, direction = data
+    direction, base = _shared(direction, base)
+    found = onset_gradients(
+        points, normals, direction, base, friction=friction, series_stiffness=stiffness, command_world=command, hold=hold
+    )  # fmt: skip
+    # Of frames that tilt the commands tilt along; these here stay.
+    by_command = found.command_world
+    along = (command * normals).sum(axis=-1, keepdims=True)
+    pressed = (by_command * normals).sum(axis=-1, keepdims=True)
+    by_normals = found.normals - (by_command * along - command * pressed)
+    by = [found.points, by_normals, found.friction, found.series_stiffness, by_command, found.base, found.direction]
+    shape = _leading(data)
+    answered = found.contact >= 0
+    slopes = [found.factor]
+    for slope in by:
+        known = answered.reshape(*answered.shape, *(1,) * (slope.ndim - answered.ndim))
+        slopes.append(np.where(known, slope, 0.0))
+    return [np.broadcast_to(slope, (*shape, *slope.shape[answered.ndim :])) for slope in slopes]
+
+
+def _leading(data: Sequence[Array]) -> tuple[int, ...]:
+    """The shape of the batch."""
+    return np.broadcast_shapes(data[0].shape[:-2], data[6].shape[:-1])
+
+
+def _shared(direction: Array, base: Array) -> tuple[Array, Array]:
+    """One load for all where all rows have the same: that is faster."""
+    rows = [load.reshape(-1, load.shape[-1]) for load in (direction, base)]
+    if len(rows[0]) and all((load == load[:1]).all() for load in rows):
+        return rows[0][0], rows[1][0]
+    return direction, base

@@ -1,0 +1,119 @@
+"""The onset of sliding as a layer of PyTorch: exact factors and exact gradients of whole batches, on the processor.
+
+    >>> from grasp_lcp.torch import onset_factor
+    >>> factor = onset_factor(points, normals, direction, friction=0.5, series_stiffness=[2e3, 1.5e3], pressed_with=8.0)
+    >>> factor.sum().backward()
+
+PyTorch is imported here, and nowhere else in the package.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import torch
+from torch import Tensor
+from torch.autograd import Function
+
+from ._learning import SECOND, factors, factors_and_gradients
+
+__all__ = ["onset_factor"]
+
+
+def onset_factor(
+    points: Tensor,
+    normals: Tensor,
+    direction: Tensor | Sequence[float],
+    base: Tensor | Sequence[float] | None = None,
+    *,
+    friction: Tensor | Sequence[float] | float,
+    series_stiffness: Tensor | Sequence[float] | float,
+    pressed_with: Tensor | Sequence[float] | float | None = None,
+    command_world: Tensor | Sequence[float] | None = None,
+    hold: str | Sequence[str] = "unilateral",
+) -> Tensor:
+    """The factor of a direction at which the first contact of each grasp stops sticking, as a differentiable function of all tensors.
+
+    Shapes are those of :func:`grasp_lcp.onsets`; grasps have two to five contacts. Numbers are computed in double precision and come back in
+    the type of ``points``. Where there is no factor it is ``inf`` or NaN and all its derivatives are zero; ``torch.where`` leaves such rows out
+    of a sum. At a kink, where several contacts leave together, the derivatives are those of the first of them. There are no second derivatives.
+
+    :param points: m, shape (..., n, 2) or (..., n, 3).
+    :param normals: into the object, of any length, of that shape.
+    :param direction: N and N m, shape (..., c) of a force or (..., d) of a force and a moment.
+    :param base: the load at factor 0, of such a shape.
+    :param series_stiffness: N/m: one number, or (..., 2) normal and tangential.
+    :param pressed_with: N, along the normals: commands change with normals and stiffness so that this force stays.
+    :param command_world: m, along the coordinate axes, where they stay; added to what the forces ask for.
+    """
+    kind, place = points.dtype, points.device
+
+    def double(given: Any) -> Tensor:
+        return torch.as_tensor(given, dtype=torch.float64, device="cpu") if not isinstance(given, Tensor) else given.cpu().double()
+
+    at, axes = double(points), points.shape[-1]
+    inward = double(normals)
+    inward = inward / inward.norm(dim=-1, keepdim=True)
+    stiffness = double(series_stiffness)
+    if stiffness.ndim == 0 or stiffness.shape[-1] != 2:
+        stiffness = stiffness.unsqueeze(-1).expand(*stiffness.shape, 2)
+    told = torch.zeros(axes, dtype=torch.float64) if command_world is None else double(command_world)
+    if pressed_with is not None:
+        told = told + inward * (double(pressed_with) / stiffness[..., 0]).unsqueeze(-1)
+    mu = double(friction)
+    contacts = torch.broadcast_shapes(at.shape[:-1], inward.shape[:-1], stiffness.shape[:-1], told.shape[:-1], mu.shape)
+    along = _load(double(direction), axes)
+    start = torch.zeros_like(along) if base is None else _load(double(base), axes)
+    start, along = torch.broadcast_tensors(start, along)
+    found = _OnsetFactor.apply(
+        hold,
+        at.expand(*contacts, axes),
+        inward.expand(*contacts, axes),
+        mu.expand(contacts),
+        stiffness.expand(*contacts, 2),
+        told.expand(*contacts, axes),
+        start,
+        along,
+    )
+    return found.to(dtype=kind, device=place)
+
+
+def _load(given: Tensor, axes: int) -> Tensor:
+    coordinates = 3 * (axes - 1)
+    if given.shape[-1] == axes:
+        return torch.cat([given, given.new_zeros(*given.shape[:-1], coordinates - axes)], dim=-1)
+    if given.shape[-1] == coordinates:
+        return given
+    raise ValueError(f"direction or base: shape {tuple(given.shape)} given, must end in {axes} of a force or {coordinates} with a moment")
+
+
+class _OnsetFactor(Function):
+    @staticmethod
+    def forward(ctx: Any, hold: Any, *data: Tensor) -> Tensor:
+        arrays = [each.detach().numpy() for each in data]
+        if not any(ctx.needs_input_grad):
+            return torch.from_numpy(factors(arrays, hold).copy())
+        found, *slopes = [torch.from_numpy(each.copy()) for each in factors_and_gradients(arrays, hold)]
+        ctx.save_for_backward(*slopes)
+        ctx.shapes = [each.shape for each in data]
+        return found
+
+    @staticmethod
+    def backward(ctx: Any, *given: Tensor) -> Any:
+        (given_one,) = given
+        slopes = ctx.saved_tensors
+        return (None, *(_Slope.apply(given_one, slope, shape) for slope, shape in zip(slopes, ctx.shapes, strict=True)))
+
+
+class _Slope(Function):
+    """The product of a backward pass, which has none of its own."""
+
+    @staticmethod
+    def forward(ctx: Any, given: Tensor, slope: Tensor, shape: torch.Size) -> Tensor:
+        weight = given.reshape(*given.shape, *(1,) * (slope.ndim - given.ndim))
+        return (weight * slope).sum_to_size(shape)
+
+    @staticmethod
+    def backward(ctx: Any, *given: Tensor) -> Any:
+        raise RuntimeError(f"grasp_lcp.torch.{SECOND}")

@@ -1,0 +1,128 @@
+//! Gradients of the onsets of many grasps, on all cores.
+
+use std::ops::Range;
+
+use grasp_lcp::ask::Grasp;
+use grasp_lcp::grasp::Contact;
+use grasp_lcp::screening::{Batch, Fingers, Pull, ScreenedGradients};
+use numpy::{IntoPyArray, PyArray1, PyReadonlyArray2};
+use pyo3::prelude::*;
+
+use crate::columns::GivenColumns;
+use crate::errors::wrong;
+use crate::onsets::{Rows, Status, ended, status_of};
+
+/// Rows of numbers as `ScreenedGradients` has them, with factors in place of codes, and how each ended.
+struct Slopes {
+    numbers: Vec<f64>,
+    status: Vec<u8>,
+}
+
+type Arrays<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<u8>>);
+
+/// Gradients of B grasps of two to five contacts under P loads: all loads for each grasp, or each its own.
+#[pyfunction]
+pub(crate) fn onset_gradients_of_rows<'py>(
+    py: Python<'py>,
+    columns: GivenColumns<'py>,
+    base: PyReadonlyArray2<'py, f64>,
+    direction: PyReadonlyArray2<'py, f64>,
+    own: bool,
+) -> PyResult<Arrays<'py>> {
+    let (columns, base, direction) = (columns.view(), base.as_array(), direction.as_array());
+    let found = py.detach(|| match (columns.axes(), columns.contacts()) {
+        (2, 2) => Some(Rows::<2>::new(&columns, &base, &direction, own, false).slopes::<3, 2>()),
+        (2, 3) => Some(Rows::<2>::new(&columns, &base, &direction, own, false).slopes::<3, 3>()),
+        (2, 4) => Some(Rows::<2>::new(&columns, &base, &direction, own, false).slopes::<3, 4>()),
+        (2, 5) => Some(Rows::<2>::new(&columns, &base, &direction, own, false).slopes::<3, 5>()),
+        (3, 2) => Some(Rows::<3>::new(&columns, &base, &direction, own, false).slopes::<6, 2>()),
+        (3, 3) => Some(Rows::<3>::new(&columns, &base, &direction, own, false).slopes::<6, 3>()),
+        (3, 4) => Some(Rows::<3>::new(&columns, &base, &direction, own, false).slopes::<6, 4>()),
+        (3, 5) => Some(Rows::<3>::new(&columns, &base, &direction, own, false).slopes::<6, 5>()),
+        _ => None,
+    });
+    let Slopes { numbers, status } =
+        found.ok_or_else(|| wrong("points: gradients are of grasps of 2 to 5 contacts"))?;
+    Ok((numbers.into_pyarray(py), status.into_pyarray(py)))
+}
+
+impl<const C: usize> Rows<'_, C> {
+    fn slopes<const D: usize, const N: usize>(&self) -> Slopes {
+        let mut parts = self.in_chunks(|rows| self.differentiate::<D, N>(rows)).into_iter();
+        let Some(mut all) = parts.next() else { return Slopes { numbers: Vec::new(), status: Vec::new() } };
+        for part in parts {
+            all.numbers.extend(part.numbers);
+            all.status.extend(part.status);
+        }
+        all
+    }
+
+    fn differentiate<const D: usize, const N: usize>(&self, rows: Range<usize>) -> Slopes {
+        let each = if self.own { 1 } else { self.pulls.len() };
+        let mut slopes = Slopes::unclear(rows.len() * each, ScreenedGradients::<C>::width(N));
+        let asked: Vec<Pull<C>> =
+            if self.own { Vec::new() } else { self.pulls.iter().flatten().copied().collect() };
+        let mut batch = Batch::<D, C, N>::with_capacity(if self.own { 0 } else { rows.len() });
+        let (mut screened, mut gradients) = (Vec::with_capacity(rows.len()), ScreenedGradients::new());
+        let first = rows.start;
+        for row in rows {
+            let place = (row - first) * each;
+            let contacts: [Contact<C>; N] = std::array::from_fn(|i| self.columns.contact(row, i));
+            match (Fingers::new(&contacts), self.own) {
+                (Ok(fingers), false) => {
+                    batch.push(&fingers);
+                    screened.push(place);
+                }
+                (Ok(fingers), true) => match &self.pulls[row] {
+                    Ok(pull) => {
+                        fingers.onset_gradient_into(pull, &mut gradients);
+                        slopes.set(place, &gradients, 0);
+                    }
+                    Err(status) => slopes.status[place] = *status as u8,
+                },
+                // Malformed, or with springs that are no business of screening.
+                (Err(_), _) => {
+                    let status =
+                        Grasp::<C>::new(contacts).map_or_else(|error| status_of(&error), |_| Status::Unclear);
+                    slopes.status[place..place + each].fill(status as u8);
+                }
+            }
+        }
+        if self.own {
+            return slopes;
+        }
+        batch.onset_gradients_into(&asked, &mut gradients);
+        let mut answered = 0;
+        for place in screened {
+            for (p, pull) in self.pulls.iter().enumerate() {
+                match pull {
+                    Ok(_) => {
+                        slopes.set(place + p, &gradients, answered);
+                        answered += 1;
+                    }
+                    Err(status) => slopes.status[place + p] = *status as u8,
+                }
+            }
+        }
+        slopes
+    }
+}
+
+impl Slopes {
+    fn unclear(answers: usize, width: usize) -> Self {
+        let mut numbers = vec![f64::NAN; answers * width];
+        for row in numbers.chunks_exact_mut(width) {
+            row[1..4].copy_from_slice(&[0.0, -1.0, 0.0]);
+        }
+        Self { numbers, status: vec![Status::Unclear as u8; answers] }
+    }
+
+    fn set<const C: usize>(&mut self, place: usize, gradients: &ScreenedGradients<C>, answered: usize) {
+        let Some(gradient) = gradients.get(answered) else { return };
+        let width = self.numbers.len() / self.status.len();
+        let row = &mut self.numbers[place * width..(place + 1) * width];
+        row.copy_from_slice(&gradients.numbers()[answered * width..(answered + 1) * width]);
+        let (status, factor) = ended(&gradient.screened());
+        (self.status[place], row[0]) = (status as u8, factor);
+    }
+}
