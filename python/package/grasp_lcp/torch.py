@@ -95,22 +95,22 @@ class _OnsetFactor(Function):
         if not any(ctx.needs_input_grad):
             return torch.from_numpy(factors(arrays, hold).copy())
         found, *slopes = [torch.from_numpy(each.copy()) for each in factors_and_gradients(arrays, hold)]
-        ctx.save_for_backward(*slopes)
-        ctx.shapes = [each.shape for each in data]
+        ctx.save_for_backward(*data, *slopes)
         return found
 
     @staticmethod
     def backward(ctx: Any, *given: Tensor) -> Any:
         (given_one,) = given
-        slopes = ctx.saved_tensors
-        return (None, *(_Slope.apply(given_one, slope, shape) for slope, shape in zip(slopes, ctx.shapes, strict=True)))
+        count = len(ctx.saved_tensors) // 2
+        data, slopes = ctx.saved_tensors[:count], ctx.saved_tensors[count:]
+        return (None, *(_Slope.apply(given_one, slope, each.shape, *data) for slope, each in zip(slopes, data, strict=True)))
 
 
 class _Slope(Function):
-    """The product of a backward pass, which has none of its own."""
+    """The product of a backward pass, which has none of its own: it takes the data along, so that whoever asks how it changes with them is told."""
 
     @staticmethod
-    def forward(ctx: Any, given: Tensor, slope: Tensor, shape: torch.Size) -> Tensor:
+    def forward(ctx: Any, given: Tensor, slope: Tensor, shape: torch.Size, *data: Tensor) -> Tensor:
         weight = given.reshape(*given.shape, *(1,) * (slope.ndim - given.ndim))
         return (weight * slope).sum_to_size(shape)
 
