@@ -115,7 +115,7 @@ impl<const C: usize> Grasp<C> {
     /// let slid_at = [6.1, 5.8, 6.4, 6.0, 6.2].map(|newtons| Slip::gross(Wrench::force([0.0, -newtons])));
     /// let asked = Identify::new([Unknown::friction()], slid_at);
     /// let found = gripper.identify(&asked)?;
-    /// assert_eq!(found.to_string(), "friction 0.305 ± 0.005 (95 %: 0.291 to 0.319) from 5 slips, which scatter by 3.7 %");
+    /// assert_eq!(found.to_string(), "friction 0.3048 ± 0.0050 (95 %: 0.2913 to 0.3190) from 5 slips, which scatter by 3.8 %");
     ///
     /// // The load is 2 μ N. How hard must it press on, if friction is as low as the slips allow?
     /// let sure = asked.grasp_with(&gripper, &found)?;

@@ -32,7 +32,7 @@ use crate::words::Words;
 ///     }
 /// }"#)?;
 /// let answers = serde_json::to_value(scene.answers()?)?;
-/// let says = "friction 0.3049 ± 0.0087 (95 %: 0.2698 to 0.3446) from 3 slips, which scatter by 4.9 %";
+/// let says = "friction 0.3048 ± 0.0087 (95 %: 0.2697 to 0.3444) from 3 slips, which scatter by 5.1 %";
 /// assert_eq!(answers[0]["identify"]["says"], says);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

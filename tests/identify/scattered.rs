@@ -1,7 +1,7 @@
 //! Errors beside formulas of statistics, and slips that lie far off.
 
 use grasp_lcp::identify::{Identify, Slip, Unknown};
-use grasp_lcp::need::Need;
+use grasp_lcp::need::{Amount, Need};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};
 
 type Tested = Result<(), grasp_lcp::Error>;
@@ -92,7 +92,7 @@ fn errors_go_on_into_needs() -> Tested {
         Need::squeeze(Wrench::force([0.0, -4.0])).if_lower_by(found.friction_less(), found.squeeze_less());
     let needed = sure.need(&need)?;
     let [plain, safe] = [Some(&needed.amount), needed.safe.as_ref()]
-        .map(|amount| amount.and_then(|amount| amount.bound()).unwrap_or(f64::NAN));
+        .map(|amount| amount.and_then(Amount::bound).unwrap_or(f64::NAN));
     // 2 μ N = 4 N, N = 10 N times the squeeze.
     assert!(
         (plain - 4.0 / (20.0 * mu.value)).abs() < 1e-9 && (safe - 4.0 / (20.0 * low)).abs() < 1e-9,

@@ -6,6 +6,7 @@ mod direction_pictures;
 mod format;
 mod friction_charts;
 mod hands;
+mod identified;
 mod lines;
 mod links;
 mod load_arrows;

@@ -1,6 +1,6 @@
 //! Slips of grasps whose numbers are known, with scatter that is drawn: how often the intervals found from them hold the truth.
 
-use grasp_lcp::identify::{Estimate, Identify, Slip, SlipKind, Unknown};
+use grasp_lcp::identify::{Ending, Identify, Slip, SlipKind, Unknown};
 use grasp_lcp::{Error, planar, spatial};
 
 use crate::Failure;
@@ -32,18 +32,18 @@ pub struct Known<const C: usize> {
     pub is_told: bool,
 }
 
-/// How often each unknown lay in its interval, of how many draws.
+/// How often each unknown was told with an interval, and lay in it.
 pub struct Coverage {
-    /// Of each unknown.
+    /// Of each unknown: in its interval.
     pub held: Vec<usize>,
-    /// Of so many.
-    pub draws: usize,
+    /// Of each unknown: told.
+    pub told: Vec<usize>,
 }
 
 impl Coverage {
-    /// Of an unknown, in percent.
+    /// Of an unknown, in percent of those that are told.
     pub fn percent(&self, unknown: usize) -> f64 {
-        100.0 * self.held[unknown] as f64 / self.draws as f64
+        100.0 * self.held[unknown] as f64 / self.told[unknown] as f64
     }
 }
 
@@ -84,17 +84,21 @@ impl<const C: usize> Known<C> {
     pub fn coverage(&self, draws: usize) -> Result<Coverage, Failure> {
         let limits = self.limits()?;
         let mut draw = Random(47);
-        let mut held = vec![0; self.unknowns.len()];
+        let [mut held, mut told] = [vec![0; self.unknowns.len()], vec![0; self.unknowns.len()]];
         for _ in 0..draws {
             let found = self.guess.identify(&self.asked(&limits, &mut draw))?;
-            for ((held, estimate), truth) in held.iter_mut().zip(&found.estimates).zip(&self.truth) {
-                let Estimate { interval: Some([low, high]), .. } = estimate else {
-                    return Err(format!("{}: {found}", self.name).into());
-                };
-                *held += usize::from(low <= truth && truth <= high);
+            // What is said to be open, or not to be found yet, is not told.
+            if found.ending != Ending::Converged {
+                continue;
+            }
+            for (k, (estimate, truth)) in found.estimates.iter().zip(&self.truth).enumerate() {
+                if let Some([low, high]) = estimate.interval {
+                    told[k] += 1;
+                    held[k] += usize::from(low <= *truth && *truth <= high);
+                }
             }
         }
-        Ok(Coverage { held, draws })
+        Ok(Coverage { held, told })
     }
 }
 
