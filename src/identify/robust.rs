@@ -80,7 +80,7 @@ mod tests {
     /// A tenth of them ten times as far off hardly moves it.
     #[test]
     fn a_few_far_off_hardly_count() {
-        let far = |k: u64| if k % 10 == 0 { 30.0 } else { 1.0 };
+        let far = |k: u64| if k.is_multiple_of(10) { 30.0 } else { 1.0 };
         let drawn: Vec<f64> = (0..5000).map(|k| far(k) * Draw::new([7, 2, k]).normal()).collect();
         let [squares, cut] = [f64::INFINITY, 1.5].map(|corner| Huber(corner).scale(&drawn, drawn.len()));
         assert!(squares > 9.0 && cut < 1.7, "{squares} {cut}");
