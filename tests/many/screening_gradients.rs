@@ -257,7 +257,9 @@ fn same_bits<const D: usize, const C: usize, const N: usize>() {
         .map(|k| Fingers::<D, C, N>::new(&contacts(&mut random, f64::from(k % 2))).unwrap())
         .collect();
     let mut batch = Batch::with_capacity(fingers.len());
-    fingers.iter().for_each(|fingers| batch.push(fingers));
+    for fingers in &fingers {
+        batch.push(fingers);
+    }
     let pulls: Vec<_> = [0.0, 0.02]
         .map(|base| {
             Pull::new(&load::<D, C>(&mut random, base, 0.5), &load::<D, C>(&mut random, 0.5, 0.5)).unwrap()

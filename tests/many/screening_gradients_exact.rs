@@ -151,6 +151,9 @@ impl Scene {
     }
 }
 
+/// Of contacts and the base load, by a step.
+type Change = dyn Fn(&mut Vec<Exact>, &mut Vec<Rational>, Rational);
+
 /// The largest difference, in parts of the largest number of a field.
 fn off(pairs: &[(f64, f64)]) -> f64 {
     let size = pairs.iter().map(|(_, exact)| exact.abs()).fold(0.0, f64::max);
@@ -159,7 +162,7 @@ fn off(pairs: &[(f64, f64)]) -> f64 {
 
 fn worst_field<const C: usize>(scene: &Scene, ours: &ScreenedGradient<'_, C>) -> f64 {
     let by_factor = scene.difference(|_, _, factor, step| *factor += step);
-    let by = |change: &dyn Fn(&mut Vec<Exact>, &mut Vec<Rational>, Rational)| {
+    let by = |change: &Change| {
         let moved = scene.difference(|contacts, base, _, step| change(contacts, base, step));
         (-moved / &by_factor).to_f64().expect("a number")
     };

@@ -45,7 +45,7 @@ fn compare<const D: usize, const C: usize, const N: usize>(grasps: usize) -> [us
         let close = |a: f64, b: f64| (a - b).abs() <= 1e-9 * b.abs().max(1e-3);
         match onset.factor() {
             Some(factor) => {
-                assert!(close(watched.first_slip().factor().unwrap(), factor), "{watched:?} {onset:?}")
+                assert!(close(watched.first_slip().factor().unwrap(), factor), "{watched:?} {onset:?}");
             }
             None => assert_eq!(watched.first_slip().verdict(), ScreeningVerdict::Never),
         }
