@@ -152,7 +152,7 @@ impl Scene {
 }
 
 /// Of contacts and the base load, by a step.
-type Change = dyn Fn(&mut Vec<Exact>, &mut Vec<Rational>, Rational);
+type Change<'a> = dyn Fn(&mut Vec<Exact>, &mut Vec<Rational>, Rational) + 'a;
 
 /// The largest difference, in parts of the largest number of a field.
 fn off(pairs: &[(f64, f64)]) -> f64 {
@@ -162,7 +162,7 @@ fn off(pairs: &[(f64, f64)]) -> f64 {
 
 fn worst_field<const C: usize>(scene: &Scene, ours: &ScreenedGradient<'_, C>) -> f64 {
     let by_factor = scene.difference(|_, _, factor, step| *factor += step);
-    let by = |change: &Change| {
+    let by = |change: &Change<'_>| {
         let moved = scene.difference(|contacts, base, _, step| change(contacts, base, step));
         (-moved / &by_factor).to_f64().expect("a number")
     };
