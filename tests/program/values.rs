@@ -16,8 +16,8 @@ fn every_value_has_a_source_and_a_sane_range() {
         let largest = match (quantity, unit) {
             ("friction", "") => 2.0,
             ("stiffness", "N/m") => 1e9,
-            // A part of another stiffness.
-            ("stiffness", "") => 1.0,
+            // A part of another number.
+            ("stiffness" | "kinetic", "") => 1.0,
             other => panic!("{other:?}"),
         };
         assert!(0.0 < from && from <= to && to <= largest, "{row:?}");

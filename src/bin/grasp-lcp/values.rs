@@ -20,7 +20,12 @@ pub(crate) fn print(out: &mut dyn Write) -> io::Result<()> {
     };
     let sources: Vec<_> = lines().filter(|line| line[0] == "source").collect();
     writeln!(out, "{HEAD}")?;
-    for (quantity, title) in [("friction", "Coefficient of friction, static"), ("stiffness", "Stiffness")] {
+    let titles = [
+        ("friction", "Coefficient of friction, static"),
+        ("kinetic", "Friction once it slides (kinetic_friction), as a part of that at rest"),
+        ("stiffness", "Stiffness"),
+    ];
+    for (quantity, title) in titles {
         writeln!(out, "\n{title}")?;
         for line in lines().filter(|line| line[0] == quantity) {
             let [what, from, to, unit, source] = line[1..] else { continue };
