@@ -107,6 +107,8 @@ def test_friction_that_is_lower_once_contacts_slide() -> None:
     verdict = feet.hold([8, 0])
     assert verdict.holds and "caught after slipping 3 mm at left" in str(verdict)
     assert feet.need("load", [8, 0], may_slide=True).amount == pytest.approx(9 / 8, rel=1e-9)
+    shaken = feet.shake([[8, 0]])
+    assert (shaken.outcome, shaken.every) == ("rests", 1)
     with pytest.raises(ValueError, match="kinetic_friction"):
         Grasp.planar([[0, 0]], [[0, 1]], series_stiffness=1.0, friction=0.5, kinetic_friction=0.6)
 

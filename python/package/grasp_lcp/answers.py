@@ -238,6 +238,11 @@ class Shaken(Sentence):
         """How many cycles have passed until then."""
         return int(self._tree["cycles"])
 
+    @property
+    def every(self) -> int:
+        """After how many cycles everything repeats: one, but where friction is lower once contacts slide."""
+        return int(self._tree.get("every", 1))
+
 
 class Shakedown(Sentence):
     """Whether a grasp comes to rest under loads that repeat in any order: ``"rests"``, ``"never_rests"``, ``"may_rest"`` where the order
