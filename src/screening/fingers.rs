@@ -86,8 +86,8 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
         ScreenedGradients { contacts: N, numbers: gradients }
     }
 
-    /// How the onset changes, the first of [`Self::onset_gradients`] alone, in memory that is used again: after it `gradients` has this one, without numbers if there
-    /// is no factor, and once it had one of as many contacts nothing is allocated.
+    /// How the onset changes, the first of [`Self::onset_gradients`] alone, in memory that is used again: after it `gradients` has this one, without
+    /// numbers if there is no factor, and once it had one of as many contacts nothing is allocated.
     pub fn onset_gradient_into(&self, pull: &Pull<C>, gradients: &mut ScreenedGradients<C>) {
         gradients.contacts = N;
         gradients.numbers.clear();

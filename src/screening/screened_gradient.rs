@@ -51,8 +51,8 @@ impl<const C: usize> ScreenedGradients<C> {
         rows.map(move |row| ScreenedGradient { contacts, row })
     }
 
-    /// All numbers, row by row, [`Self::width`] each. Of n contacts a row has 4 numbers of its own, then n points, n normals, n commands, n pairs of stiffnesses, n coefficients of friction,
-    /// and the components of the base load, as [`ScreenedGradient`] has them.
+    /// All numbers, row by row, [`Self::width`] each. Of n contacts a row has 4 numbers of its own, then n points, n normals, n commands, n pairs of
+    /// stiffnesses, n coefficients of friction, and the components of the base load, as [`ScreenedGradient`] has them.
     #[must_use]
     pub fn numbers(&self) -> &[f64] {
         &self.numbers
@@ -110,8 +110,8 @@ impl<const C: usize> ScreenedGradient<'_, C> {
         self.vector(Row::<C>::POINT, contact)
     }
 
-    /// By the normal of a contact along the coordinate axes, 1/rad: across the normal, for it stays as long as it is. The contact frame tilts with it, without a turn
-    /// about it, and commands, clearance and springs stay along its axes.
+    /// By the normal of a contact along the coordinate axes, 1/rad: across the normal, for it stays as long as it is. The contact frame tilts with
+    /// it, without a turn about it, and commands, clearance and springs stay along its axes.
     #[must_use]
     pub fn normal(&self, contact: usize) -> [f64; C] {
         self.vector(Row::<C>::normal(self.contacts), contact)

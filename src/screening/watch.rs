@@ -80,7 +80,8 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
     /// What contact forces have left that were measured just now, while a load is to come on top of the present one. Nothing is
     /// allocated and nothing is searched for: the same few steps whatever the numbers, for a loop that must answer in time.
     ///
-    /// Forces act on the object at the contacts, along the coordinate axes, N. They need not be those that the springs of the fingers would give: what has slipped or is off
+    /// Forces act on the object at the contacts, along the coordinate axes, N. They need not be those that the springs of the fingers would give:
+    /// what has slipped or is off
     /// shows in them. Only changes from there go by the springs: by the load to come (N and N m, moments about the origin) and by more
     /// squeeze, as long as every contact sticks.
     ///
