@@ -6,6 +6,7 @@ use super::end_of_path::end_of_path;
 use super::event::{Change, LossKind, PathEnd};
 use super::follower::StandAtEdge;
 use super::journey::Journey;
+use super::path_state::carries_nothing;
 use super::segment::{Here, Segment};
 use super::trajectory::Trajectory;
 use super::transition::{change, nothing_changes, others};
@@ -182,18 +183,29 @@ impl<D: Size, const C: usize> Node<D, C> {
     }
 
     /// What touches without force, and gets none, does not drag the object along: where the contact may as well part from it, and
-    /// the object moves less then, it parts. Forces are the same.
+    /// the object moves less then, it parts. Forces are the same. Where nothing presses at all, and something would slide on the round cone, everything that
+    /// touches parts.
     fn without_dragging(&self, rates: &Problem<D, C>, found: Found<D, C>) -> Found<D, C> {
         let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
+        // Friction that is none has no direction to slide in.
+        let slides = rates.round && found.twist.norm() > 0.0 && found.states.iter().any(State::slides);
+        let nothing = slides && carries_nothing(rates, &found.forces, &found.twist);
         let state = |i: usize| {
             let (local, force) = (rates.local(i), &found.forces[i]);
             let size = local.force_size(force, rates.span(i, &found.twist), largest);
-            let idle = local.may_open() && force.norm() <= ZERO_SLACK * size;
+            let idle = local.may_open() && (nothing || force.norm() <= ZERO_SLACK * size);
             if idle { Mode::Open } else { found.states[i] }
         };
         let states: Vec<State<C>> = (0..self.states.len()).map(state).collect();
         if states == found.states {
             return found;
+        }
+        let comes_no_nearer = |i: usize| {
+            let nearer = rates.stretch(i, &found.twist)[0];
+            !states[i].is_open() || nearer <= ZERO_SLACK * rates.span(i, &found.twist)
+        };
+        if nothing && (0..states.len()).all(comes_no_nearer) {
+            return Found { forces: vec![SVector::zeros(); states.len()], states, ..found };
         }
         match try_states(rates, states) {
             Judged::Holds(parted) if parted.twist.norm() < found.twist.norm() * (1.0 - LESS) => parted,

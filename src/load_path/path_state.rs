@@ -10,7 +10,7 @@ use super::watch::{has_vanished, is_vanishing};
 use crate::contact::{ActiveSet, Line, State, ZERO_SLACK, tangential};
 use crate::equilibrium::NoEquilibrium;
 use crate::numerics::{Size, Vector};
-use crate::object::{PieceState, least_spring_force};
+use crate::object::{PieceState, Problem, least_spring_force};
 use crate::search::Found;
 
 /// Where steps die out events follow each other ever faster: a margin below this part of its size is used up.
@@ -20,11 +20,14 @@ const GATHERED: f64 = 1e-8;
 const NO_FORCE_AT_REST: f64 = 16.0 * f64::EPSILON;
 
 /// Whether all forces are the rounding of what the softest spring would do from these displacements. Which contacts press is then a matter of
-/// that rounding, and none of them does.
-fn carries_nothing<D: Size, const C: usize>(segment: &Segment<'_, D, C>, at: &PieceState<D, C>) -> bool {
-    let problem = &segment.problem;
-    let largest = at.forces.iter().map(Matrix::norm).fold(problem.wrench.norm(), f64::max);
-    let spans = (0..problem.len()).map(|contact| problem.span(contact, &at.twist));
+/// that rounding, and none of them does. The same of rates of forces, beside those of displacements.
+pub(super) fn carries_nothing<D: Size, const C: usize>(
+    problem: &Problem<'_, D, C>,
+    forces: &[SVector<f64, C>],
+    twist: &Vector<D>,
+) -> bool {
+    let largest = forces.iter().map(Matrix::norm).fold(problem.wrench.norm(), f64::max);
+    let spans = (0..problem.len()).map(|contact| problem.span(contact, twist));
     largest <= NO_FORCE_AT_REST * least_spring_force(problem.sites, spans)
 }
 
@@ -43,7 +46,7 @@ impl<D: Size, const C: usize> Node<D, C> {
             at: PieceState { forces: found.forces, twist: found.twist },
             ahead: 0.0,
         };
-        if carries_nothing(segment, &node.at) {
+        if carries_nothing(&segment.problem, &node.at.forces, &node.at.twist) {
             node.at.forces.fill(SVector::zeros());
         }
         if segment.problem.round {

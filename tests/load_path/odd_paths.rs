@@ -86,3 +86,11 @@ fn odd_paths_in_the_plane_are_decided() {
         followed(&in_the_plane(&mut random).unwrap(), &format!("in the plane {number}"));
     }
 }
+
+/// A finger pushes a thing that nothing presses on past another one: that slides along it without force, and has no direction.
+#[test]
+fn what_slides_without_force_is_followed() {
+    let mut random = Random(1);
+    let handled = (0..3786).map(|_| in_space(IN_SPACE[1], &mut random).unwrap()).last().unwrap();
+    followed(&handled, "Handled 3785");
+}
