@@ -14,7 +14,23 @@ that names the argument.
 """
 
 from . import friction, lcp
-from .answers import Answer, Beyond, Event, Identified, Improved, Leaving, Needed, Onset, Path, Proof, Shakedown, Shaken, Solution, TurnOnset, Verdict
+from .answers import (
+    Answer,
+    Beyond,
+    Event,
+    Identified,
+    Improved,
+    Leaving,
+    Needed,
+    Onset,
+    Path,
+    Proof,
+    Shakedown,
+    Shaken,
+    Solution,
+    TurnOnset,
+    Verdict,
+)
 from .batch import ContactState, Equilibria, Onsets, OnsetStatus, SolveStatus, onsets, solve_batch
 from .equilibrium import Contact, Drive, Equilibrium, Pad
 from .gradients import OnsetGradients, onset_gradients
