@@ -2,14 +2,16 @@
 
 use std::f64::consts::TAU;
 
-use super::model::{NoSlip, Predicted, Seen};
+use super::model::{NoSlip, Predicted, SlipToPredict};
 use super::slip::Grown;
 use super::unknown::{UnknownKind, carried_by};
 use crate::error::Error;
 use crate::load_path::{Onset, OnsetEvent, OnsetGradient, Ramp};
 
 /// Where the first contact slides.
-pub(super) fn predicted<const C: usize>(seen: &Seen<'_, C>) -> Result<Result<Predicted, NoSlip>, Error> {
+pub(super) fn predicted<const C: usize>(
+    seen: &SlipToPredict<'_, C>,
+) -> Result<Result<Predicted, NoSlip>, Error> {
     let onset = match &seen.slip.grown {
         Grown::Load(load) => seen.grasp.onset(&Ramp::load(seen.base, *load))?,
         Grown::Turn(turn) => {
@@ -31,7 +33,7 @@ pub(super) fn predicted<const C: usize>(seen: &Seen<'_, C>) -> Result<Result<Pre
 }
 
 /// Derivatives of the logarithm of the factor. Where several contacts leave together the mean of theirs: each is one side of an edge.
-fn exact<const C: usize>(seen: &Seen<'_, C>, event: &OnsetEvent<C>) -> Option<Vec<f64>> {
+fn exact<const C: usize>(seen: &SlipToPredict<'_, C>, event: &OnsetEvent<C>) -> Option<Vec<f64>> {
     let gradients = seen.grasp.sensitivity().onset_gradients(event);
     if gradients.is_empty() {
         return None;

@@ -21,7 +21,7 @@ const MORE: f64 = 10.0;
 const PROMISE: f64 = 1e-8;
 
 /// Where the search has ended.
-pub(super) struct Fit {
+pub(super) struct Fitted {
     pub(super) logs: Vec<f64>,
     pub(super) linear: Option<Linear>,
     /// Of the slips, as a part: given, or estimated.
@@ -79,11 +79,11 @@ impl<const C: usize> Model<'_, C> {
 }
 
 /// The logarithms with the least loss, from where the search begins.
-pub(super) fn fitted<const C: usize>(model: &Model<'_, C>) -> Result<Fit, Error> {
+pub(super) fn fitted<const C: usize>(model: &Model<'_, C>) -> Result<Fitted, Error> {
     let begin: Vec<f64> =
         model.asked.unknowns.iter().map(|unknown| unknown.begins_at(model.layouts).ln()).collect();
     let nothing = Scatter { rows: Vec::new(), estimated: None };
-    let mut fit = Fit { logs: begin, linear: None, scatter: nothing, iterations: 0, end: FitEnd::Limit };
+    let mut fit = Fitted { logs: begin, linear: None, scatter: nothing, iterations: 0, end: FitEnd::Limit };
     let mut damping = DAMPING;
     let mut linear = match model.linear(&fit.logs)? {
         Ok(linear) => linear,

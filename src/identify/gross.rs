@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::{SMatrix, SVector};
 
-use super::model::{NoSlip, Predicted, Seen};
+use super::model::{NoSlip, Predicted, SlipToPredict};
 use super::slip::Grown;
 use super::unknown::UnknownKind;
 use crate::equilibrium::{ContactState, Equilibrium};
@@ -23,7 +23,9 @@ use crate::load_path::{Leg, Parameter, PathEnd};
 const NONE: f64 = 1e-6;
 
 /// Where the object is lost.
-pub(super) fn predicted<const C: usize>(seen: &Seen<'_, C>) -> Result<Result<Predicted, NoSlip>, Error> {
+pub(super) fn predicted<const C: usize>(
+    seen: &SlipToPredict<'_, C>,
+) -> Result<Result<Predicted, NoSlip>, Error> {
     let (start, leg, most) = match &seen.slip.grown {
         Grown::Load(load) => {
             let most = seen.grasp.settings().most_load.max(1.0);
@@ -55,7 +57,7 @@ pub(super) fn predicted<const C: usize>(seen: &Seen<'_, C>) -> Result<Result<Pre
 
 /// A loss, from the state at rest to the motion with which the object leaves.
 struct Lost<'a, 's, const C: usize> {
-    seen: &'a Seen<'s, C>,
+    seen: &'a SlipToPredict<'s, C>,
     at: f64,
     rest: Equilibrium<C>,
     motion: Twist<C>,

@@ -21,7 +21,7 @@ pub(super) struct Model<'a, const C: usize> {
 }
 
 /// A grasp with values of the unknowns, and what acts on it then.
-pub(super) struct Layout<const C: usize> {
+pub(super) struct LayoutGuess<const C: usize> {
     pub(super) grasp: Grasp<C>,
     pub(super) base: Wrench<C>,
 }
@@ -47,7 +47,7 @@ pub(super) struct Linear {
 
 impl<const C: usize> Model<'_, C> {
     /// The grasps with these logarithms of the unknowns.
-    pub(super) fn at(&self, logs: &[f64]) -> Result<Vec<Layout<C>>, Error> {
+    pub(super) fn at(&self, logs: &[f64]) -> Result<Vec<LayoutGuess<C>>, Error> {
         let with = |(layout, grasp): (usize, &Grasp<C>)| {
             let (mut contacts, mut base) = (grasp.contacts().to_vec(), Wrench::ZERO);
             let mut squeeze = 1.0;
@@ -61,7 +61,7 @@ impl<const C: usize> Model<'_, C> {
             if squeeze != 1.0 {
                 grasp = grasp.squeezed(squeeze)?;
             }
-            Ok(Layout { grasp, base })
+            Ok(LayoutGuess { grasp, base })
         };
         self.layouts.iter().enumerate().map(with).collect()
     }
@@ -155,13 +155,13 @@ impl<const C: usize> Model<'_, C> {
     /// Where one slip is predicted.
     fn slip(
         &self,
-        layouts: &[Layout<C>],
+        layouts: &[LayoutGuess<C>],
         number: usize,
         derivatives: bool,
         logs: &[f64],
     ) -> Result<Result<Predicted, NoSlip>, Error> {
         let slip = &self.asked.slips[number];
-        let Layout { grasp, base } = &layouts[slip.layout];
+        let LayoutGuess { grasp, base } = &layouts[slip.layout];
         let squeezed;
         let grasp = if slip.squeeze == 1.0 {
             grasp
@@ -169,7 +169,8 @@ impl<const C: usize> Model<'_, C> {
             squeezed = grasp.squeezed(slip.squeeze)?;
             &squeezed
         };
-        let seen = Seen { grasp, base: *base + slip.base, slip, asked: self.asked, logs, derivatives };
+        let seen =
+            SlipToPredict { grasp, base: *base + slip.base, slip, asked: self.asked, logs, derivatives };
         let told = match slip.kind {
             SlipKind::First => first::predicted(&seen)?,
             SlipKind::Gross => gross::predicted(&seen)?,
@@ -181,7 +182,7 @@ impl<const C: usize> Model<'_, C> {
 }
 
 /// One slip to be predicted.
-pub(super) struct Seen<'a, const C: usize> {
+pub(super) struct SlipToPredict<'a, const C: usize> {
     pub(super) grasp: &'a Grasp<C>,
     /// All that acts besides.
     pub(super) base: Wrench<C>,
@@ -192,7 +193,7 @@ pub(super) struct Seen<'a, const C: usize> {
     pub(super) derivatives: bool,
 }
 
-impl<const C: usize> Seen<'_, C> {
+impl<const C: usize> SlipToPredict<'_, C> {
     /// The load that grows, if it does not turn.
     pub(super) fn load(&self) -> Option<&Wrench<C>> {
         if let Grown::Load(load) = &self.slip.grown { Some(load) } else { None }

@@ -4,7 +4,7 @@ use nalgebra::DMatrix;
 
 use super::answer::{Ending, Estimate, Identified};
 use super::combination::FreeCombination;
-use super::fit::{Fit, FitEnd, Scatter, rank, singular};
+use super::fit::{FitEnd, Fitted, Scatter, rank, singular};
 use super::model::{Linear, Model};
 use crate::numerics::two_sided;
 
@@ -19,7 +19,7 @@ const TOO_WIDE: f64 = 1.0;
 const STAYS: f64 = 1e-6;
 
 /// The answer at the end of a search.
-pub(super) fn told<const C: usize>(model: &Model<'_, C>, fit: &Fit) -> Identified {
+pub(super) fn told<const C: usize>(model: &Model<'_, C>, fit: &Fitted) -> Identified {
     let grasp = &model.layouts[0];
     let names: Vec<String> = model.asked.unknowns.iter().map(|unknown| unknown.called(grasp)).collect();
     let spread = fit.linear.as_ref().map(|linear| Spread::of(model, linear));

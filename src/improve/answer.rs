@@ -25,7 +25,7 @@ pub struct Improved<const C: usize> {
     /// What stands in the way of more: events that come first, and bounds that are met.
     pub in_the_way: Vec<InTheWay>,
     /// How the search ended that found it.
-    pub search: Search,
+    pub search: SearchEnd,
     /// What its multipliers leave of zero: the sum of gradients of events and bounds, as a part of the first slip for a step as large as the grasp, or
     /// as the greatest force. `None` where no multipliers were found.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
@@ -131,7 +131,7 @@ pub enum Binds {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
-pub enum Search {
+pub enum SearchEnd {
     /// To first order nothing nearby is better: gradients of what comes first and of bounds that are met cancel, up to a millionth.
     Optimum,
     /// No step gains more than rounding, and gradients do not cancel: two ways of one contact to slide may meet there.
@@ -150,6 +150,6 @@ impl<const C: usize> Improved<C> {
     /// Whether it is proved that to first order no other place and squeeze nearby is better.
     #[must_use]
     pub fn is_locally_best(&self) -> bool {
-        self.search == Search::Optimum
+        self.search == SearchEnd::Optimum
     }
 }

@@ -2,12 +2,12 @@
 
 use nalgebra::DVector;
 
-use super::answer::Search;
+use super::answer::SearchEnd;
 use super::curvature::Curvature;
-use super::events::{Asked, Bound, BoundKind, Event, events};
-use super::placing::{Choice, Kind, Placing};
-use super::step::{Program, Step};
-use super::sticking::Sticking;
+use super::events::{Constraint, ConstraintKind, Grows, SlipEvent, events};
+use super::placing::{Choice, DesignKind, Placing};
+use super::step::{StepProgram, TrialStep};
+use super::sticking::StickingForces;
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::Wrench;
@@ -32,28 +32,28 @@ const ROUNDING: f64 = 1e-12;
 pub(super) struct Loaded<const C: usize> {
     base: Wrench<C>,
     loads: Vec<Wrench<C>>,
-    asked: Asked,
+    asked: Grows,
     any: Option<([f64; C], f64)>,
 }
 
 impl<const C: usize> Loaded<C> {
     pub(super) fn of(loads: &Loads<C>, base: &Wrench<C>) -> Self {
         match loads {
-            Loads::Each(list) => Self { base: *base, loads: list.clone(), asked: Asked::Each, any: None },
+            Loads::Each(list) => Self { base: *base, loads: list.clone(), asked: Grows::Each, any: None },
             Loads::AnyForce { base: beside, size, point } => {
                 let axis = |axis: usize| {
                     let force = std::array::from_fn(|k| if k == axis { *size } else { 0.0 });
                     Wrench::force_through(&(*point).into(), &force.into())
                 };
                 let loads = (0..C).map(axis).collect();
-                Self { base: *base + *beside, loads, asked: Asked::AnyForce, any: Some((*point, *size)) }
+                Self { base: *base + *beside, loads, asked: Grows::AnyForce, any: Some((*point, *size)) }
             }
-            Loads::Turn(_) => Self { base: *base, loads: Vec::new(), asked: Asked::Each, any: None },
+            Loads::Turn(_) => Self { base: *base, loads: Vec::new(), asked: Grows::Each, any: None },
         }
     }
 
     #[cfg(test)]
-    pub(super) fn asked(&self) -> &Asked {
+    pub(super) fn asked(&self) -> &Grows {
         &self.asked
     }
 
@@ -81,7 +81,7 @@ impl<const C: usize> Loaded<C> {
 #[derive(Debug)]
 pub(super) struct Held<const C: usize> {
     pub(super) placing: Placing<C>,
-    pub(super) sticking: Sticking<C>,
+    pub(super) sticking: StickingForces<C>,
     /// Its least first slip, as a factor of the loads.
     pub(super) factor: f64,
 }
@@ -89,17 +89,17 @@ pub(super) struct Held<const C: usize> {
 /// Where an ascent has ended.
 pub(super) struct Ascent<const C: usize> {
     pub(super) held: Held<C>,
-    pub(super) search: Search,
+    pub(super) search: SearchEnd,
     pub(super) steps: usize,
     /// What stands in the way there.
-    pub(super) last: Option<Last<C>>,
+    pub(super) last: Option<LastStep<C>>,
 }
 
 /// A step, and the events and bounds that its multipliers are of.
-pub(super) struct Last<const C: usize> {
-    pub(super) step: Step,
-    pub(super) events: Vec<Event<C>>,
-    pub(super) bounds: Vec<Bound>,
+pub(super) struct LastStep<const C: usize> {
+    pub(super) step: TrialStep,
+    pub(super) events: Vec<SlipEvent<C>>,
+    pub(super) bounds: Vec<Constraint>,
     /// The contacts whose surfaces end in the bounds behind those.
     pub(super) rooms: Vec<usize>,
 }
@@ -116,7 +116,7 @@ impl<const C: usize> Climb<'_, C> {
     fn most(&self) -> Vec<Option<f64>> {
         let mut most = vec![None; self.choice.given.len()];
         for variable in &self.choice.variables {
-            if let Kind::Press { most: force } = variable.what {
+            if let DesignKind::Press { most: force } = variable.what {
                 most[variable.contact] = Some(force);
             }
         }
@@ -126,7 +126,7 @@ impl<const C: usize> Climb<'_, C> {
     /// A placing pressed less hard, where it presses harder than it may; `None` where it does not stick at rest.
     pub(super) fn held(&self, mut placing: Placing<C>) -> Result<Option<Held<C>>, Error> {
         let (Loaded { base, loads, asked, .. }, most) = (self.loaded, self.most());
-        let of = |placing: &Placing<C>| Sticking::of(self.choice, placing, base, loads);
+        let of = |placing: &Placing<C>| StickingForces::of(self.choice, placing, base, loads);
         let Some(mut sticking) = of(&placing)? else { return Ok(None) };
         let mut part = 1.0_f64;
         for (i, most) in most.iter().enumerate() {
@@ -161,13 +161,13 @@ impl<const C: usize> Climb<'_, C> {
         let n = self.choice.variables.len();
         let (mut radius, mut curvature, mut steps) = (RADII[0], Curvature::flat(n), 0);
         let ended = |held, search, steps, last| Ok(Ascent { held, search, steps, last });
-        let mut before: Option<Last<C>> = None;
+        let mut before: Option<LastStep<C>> = None;
         loop {
             if held.factor.is_infinite() {
-                return ended(held, Search::NothingSlides, steps, None);
+                return ended(held, SearchEnd::NothingSlides, steps, None);
             }
             let Some(derivatives) = held.sticking.derivatives(self.choice, &held.placing) else {
-                return ended(held, Search::Unbalanced, steps, None);
+                return ended(held, SearchEnd::Unbalanced, steps, None);
             };
             let contacts = self.choice.contacts(&held.placing);
             let (events, bounds) =
@@ -179,7 +179,7 @@ impl<const C: usize> Climb<'_, C> {
             let (program, rooms) = self.program(&held, &events, &bounds);
             loop {
                 let Some(step) = program.step(radius, &curvature.0) else {
-                    return ended(held, Search::Stalled, steps, None);
+                    return ended(held, SearchEnd::Stalled, steps, None);
                 };
                 let arrived = step.residual <= ARRIVED || step.gain <= NOTHING || radius < RADII[2];
                 if arrived || steps >= self.choice.question.steps {
@@ -189,11 +189,11 @@ impl<const C: usize> Climb<'_, C> {
                         continue;
                     }
                     let search = match step.residual {
-                        residual if residual <= OPTIMAL => Search::Optimum,
-                        _ if arrived => Search::Stalled,
-                        _ => Search::OutOfSteps,
+                        residual if residual <= OPTIMAL => SearchEnd::Optimum,
+                        _ if arrived => SearchEnd::Stalled,
+                        _ => SearchEnd::OutOfSteps,
                     };
-                    return ended(held, search, steps, Some(Last { step, events, bounds, rooms }));
+                    return ended(held, search, steps, Some(LastStep { step, events, bounds, rooms }));
                 }
                 steps += 1;
                 let trial = self.held(self.choice.moved(&held.placing, step.d.as_slice()))?;
@@ -205,7 +205,7 @@ impl<const C: usize> Climb<'_, C> {
                     radius = 0.25 * radius.min(step.d.amax());
                 }
                 if let Some(trial) = trial.filter(|_| as_told >= TAKEN) {
-                    before = Some(Last { step, events, bounds, rooms });
+                    before = Some(LastStep { step, events, bounds, rooms });
                     held = trial;
                     break;
                 }
@@ -214,7 +214,12 @@ impl<const C: usize> Climb<'_, C> {
     }
 
     /// The program of a step, and the contacts whose surfaces end in its last bounds.
-    fn program(&self, held: &Held<C>, events: &[Event<C>], bounds: &[Bound]) -> (Program, Vec<usize>) {
+    fn program(
+        &self,
+        held: &Held<C>,
+        events: &[SlipEvent<C>],
+        bounds: &[Constraint],
+    ) -> (StepProgram, Vec<usize>) {
         let variables = &self.choice.variables;
         let force = self.choice.unit_of_force();
         let mut rows: Vec<_> =
@@ -224,7 +229,7 @@ impl<const C: usize> Climb<'_, C> {
             for (row, room) in spot.iter().flat_map(|spot| &spot.rooms) {
                 let unit = variables.iter().find(|v| v.contact == i).map_or(1.0, |v| v.unit);
                 let of = variables.iter().map(|variable| match variable.what {
-                    Kind::Along(axis) if variable.contact == i => -row[axis],
+                    DesignKind::Along(axis) if variable.contact == i => -row[axis],
                     _ => 0.0,
                 });
                 rows.push((DVector::from_iterator(variables.len(), of), room / unit));
@@ -232,13 +237,13 @@ impl<const C: usize> Climb<'_, C> {
             }
         }
         for (j, variable) in variables.iter().enumerate() {
-            if let (Kind::Press { most }, Some(press)) =
+            if let (DesignKind::Press { most }, Some(press)) =
                 (variable.what, held.placing.presses[variable.contact])
             {
                 reach[j] = [-press / variable.unit, (most - press) / variable.unit];
             }
         }
-        let program = Program {
+        let program = StepProgram {
             factors: events.iter().map(|event| event.factor / held.factor).collect(),
             gradients: events.iter().map(|event| &event.gradient / held.factor).collect(),
             bounds: rows,
@@ -250,8 +255,8 @@ impl<const C: usize> Climb<'_, C> {
 
 /// By how much the gradient of events and bounds, weighed by multipliers, fell along a step.
 fn fallen<const C: usize>(
-    old: &Last<C>,
-    (events, bounds): (&[Event<C>], &[Bound]),
+    old: &LastStep<C>,
+    (events, bounds): (&[SlipEvent<C>], &[Constraint]),
     factor: f64,
     force: f64,
 ) -> DVector<f64> {
@@ -260,12 +265,12 @@ fn fallen<const C: usize>(
     for (event, share) in old.events.iter().zip(&step.events).filter(|(_, share)| **share > 0.0) {
         // Of several alike, the one that comes next to the old one.
         let same = events.iter().filter(|other| other.condition.is(&event.condition));
-        let apart = |other: &&Event<C>| (other.factor - event.factor).abs();
+        let apart = |other: &&SlipEvent<C>| (other.factor - event.factor).abs();
         if let Some(same) = same.min_by(|a, b| apart(a).total_cmp(&apart(b))) {
             fell += (&event.gradient - &same.gradient) * (share / factor);
         }
     }
-    let is_force = |bound: &&Bound| bound.kind == BoundKind::Force;
+    let is_force = |bound: &&Constraint| bound.kind == ConstraintKind::Force;
     let known = old.bounds.iter().zip(&step.bounds).filter(|(bound, _)| is_force(bound));
     for ((bound, multiplier), new) in known.zip(bounds.iter().filter(is_force)) {
         fell += (&bound.gradient - &new.gradient) * (multiplier / force);

@@ -4,7 +4,7 @@ use nalgebra::DVector;
 
 use super::ascent::{Climb, Loaded};
 use super::events::events;
-use super::placing::{Choice, Placing, Variable};
+use super::placing::{Choice, DesignVariable, Placing};
 use super::question::Improve;
 use super::surface::Surface;
 use crate::ask::Grasp;
@@ -39,7 +39,8 @@ fn compare<const C: usize>(grasp: &Grasp<C>, question: &Improve<C>, seed: u64) -
     for number in 0..60 {
         let drawn = choice.drawn(&given, &mut Draw::new([seed, number, 7]));
         // Squeezed less than they may, so that none is made less.
-        let drawn = choice.moved(&drawn, &choice.variables.iter().map(Variable::relaxed).collect::<Vec<_>>());
+        let drawn =
+            choice.moved(&drawn, &choice.variables.iter().map(DesignVariable::relaxed).collect::<Vec<_>>());
         let Some((here, gradients)) = values(&climb, &drawn) else { continue };
         for j in 0..choice.variables.len() {
             let step = |h: f64| {

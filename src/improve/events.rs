@@ -7,7 +7,7 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::{DVector, SVector};
 
-use super::sticking::{Forces, Parts, Sticking};
+use super::sticking::{BySource, FrameForces, StickingForces};
 use crate::grasp::{Contact, Hold};
 
 /// A friction force below this part of the normal force has no direction.
@@ -20,7 +20,7 @@ const HALVINGS: usize = 60;
 
 /// One condition of one contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Condition<const C: usize> {
+pub(super) struct ConeRow<const C: usize> {
     /// From 0; `None` for a force of any direction.
     pub(super) load: Option<usize>,
     pub(super) contact: usize,
@@ -29,7 +29,7 @@ pub(super) struct Condition<const C: usize> {
     row: SVector<f64, C>,
 }
 
-impl<const C: usize> Condition<C> {
+impl<const C: usize> ConeRow<C> {
     /// Whether both are of one kind, at places nearby.
     pub(super) fn is(&self, other: &Self) -> bool {
         (self.load, self.contact, self.number) == (other.load, other.contact, other.number)
@@ -38,23 +38,23 @@ impl<const C: usize> Condition<C> {
 
 /// A condition, the factor of the loads at which it is broken, and its derivative by each variable.
 #[derive(Debug, Clone)]
-pub(super) struct Event<const C: usize> {
-    pub(super) condition: Condition<C>,
+pub(super) struct SlipEvent<const C: usize> {
+    pub(super) condition: ConeRow<C>,
     pub(super) factor: f64,
     pub(super) gradient: DVector<f64>,
 }
 
 /// Something that has to stay from 0, N, and its derivative by each variable.
 #[derive(Debug, Clone)]
-pub(super) struct Bound {
+pub(super) struct Constraint {
     pub(super) contact: usize,
-    pub(super) kind: BoundKind,
+    pub(super) kind: ConstraintKind,
     pub(super) left: f64,
     pub(super) gradient: DVector<f64>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum BoundKind {
+pub(super) enum ConstraintKind {
     /// At rest it sticks.
     Sticks,
     /// At rest it does not press harder than it may.
@@ -102,7 +102,7 @@ fn leaves<const C: usize>(mu: f64, force: &SVector<f64, C>, rate: &SVector<f64, 
 }
 
 /// What is asked of the forces.
-pub(super) enum Asked {
+pub(super) enum Grows {
     /// That each load grows.
     Each,
     /// A force of any direction: loads are its parts along the axes.
@@ -112,31 +112,31 @@ pub(super) enum Asked {
 /// All events and bounds of a placing; `most` has the greatest normal force of each contact that has one.
 pub(super) fn events<const C: usize>(
     contacts: &[Contact<C>],
-    asked: &Asked,
+    asked: &Grows,
     most: &[Option<f64>],
-    sticking: &Sticking<C>,
-    derivatives: &[Parts<Forces<C>>],
-) -> (Vec<Event<C>>, Vec<Bound>) {
+    sticking: &StickingForces<C>,
+    derivatives: &[BySource<FrameForces<C>>],
+) -> (Vec<SlipEvent<C>>, Vec<Constraint>) {
     let (mut all, mut bounds) = (Vec::new(), Vec::new());
     for (i, contact) in contacts.iter().enumerate() {
         let force = sticking.at_rest(i);
-        let by_variable = |f: &dyn Fn(&Parts<Forces<C>>) -> f64| {
+        let by_variable = |f: &dyn Fn(&BySource<FrameForces<C>>) -> f64| {
             DVector::from_iterator(derivatives.len(), derivatives.iter().map(f))
         };
-        let change = |d: &Parts<Forces<C>>| d.rest[i] + d.squeeze[i];
+        let change = |d: &BySource<FrameForces<C>>| d.rest[i] + d.squeeze[i];
         let bound = |kind, row: &SVector<f64, C>, left| {
             let gradient = by_variable(&|d| row.dot(&change(d)));
-            Bound { contact: i, kind, left, gradient }
+            Constraint { contact: i, kind, left, gradient }
         };
         let own = rows(contact);
         let at_rest = own.clone().unwrap_or_else(|| worst(contact.friction, &force));
-        bounds.extend(at_rest.iter().map(|row| bound(BoundKind::Sticks, row, row.dot(&force))));
+        bounds.extend(at_rest.iter().map(|row| bound(ConstraintKind::Sticks, row, row.dot(&force))));
         if let Some(most) = most[i] {
             let row = SVector::from_fn(|k, _| if k == 0 { -1.0 } else { 0.0 });
-            bounds.push(bound(BoundKind::Force, &row, most - force[0]));
+            bounds.push(bound(ConstraintKind::Force, &row, most - force[0]));
         }
         match asked {
-            Asked::Each => {
+            Grows::Each => {
                 for (load, rates) in sticking.forces.loads.iter().enumerate() {
                     let rate = rates[i];
                     let rows = own.clone().unwrap_or_else(|| {
@@ -149,14 +149,14 @@ pub(super) fn events<const C: usize>(
                             let factor = -row.dot(&force) / falls;
                             let gradient =
                                 by_variable(&|d| -row.dot(&(change(d) + d.loads[load][i] * factor)) / falls);
-                            let condition = Condition { load: Some(load), contact: i, number, row };
-                            all.push(Event { condition, factor, gradient });
+                            let condition = ConeRow { load: Some(load), contact: i, number, row };
+                            all.push(SlipEvent { condition, factor, gradient });
                         }
                     }
                 }
             }
-            Asked::AnyForce => {
-                let felt = |row: &SVector<f64, C>, loads: &[Forces<C>]| {
+            Grows::AnyForce => {
+                let felt = |row: &SVector<f64, C>, loads: &[FrameForces<C>]| {
                     SVector::<f64, C>::from_fn(|k, _| row.dot(&loads[k][i]))
                 };
                 let factor =
@@ -174,8 +174,8 @@ pub(super) fn events<const C: usize>(
                             let turned = v.dot(&felt(&row, &d.loads)) / v.norm();
                             (row.dot(&change(d)) - factor * turned) / v.norm()
                         });
-                        let condition = Condition { load: None, contact: i, number, row };
-                        all.push(Event { condition, factor, gradient });
+                        let condition = ConeRow { load: None, contact: i, number, row };
+                        all.push(SlipEvent { condition, factor, gradient });
                     }
                 }
             }

@@ -1,9 +1,9 @@
 //! All starts, and the best of them.
 
-use super::answer::{Binds, Improved, InTheWay, Placed, Search};
-use super::ascent::{Ascent, Climb, Held, Last, Loaded};
-use super::events::BoundKind;
-use super::placing::{Choice, Kind};
+use super::answer::{Binds, Improved, InTheWay, Placed, SearchEnd};
+use super::ascent::{Ascent, Climb, Held, LastStep, Loaded};
+use super::events::ConstraintKind;
+use super::placing::{Choice, DesignKind};
 use super::question::Improve;
 use crate::ask::Grasp;
 use crate::error::Error;
@@ -77,8 +77,8 @@ impl<const C: usize> Grasp<C> {
         let best = ascents.into_iter().reduce(|best, next| {
             let more = next.held.factor > best.held.factor * (1.0 + BETTER);
             let proved = next.held.factor >= best.held.factor
-                && next.search == Search::Optimum
-                && best.search != Search::Optimum;
+                && next.search == SearchEnd::Optimum
+                && best.search != SearchEnd::Optimum;
             if more || proved { next } else { best }
         });
         let force = match &question.loads {
@@ -94,7 +94,7 @@ impl<const C: usize> Grasp<C> {
             force,
             contacts: Vec::new(),
             in_the_way: Vec::new(),
-            search: Search::NoStart,
+            search: SearchEnd::NoStart,
             residual: None,
             starts: count,
             steps,
@@ -152,8 +152,8 @@ fn placed<const C: usize>(choice: &Choice<'_, C>, held: &Held<C>) -> Vec<Placed<
     contacts.iter().enumerate().filter_map(place).collect()
 }
 
-fn in_the_way<const C: usize>(choice: &Choice<'_, C>, held: &Held<C>, last: &Last<C>) -> Vec<InTheWay> {
-    let Last { step, events, bounds, rooms } = last;
+fn in_the_way<const C: usize>(choice: &Choice<'_, C>, held: &Held<C>, last: &LastStep<C>) -> Vec<InTheWay> {
+    let LastStep { step, events, bounds, rooms } = last;
     let parts = WholeContacts::of(&choice.given);
     let mut all: Vec<(usize, Binds)> = Vec::new();
     for (event, share) in events.iter().zip(&step.events).filter(|(_, share)| **share > SEEN) {
@@ -174,8 +174,8 @@ fn in_the_way<const C: usize>(choice: &Choice<'_, C>, held: &Held<C>, last: &Las
         all.push((
             bound.contact,
             match bound.kind {
-                BoundKind::Sticks => Binds::Rest { per_newton },
-                BoundKind::Force => Binds::Force { per_newton },
+                ConstraintKind::Sticks => Binds::Rest { per_newton },
+                ConstraintKind::Force => Binds::Force { per_newton },
             },
         ));
     }
@@ -185,7 +185,7 @@ fn in_the_way<const C: usize>(choice: &Choice<'_, C>, held: &Held<C>, last: &Las
         all.push((*contact, Binds::End { per_metre: gain(*multiplier, unit) }));
     }
     for (variable, [down, up]) in choice.variables.iter().zip(&step.ends) {
-        if let Kind::Press { .. } = variable.what {
+        if let DesignKind::Press { .. } = variable.what {
             if *up > SEEN {
                 all.push((variable.contact, Binds::Pressed { per_newton: gain(*up, variable.unit) }));
             }

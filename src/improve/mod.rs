@@ -53,7 +53,7 @@ mod sticking;
 mod surface;
 mod words;
 
-pub use answer::{Binds, Improved, InTheWay, Placed, Search};
+pub use answer::{Binds, Improved, InTheWay, Placed, SearchEnd};
 pub use question::Improve;
 #[cfg(feature = "serde")]
 pub(crate) use surface::Shape;

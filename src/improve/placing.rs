@@ -14,15 +14,15 @@ const OFF: f64 = 1e-6;
 
 /// One number that may change.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Variable {
+pub(super) struct DesignVariable {
     pub(super) contact: usize,
-    pub(super) what: Kind,
+    pub(super) what: DesignKind,
     /// What counts as one in a step: m, N.
     pub(super) unit: f64,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Kind {
+pub(super) enum DesignKind {
     /// Its place, along a direction of its spot.
     Along(usize),
     /// The force that it is told to press with, from 0 to so much, N.
@@ -30,10 +30,10 @@ pub(super) enum Kind {
 }
 
 #[cfg(test)]
-impl Variable {
+impl DesignVariable {
     /// A step that takes a fifth of a squeeze away, and leaves places.
     pub(super) fn relaxed(&self) -> f64 {
-        if let Kind::Press { .. } = self.what { -0.2 } else { 0.0 }
+        if let DesignKind::Press { .. } = self.what { -0.2 } else { 0.0 }
     }
 }
 
@@ -44,7 +44,7 @@ pub(super) struct Choice<'q, const C: usize> {
     pub(super) given: Vec<Contact<C>>,
     /// The first tangents given.
     tangents: Vec<SVector<f64, C>>,
-    pub(super) variables: Vec<Variable>,
+    pub(super) variables: Vec<DesignVariable>,
 }
 
 /// Values of what may change.
@@ -87,7 +87,7 @@ impl<'q, const C: usize> Choice<'q, C> {
                 if aside > OFF {
                     return refused("angle between its normal and that of its surface", aside, "0 rad");
                 }
-                let along = |axis| Variable { contact, what: Kind::Along(axis), unit: length };
+                let along = |axis| DesignVariable { contact, what: DesignKind::Along(axis), unit: length };
                 variables.extend((0..spot.along.len()).map(along));
             }
             spots.push(spot);
@@ -95,7 +95,7 @@ impl<'q, const C: usize> Choice<'q, C> {
             let stiffness = at.series_stiffness_of_axes()[0];
             let given = |most: f64| (stiffness * (at.command[0] - at.clearance)).clamp(0.0, most);
             presses.push(most.map(given));
-            let press = |most| Variable { contact, what: Kind::Press { most }, unit: most };
+            let press = |most| DesignVariable { contact, what: DesignKind::Press { most }, unit: most };
             variables.extend(most.map(press));
         }
         let choice = Self { question, given, tangents: tangents.clone(), variables };
@@ -123,7 +123,7 @@ impl<'q, const C: usize> Choice<'q, C> {
             let of = self.variables.iter().zip(step);
             let of = of.filter(|(variable, _)| variable.contact == *contact);
             let along: Vec<f64> = of
-                .filter(|(variable, _)| matches!(variable.what, Kind::Along(_)))
+                .filter(|(variable, _)| matches!(variable.what, DesignKind::Along(_)))
                 .map(|(variable, step)| variable.unit * step)
                 .collect();
             let spot = from.spots[*contact].as_ref().map(|spot| spot.moved(surface, &along));
@@ -131,7 +131,7 @@ impl<'q, const C: usize> Choice<'q, C> {
             placing.spots[*contact] = spot;
         }
         for (variable, step) in self.variables.iter().zip(step) {
-            if let (Kind::Press { most }, Some(press)) =
+            if let (DesignKind::Press { most }, Some(press)) =
                 (variable.what, &mut placing.presses[variable.contact])
             {
                 *press = (*press + variable.unit * step).clamp(0.0, most);
@@ -160,7 +160,9 @@ impl<'q, const C: usize> Choice<'q, C> {
 
     /// What counts as one newton among forces: the greatest one that a contact may press with.
     pub(super) fn unit_of_force(&self) -> f64 {
-        let press = |variable: &Variable| if let Kind::Press { most } = variable.what { most } else { 0.0 };
+        let press = |variable: &DesignVariable| {
+            if let DesignKind::Press { most } = variable.what { most } else { 0.0 }
+        };
         let most = self.variables.iter().map(press).fold(0.0, f64::max);
         if most > 0.0 { most } else { 1.0 }
     }

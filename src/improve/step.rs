@@ -12,7 +12,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::lcp::{Lcp, Outcome, Settings};
 
 /// Numbers near one: factors in parts of the present first slip, variables in their units.
-pub(super) struct Program {
+pub(super) struct StepProgram {
     pub(super) factors: Vec<f64>,
     pub(super) gradients: Vec<DVector<f64>>,
     /// Rows `h·d + left >= 0`.
@@ -23,7 +23,7 @@ pub(super) struct Program {
 
 /// A step and its multipliers.
 #[derive(Debug, Clone)]
-pub(super) struct Step {
+pub(super) struct TrialStep {
     pub(super) d: DVector<f64>,
     /// By how much the first slip grows if everything is as told here.
     pub(super) gain: f64,
@@ -36,9 +36,9 @@ pub(super) struct Step {
     pub(super) residual: f64,
 }
 
-impl Program {
+impl StepProgram {
     /// The step within a box of this half width; `None` where rounding is in the way.
-    pub(super) fn step(&self, radius: f64, curvature: &DMatrix<f64>) -> Option<Step> {
+    pub(super) fn step(&self, radius: f64, curvature: &DMatrix<f64>) -> Option<TrialStep> {
         let n = self.reach.len();
         let low = DVector::from_fn(n, |j, _| (-radius).max(self.reach[j][0].min(0.0)));
         let high = DVector::from_fn(n, |j, _| radius.min(self.reach[j][1].max(0.0)));
@@ -119,7 +119,7 @@ impl Program {
             + bounds.iter().zip(&self.bounds).map(|(y, (_, left))| y * left.max(0.0)).sum::<f64>();
         let residual = left.amax().max(met);
         let gain = least - now - 0.5 * bent.dot(&d);
-        Some(Step { d, gain, events, bounds, ends: taken, residual })
+        Some(TrialStep { d, gain, events, bounds, ends: taken, residual })
     }
 }
 

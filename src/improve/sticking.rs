@@ -5,7 +5,7 @@
 
 use nalgebra::SVector;
 
-use super::placing::{Choice, Kind, Placing, Variable};
+use super::placing::{Choice, DesignKind, DesignVariable, Placing};
 use crate::ask::Grasp;
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
@@ -13,11 +13,11 @@ use crate::grasp::{Contact, Hold, Wrench};
 use crate::load_path::Parameter;
 
 /// Forces of all contacts in their frames, N.
-pub(super) type Forces<const C: usize> = Vec<SVector<f64, C>>;
+pub(super) type FrameForces<const C: usize> = Vec<SVector<f64, C>>;
 
 /// The parts that forces are made of.
 #[derive(Debug, Clone)]
-pub(super) struct Parts<F> {
+pub(super) struct BySource<F> {
     /// Of what acts whatever the squeeze.
     pub(super) rest: F,
     /// Of the squeeze that may change.
@@ -26,21 +26,21 @@ pub(super) struct Parts<F> {
     pub(super) loads: Vec<F>,
 }
 
-impl<F> Parts<F> {
-    fn each<'s, G>(&'s self, mut f: impl FnMut(&'s F) -> Option<G>) -> Option<Parts<G>> {
+impl<F> BySource<F> {
+    fn each<'s, G>(&'s self, mut f: impl FnMut(&'s F) -> Option<G>) -> Option<BySource<G>> {
         let loads = self.loads.iter().map(&mut f).collect::<Option<_>>()?;
-        Some(Parts { rest: f(&self.rest)?, squeeze: f(&self.squeeze)?, loads })
+        Some(BySource { rest: f(&self.rest)?, squeeze: f(&self.squeeze)?, loads })
     }
 }
 
 /// A grasp that sticks whatever it carries.
 #[derive(Debug)]
-pub(super) struct Sticking<const C: usize> {
-    states: Parts<(Grasp<C>, Equilibrium<C>)>,
-    pub(super) forces: Parts<Forces<C>>,
+pub(super) struct StickingForces<const C: usize> {
+    states: BySource<(Grasp<C>, Equilibrium<C>)>,
+    pub(super) forces: BySource<FrameForces<C>>,
 }
 
-impl<const C: usize> Sticking<C> {
+impl<const C: usize> StickingForces<C> {
     /// Of a placing, under what acts at rest and under each of some loads; `None` where nothing resists one of them.
     pub(super) fn of(
         choice: &Choice<'_, C>,
@@ -86,7 +86,7 @@ impl<const C: usize> Sticking<C> {
         let (Some(rest), Some(squeeze)) = (state(&at_rest, base)?, state(&squeezed, &Wrench::ZERO)?) else {
             return Ok(None);
         };
-        let states = Parts { rest, squeeze, loads: states };
+        let states = BySource { rest, squeeze, loads: states };
         let forces =
             states.each(|(_, state)| Some(state.contacts.iter().map(|contact| contact.force).collect()));
         Ok(forces.map(|forces| Self { states, forces }))
@@ -102,18 +102,22 @@ impl<const C: usize> Sticking<C> {
         &self,
         choice: &Choice<'_, C>,
         placing: &Placing<C>,
-    ) -> Option<Vec<Parts<Forces<C>>>> {
+    ) -> Option<Vec<BySource<FrameForces<C>>>> {
         choice.variables.iter().map(|variable| self.derivative(placing, variable)).collect()
     }
 
-    fn derivative(&self, placing: &Placing<C>, variable: &Variable) -> Option<Parts<Forces<C>>> {
-        let &Variable { contact, what, unit } = variable;
+    fn derivative(
+        &self,
+        placing: &Placing<C>,
+        variable: &DesignVariable,
+    ) -> Option<BySource<FrameForces<C>>> {
+        let &DesignVariable { contact, what, unit } = variable;
         let by = |state: &(Grasp<C>, Equilibrium<C>), parameter| {
             let derivative = state.0.sensitivity().of(&state.1, parameter)?;
             Some(derivative.forces)
         };
         match what {
-            Kind::Press { .. } => {
+            DesignKind::Press { .. } => {
                 let grasp = &self.states.squeeze.0;
                 let stiffness = grasp.contacts()[contact].series_stiffness_of_axes()[0];
                 let mut squeeze = by(&self.states.squeeze, Parameter::Command { contact, axis: 0 })?;
@@ -122,9 +126,9 @@ impl<const C: usize> Sticking<C> {
                 }
                 let none = vec![SVector::zeros(); squeeze.len()];
                 let loads = vec![none.clone(); self.states.loads.len()];
-                Some(Parts { rest: none, squeeze, loads })
+                Some(BySource { rest: none, squeeze, loads })
             }
-            Kind::Along(axis) => {
+            DesignKind::Along(axis) => {
                 let spot = placing.spots[contact].as_ref()?;
                 let (along, bend) = (&spot.along[axis], spot.bends[axis]);
                 self.states.each(|state| {

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::answer::{Binds, Improved, Placed, Search};
+use super::answer::{Binds, Improved, Placed, SearchEnd};
 use crate::words::{Words, listed};
 
 /// Less is rounding, as a part of the largest length or force that is told.
@@ -84,7 +84,7 @@ impl<const C: usize> Improved<C> {
     /// What stands in the way, or why the search ended.
     fn proof(&self, words: Words) -> String {
         match self.search {
-            Search::Optimum => {
+            SearchEnd::Optimum => {
                 let mut slides: Vec<String> = Vec::new();
                 let mut bounds: Vec<String> = Vec::new();
                 for way in &self.in_the_way {
@@ -113,16 +113,16 @@ impl<const C: usize> Improved<C> {
                     listed(&slides)
                 )
             }
-            Search::Stalled => {
+            SearchEnd::Stalled => {
                 let residual = self
                     .residual
                     .map_or(String::new(), |r| format!(" (gradients leave {})", words.number(r)));
                 format!("No step gains more, without proof that nothing nearby is better{residual}")
             }
-            Search::OutOfSteps => "The search ended when it had made as many steps as it may".to_owned(),
-            Search::Unbalanced => "At other places nothing would balance the loads".to_owned(),
-            Search::NothingSlides => "Nothing slides there".to_owned(),
-            Search::NoStart => "No start sticks at rest and resists the loads".to_owned(),
+            SearchEnd::OutOfSteps => "The search ended when it had made as many steps as it may".to_owned(),
+            SearchEnd::Unbalanced => "At other places nothing would balance the loads".to_owned(),
+            SearchEnd::NothingSlides => "Nothing slides there".to_owned(),
+            SearchEnd::NoStart => "No start sticks at rest and resists the loads".to_owned(),
         }
     }
 }

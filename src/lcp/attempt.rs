@@ -4,7 +4,7 @@
 //! failed.
 
 use super::certificate;
-use super::dictionary::Unknown;
+use super::dictionary::LemkeVariable;
 use super::lemke::LemkeEnd;
 use super::outcome::{BreakdownCause, Outcome, Unsolved};
 use super::problem::Lcp;
@@ -58,7 +58,7 @@ impl Workspace {
     pub(super) fn follow(&mut self, lcp: &Lcp, settings: &Settings, limit: usize) -> Option<Unsolved> {
         let m = lcp.m.as_slice();
         self.path.start_from_slacks();
-        self.path.dictionary.enter(Unknown::Covering, m, &self.path.scaling);
+        self.path.dictionary.enter(LemkeVariable::Covering, m, &self.path.scaling);
         let end = self.path.cover_and_run(m, settings, limit);
         let pivots = self.path.pivots;
         Some(match end {

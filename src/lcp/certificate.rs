@@ -4,7 +4,7 @@
 //! Then Mᵀẑ = −Mẑ ≤ 0 and qᵀẑ < 0 (Cottle, Pang & Stone, proof of theorem 4.4.12), so ẑ is itself a
 //! Farkas vector. Whether ẑ is one can be checked without knowing the class of M.
 
-use super::dictionary::{Unknown, largest};
+use super::dictionary::{LemkeVariable, largest};
 use super::outcome::{Outcome, Ray, Unsolved};
 use super::path::Path;
 use super::problem::Lcp;
@@ -13,17 +13,17 @@ use nalgebra::DVector;
 
 /// What the ray says along which the entering variable grows for ever. It is in the caller's units and with largest entry 1.
 /// `None` if the ray leaves the range of double precision there.
-pub(super) fn ray(lcp: &Lcp, path: &Path, entering: Unknown) -> Option<Unsolved> {
+pub(super) fn ray(lcp: &Lcp, path: &Path, entering: LemkeVariable) -> Option<Unsolved> {
     let mut rates = DVector::zeros(lcp.len());
     let mut covering_rate = 0.0;
-    if let Unknown::Z(e) = entering {
+    if let LemkeVariable::Z(e) = entering {
         rates[e] = 1.0;
     }
     let noise = RAY_NOISE * largest(&path.dictionary.u).max(1.0);
     for (basic, u) in path.dictionary.basic.iter().zip(&path.dictionary.u) {
         match *basic {
-            Unknown::Z(j) if *u > noise => rates[j] = *u,
-            Unknown::Covering if *u > noise => covering_rate = *u,
+            LemkeVariable::Z(j) if *u > noise => rates[j] = *u,
+            LemkeVariable::Covering if *u > noise => covering_rate = *u,
             _ => {}
         }
     }

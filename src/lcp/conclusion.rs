@@ -1,6 +1,6 @@
 //! From the end of a path to a point that is checked against the data given.
 
-use super::dictionary::Unknown;
+use super::dictionary::LemkeVariable;
 use super::memory::refill;
 use super::outcome::{BreakdownCause, Outcome, Unsolved};
 use super::path::Path;
@@ -47,7 +47,7 @@ impl Workspace {
         let n = lcp.len();
         self.basis.clear(n);
         for basic in &self.path.dictionary.basic {
-            if let Unknown::Z(j) = *basic {
+            if let LemkeVariable::Z(j) = *basic {
                 self.basis.insert(j);
             }
         }
@@ -95,7 +95,7 @@ impl Workspace {
         let basic_z = || {
             let values = dictionary.basic.iter().zip(&dictionary.x).zip(&dictionary.level);
             values.filter_map(|((basic, x), level)| match *basic {
-                Unknown::Z(j) => Some((j, *x, *level)),
+                LemkeVariable::Z(j) => Some((j, *x, *level)),
                 _ => None,
             })
         };
@@ -122,7 +122,7 @@ impl Workspace {
     fn retire_vanishing(&mut self, lcp: &Lcp) {
         let Path { dictionary, scaling, .. } = &mut self.path;
         for j in (0..lcp.len()).filter(|j| self.vanishing[*j]) {
-            if let Some(row) = dictionary.basic.iter().position(|basic| *basic == Unknown::Z(j)) {
+            if let Some(row) = dictionary.basic.iter().position(|basic| *basic == LemkeVariable::Z(j)) {
                 dictionary.retire(j, row, scaling, lcp.m.as_slice());
             }
         }

@@ -30,13 +30,13 @@ use crate::numerics::wide;
 
 /// A variable: w_i, z_i, or the covering variable z₀.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Unknown {
+pub(super) enum LemkeVariable {
     W(usize),
     Z(usize),
     Covering,
 }
 
-impl Unknown {
+impl LemkeVariable {
     /// The other variable of the pair; z₀ has none.
     pub(super) fn complement(self) -> Self {
         match self {
@@ -52,7 +52,7 @@ impl Unknown {
 pub(super) struct Dictionary {
     n: usize,
     /// The variable that is basic in each row.
-    pub(super) basic: Vec<Unknown>,
+    pub(super) basic: Vec<LemkeVariable>,
     /// The i of the nonbasic slack w_i kept in each stored column.
     kept: Vec<usize>,
     /// In which stored column w_i is kept, if w_i is nonbasic.
@@ -87,7 +87,7 @@ impl Dictionary {
         let n = q.len();
         self.n = n;
         self.basic.clear();
-        self.basic.extend((0..n).map(Unknown::W));
+        self.basic.extend((0..n).map(LemkeVariable::W));
         self.slack.clear();
         self.slack.extend(0..n);
         refill(&mut self.slot, n, None);
@@ -116,12 +116,12 @@ impl Dictionary {
     }
 
     /// Where the column of a variable is kept, if the variable is a nonbasic slack.
-    fn slot_of(&self, variable: Unknown) -> Option<usize> {
-        if let Unknown::W(i) = variable { self.slot[i] } else { None }
+    fn slot_of(&self, variable: LemkeVariable) -> Option<usize> {
+        if let LemkeVariable::W(i) = variable { self.slot[i] } else { None }
     }
 
     /// Puts the column of a nonbasic variable into `u`.
-    pub(super) fn enter(&mut self, variable: Unknown, m: &[f64], scaling: &Scaling) {
+    pub(super) fn enter(&mut self, variable: LemkeVariable, m: &[f64], scaling: &Scaling) {
         if let Some(slot) = self.slot_of(variable) {
             let at = slot * self.n;
             self.u.copy_from_slice(&self.columns[at..at + self.n]);
@@ -166,8 +166,8 @@ impl Dictionary {
     ///
     /// An entry is noise below `tolerance` times the terms from which (1) sums it. The column of a
     /// slack is not summed; there, entries below the rounding of the largest are noise.
-    pub(super) fn clear_noise(&mut self, entering: Unknown, tolerance: f64) {
-        if let Unknown::W(_) = entering {
+    pub(super) fn clear_noise(&mut self, entering: LemkeVariable, tolerance: f64) {
+        if let LemkeVariable::W(_) = entering {
             let rounding = STORED_ROUNDING * largest(&self.u);
             for u in self.u.iter_mut().filter(|u| u.abs() <= rounding) {
                 *u = 0.0;
@@ -187,8 +187,8 @@ impl Dictionary {
     }
 
     /// Loads column e of the balanced M, or d, with what (1) needs of it for the present basis.
-    fn load(&mut self, variable: Unknown, m: &[f64], scaling: &Scaling) {
-        if let Unknown::Z(e) = variable {
+    fn load(&mut self, variable: LemkeVariable, m: &[f64], scaling: &Scaling) {
+        if let LemkeVariable::Z(e) = variable {
             let column = &m[e * self.n..(e + 1) * self.n];
             let factor = scaling.column[e];
             for ((to, m), row) in self.entering.iter_mut().zip(column).zip(&scaling.row) {
@@ -212,10 +212,16 @@ impl Dictionary {
     /// Exchanges the entering variable, whose column is in `u`, with the basic variable of row r,
     /// which is returned. Then puts the column of the leaving variable's complement into `u`,
     /// unless z₀ left.
-    pub(super) fn pivot(&mut self, entering: Unknown, r: usize, m: &[f64], scaling: &Scaling) -> Unknown {
+    pub(super) fn pivot(
+        &mut self,
+        entering: LemkeVariable,
+        r: usize,
+        m: &[f64],
+        scaling: &Scaling,
+    ) -> LemkeVariable {
         let leaving = self.rearrange(entering, r);
-        if let Unknown::W(l) = leaving {
-            self.load(Unknown::Z(l), m, scaling);
+        if let LemkeVariable::W(l) = leaving {
+            self.load(LemkeVariable::Z(l), m, scaling);
             wide(UpdateAndCombine {
                 columns: &mut self.columns,
                 n: self.n,
@@ -227,7 +233,7 @@ impl Dictionary {
             std::mem::swap(&mut self.u, &mut self.next);
         } else {
             wide(Update { columns: &mut self.columns, n: self.n, g: &self.g, u: &self.u });
-            if leaving != Unknown::Covering {
+            if leaving != LemkeVariable::Covering {
                 self.enter(leaving.complement(), m, scaling);
             }
         }
@@ -235,7 +241,7 @@ impl Dictionary {
     }
 
     /// Makes that exchange without a look ahead: `u` is left as it is.
-    pub(super) fn exchange(&mut self, entering: Unknown, r: usize) {
+    pub(super) fn exchange(&mut self, entering: LemkeVariable, r: usize) {
         self.rearrange(entering, r);
         wide(Update { columns: &mut self.columns, n: self.n, g: &self.g, u: &self.u });
     }
@@ -245,15 +251,15 @@ impl Dictionary {
         if !self.is_active(j) {
             return;
         }
-        self.enter(Unknown::W(j), m, scaling);
+        self.enter(LemkeVariable::W(j), m, scaling);
         if self.u[r].abs() >= RETIRING_PIVOT * largest(&self.u).max(1.0) {
-            self.exchange(Unknown::W(j), r);
+            self.exchange(LemkeVariable::W(j), r);
         }
     }
 
     /// Makes all of an exchange but the rank-one update of the stored columns, whose factors are
     /// left in `g` and `u`.
-    fn rearrange(&mut self, entering: Unknown, r: usize) -> Unknown {
+    fn rearrange(&mut self, entering: LemkeVariable, r: usize) -> LemkeVariable {
         let n = self.n;
         let leaving = self.basic[r];
         let pivot = self.u[r];
@@ -277,15 +283,15 @@ impl Dictionary {
             self.columns[own * n..(own + 1) * n].fill(0.0);
         }
         self.basic[r] = entering;
-        self.slack[r] = if let Unknown::W(i) = entering { i } else { n };
+        self.slack[r] = if let LemkeVariable::W(i) = entering { i } else { n };
         match (leaving, own) {
-            (Unknown::W(l), None) => {
+            (LemkeVariable::W(l), None) => {
                 self.slot[l] = Some(self.kept.len());
                 self.kept.push(l);
                 self.columns.resize(self.columns.len() + n, 0.0);
                 self.g.push(inverse);
             }
-            (Unknown::W(l), Some(own)) => {
+            (LemkeVariable::W(l), Some(own)) => {
                 self.slot[self.kept[own]] = None;
                 self.slot[l] = Some(own);
                 self.kept[own] = l;

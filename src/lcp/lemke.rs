@@ -4,7 +4,7 @@
 //! followed from z = 0 with large z₀ to z₀ = 0. The variable driven next is always the complement
 //! of the one that left last (Cottle, Pang & Stone, algorithm 4.4.5).
 
-use super::dictionary::{Unknown, largest};
+use super::dictionary::{LemkeVariable, largest};
 use super::outcome::BreakdownCause;
 use super::path::Path;
 use super::ratio::{Covering, blocking_row, doubtful_row_breaks, most_violated_row};
@@ -17,7 +17,7 @@ pub(super) enum LemkeEnd {
     /// z₀ left: the basis is a complementary one.
     Complementary,
     /// This variable grows for ever; its column is in the dictionary.
-    Ray(Unknown),
+    Ray(LemkeVariable),
     PivotLimit,
     Breakdown(BreakdownCause),
 }
@@ -41,7 +41,7 @@ impl Path {
         if self.pivots >= limit {
             return LemkeEnd::PivotLimit;
         }
-        let leaving = self.pivot(Unknown::Covering, row, m);
+        let leaving = self.pivot(LemkeVariable::Covering, row, m);
         self.run(leaving.complement(), m, settings, limit)
     }
 
@@ -62,7 +62,7 @@ impl Path {
     }
 
     /// Follows the path from the entering variable on, whose column is in the dictionary.
-    fn run(&mut self, mut entering: Unknown, m: &[f64], settings: &Settings, limit: usize) -> LemkeEnd {
+    fn run(&mut self, mut entering: LemkeVariable, m: &[f64], settings: &Settings, limit: usize) -> LemkeEnd {
         loop {
             if self.pivots >= limit {
                 return LemkeEnd::PivotLimit;
@@ -73,7 +73,7 @@ impl Path {
                 Err(cause) => return LemkeEnd::Breakdown(cause),
             };
             let leaving = self.pivot(entering, row, m);
-            if leaving == Unknown::Covering {
+            if leaving == LemkeVariable::Covering {
                 return LemkeEnd::Complementary;
             }
             entering = leaving.complement();
@@ -82,7 +82,7 @@ impl Path {
 
     /// Makes one exchange. Afterwards the column of the leaving variable's complement is in the
     /// dictionary.
-    pub(super) fn pivot(&mut self, entering: Unknown, row: usize, m: &[f64]) -> Unknown {
+    pub(super) fn pivot(&mut self, entering: LemkeVariable, row: usize, m: &[f64]) -> LemkeVariable {
         self.pivots += 1;
         self.age += 1;
         self.dictionary.pivot(entering, row, m, &self.scaling)
@@ -94,7 +94,7 @@ impl Path {
     /// doubtful pivot, unless a step of refinement leaves the column as it is.
     pub(super) fn blocking_row(
         &mut self,
-        entering: Unknown,
+        entering: LemkeVariable,
         role: Covering,
         m: &[f64],
         settings: &Settings,

@@ -52,7 +52,7 @@ pub enum Copositivity {
     /// zᵀMz < 0 for some z ≥ 0: a diagonal entry is negative.
     Not,
     /// The structure does not show it.
-    Unknown,
+    LemkeVariable,
 }
 
 /// The end of Lemke's method on a class, in exact arithmetic and with d > 0 (Cottle, Pang & Stone,
@@ -193,7 +193,7 @@ fn copositivity(
         }
     }
     match self::definiteness(&rest) {
-        Definiteness::Indefinite => Copositivity::Unknown,
+        Definiteness::Indefinite => Copositivity::LemkeVariable,
         _ => Copositivity::Plain,
     }
 }

@@ -1,7 +1,7 @@
 //! The path of solutions of q(τ) = q₀ + τ dq.
 
 use super::basis::{Basis, Variable};
-use super::dictionary::{Unknown, largest};
+use super::dictionary::{LemkeVariable, largest};
 use super::error::LcpError;
 use super::outcome::{BreakdownCause, Outcome};
 use super::problem::Lcp;
@@ -96,7 +96,7 @@ pub struct Parametric<'a> {
     workspace: Workspace,
     start: Outcome,
     basis: Basis,
-    entering: Unknown,
+    entering: LemkeVariable,
     trend: Trend,
     breakpoints: usize,
     /// The basis of one of the last pieces, exchanged after 1, 2, 4, 8, … breakpoints: every loop comes back to it in the end (R. P. Brent, BIT
@@ -145,7 +145,7 @@ impl<'a> Parametric<'a> {
             workspace,
             start,
             basis: Basis::slack(lcp.len()),
-            entering: Unknown::Covering,
+            entering: LemkeVariable::Covering,
             trend: Trend::Forward,
             breakpoints: 0,
             remembered: Basis::slack(lcp.len()),
@@ -194,10 +194,10 @@ impl<'a> Parametric<'a> {
         let path = &self.workspace.path;
         let mut rate = Vec::new();
         let covering = path.unknowns(&path.dictionary.u, &mut rate);
-        if let Unknown::Z(e) = self.entering {
+        if let LemkeVariable::Z(e) = self.entering {
             rate[e] = path.scaling.column[e];
         }
-        let tau = if self.entering == Unknown::Covering { 1.0 } else { covering.unwrap_or(0.0) };
+        let tau = if self.entering == LemkeVariable::Covering { 1.0 } else { covering.unwrap_or(0.0) };
         let noise = self.settings.pivot_tolerance * largest(&path.dictionary.u).max(1.0);
         (DVector::from_vec(rate), if tau.abs() <= noise { 0.0 } else { tau })
     }
@@ -220,10 +220,10 @@ impl<'a> Parametric<'a> {
         let leaving = path.pivot(self.entering, row, m);
         self.entering = leaving.complement();
         match leaving {
-            Unknown::W(i) => Ok(self.breakpoint(Variable::W(i))),
-            Unknown::Z(i) => Ok(self.breakpoint(Variable::Z(i))),
+            LemkeVariable::W(i) => Ok(self.breakpoint(Variable::W(i))),
+            LemkeVariable::Z(i) => Ok(self.breakpoint(Variable::Z(i))),
             // The parameter has no row to leave.
-            Unknown::Covering => Err(PathEnd::Breakdown(BreakdownCause::SingularBasis)),
+            LemkeVariable::Covering => Err(PathEnd::Breakdown(BreakdownCause::SingularBasis)),
         }
     }
 

@@ -1,6 +1,6 @@
 //! A path through the dictionaries of one problem.
 
-use super::dictionary::{Dictionary, Unknown};
+use super::dictionary::{Dictionary, LemkeVariable};
 use super::memory::{make_room, refill};
 use super::scaling::Scaling;
 use crate::numerics::generic;
@@ -19,7 +19,7 @@ pub(super) struct Path {
     pub(super) age: usize,
     /// The perturbation of each basic variable while the dictionary is computed anew.
     pub(super) saved: Vec<f64>,
-    pub(super) members: Vec<Unknown>,
+    pub(super) members: Vec<LemkeVariable>,
     pub(super) active: Vec<bool>,
     pub(super) defect: Vec<f64>,
     pub(super) terms: Vec<f64>,
@@ -65,9 +65,9 @@ impl Path {
         let mut covering = None;
         for (basic, x) in self.dictionary.basic.iter().zip(rows) {
             match *basic {
-                Unknown::Z(j) => z[j] = x * self.scaling.column[j],
-                Unknown::Covering => covering = Some(*x),
-                Unknown::W(_) => {}
+                LemkeVariable::Z(j) => z[j] = x * self.scaling.column[j],
+                LemkeVariable::Covering => covering = Some(*x),
+                LemkeVariable::W(_) => {}
             }
         }
         covering

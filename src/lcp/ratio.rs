@@ -7,7 +7,7 @@
 //!
 //! If z₀ is among the tied it leaves, always: then z₀ = 0, and the point solves the problem.
 
-use super::dictionary::{Dictionary, Unknown, largest};
+use super::dictionary::{Dictionary, LemkeVariable, largest};
 use super::settings::Settings;
 use super::tolerances::VALUE_ROUNDING;
 use crate::numerics::{Loop, wide};
@@ -36,7 +36,7 @@ pub(super) fn blocking_row(
     let least = -noise;
     // The parameter of a family is no candidate: an infinite value never reaches zero.
     let exempt = if role == Covering::Parameter {
-        dictionary.basic.iter().position(|basic| *basic == Unknown::Covering)
+        dictionary.basic.iter().position(|basic| *basic == LemkeVariable::Covering)
     } else {
         None
     };
@@ -74,7 +74,7 @@ pub(super) fn blocking_row(
         for row in start..end {
             let u = dictionary.u[row];
             if blocks(dictionary.x[row], u, dictionary.level[row]) && exempt != Some(row) {
-                if dictionary.basic[row] == Unknown::Covering {
+                if dictionary.basic[row] == LemkeVariable::Covering {
                     return Some(row);
                 }
                 let doubtful = u >= -certain;
@@ -103,7 +103,7 @@ pub(super) fn doubtful_row_breaks(
     let step = dictionary.x[firm].max(0.0) / -dictionary.u[firm];
     let values = dictionary.x.iter().zip(&dictionary.u).zip(&dictionary.level).zip(&dictionary.basic);
     values.into_iter().any(|(((x, u), level), basic)| {
-        let exempt = role == Covering::Parameter && *basic == Unknown::Covering;
+        let exempt = role == Covering::Parameter && *basic == LemkeVariable::Covering;
         let doubtful = *u < 0.0 && *u >= -certain && !exempt;
         doubtful && x.max(0.0) + u * step < -VALUE_ROUNDING * level.max(size)
     })

@@ -1,7 +1,7 @@
 //! Dictionaries computed from the data: measuring how far the pivots have drifted, starting afresh,
 //! starting elsewhere.
 
-use super::dictionary::{Unknown, largest};
+use super::dictionary::{LemkeVariable, largest};
 use super::memory::refill;
 use super::outcome::BreakdownCause;
 use super::path::Path;
@@ -34,7 +34,7 @@ impl Path {
     /// of v in q + M z + d z₀ − w.
     ///
     /// Returns the larger of two parts: of the correction in this row to u there, and of the largest correction to the largest u.
-    pub(super) fn refine_column(&mut self, entering: Unknown, row: usize, m: &[f64]) -> f64 {
+    pub(super) fn refine_column(&mut self, entering: LemkeVariable, row: usize, m: &[f64]) -> f64 {
         let n = self.q.len();
         let Self { dictionary, scaling, d, defect, terms, .. } = self;
         refill(defect, n, 0.0);
@@ -50,12 +50,12 @@ impl Path {
 
     /// Computes the dictionary of the present basis anew from the data, by elimination with row
     /// pivoting, and puts the column of the entering variable back.
-    pub(super) fn refactor(&mut self, entering: Unknown, m: &[f64]) -> Result<(), BreakdownCause> {
+    pub(super) fn refactor(&mut self, entering: LemkeVariable, m: &[f64]) -> Result<(), BreakdownCause> {
         self.members.clear();
         refill(&mut self.saved, 2 * self.q.len() + 1, 0.0);
         for (row, basic) in self.dictionary.basic.iter().enumerate() {
             self.saved[index(*basic, self.q.len())] = self.dictionary.p[row];
-            if !matches!(basic, Unknown::W(_)) {
+            if !matches!(basic, LemkeVariable::W(_)) {
                 self.members.push(*basic);
             }
         }
@@ -77,7 +77,7 @@ impl Path {
             self.dictionary.enter(member, m, &self.scaling);
             let mut best = (0, 0.0);
             for (row, (basic, u)) in self.dictionary.basic.iter().zip(&self.dictionary.u).enumerate() {
-                if let Unknown::W(i) = *basic
+                if let LemkeVariable::W(i) = *basic
                     && self.active[i]
                     && u.abs() > best.1
                 {
@@ -127,9 +127,9 @@ impl Path {
         for row in 0..n {
             // One unit of the exactly balanced problem, as everywhere.
             let unit = match dictionary.basic[row] {
-                Unknown::W(i) => self.scaling.row_unit[i],
-                Unknown::Z(j) => self.scaling.column_unit(j),
-                Unknown::Covering => 1.0,
+                LemkeVariable::W(i) => self.scaling.row_unit[i],
+                LemkeVariable::Z(j) => self.scaling.column_unit(j),
+                LemkeVariable::Covering => 1.0,
             };
             // The perturbation goes by the variable, since the order of rows depends on rounding.
             dictionary.p[row] = unit * generic(index(dictionary.basic[row], n));
@@ -141,14 +141,14 @@ impl Path {
             violated = true;
             dictionary.u[row] = unit;
             match dictionary.basic[row] {
-                Unknown::W(i) => self.d[i] += unit,
-                Unknown::Z(j) => {
+                LemkeVariable::W(i) => self.d[i] += unit,
+                LemkeVariable::Z(j) => {
                     let column = m[j * n..(j + 1) * n].iter().zip(&self.scaling.row);
                     for (d, (m, row)) in self.d.iter_mut().zip(column) {
                         *d -= m * row * self.scaling.column[j] * unit;
                     }
                 }
-                Unknown::Covering => {}
+                LemkeVariable::Covering => {}
             }
         }
         dictionary.d.clone_from(&self.d);
@@ -161,7 +161,7 @@ impl Path {
         self.d.clear();
         self.d.extend(d.iter().zip(&self.scaling.row).map(|(d, row)| d * row));
         self.dictionary.d.clone_from(&self.d);
-        self.dictionary.enter(Unknown::Covering, m, &self.scaling);
+        self.dictionary.enter(LemkeVariable::Covering, m, &self.scaling);
     }
 
     /// Installs the complementary basis in which z_i is basic where `active(i)`.
@@ -173,16 +173,16 @@ impl Path {
         self.active.clear();
         self.active.extend((0..self.q.len()).map(&active));
         self.members.clear();
-        self.members.extend((0..self.q.len()).filter(|i| active(*i)).map(Unknown::Z));
+        self.members.extend((0..self.q.len()).filter(|i| active(*i)).map(LemkeVariable::Z));
         self.install(m)
     }
 }
 
-fn index(variable: Unknown, n: usize) -> usize {
+fn index(variable: LemkeVariable, n: usize) -> usize {
     match variable {
-        Unknown::W(i) => i,
-        Unknown::Z(i) => n + i,
-        Unknown::Covering => 2 * n,
+        LemkeVariable::W(i) => i,
+        LemkeVariable::Z(i) => n + i,
+        LemkeVariable::Covering => 2 * n,
     }
 }
 
@@ -190,7 +190,7 @@ fn index(variable: Unknown, n: usize) -> usize {
 fn add_basic_columns(
     sum: &mut [f64],
     terms: &mut [f64],
-    (basic, numbers): (&[Unknown], &[f64]),
+    (basic, numbers): (&[LemkeVariable], &[f64]),
     d: &[f64],
     scaling: &Scaling,
     m: &[f64],
@@ -204,19 +204,19 @@ fn add_basic_columns(
 fn add_column(
     sum: &mut [f64],
     terms: &mut [f64],
-    (variable, x): (Unknown, f64),
+    (variable, x): (LemkeVariable, f64),
     d: &[f64],
     scaling: &Scaling,
     m: &[f64],
 ) {
     let n = sum.len();
     match variable {
-        Unknown::W(i) => {
+        LemkeVariable::W(i) => {
             sum[i] -= x;
             terms[i] += x.abs();
         }
-        Unknown::Covering => add_with_terms(sum, terms, d.iter().map(|d| d * x)),
-        Unknown::Z(j) => {
+        LemkeVariable::Covering => add_with_terms(sum, terms, d.iter().map(|d| d * x)),
+        LemkeVariable::Z(j) => {
             let factor = scaling.column[j] * x;
             let column = m[j * n..(j + 1) * n].iter().zip(&scaling.row);
             add_with_terms(sum, terms, column.map(|(m, row)| m * row * factor));
@@ -243,7 +243,7 @@ mod tests {
         let mut path = Path::default();
         path.prepare(&m, &[1.0, -2.0, 3.0, -1.0, 0.5, 2.0]);
         path.install_basis(&m, |i| i % 2 == 0).expect("regular");
-        for entering in [Unknown::Z(1), Unknown::W(2)] {
+        for entering in [LemkeVariable::Z(1), LemkeVariable::W(2)] {
             path.dictionary.enter(entering, &m, &path.scaling);
             let sound = path.dictionary.u.clone();
             assert!(path.refine_column(entering, 4, &m) < 1e-15);

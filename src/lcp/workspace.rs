@@ -1,7 +1,7 @@
 //! Memory for solving many problems.
 
 use super::basis::Basis;
-use super::dictionary::Unknown;
+use super::dictionary::LemkeVariable;
 use super::memory::make_room;
 use super::outcome::{BreakdownCause, OutcomeView, Unsolved};
 use super::path::Path;
@@ -80,9 +80,9 @@ impl Workspace {
     pub(super) fn is_complementary(&self) -> bool {
         let dictionary = &self.path.dictionary;
         dictionary.basic.iter().all(|basic| match *basic {
-            Unknown::W(i) => !dictionary.is_active(i),
-            Unknown::Z(i) => dictionary.is_active(i),
-            Unknown::Covering => false,
+            LemkeVariable::W(i) => !dictionary.is_active(i),
+            LemkeVariable::Z(i) => dictionary.is_active(i),
+            LemkeVariable::Covering => false,
         })
     }
 

@@ -21,7 +21,7 @@ use super::journey::Journey;
 use super::pieces::Pieces;
 use super::segment::Here;
 use super::trajectory::Trajectory;
-use super::watch::{Watch, Watched, watch};
+use super::watch::{Watch, WatchedCondition, watch};
 use crate::contact::{ActiveSet, Exit, Line, Mode, State, ZERO_SLACK, tangential};
 use crate::numerics::Size;
 use crate::search::Doubt;
@@ -217,7 +217,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         let to = end.reached.to;
         let leg_done = to >= 1.0;
         // At the top what slides for the load alone stops together with it.
-        let grows = |watch: &Watch| watch.what == Watched::Growth && watch.is_met();
+        let grows = |watch: &Watch| watch.what == WatchedCondition::Growth && watch.is_met();
         let tops = end.located.is_some() && end.watches.iter().any(grows);
         let there = end.reached.here.clone();
         let mut standing: PathState<C> = Vec::new();
@@ -226,7 +226,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
             if end.located != Some(k) && !(watch.is_met() && watch.falls()) {
                 continue;
             }
-            let Watched::Contact(contact) = watch.what else { continue };
+            let WatchedCondition::Contact(contact) = watch.what else { continue };
             let line = &there.lines[contact];
             match self.node.states[contact] {
                 Mode::Open => standing.push((contact, vec![apex()])),
@@ -268,7 +268,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         }
         let start = watch(&self.segment, &self.node.states, (self.factor, here));
         let met = |contact: &usize| {
-            start.iter().any(|watch| watch.what == Watched::Contact(*contact) && watch.is_met())
+            start.iter().any(|watch| watch.what == WatchedCondition::Contact(*contact) && watch.is_met())
         };
         contacts.iter().copied().filter(met).collect()
     }

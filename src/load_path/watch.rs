@@ -17,7 +17,7 @@ const VANISHING: f64 = 1e-7;
 
 /// What a condition is of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Watched {
+pub(super) enum WatchedCondition {
     /// Its state.
     Contact(usize),
     /// The load factor grows.
@@ -29,7 +29,7 @@ pub(super) enum Watched {
 /// One condition, with its rate where it is known, and what its rounding is measured against.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Watch {
-    pub(super) what: Watched,
+    pub(super) what: WatchedCondition,
     pub(super) value: f64,
     rate: Option<f64>,
     size: f64,
@@ -74,13 +74,14 @@ pub(super) fn watch<D: Size, const C: usize>(
     (factor, here): (f64, &Here<D, C>),
 ) -> Vec<Watch> {
     let mut list = vec![
-        Watch { what: Watched::Growth, value: here.factor_rate, rate: None, size: AT_THE_TOP },
-        Watch { what: Watched::Leg, value: 1.0 - factor, rate: Some(-here.factor_rate), size: 1.0 },
+        Watch { what: WatchedCondition::Growth, value: here.factor_rate, rate: None, size: AT_THE_TOP },
+        Watch { what: WatchedCondition::Leg, value: 1.0 - factor, rate: Some(-here.factor_rate), size: 1.0 },
     ];
     for (contact, state) in states.iter().enumerate() {
         let (line, local) = (&here.lines[contact], segment.problem.local(contact));
-        let mut push =
-            |value, rate, size| list.push(Watch { what: Watched::Contact(contact), value, rate, size });
+        let mut push = |value, rate, size| {
+            list.push(Watch { what: WatchedCondition::Contact(contact), value, rate, size })
+        };
         match state {
             Mode::Open if local.is_absent() => {}
             Mode::Open => {

@@ -12,7 +12,7 @@ use crate::error::Error;
 use crate::grasp::WholeContact;
 use crate::hold::{Holding, Verdict};
 use crate::identify::Identified;
-use crate::improve::{Binds, Improved, Search};
+use crate::improve::{Binds, Improved, SearchEnd};
 use crate::load_path::{DriveChange, Onset, PathEnd, Ramp};
 use crate::need::{Amount, Needed, Quantity};
 use crate::shake::{Repeats, Shakedown, Shaken};
@@ -234,12 +234,12 @@ fn needed_briefly(needed: &Needed) -> Brief {
 /// The first slip of the best grasp, and who slides first there.
 fn improved_briefly<const C: usize>(improved: &Improved<C>) -> Brief {
     let outcome = match improved.search {
-        Search::Optimum => "optimum",
-        Search::Stalled => "stalled",
-        Search::OutOfSteps => "out_of_steps",
-        Search::Unbalanced => "unbalanced",
-        Search::NothingSlides => "nothing_slides",
-        Search::NoStart => "no_start",
+        SearchEnd::Optimum => "optimum",
+        SearchEnd::Stalled => "stalled",
+        SearchEnd::OutOfSteps => "out_of_steps",
+        SearchEnd::Unbalanced => "unbalanced",
+        SearchEnd::NothingSlides => "nothing_slides",
+        SearchEnd::NoStart => "no_start",
     };
     let mut ways = improved.in_the_way.iter();
     let first = ways.find(|way| matches!(way.binds, Binds::FirstSlip { .. }));

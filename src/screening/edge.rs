@@ -13,7 +13,7 @@ const APEX: f64 = 1e-9;
 /// The margin `m = α F_n - β |F_t|` that vanishes first, and what it changes by. Of the contact that leaves, zero for all others; not a number where
 /// none leaves.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Edge<const C: usize, const M: usize, X: Packed> {
+pub(super) struct LeavingEdge<const C: usize, const M: usize, X: Packed> {
     pub(super) factor: X,
     /// The number of that contact; -1 where there is none.
     pub(super) contact: X,
@@ -28,7 +28,7 @@ pub(super) struct Edge<const C: usize, const M: usize, X: Packed> {
     pub(super) kink: X,
 }
 
-impl<const C: usize, const M: usize, X: Packed> Edge<C, M, X> {
+impl<const C: usize, const M: usize, X: Packed> LeavingEdge<C, M, X> {
     /// Nothing yet.
     pub(super) fn none() -> Self {
         let zero = X::all(0.0);

@@ -1,7 +1,7 @@
 //! The contacts of one grasp, checked once and made ready.
 
 use super::gradient::GradientOf;
-use super::gradient_row::Row;
+use super::gradient_row::GradientRow;
 use super::kernels::Kernels;
 use super::load_cases::LoadCases;
 use super::one_grasp::OneGrasp;
@@ -76,7 +76,7 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
     /// ```
     #[must_use]
     pub fn onset_gradients(&self, pull: &Pull<C>) -> ScreenedGradients<C> {
-        let numbers = Row::<C>::numbers(N);
+        let numbers = GradientRow::<C>::numbers(N);
         let leaving: Vec<usize> = self.onset(pull).leaving().collect();
         let mut gradients = vec![f64::NAN; leaving.len() * numbers];
         for (row, contact) in gradients.chunks_exact_mut(numbers).zip(leaving) {
@@ -91,7 +91,7 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
     pub fn onset_gradient_into(&self, pull: &Pull<C>, gradients: &mut ScreenedGradients<C>) {
         gradients.contacts = N;
         gradients.numbers.clear();
-        gradients.numbers.resize(Row::<C>::numbers(N), f64::NAN);
+        gradients.numbers.resize(GradientRow::<C>::numbers(N), f64::NAN);
         let question = GradientOf { pull: *pull, contact: None };
         (Kernels::get().gradient.one)(&self.grasp, &question, &mut gradients.numbers);
     }

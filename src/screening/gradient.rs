@@ -13,11 +13,11 @@
 //! So a gradient takes one more answer of the springs than its value, however many numbers there are.
 
 use super::block::Block;
-use super::edge::Edge;
+use super::edge::LeavingEdge;
 use super::forces::Forces;
-use super::gradient_row::{Row, Slopes};
+use super::gradient_row::{GradientRow, Slopes};
 use super::lanes::Packed;
-use super::moved::Moved;
+use super::moved::ObjectMotion;
 use super::pull::{Pull, judged};
 use super::question::{Room, Scenes, ScreeningQuestion};
 use super::screened::Screened;
@@ -38,7 +38,7 @@ impl<const C: usize> ScreeningQuestion<C> for GradientOf<C> {
     const UNKNOWN: f64 = f64::NAN;
 
     fn answers(contacts: usize) -> usize {
-        Row::<C>::numbers(contacts)
+        GradientRow::<C>::numbers(contacts)
     }
 
     #[inline(always)]
@@ -57,11 +57,11 @@ impl<const C: usize> ScreeningQuestion<C> for GradientOf<C> {
             *forces = *scenes.squeezed;
         }
         let first = judged(scenes, forces, rates);
-        let mut edge = Edge::none();
+        let mut edge = LeavingEdge::none();
         reach(v, &mut edge, block.friction(), (first, self.contact), [rates, forces]);
         let probe = edge.probe(block.contacts);
         ready.squeeze(v, block, Some(&probe), answered);
-        let (mut moved, mut virtually) = (Moved::none(), Moved::none());
+        let (mut moved, mut virtually) = (ObjectMotion::none(), ObjectMotion::none());
         let mut load = [X::all(0.0); 6];
         for ((load, base), direction) in load.iter_mut().zip(base.components()).zip(direction.components()) {
             *load = X::all(*base) + edge.factor * X::all(*direction);
@@ -83,7 +83,7 @@ impl<const C: usize> ScreeningQuestion<C> for GradientOf<C> {
 #[inline(never)]
 fn reach<V: Vectors, const C: usize, const M: usize, X: Packed>(
     v: V,
-    edge: &mut Edge<C, M, X>,
+    edge: &mut LeavingEdge<C, M, X>,
     friction: &[X],
     first: (X::Each<Screened>, Option<usize>),
     [rates, forces]: [&mut Forces<C, M, X>; 2],

@@ -1,19 +1,19 @@
 //! The derivatives of one factor, in a row of numbers.
 
 use super::block::{Block, MOST_CONTACTS, count};
-use super::edge::Edge;
+use super::edge::LeavingEdge;
 use super::finger::world;
 use super::forces::Forces;
 use super::lanes::Packed;
 use super::method::Method;
-use super::moved::{Moved, worked};
+use super::moved::{ObjectMotion, worked};
 use super::screened::Screened;
 use super::told::Told;
 
 /// What stands where in a row: the answer of screening, then each field contact by contact, then the load.
-pub(super) struct Row<const C: usize>;
+pub(super) struct GradientRow<const C: usize>;
 
-impl<const C: usize> Row<C> {
+impl<const C: usize> GradientRow<C> {
     pub(super) const CODE: usize = 0;
     pub(super) const LEAVING: usize = 1;
     pub(super) const CONTACT: usize = 2;
@@ -43,16 +43,16 @@ impl<const C: usize> Row<C> {
 }
 
 /// Numbers of the longest row: that of five contacts in space.
-const MOST: usize = Row::<3>::numbers(MOST_CONTACTS);
+const MOST: usize = GradientRow::<3>::numbers(MOST_CONTACTS);
 
 /// What derivatives are made of; see [`super::gradient`].
 pub(super) struct Slopes<'a, const C: usize, const M: usize, X: Packed> {
     pub(super) method: Method,
-    pub(super) edge: &'a Edge<C, M, X>,
+    pub(super) edge: &'a LeavingEdge<C, M, X>,
     /// F and P.
     pub(super) forces: [&'a Forces<C, M, X>; 2],
     /// u with ω, and v with ω̄.
-    pub(super) motions: [&'a Moved<C, M, X>; 2],
+    pub(super) motions: [&'a ObjectMotion<C, M, X>; 2],
     pub(super) first: X::Each<Screened>,
 }
 
@@ -63,11 +63,11 @@ impl<const C: usize, const M: usize, X: Packed> Slopes<'_, C, M, X> {
         let contacts = count::<M, X>(block.contacts);
         let mut row = [X::all(0.0); MOST];
         let scale = X::all(-1.0) / self.edge.rate;
-        let Edge { contact, kink, by_friction, .. } = self.edge;
-        (row[Row::<C>::CONTACT], row[Row::<C>::KINK]) = (*contact, *kink);
+        let LeavingEdge { contact, kink, by_friction, .. } = self.edge;
+        (row[GradientRow::<C>::CONTACT], row[GradientRow::<C>::KINK]) = (*contact, *kink);
         for i in 0..contacts {
             self.contact(block, i, scale, &mut row);
-            row[Row::<C>::friction(contacts) + i] = scale * by_friction[i];
+            row[GradientRow::<C>::friction(contacts) + i] = scale * by_friction[i];
         }
         // The motion at the origin, where moments of loads are about.
         let virtually = self.motions[1];
@@ -78,21 +78,22 @@ impl<const C: usize, const M: usize, X: Packed> Slopes<'_, C, M, X> {
             *entry = -*entry;
         }
         let less = -scale;
-        let load = &mut row[Row::<C>::load(contacts)..];
+        let load = &mut row[GradientRow::<C>::load(contacts)..];
         let (turned, _) = worked([&turn, &turn, &arm, &arm]);
         for axis in 0..C {
             load[axis] = less * (virtually.at[0][axis] + turned[axis]);
         }
-        for axis in 0..Row::<C>::LOADS - C {
+        for axis in 0..GradientRow::<C>::LOADS - C {
             load[C + axis] = less * virtually.turn[axis];
         }
-        let numbers = Row::<C>::numbers(contacts);
+        let numbers = GradientRow::<C>::numbers(contacts);
         for (scene, screened) in self.first.as_ref().iter().enumerate() {
             if let Some(places) = told.places(scene) {
                 for (place, number) in places.iter_mut().zip(&row[..numbers]) {
                     *place = number.lane(scene);
                 }
-                (places[Row::<C>::CODE], places[Row::<C>::LEAVING]) = (screened.0.code, screened.0.leaving);
+                (places[GradientRow::<C>::CODE], places[GradientRow::<C>::LEAVING]) =
+                    (screened.0.code, screened.0.leaving);
             }
         }
     }
@@ -128,7 +129,7 @@ impl<const C: usize, const M: usize, X: Packed> Slopes<'_, C, M, X> {
             turns[0][axis] = self.motions[0].turn[axis];
             turns[1][axis] = scale * self.motions[1].turn[axis];
         }
-        let stiffness = &mut row[Row::<C>::stiffness(contacts) + 2 * i..][..2];
+        let stiffness = &mut row[GradientRow::<C>::stiffness(contacts) + 2 * i..][..2];
         stiffness[0] = force.normal * answered.normal * gives[0] * gives[0];
         stiffness[1] = across * gives[1] * gives[1];
         let (force, answered) = (world(&normal, &force), world(&normal, &answered));
@@ -139,9 +140,10 @@ impl<const C: usize, const M: usize, X: Packed> Slopes<'_, C, M, X> {
         let with_answered = worked([&turns[0], &self.motions[0].at[i], &answered, &normal]);
         let with_force = worked([&turns[1], &virtually, &force, &normal]);
         for axis in 0..C {
-            row[Row::<C>::POINT + C * i + axis] = with_answered.0[axis] + with_force.0[axis];
-            row[Row::<C>::normal(contacts) + C * i + axis] = with_answered.1[axis] + with_force.1[axis];
-            row[Row::<C>::command(contacts) + C * i + axis] = answered[axis];
+            row[GradientRow::<C>::POINT + C * i + axis] = with_answered.0[axis] + with_force.0[axis];
+            row[GradientRow::<C>::normal(contacts) + C * i + axis] =
+                with_answered.1[axis] + with_force.1[axis];
+            row[GradientRow::<C>::command(contacts) + C * i + axis] = answered[axis];
         }
     }
 }

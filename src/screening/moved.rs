@@ -12,14 +12,14 @@ use super::triangle::{self, Triangle, others};
 
 /// A small motion of the object.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Moved<const C: usize, const M: usize, X: Packed> {
+pub(super) struct ObjectMotion<const C: usize, const M: usize, X: Packed> {
     /// Displacements at the contacts along the coordinate axes.
     pub(super) at: [[X; C]; M],
     /// Rotation about the coordinate axes; in the plane the first entry.
     pub(super) turn: [X; 3],
 }
 
-impl<const C: usize, const M: usize, X: Packed> Moved<C, M, X> {
+impl<const C: usize, const M: usize, X: Packed> ObjectMotion<C, M, X> {
     /// No motion.
     pub(super) fn none() -> Self {
         Self { at: [[X::all(0.0); C]; M], turn: [X::all(0.0); 3] }
@@ -49,7 +49,7 @@ pub(super) fn with_pair<const C: usize, const M: usize, X: Packed>(
     block: &Block<'_, C, X>,
     cause: &Cause<'_, C, X>,
     forces: &Forces<C, M, X>,
-    moved: &mut Moved<C, M, X>,
+    moved: &mut ObjectMotion<C, M, X>,
 ) {
     let points = block.points();
     for i in 0..2 {
@@ -67,7 +67,7 @@ pub(super) fn with_triangle<const C: usize, const M: usize, X: Packed>(
     block: &Block<'_, C, X>,
     cause: &Cause<'_, C, X>,
     forces: &Forces<C, M, X>,
-    moved: &mut Moved<C, M, X>,
+    moved: &mut ObjectMotion<C, M, X>,
 ) {
     for i in 0..triangle::N {
         moved.at[i] = off_the_spring(block, &cause.commands, i, &forces.of[i]);

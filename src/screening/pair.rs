@@ -21,7 +21,7 @@ use super::factors::NOTHING;
 use super::forces::{Forces, ON_THE_EDGE};
 use super::lanes::Packed;
 use super::method::Method;
-use super::moved::{self, Moved};
+use super::moved::{self, ObjectMotion};
 use super::springs::{Cause, StickingSprings};
 use crate::contact::ZERO_SLACK as ROUNDING;
 use crate::numerics::Vectors;
@@ -229,7 +229,7 @@ impl<const C: usize, const M: usize, X: Packed> StickingSprings<C, M, X> for Pai
         block: &Block<'_, C, X>,
         cause: &Cause<'_, C, X>,
         forces: &Forces<C, M, X>,
-        moved: &mut Moved<C, M, X>,
+        moved: &mut ObjectMotion<C, M, X>,
     ) {
         moved::with_pair(block, cause, forces, moved);
     }

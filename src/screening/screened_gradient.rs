@@ -1,7 +1,7 @@
 //! The derivatives of onsets, as they are read.
 
 use super::first_slip::SlipCode;
-use super::gradient_row::Row;
+use super::gradient_row::GradientRow;
 use super::screened::Screened;
 
 /// The derivatives of many factors, in the order of the answers that they belong to: rows of numbers, whose memory is used again.
@@ -21,13 +21,13 @@ impl<const C: usize> ScreenedGradients<C> {
     /// How many there are.
     #[must_use]
     pub fn len(&self) -> usize {
-        self.numbers.len() / Row::<C>::numbers(self.contacts)
+        self.numbers.len() / GradientRow::<C>::numbers(self.contacts)
     }
 
     /// How many numbers a gradient of so many contacts has.
     #[must_use]
     pub const fn width(contacts: usize) -> usize {
-        Row::<C>::numbers(contacts)
+        GradientRow::<C>::numbers(contacts)
     }
 
     /// Whether there are none.
@@ -39,7 +39,7 @@ impl<const C: usize> ScreenedGradients<C> {
     /// Those in a place; `None` from [`Self::len`] on.
     #[must_use]
     pub fn get(&self, place: usize) -> Option<ScreenedGradient<'_, C>> {
-        let numbers = Row::<C>::numbers(self.contacts);
+        let numbers = GradientRow::<C>::numbers(self.contacts);
         let row = self.numbers.get(place.checked_mul(numbers)?..)?.get(..numbers)?;
         Some(ScreenedGradient { contacts: self.contacts, row })
     }
@@ -47,7 +47,7 @@ impl<const C: usize> ScreenedGradients<C> {
     /// All of them.
     pub fn iter(&self) -> impl Iterator<Item = ScreenedGradient<'_, C>> {
         let contacts = self.contacts;
-        let rows = self.numbers.chunks_exact(Row::<C>::numbers(contacts));
+        let rows = self.numbers.chunks_exact(GradientRow::<C>::numbers(contacts));
         rows.map(move |row| ScreenedGradient { contacts, row })
     }
 
@@ -84,21 +84,24 @@ impl<const C: usize> ScreenedGradient<'_, C> {
     /// The answer itself, with the bits of [`Fingers::onset`](crate::screening::Fingers::onset): the factor, and who leaves there.
     #[must_use]
     pub fn screened(&self) -> Screened {
-        Screened(SlipCode { code: self.row[Row::<C>::CODE], leaving: self.row[Row::<C>::LEAVING] })
+        Screened(SlipCode {
+            code: self.row[GradientRow::<C>::CODE],
+            leaving: self.row[GradientRow::<C>::LEAVING],
+        })
     }
 
     /// The contact whose margin vanishes, from 0: the event that is active. `None` without a factor.
     #[must_use]
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // it is a small whole number
     pub fn contact(&self) -> Option<usize> {
-        let contact = self.row[Row::<C>::CONTACT];
+        let contact = self.row[GradientRow::<C>::CONTACT];
         (contact >= 0.0).then_some(contact as usize)
     }
 
     /// Whether the factor has a kink here: several events are active.
     #[must_use]
     pub fn is_one_sided(&self) -> bool {
-        self.row[Row::<C>::KINK] > 0.0
+        self.row[GradientRow::<C>::KINK] > 0.0
     }
 
     /// By the position of a contact along the coordinate axes, 1/m; its normal stays.
@@ -107,27 +110,27 @@ impl<const C: usize> ScreenedGradient<'_, C> {
     /// As for all of a contact, if there is no such contact.
     #[must_use]
     pub fn point(&self, contact: usize) -> [f64; C] {
-        self.vector(Row::<C>::POINT, contact)
+        self.vector(GradientRow::<C>::POINT, contact)
     }
 
     /// By the normal of a contact along the coordinate axes, 1/rad: across the normal, for it stays as long as it is. The contact frame tilts with
     /// it, without a turn about it, and commands, clearance and springs stay along its axes.
     #[must_use]
     pub fn normal(&self, contact: usize) -> [f64; C] {
-        self.vector(Row::<C>::normal(self.contacts), contact)
+        self.vector(GradientRow::<C>::normal(self.contacts), contact)
     }
 
     /// By the command of a contact along the coordinate axes, 1/m.
     #[must_use]
     pub fn command(&self, contact: usize) -> [f64; C] {
-        self.vector(Row::<C>::command(self.contacts), contact)
+        self.vector(GradientRow::<C>::command(self.contacts), contact)
     }
 
     /// By the series stiffness of a contact, normal and tangential, m/N: both tangents together. Commands stay, and with them a stiffer finger
     /// presses more. Zero for a spring that is not there.
     #[must_use]
     pub fn stiffness(&self, contact: usize) -> [f64; 2] {
-        let of = Row::<C>::stiffness(self.contacts)..Row::<C>::friction(self.contacts);
+        let of = GradientRow::<C>::stiffness(self.contacts)..GradientRow::<C>::friction(self.contacts);
         let pair = &self.row[of][2 * contact..][..2];
         [pair[0], pair[1]]
     }
@@ -135,13 +138,13 @@ impl<const C: usize> ScreenedGradient<'_, C> {
     /// By the coefficient of friction of a contact: zero for all but the one that slides.
     #[must_use]
     pub fn friction(&self, contact: usize) -> f64 {
-        self.row[Row::<C>::friction(self.contacts)..Row::<C>::load(self.contacts)][contact]
+        self.row[GradientRow::<C>::friction(self.contacts)..GradientRow::<C>::load(self.contacts)][contact]
     }
 
     /// By the components of the base load, 1/N and 1/(N m), moments about the origin. Those by the direction are the factor times these.
     #[must_use]
     pub fn base_load(&self) -> &[f64] {
-        &self.row[Row::<C>::load(self.contacts)..]
+        &self.row[GradientRow::<C>::load(self.contacts)..]
     }
 
     fn vector(&self, field: usize, contact: usize) -> [f64; C] {

@@ -4,7 +4,7 @@ use super::block::{Block, Commanded};
 use super::forces::Forces;
 use super::lanes::Packed;
 use super::method::Method;
-use super::moved::Moved;
+use super::moved::ObjectMotion;
 use crate::numerics::Vectors;
 
 /// What moves the object.
@@ -51,6 +51,6 @@ pub(super) trait StickingSprings<const C: usize, const M: usize, X: Packed>: Cop
         block: &Block<'_, C, X>,
         cause: &Cause<'_, C, X>,
         forces: &Forces<C, M, X>,
-        moved: &mut Moved<C, M, X>,
+        moved: &mut ObjectMotion<C, M, X>,
     );
 }

@@ -12,7 +12,7 @@ use super::finger::{Force, displacement, stretched};
 use super::forces::{Forces, ON_THE_EDGE};
 use super::lanes::Packed;
 use super::method::Method;
-use super::moved::Moved;
+use super::moved::ObjectMotion;
 use super::springs::{Cause, StickingSprings};
 use crate::contact::ZERO_SLACK as ROUNDING;
 use crate::numerics::Vectors;
@@ -71,7 +71,7 @@ impl<const D: usize, const C: usize, const M: usize, X: Packed> StickingSprings<
         _: &Block<'_, C, X>,
         cause: &Cause<'_, C, X>,
         _: &Forces<C, M, X>,
-        moved: &mut Moved<C, M, X>,
+        moved: &mut ObjectMotion<C, M, X>,
     ) {
         v.run(
             #[inline(always)]
@@ -176,7 +176,7 @@ fn let_go<const D: usize, const C: usize, const M: usize, X: Packed>(
 fn move_object<const D: usize, const C: usize, const M: usize, X: Packed>(
     body: &RigidBody<D, C, M, X>,
     cause: &Cause<'_, C, X>,
-    moved: &mut Moved<C, M, X>,
+    moved: &mut ObjectMotion<C, M, X>,
 ) {
     let mut load = [X::all(0.0); D];
     load.copy_from_slice(&cause.load[..D]);

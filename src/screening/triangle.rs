@@ -24,7 +24,7 @@ use super::factors::LaneFactors;
 use super::forces::{Forces, ON_THE_EDGE};
 use super::lanes::{Packed, cross, dot};
 use super::method::Method;
-use super::moved::{self, Moved};
+use super::moved::{self, ObjectMotion};
 use super::springs::{Cause, StickingSprings};
 use crate::contact::ZERO_SLACK as ROUNDING;
 use crate::numerics::Vectors;
@@ -286,7 +286,7 @@ impl<const C: usize, const M: usize, X: Packed> StickingSprings<C, M, X> for Tri
         block: &Block<'_, C, X>,
         cause: &Cause<'_, C, X>,
         forces: &Forces<C, M, X>,
-        moved: &mut Moved<C, M, X>,
+        moved: &mut ObjectMotion<C, M, X>,
     ) {
         v.run(
             #[inline(always)]

@@ -20,7 +20,7 @@ pub(crate) struct Identifies {
     /// What is sought, one number for all contacts or for those that are named: friction, carried (the load of a support, N), squeeze or stiffness;
     /// friction of all if left out.
     #[arg(long, value_name = "WHAT[=CONTACT,CONTACT]")]
-    pub(crate) unknown: Vec<Sought>,
+    pub(crate) unknown: Vec<UnknownGiven>,
     /// What the sum of some unknowns, by their numbers from 0, is known to be, with its standard deviation in percent.
     #[arg(long, value_name = "0+1=VALUE,PERCENT")]
     pub(crate) known: Vec<Sum>,
@@ -37,12 +37,12 @@ pub(crate) struct Identifies {
 
 /// One number that is sought.
 #[derive(Debug, Clone)]
-pub(crate) struct Sought {
+pub(crate) struct UnknownGiven {
     kind: UnknownKind,
     contacts: Vec<String>,
 }
 
-impl FromStr for Sought {
+impl FromStr for UnknownGiven {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 use std::time::Instant;
 
-use grasp_lcp::improve::{Improve, Search, Surface};
+use grasp_lcp::improve::{Improve, SearchEnd, Surface};
 use grasp_lcp::planar::{Contact, Grasp, Loads, Wrench};
 use grasp_lcp::spatial;
 use rayon::prelude::*;
@@ -105,7 +105,7 @@ fn against_a_grid() -> Result<(), grasp_lcp::Error> {
         let after = improved.after.unwrap_or(0.0);
         least = least.min(after);
         below += usize::from(after < grid - 1e-6);
-        proved += usize::from(improved.search == Search::Optimum);
+        proved += usize::from(improved.search == SearchEnd::Optimum);
         given += usize::from(improved.before.is_some());
         steps += improved.steps;
     }
