@@ -30,7 +30,7 @@ use crate::load_path::Ramp;
 /// | what comes just beyond an onset | [`beyond`](Self::beyond), [`state_at_onset`](Self::state_at_onset) |
 /// | every event of a load program, with slip memory | [`follow`](Self::follow); thousands of contacts [`follow_patch`](Self::follow_patch); on the round cone in steps [`follow_in_steps`](Self::follow_in_steps) |
 /// | how much squeeze, friction, load, arm or angle it takes | [`need`](Self::need); for squeeze in closed form [`least_squeeze`](Self::least_squeeze) |
-/// | where the fingers should be, and how hard they should press | [`improve`](Self::improve) |
+/// | where the fingers should be, and how hard they should press | [`Improve`](crate::improve::Improve) |
 /// | the direction in which the least force slides | [`weakest_direction`](Self::weakest_direction) |
 /// | how an answer changes with the data | [`sensitivity`](crate::ask::Sensitivity::of) |
 /// | how far an onset spreads where data are not known exactly | [`robust_onset`](Self::robust_onset), [`least_onset_within`](Self::least_onset_within) |

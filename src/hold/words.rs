@@ -47,28 +47,7 @@ impl<const C: usize> fmt::Display for Verdict<C> {
             Holding::Loose => {
                 f.write_str("DOES NOT HOLD: no contact presses, the object lies loose between the fingers")
             }
-            Holding::Lost => match &self.lost {
-                Some(lost) if lost.factor <= AT_ONCE => {
-                    write!(
-                        f,
-                        "{} at once, under any part of {}: {lost:.digits$}",
-                        lost.verb(),
-                        self.whole(words)
-                    )
-                }
-                Some(lost) => {
-                    write!(f, "{} at {}", lost.verb(), self.part(lost.factor, words))?;
-                    if lost.falls_at_once {
-                        f.write_str(", falls at the first slip")?;
-                    }
-                    self.catches(f)?;
-                    if let Some(then) = lost.then_takes {
-                        write!(f, ", after which it takes {}", amount_of(self.load.measure(), then, words))?;
-                    }
-                    write!(f, ": {lost:.digits$}")
-                }
-                None => f.write_str("LOST"),
-            },
+            Holding::Lost => self.told_lost(f),
             Holding::NoRest(none) => write!(f, "DOES NOT HOLD even at rest: {none:.digits$}"),
             Holding::LostAtRest { at_rest: lost } => {
                 let factor = words.number(lost.factor);
@@ -92,6 +71,25 @@ impl<const C: usize> fmt::Display for Verdict<C> {
 }
 
 impl<const C: usize> Verdict<C> {
+    /// Where it is lost, and how.
+    fn told_lost(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (words, digits) = (Words::of(f), Words::of(f).digits());
+        let Some(lost) = &self.lost else { return f.write_str("LOST") };
+        if lost.factor <= AT_ONCE {
+            let whole = self.whole(words);
+            return write!(f, "{} at once, under any part of {whole}: {lost:.digits$}", lost.verb());
+        }
+        write!(f, "{} at {}", lost.verb(), self.part(lost.factor, words))?;
+        if lost.falls_at_once {
+            f.write_str(", falls at the first slip")?;
+        }
+        self.catches(f)?;
+        if let Some(then) = lost.then_takes {
+            write!(f, ", after which it takes {}", amount_of(self.load.measure(), then, words))?;
+        }
+        write!(f, ": {lost:.digits$}")
+    }
+
     /// How much more of the load it would take.
     fn margins(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (words, lost) = (Words::of(f), self.lost.as_ref().map(|lost| lost.factor));

@@ -1,7 +1,7 @@
 //! What do slips that were seen tell of a grasp? Friction, the loads of supports, squeeze and stiffness ratios, with their errors.
 //!
 //! A [`Slip`] is a load, or an angle, at which first or gross slip was seen; an [`Unknown`] is a number of the grasp that is sought. [`Identify`] holds
-//! both, and [`Grasp::identify`](crate::ask::Grasp::identify) answers with [`Identified`]: every number with its standard error and the interval that holds
+//! both, and [`Identify::answered_by`] a grasp answers with [`Identified`]: every number with its standard error and the interval that holds
 //! it with 95 %, and which combinations the slips do not fix.
 //!
 //! | sought | what it is | unit |
@@ -12,10 +12,10 @@
 //! | [`Unknown::stiffness`] | how many times the tangential stiffness given, beside the normal one and that of other contacts | |
 //!
 //! **How.** All of them are positive, so that the search goes in their logarithms x, and so do residuals: a slip at load factor λ that was predicted at
-//! λ(x) is off by `ln λ - ln λ(x)`. Gauss and Newton's steps, damped as Levenberg has it, make the sum of [Huber's
-//! loss](Identify::with_outliers_beyond) of them
-//! least. Derivatives are exact: those of an onset are [known](crate::ask::Sensitivity::onset_gradients), and where normal forces stay as they are at rest
-//! until everything slides, the load that is lost changes with a limit of friction by the rate at which that contact slips, for one unit of the load's power:
+//! λ(x) is off by `ln λ - ln λ(x)`. Gauss and Newton's steps, damped as Levenberg has it, make the sum of
+//! [Huber's loss](Identify::with_outliers_beyond) of them least. Derivatives are exact: those of an onset are
+//! [known](crate::ask::Sensitivity::onset_gradients), and where normal forces stay as they are at rest until everything slides, the load that is lost
+//! changes with a limit of friction by the rate at which that contact slips, for one unit of the load's power:
 //!
 //! ```text
 //! dλ = Σ |v_i| d(μ_i N_i) / (W·q̇)

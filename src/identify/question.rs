@@ -87,7 +87,7 @@ impl<const C: usize> Identify<C> {
     /// goes with the others.
     ///
     /// # Errors
-    /// As for [`Grasp::identify`].
+    /// As for [`Self::answered_by`].
     pub fn grasp_with(&self, grasp: &Grasp<C>, found: &Identified) -> Result<Grasp<C>, Error> {
         let layouts = self.layouts(grasp);
         self.check(&layouts)?;
@@ -101,8 +101,8 @@ impl<const C: usize> Identify<C> {
     }
 }
 
-impl<const C: usize> Grasp<C> {
-    /// What do slips that were seen tell of this grasp? See [the room](crate::identify).
+impl<const C: usize> Identify<C> {
+    /// What do the slips tell of this grasp? See [the room](crate::identify).
     ///
     /// ```
     /// use grasp_lcp::identify::{Identify, Slip, Unknown};
@@ -114,7 +114,7 @@ impl<const C: usize> Grasp<C> {
     /// let gripper = Grasp::new([jaw(-0.03, "left"), jaw(0.03, "right")])?;
     /// let slid_at = [6.1, 5.8, 6.4, 6.0, 6.2].map(|newtons| Slip::gross(Wrench::force([0.0, -newtons])));
     /// let asked = Identify::new([Unknown::friction()], slid_at);
-    /// let found = gripper.identify(&asked)?;
+    /// let found = asked.answered_by(&gripper)?;
     /// assert_eq!(found.to_string(), "friction 0.3048 ± 0.0050 (95 %: 0.2913 to 0.3190) from 5 slips, which scatter by 3.8 %");
     ///
     /// // The load is 2 μ N. How hard must it press on, if friction is as low as the slips allow?
@@ -125,14 +125,14 @@ impl<const C: usize> Grasp<C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Identify`] naming the slip or the unknown, field, value and what is allowed; as for [`Self::hold`].
+    /// [`Error::Identify`] naming the slip or the unknown, field, value and what is allowed; as for [`Grasp::hold`].
     #[doc(alias = "calibrate")]
     #[doc(alias = "estimate")]
     #[doc(alias = "fit")]
-    pub fn identify(&self, asked: &Identify<C>) -> Result<Identified, Error> {
-        let layouts = asked.layouts(self);
-        asked.check(&layouts)?;
-        let model = Model { layouts: &layouts, asked };
+    pub fn answered_by(&self, grasp: &Grasp<C>) -> Result<Identified, Error> {
+        let layouts = self.layouts(grasp);
+        self.check(&layouts)?;
+        let model = Model { layouts: &layouts, asked: self };
         let fit = fitted(&model)?;
         Ok(told(&model, &fit))
     }

@@ -13,6 +13,7 @@ use crate::serial::AsComputed;
 #[non_exhaustive]
 pub struct Improved<const C: usize> {
     /// The least first slip of the grasp given, as so many times the loads; `None` where something slides at rest or nothing holds.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub before: Option<f64>,
     /// That of the best grasp found; `None` where no grasp was found that sticks at rest. Infinite where nothing slides however large the loads are.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
@@ -60,11 +61,13 @@ pub struct Placed<const C: usize> {
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub command: SVector<f64, C>,
     /// How far it is from where it was, in a straight line, m.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub moved: f64,
     /// What it is told to press with, N, where that may change.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub pressed_with: Option<f64>,
     /// Its normal force at rest, N.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub normal_force: f64,
 }
 
@@ -97,31 +100,37 @@ pub enum Binds {
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         load: Option<usize>,
         /// Its share: those of all that come first add up to one.
+        #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         share: f64,
     },
     /// At rest it presses as hard as it may.
     Force {
         /// The first slip, as so many times the loads, that one more newton would gain.
+        #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         per_newton: f64,
     },
     /// It is told to press as hard as it may.
     Pressed {
         /// As for the force.
+        #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         per_newton: f64,
     },
     /// It is told not to press at all.
     NotPressed {
         /// The first slip that a pull of one newton would gain.
+        #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         per_newton: f64,
     },
     /// Its surface ends, or the part of it that it is on.
     End {
         /// The first slip that one more metre would gain.
+        #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         per_metre: f64,
     },
     /// At rest it stands on the edge of its friction.
     Rest {
         /// The first slip that one more newton of friction would gain.
+        #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         per_newton: f64,
     },
 }

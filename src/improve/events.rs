@@ -109,7 +109,87 @@ pub(super) enum Grows {
     AnyForce,
 }
 
-/// All events and bounds of a placing; `most` has the greatest normal force of each contact that has one.
+/// A contact with its force at rest, and how forces change for one unit of each variable.
+struct Pressed<'a, const C: usize> {
+    number: usize,
+    contact: &'a Contact<C>,
+    force: SVector<f64, C>,
+    derivatives: &'a [BySource<FrameForces<C>>],
+}
+
+impl<const C: usize> Pressed<'_, C> {
+    fn by_variable(&self, f: &dyn Fn(&BySource<FrameForces<C>>) -> f64) -> DVector<f64> {
+        DVector::from_iterator(self.derivatives.len(), self.derivatives.iter().map(f))
+    }
+
+    /// How its force at rest changes.
+    fn change(&self, d: &BySource<FrameForces<C>>) -> SVector<f64, C> {
+        d.rest[self.number] + d.squeeze[self.number]
+    }
+
+    /// What has to stay at rest.
+    fn constraints(&self, most: Option<f64>) -> Vec<Constraint> {
+        let constraint = |kind, row: &SVector<f64, C>, left| {
+            let gradient = self.by_variable(&|d| row.dot(&self.change(d)));
+            Constraint { contact: self.number, kind, left, gradient }
+        };
+        let at_rest = rows(self.contact).unwrap_or_else(|| worst(self.contact.friction, &self.force));
+        let sticks = |row: &SVector<f64, C>| constraint(ConstraintKind::Sticks, row, row.dot(&self.force));
+        let mut all: Vec<_> = at_rest.iter().map(sticks).collect();
+        if let Some(most) = most {
+            let row = SVector::from_fn(|k, _| if k == 0 { -1.0 } else { 0.0 });
+            all.push(constraint(ConstraintKind::Force, &row, most - self.force[0]));
+        }
+        all
+    }
+
+    /// When it leaves as one load grows, of which it has this rate.
+    fn under(&self, load: usize, rate: &SVector<f64, C>) -> Vec<SlipEvent<C>> {
+        let rows = rows(self.contact).unwrap_or_else(|| {
+            let exit = leaves(self.contact.friction, &self.force, rate);
+            exit.map_or(Vec::new(), |exit| worst(self.contact.friction, &(self.force + rate * exit)))
+        });
+        let event = |(number, row): (usize, SVector<f64, C>)| {
+            let falls = row.dot(rate);
+            (falls < 0.0).then(|| {
+                let factor = -row.dot(&self.force) / falls;
+                let gradient = self.by_variable(&|d| {
+                    -row.dot(&(self.change(d) + d.loads[load][self.number] * factor)) / falls
+                });
+                let condition = ConeRow { load: Some(load), contact: self.number, number, row };
+                SlipEvent { condition, factor, gradient }
+            })
+        };
+        rows.into_iter().enumerate().filter_map(event).collect()
+    }
+
+    /// When it leaves under a force of any direction, whose parts along the axes are these loads.
+    fn under_any_force(&self, loads: &[FrameForces<C>]) -> Vec<SlipEvent<C>> {
+        let felt = |row: &SVector<f64, C>, loads: &[FrameForces<C>]| {
+            SVector::<f64, C>::from_fn(|k, _| row.dot(&loads[k][self.number]))
+        };
+        let factor = |row: &SVector<f64, C>| row.dot(&self.force) / felt(row, loads).norm();
+        let mu = self.contact.friction;
+        let rows = rows(self.contact).unwrap_or_else(|| {
+            let angles = worst_angles(&|angle| factor(&round(mu, angle)));
+            angles.into_iter().map(|angle| round(mu, angle)).collect()
+        });
+        let event = |(number, row): (usize, SVector<f64, C>)| {
+            let (factor, v) = (factor(&row), felt(&row, loads));
+            factor.is_finite().then(|| {
+                let gradient = self.by_variable(&|d| {
+                    let turned = v.dot(&felt(&row, &d.loads)) / v.norm();
+                    (row.dot(&self.change(d)) - factor * turned) / v.norm()
+                });
+                let condition = ConeRow { load: None, contact: self.number, number, row };
+                SlipEvent { condition, factor, gradient }
+            })
+        };
+        rows.into_iter().enumerate().filter_map(event).collect()
+    }
+}
+
+/// All events and constraints of a placing; `most` has the greatest normal force of each contact that has one.
 pub(super) fn events<const C: usize>(
     contacts: &[Contact<C>],
     asked: &Grows,
@@ -117,71 +197,20 @@ pub(super) fn events<const C: usize>(
     sticking: &StickingForces<C>,
     derivatives: &[BySource<FrameForces<C>>],
 ) -> (Vec<SlipEvent<C>>, Vec<Constraint>) {
-    let (mut all, mut bounds) = (Vec::new(), Vec::new());
-    for (i, contact) in contacts.iter().enumerate() {
-        let force = sticking.at_rest(i);
-        let by_variable = |f: &dyn Fn(&BySource<FrameForces<C>>) -> f64| {
-            DVector::from_iterator(derivatives.len(), derivatives.iter().map(f))
-        };
-        let change = |d: &BySource<FrameForces<C>>| d.rest[i] + d.squeeze[i];
-        let bound = |kind, row: &SVector<f64, C>, left| {
-            let gradient = by_variable(&|d| row.dot(&change(d)));
-            Constraint { contact: i, kind, left, gradient }
-        };
-        let own = rows(contact);
-        let at_rest = own.clone().unwrap_or_else(|| worst(contact.friction, &force));
-        bounds.extend(at_rest.iter().map(|row| bound(ConstraintKind::Sticks, row, row.dot(&force))));
-        if let Some(most) = most[i] {
-            let row = SVector::from_fn(|k, _| if k == 0 { -1.0 } else { 0.0 });
-            bounds.push(bound(ConstraintKind::Force, &row, most - force[0]));
-        }
+    let (mut all, mut constraints) = (Vec::new(), Vec::new());
+    let loads = &sticking.forces.loads;
+    for (number, contact) in contacts.iter().enumerate() {
+        let pressed = Pressed { number, contact, force: sticking.at_rest(number), derivatives };
+        constraints.extend(pressed.constraints(most[number]));
         match asked {
             Grows::Each => {
-                for (load, rates) in sticking.forces.loads.iter().enumerate() {
-                    let rate = rates[i];
-                    let rows = own.clone().unwrap_or_else(|| {
-                        let exit = leaves(contact.friction, &force, &rate);
-                        exit.map_or(Vec::new(), |exit| worst(contact.friction, &(force + rate * exit)))
-                    });
-                    for (number, row) in rows.into_iter().enumerate() {
-                        let falls = row.dot(&rate);
-                        if falls < 0.0 {
-                            let factor = -row.dot(&force) / falls;
-                            let gradient =
-                                by_variable(&|d| -row.dot(&(change(d) + d.loads[load][i] * factor)) / falls);
-                            let condition = ConeRow { load: Some(load), contact: i, number, row };
-                            all.push(SlipEvent { condition, factor, gradient });
-                        }
-                    }
-                }
+                let each = loads.iter().enumerate();
+                all.extend(each.flat_map(|(load, rates)| pressed.under(load, &rates[number])));
             }
-            Grows::AnyForce => {
-                let felt = |row: &SVector<f64, C>, loads: &[FrameForces<C>]| {
-                    SVector::<f64, C>::from_fn(|k, _| row.dot(&loads[k][i]))
-                };
-                let factor =
-                    |row: &SVector<f64, C>| row.dot(&force) / felt(row, &sticking.forces.loads).norm();
-                let rows = own.unwrap_or_else(|| {
-                    worst_angles(&|angle| factor(&round(contact.friction, angle)))
-                        .into_iter()
-                        .map(|angle| round(contact.friction, angle))
-                        .collect()
-                });
-                for (number, row) in rows.into_iter().enumerate() {
-                    let (factor, v) = (factor(&row), felt(&row, &sticking.forces.loads));
-                    if factor.is_finite() {
-                        let gradient = by_variable(&|d| {
-                            let turned = v.dot(&felt(&row, &d.loads)) / v.norm();
-                            (row.dot(&change(d)) - factor * turned) / v.norm()
-                        });
-                        let condition = ConeRow { load: None, contact: i, number, row };
-                        all.push(SlipEvent { condition, factor, gradient });
-                    }
-                }
-            }
+            Grows::AnyForce => all.extend(pressed.under_any_force(loads)),
         }
     }
-    (all, bounds)
+    (all, constraints)
 }
 
 /// Angles of all minima of a function of an angle.

@@ -18,8 +18,8 @@ const BETTER: f64 = 1e-9;
 /// Multipliers below this part of their unit are rounding.
 const SEEN: f64 = 1e-7;
 
-impl<const C: usize> Grasp<C> {
-    /// Where should the fingers be, and how hard should they press, so that the first slip comes as late as possible? See [`Improve`].
+impl<const C: usize> Improve<C> {
+    /// Where should the fingers of this grasp be, and how hard should they press, so that the first slip comes as late as possible?
     ///
     /// On the round cone in space. The same bits for any number of threads.
     ///
@@ -32,14 +32,14 @@ impl<const C: usize> Grasp<C> {
     /// let gripper = Grasp::new([jaw(-0.03, 0.0, "left"), jaw(0.03, 0.01, "right")])?;
     /// let edge = |x: f64| Surface::segment([x, -0.02], [x, 0.02]);
     /// let question = Improve::new(Wrench::force([0.0, -1.0])).along(0, edge(-0.03)).along(1, edge(0.03)).pressing_at_most(10.0);
-    /// let improved = gripper.improve(&question)?;
+    /// let improved = question.answered_by(&gripper)?;
     ///
     /// // Level with each other both slide at once: 2 μ N.
     /// assert!((improved.after.expect("sticks at rest") - 10.0).abs() < 1e-9);
     /// assert!(improved.is_locally_best());
     /// let words = improved.to_string();
     /// assert!(words.starts_with("FIRST SLIP at 10 N instead of"), "{words}");
-    /// let better = gripper.placed_as(&improved)?;
+    /// let better = improved.placed(&gripper)?;
     /// assert!(better.hold(Wrench::force([0.0, -9.9]))?.sticks() == Some(true));
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
@@ -48,25 +48,25 @@ impl<const C: usize> Grasp<C> {
     /// [`Error::Surface`] for a surface that is none, or that a contact does not lie on; [`Error::Wrench`], [`Error::Argument`], [`Error::Contact`] and
     /// [`Error::Question`] for loads, forces and contacts that are not for it; [`Error::NotForHands`] for a grasp by a hand.
     #[doc(alias = "grasp synthesis", alias = "fixture design", alias = "optimise", alias = "best grasp")]
-    pub fn improve(&self, question: &Improve<C>) -> Result<Improved<C>, Error> {
-        question.check(self)?;
-        let mut settings = *self.settings();
+    pub fn answered_by(&self, grasp: &Grasp<C>) -> Result<Improved<C>, Error> {
+        self.check(grasp)?;
+        let mut settings = *grasp.settings();
         settings.round = true;
-        let grasp = self.with(&settings);
-        let loaded = Loaded::of(&question.loads, &question.base);
-        let (choice, given) = Choice::of(&grasp, question)?;
+        let grasp = grasp.with(&settings);
+        let loaded = Loaded::of(&self.loads, &self.base);
+        let (choice, given) = Choice::of(&grasp, self)?;
         let climb = Climb { choice: &choice, loaded: &loaded, grasp: &grasp };
         let before = loaded.first_slip(&grasp)?.filter(|factor| *factor > 0.0);
-        let numbers: Vec<u64> = (0..(question.starts * DRAWN_FOR_EACH) as u64).collect();
+        let numbers: Vec<u64> = (0..(self.starts * DRAWN_FOR_EACH) as u64).collect();
         let drawn = in_order(&numbers, &|number| {
-            let drawn = choice.drawn(&given, &mut Draw::new([question.seed, *number, IMPROVE]));
+            let drawn = choice.drawn(&given, &mut Draw::new([self.seed, *number, IMPROVE]));
             // Its forces are not kept: of thousands they would take room.
             Ok::<_, Error>(climb.held(drawn)?.map(|held| (held.factor, held.placing)))
         });
         let mut drawn: Vec<_> =
             drawn.into_iter().collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect();
         drawn.sort_by(|a, b| b.0.total_cmp(&a.0));
-        let best = drawn.into_iter().take(question.starts).map(|(_, placing)| placing);
+        let best = drawn.into_iter().take(self.starts).map(|(_, placing)| placing);
         let placings: Vec<_> = std::iter::once(given.clone()).chain(best).collect();
         let ascents = in_order(&placings, &|placing| {
             climb.held(placing.clone())?.map(|held| climb.up(held)).transpose()
@@ -81,7 +81,7 @@ impl<const C: usize> Grasp<C> {
                 && best.search != SearchEnd::Optimum;
             if more || proved { next } else { best }
         });
-        let force = match &question.loads {
+        let force = match &self.loads {
             Loads::Each(list) if list.len() == 1 => {
                 list[0].measure().filter(|(_, unit)| *unit == "N").map(|(size, _)| size)
             }
@@ -108,23 +108,25 @@ impl<const C: usize> Grasp<C> {
         }
         Ok(answer)
     }
+}
 
-    /// This grasp with contacts placed and commanded as an answer has them.
+impl<const C: usize> Improved<C> {
+    /// The grasp that was given, with contacts placed and commanded as they are here.
     ///
     /// # Errors
-    /// [`Error::Size`] if the answer is of another number of contacts.
-    pub fn placed_as(&self, improved: &Improved<C>) -> Result<Self, Error> {
-        let (given, expected) = (improved.contacts.len(), self.len());
+    /// [`Error::Size`] if that is of another number of contacts.
+    pub fn placed(&self, grasp: &Grasp<C>) -> Result<Grasp<C>, Error> {
+        let (given, expected) = (self.contacts.len(), grasp.len());
         if given != expected {
             return Err(Error::Size { what: "contacts of the answer", given, expected });
         }
-        let contacts = self.contacts().iter().zip(&improved.contacts).map(|(contact, placed)| {
+        let contacts = grasp.contacts().iter().zip(&self.contacts).map(|(contact, placed)| {
             let mut contact = contact.clone();
             (contact.point, contact.normal) = (placed.point, placed.normal);
             (contact.tangent, contact.command) = (Some(placed.tangent), placed.command);
             contact
         });
-        Ok(Grasp::new(contacts)?.with(self.settings()))
+        Ok(Grasp::new(contacts)?.with(grasp.settings()))
     }
 }
 

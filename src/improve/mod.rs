@@ -1,7 +1,7 @@
 //! Where should the fingers be? Positions on given curves or surfaces and squeezes within force limits, such that the first slip comes as late as possible.
 //!
 //! An [`Improve`] says for which loads, which contacts may move along which [`Surface`], and how hard they may press;
-//! [`Grasp::improve`](crate::ask::Grasp::improve) answers with an [`Improved`]: places, squeezes, the first slip before and after, and what stands in the way
+//! [`Improve::answered_by`] a grasp answers with an [`Improved`]: places, squeezes, the first slip before and after, and what stands in the way
 //! of more.
 //!
 //! While everything sticks, forces are linear in the load and in the squeeze, `F = F⁰ + τ F¹`, and each condition `a·F >= 0` of each contact and load

@@ -11,10 +11,15 @@ pub(super) fn unit_direction<const C: usize>(to: &SVector<f64, C>) -> [f64; 3] {
 
 /// What a surface is at a place.
 pub(super) struct There<const C: usize> {
+    /// m.
     pub(super) point: SVector<f64, C>,
+    /// Unit normal.
     pub(super) normal: SVector<f64, C>,
+    /// Unit directions to go.
     pub(super) along: Vec<SVector<f64, C>>,
+    /// How far the normal turns along each, 1/m.
     pub(super) bends: Vec<f64>,
+    /// Ends of the surface, each as what a step along the directions takes of the way there, and that way, m.
     pub(super) rooms: Vec<([f64; 2], f64)>,
 }
 
@@ -34,6 +39,20 @@ fn both_across<const C: usize>(axis: &SVector<f64, C>) -> [SVector<f64, C>; 2] {
     least[axis.iamin()] = 1.0;
     let first = (least - axis * axis.dot(&least)).normalize();
     [first, across(&[*axis, first])]
+}
+
+/// A place of a triangle, in its frame.
+fn on_triangle<const C: usize>(corners: &[SVector<f64, C>; 3], [a, b]: [f64; 2]) -> There<C> {
+    let [x, y] = frame(corners);
+    let point = corners[0] + x * a + y * b;
+    let (along, normal) = (vec![x, y], across(&[x, y]));
+    let room = |k: usize| {
+        let (from, to) = (corners[k], corners[(k + 1) % 3]);
+        // Corners go around counterclockwise in their frame: outward is to the right of each side.
+        let out = across(&[(to - from).normalize(), normal]);
+        ([out.dot(&x), out.dot(&y)], -out.dot(&(point - from)))
+    };
+    There { point, normal, bends: vec![0.0; 2], rooms: (0..3).map(room).collect(), along }
 }
 
 impl<const C: usize> Surface<C> {
@@ -131,19 +150,7 @@ impl<const C: usize> Surface<C> {
                     rooms: Vec::new(),
                 }
             }
-            Shape::Triangles(parts) => {
-                let corners = &parts[part];
-                let [x, y] = frame(corners);
-                let point = corners[0] + x * a + y * b;
-                let (along, normal) = (vec![x, y], across(&[x, y]));
-                let room = |k: usize| {
-                    let (from, to) = (corners[k], corners[(k + 1) % 3]);
-                    // Corners go around counterclockwise in their frame: outward is to the right of each side.
-                    let out = across(&[(to - from).normalize(), normal]);
-                    ([out.dot(&x), out.dot(&y)], -out.dot(&(point - from)))
-                };
-                There { point, normal, bends: vec![0.0; 2], rooms: (0..3).map(room).collect(), along }
-            }
+            Shape::Triangles(parts) => on_triangle(&parts[part], [a, b]),
         }
     }
 

@@ -36,9 +36,49 @@ pub(super) struct TrialStep {
     pub(super) residual: f64,
 }
 
+/// What a solution of the program says.
+struct Solved {
+    d: DVector<f64>,
+    /// Multipliers of all events and of the bounds.
+    events: Vec<f64>,
+    bounds: Vec<f64>,
+}
+
 impl StepProgram {
     /// The step within a box of this half width; `None` where rounding is in the way.
     pub(super) fn step(&self, radius: f64, curvature: &DMatrix<f64>) -> Option<TrialStep> {
+        let n = self.reach.len();
+        let curvature = curvature + DMatrix::identity(n, n) * SHORT;
+        let Solved { d, events, bounds } = self.solved(radius, &curvature)?;
+        let least = self.after(&d).fold(f64::INFINITY, f64::min);
+        let now = self.factors.iter().copied().fold(f64::INFINITY, f64::min);
+        // What is left of the gradients is what the ends of variables take, where they are met, and else a residual.
+        let mut left = DVector::zeros(n);
+        events.iter().zip(&self.gradients).for_each(|(y, g)| left += g * *y);
+        bounds.iter().zip(&self.bounds).for_each(|(y, (h, _))| left += h * *y);
+        let mut ends = vec![[0.0; 2]; n];
+        for j in 0..n {
+            let [down, up] = self.reach[j];
+            if left[j] > 0.0 && up <= AT_AN_END {
+                (ends[j][1], left[j]) = (left[j], 0.0);
+            } else if left[j] < 0.0 && down >= -AT_AN_END {
+                (ends[j][0], left[j]) = (-left[j], 0.0);
+            }
+        }
+        let met = events.iter().zip(&self.factors).map(|(y, factor)| y * (factor - now)).sum::<f64>()
+            + bounds.iter().zip(&self.bounds).map(|(y, (_, left))| y * left.max(0.0)).sum::<f64>();
+        let residual = left.amax().max(met);
+        let gain = least - now - 0.5 * (&curvature * &d).dot(&d);
+        Some(TrialStep { d, gain, events, bounds, ends, residual })
+    }
+
+    /// Linearised factors of all events after a step.
+    fn after<'s>(&'s self, d: &'s DVector<f64>) -> impl Iterator<Item = f64> + 's {
+        self.factors.iter().zip(&self.gradients).map(|(factor, g)| factor + g.dot(d))
+    }
+
+    /// The complementarity problem of the program, solved.
+    fn solved(&self, radius: f64, curvature: &DMatrix<f64>) -> Option<Solved> {
         let n = self.reach.len();
         let low = DVector::from_fn(n, |j, _| (-radius).max(self.reach[j][0].min(0.0)));
         let high = DVector::from_fn(n, |j, _| radius.min(self.reach[j][1].max(0.0)));
@@ -62,7 +102,6 @@ impl StepProgram {
         let (first, size) = (n + 1, n + 1 + m + b + n);
         let mut matrix = DMatrix::zeros(size, size);
         let mut q = DVector::zeros(size);
-        let curvature = &(curvature + DMatrix::identity(n, n) * SHORT);
         matrix.view_mut((0, 0), (n, n)).copy_from(curvature);
         q.rows_mut(0, n).copy_from(&(curvature * &low));
         q[n] = 1.0;
@@ -86,40 +125,19 @@ impl StepProgram {
             put(first + m + b + j, &one, 0.0, high[j] - low[j]);
         }
         let problem = Lcp::new(matrix, q).ok()?;
-        let solved = [Settings::one_path(), Settings::default()].into_iter().find_map(|settings| {
-            match problem.solve_with(&settings) {
-                Outcome::Solved(solution) => Some(solution),
-                _ => None,
-            }
+        let z = [Settings::one_path(), Settings::default()].into_iter().find_map(|settings| match problem
+            .solve_with(&settings)
+        {
+            Outcome::Solved(solution) => Some(solution.z),
+            _ => None,
         })?;
-        let z = &solved.z;
         let d = DVector::from_fn(n, |j, _| (z[j] + low[j]).clamp(low[j], high[j]));
-        let least = events().map(|(factor, g)| factor + g.dot(&d)).fold(f64::INFINITY, f64::min);
-        let now = self.factors.iter().copied().fold(f64::INFINITY, f64::min);
-        let bent = curvature * &d;
-        let mut events = vec![0.0; self.factors.len()];
         let share: f64 = z.rows(first, m).sum();
         let share = if share > 0.0 { share } else { 1.0 };
+        let mut events = vec![0.0; self.factors.len()];
         near.iter().enumerate().for_each(|(row, k)| events[*k] = z[first + row] / share);
-        let bounds: Vec<f64> = z.rows(first + m, b).iter().map(|y| y / share).collect();
-        // What is left of the gradients is what the ends of variables take, where they are met, and else a residual.
-        let mut left = DVector::zeros(n);
-        events.iter().zip(&self.gradients).for_each(|(y, g)| left += g * *y);
-        bounds.iter().zip(&self.bounds).for_each(|(y, (h, _))| left += h * *y);
-        let mut taken = vec![[0.0; 2]; n];
-        for j in 0..n {
-            let [down, up] = self.reach[j];
-            if left[j] > 0.0 && up <= AT_AN_END {
-                (taken[j][1], left[j]) = (left[j], 0.0);
-            } else if left[j] < 0.0 && down >= -AT_AN_END {
-                (taken[j][0], left[j]) = (-left[j], 0.0);
-            }
-        }
-        let met = events.iter().zip(&self.factors).map(|(y, factor)| y * (factor - now)).sum::<f64>()
-            + bounds.iter().zip(&self.bounds).map(|(y, (_, left))| y * left.max(0.0)).sum::<f64>();
-        let residual = left.amax().max(met);
-        let gain = least - now - 0.5 * bent.dot(&d);
-        Some(TrialStep { d, gain, events, bounds, ends: taken, residual })
+        let bounds = z.rows(first + m, b).iter().map(|y| y / share).collect();
+        Some(Solved { d, events, bounds })
     }
 }
 

@@ -80,7 +80,7 @@ pub(super) fn watch<D: Size, const C: usize>(
     for (contact, state) in states.iter().enumerate() {
         let (line, local) = (&here.lines[contact], segment.problem.local(contact));
         let mut push = |value, rate, size| {
-            list.push(Watch { what: WatchedCondition::Contact(contact), value, rate, size })
+            list.push(Watch { what: WatchedCondition::Contact(contact), value, rate, size });
         };
         match state {
             Mode::Open if local.is_absent() => {}

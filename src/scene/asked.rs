@@ -181,7 +181,7 @@ impl<const C: usize> Setup<C> {
                 Answer::Need(NeedAnswer::of(needed, words))
             }
             Question::Improve(asked) => {
-                Answer::Improve(ImproveAnswer::of(grasp.improve(&self.improve(asked)?)?, words))
+                Answer::Improve(ImproveAnswer::of(self.improve(asked)?.answered_by(grasp)?, words))
             }
             Question::Solve { load, .. } => {
                 Answer::Solve(labels.solve(grasp, load, grasp.solve(load)?, words)?)
@@ -204,7 +204,7 @@ impl<const C: usize> Setup<C> {
             }
             Question::Shakedown(asked) => Answer::Shakedown(ShakedownAnswer::of(asked.found(grasp)?, words)),
             Question::Identify(asked) => {
-                Answer::Identify(IdentifyAnswer::of(grasp.identify(&self.identify(asked)?)?, words))
+                Answer::Identify(IdentifyAnswer::of(self.identify(asked)?.answered_by(grasp)?, words))
             }
         })
     }

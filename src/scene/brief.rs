@@ -86,7 +86,7 @@ impl<const C: usize> Setup<C> {
         Ok(match question {
             Question::Hold { base, load, .. } => held_briefly(&grasp.hold(Ramp::load(*base, *load))?),
             Question::Need(asked) => needed_briefly(&grasp.need(&self.need(asked)?)?),
-            Question::Improve(asked) => improved_briefly(&grasp.improve(&self.improve(asked)?)?),
+            Question::Improve(asked) => improved_briefly(&self.improve(asked)?.answered_by(grasp)?),
             Question::Solve { load, .. } => labels.solved_briefly("solve", &grasp.solve(load)?),
             Question::Onset(asked) => labels.onset_briefly("onset", grasp, &grasp.onset(&self.ramp(asked)?)?),
             Question::OnsetOfTurn(turn) => {
@@ -103,7 +103,7 @@ impl<const C: usize> Setup<C> {
             }
             Question::Shake(asked) => shaken_briefly(&grasp.shake(&asked.base, &self.cycle(asked)?)?),
             Question::Shakedown(asked) => shakedown_briefly(asked.found(grasp)?.as_ref()),
-            Question::Identify(asked) => identified_briefly(&grasp.identify(&self.identify(asked)?)?),
+            Question::Identify(asked) => identified_briefly(&self.identify(asked)?.answered_by(grasp)?),
         })
     }
 }

@@ -13,7 +13,7 @@ use crate::load_path::Turn;
 use crate::serial::AsGiven;
 use crate::words::Words;
 
-/// Friction, loads of supports, squeeze or stiffness from slips that were seen. See [`Grasp::identify`](crate::ask::Grasp::identify).
+/// Friction, loads of supports, squeeze or stiffness from slips that were seen. See [`Identify`].
 ///
 /// ```
 /// use grasp_lcp::scene::Scene;
@@ -263,7 +263,7 @@ impl<const C: usize> Setup<C> {
     ///
     /// # Errors
     /// [`Error::Question`] unless every slip has a load or a turn; [`Error::Size`] unless every layout has a point for each contact; as for
-    /// [`Grasp::identify`] and [`Self::grasp`].
+    /// [`Identify::answered_by`] and [`Self::grasp`].
     pub fn identify(&self, asked: &IdentifyAsked<C>) -> Result<Identify<C>, Error> {
         self.check_identify(asked)?;
         let moved = |points: &ContactPoints<C>| -> Result<Grasp<C>, Error> {

@@ -11,7 +11,7 @@ use crate::improve::{Improve, Improved};
 use crate::serial::AsGiven;
 use crate::words::Words;
 
-/// Where should the fingers be, and how hard should they press? Contacts that may move have a `surface`. See [`Grasp::improve`](crate::ask::Grasp::improve).
+/// Where should the fingers be, and how hard should they press? Contacts that may move have a `surface`. See [`Improve`].
 ///
 /// ```
 /// use grasp_lcp::scene::Scene;

@@ -132,7 +132,7 @@ impl<const C: usize> Setup<C> {
                 Ok(vec![grasp.need(&self.need(asked)?)?.amount.bound().unwrap_or(f64::INFINITY)])
             }
             Question::Improve(asked) => {
-                Ok(vec![grasp.improve(&self.improve(asked)?)?.after.unwrap_or(f64::INFINITY)])
+                Ok(vec![self.improve(asked)?.answered_by(grasp)?.after.unwrap_or(f64::INFINITY)])
             }
             Question::Solve { load, .. } => Ok(match grasp.solve(load)? {
                 Outcome::Equilibrium(state) => {
@@ -141,7 +141,7 @@ impl<const C: usize> Setup<C> {
                 _ => Vec::new(),
             }),
             Question::Identify(asked) => {
-                let found = grasp.identify(&self.identify(asked)?)?;
+                let found = self.identify(asked)?.answered_by(grasp)?;
                 Ok(found.estimates.iter().map(|estimate| estimate.value).collect())
             }
             Question::Onset(_)

@@ -36,7 +36,7 @@ pub enum Question<const C: usize> {
     },
     /// How much does it need? See [`Grasp::need`](crate::ask::Grasp::need).
     Need(Box<NeedAsked<C>>),
-    /// Where should the fingers be? See [`Grasp::improve`](crate::ask::Grasp::improve).
+    /// Where should the fingers be? See [`Improve`](crate::improve::Improve).
     Improve(Box<ImproveAsked<C>>),
     /// The equilibrium under a load; see [`Grasp::solve`](crate::ask::Grasp::solve).
     Solve {
@@ -63,7 +63,7 @@ pub enum Question<const C: usize> {
     Shake(Box<ShakeAsked<C>>),
     /// Does it survive loads that repeat in any order? See [`Statics::shakedown`](crate::ask::Statics::shakedown).
     Shakedown(Box<ShakedownAsked<C>>),
-    /// What do slips that were seen tell? See [`Grasp::identify`](crate::ask::Grasp::identify).
+    /// What do slips that were seen tell? See [`Identify`](crate::identify::Identify).
     Identify(Box<IdentifyAsked<C>>),
 }
 

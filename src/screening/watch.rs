@@ -81,9 +81,8 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
     /// allocated and nothing is searched for: the same few steps whatever the numbers, for a loop that must answer in time.
     ///
     /// Forces act on the object at the contacts, along the coordinate axes, N. They need not be those that the springs of the fingers would give:
-    /// what has slipped or is off
-    /// shows in them. Only changes from there go by the springs: by the load to come (N and N m, moments about the origin) and by more
-    /// squeeze, as long as every contact sticks.
+    /// what has slipped or is off shows in them. Only changes from there go by the springs: by the load to come (N and N m, moments about the origin)
+    /// and by more squeeze, as long as every contact sticks.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Fingers, Wrench};

@@ -29,7 +29,7 @@ fn logarithms() -> (f64, f64) {
 #[test]
 fn a_mean_and_its_standard_error() -> Tested {
     let asked = Identify::new([Unknown::friction()], LOADS.map(slip)).with_outliers_beyond(f64::INFINITY);
-    let found = jaws()?.identify(&asked)?;
+    let found = asked.answered_by(&jaws()?)?;
     let ((mean, s), mu) = (logarithms(), &found.estimates[0]);
     let close = |a: Option<f64>, b: f64| a.is_some_and(|a| (a / b - 1.0).abs() < 1e-6);
     assert!(close(Some(mu.value), mean.exp()) && close(found.scatter, s), "{found}");
@@ -47,7 +47,7 @@ fn a_scatter_that_is_given() -> Tested {
         let slips = LOADS.map(|newtons| slip(newtons).scattering_by(sigma));
         Identify::new([Unknown::friction()], slips).with_outliers_beyond(f64::INFINITY)
     };
-    let found = jaws()?.identify(&asked(0.1))?;
+    let found = asked(0.1).answered_by(&jaws()?)?;
     let (mean, s) = logarithms();
     let mu = &found.estimates[0];
     assert!(
@@ -57,7 +57,7 @@ fn a_scatter_that_is_given() -> Tested {
     let half = 1.959_964 * 0.1 / 5.0_f64.sqrt();
     assert!(mu.interval.is_some_and(|[low, _]| (low / (mean - half).exp() - 1.0).abs() < 1e-6), "{found}");
     assert!(found.misfit.is_some_and(|misfit| (misfit / (s / 0.1) - 1.0).abs() < 1e-6), "{found}");
-    let tight = jaws()?.identify(&asked(0.01))?.to_string();
+    let tight = asked(0.01).answered_by(&jaws()?)?.to_string();
     assert!(tight.contains("as far off as their scatter says"), "{tight}");
     Ok(())
 }
@@ -67,8 +67,8 @@ fn a_scatter_that_is_given() -> Tested {
 fn a_slip_far_off_counts_less() -> Tested {
     let loads = [5.9, 6.1, 6.0, 6.2, 5.8, 6.1, 5.9, 6.05, 5.95, 60.0].map(slip);
     let asked = Identify::new([Unknown::friction()], loads);
-    let found = jaws()?.identify(&asked)?;
-    let squares = jaws()?.identify(&asked.clone().with_outliers_beyond(f64::INFINITY))?;
+    let found = asked.answered_by(&jaws()?)?;
+    let squares = asked.clone().with_outliers_beyond(f64::INFINITY).answered_by(&jaws()?)?;
     let [robust, plain] = [&found, &squares].map(|found| found.estimates[0].value);
     assert!((robust / 0.3 - 1.0).abs() < 0.06 && plain > 0.37, "{robust} {plain}");
     assert!(found.to_string().ends_with("1 slip lies far off and counts less"), "{found}");
@@ -84,7 +84,7 @@ fn a_slip_far_off_counts_less() -> Tested {
 #[test]
 fn errors_go_on_into_needs() -> Tested {
     let asked = Identify::new([Unknown::friction()], LOADS.map(slip));
-    let found = jaws()?.identify(&asked)?;
+    let found = asked.answered_by(&jaws()?)?;
     let sure = asked.grasp_with(&jaws()?, &found)?;
     let mu = &found.estimates[0];
     let low = mu.interval.map_or(f64::NAN, |[low, _]| low);

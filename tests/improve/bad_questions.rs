@@ -13,7 +13,7 @@ fn refusal(question: &Improve<2>) -> String {
             .pressed_with(8.0)
     };
     let grasp = Grasp::new([jaw(-0.03, "left"), jaw(0.03, "right")]).expect("two jaws");
-    grasp.improve(question).map_or_else(|error: Error| error.to_string(), |answer| panic!("{answer}"))
+    question.answered_by(&grasp).map_or_else(|error: Error| error.to_string(), |answer| panic!("{answer}"))
 }
 
 fn asked() -> Improve<2> {

@@ -52,7 +52,7 @@ fn the_answer_is_that_of_the_grasp() -> Tested {
         .knowing([1, 2], 10.0, 0.01)
         .with_outliers_beyond(3.0)
         .with_iterations(50);
-    let found = grasp_lcp::planar::Grasp::new(feet(0.1))?.identify(&same)?;
+    let found = same.answered_by(&grasp_lcp::planar::Grasp::new(feet(0.1))?)?;
     assert_eq!(told.identified, found);
     assert_eq!(told.says, found.to_string());
     assert!(told.says.starts_with("rubber 0.30"), "{}", told.says);

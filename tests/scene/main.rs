@@ -7,6 +7,7 @@ mod format;
 mod friction_charts;
 mod hands;
 mod identified;
+mod improved;
 mod lines;
 mod links;
 mod load_arrows;

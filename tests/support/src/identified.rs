@@ -86,7 +86,7 @@ impl<const C: usize> Known<C> {
         let mut draw = Random(47);
         let [mut held, mut told] = [vec![0; self.unknowns.len()], vec![0; self.unknowns.len()]];
         for _ in 0..draws {
-            let found = self.guess.identify(&self.asked(&limits, &mut draw))?;
+            let found = self.asked(&limits, &mut draw).answered_by(&self.guess)?;
             // What is said to be open, or not to be found yet, is not told.
             if found.ending != Ending::Converged {
                 continue;

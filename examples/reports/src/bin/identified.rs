@@ -70,7 +70,7 @@ fn supports_of_pushes() -> Result<(), Box<dyn Error>> {
             let carried = (0..3).map(|k| Unknown::carried().of_contacts([k]).starting_at(WEIGHT / 3.0));
             let unknowns = std::iter::once(Unknown::friction().starting_at(0.3)).chain(carried);
             let asked = Identify::new(unknowns, own.map(slip)).knowing(1..4, WEIGHT, 1e-3);
-            let found = blocks[layout].identify(&asked)?;
+            let found = asked.answered_by(&blocks[layout])?;
             let error = |k: usize| found.estimates[k].standard_error;
             let mut told = Vec::new();
             for (k, truth) in normal_forces(&supports(layout)).iter().enumerate() {

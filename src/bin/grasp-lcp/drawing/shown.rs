@@ -158,7 +158,7 @@ fn improved<const C: usize>(
     grasp: &Grasp<C>,
     asked: &ImproveAsked<C>,
 ) -> Result<Vec<Shown<C>>, Failure> {
-    let improved = grasp.improve(&setup.improve(asked)?)?;
+    let improved = setup.improve(asked)?.answered_by(grasp)?;
     let says = improved.to_string();
     let base = asked.base.unwrap_or(Wrench::ZERO);
     let seen = |grasp: &Grasp<C>, label: &str, factor: Option<f64>| {
@@ -174,7 +174,7 @@ fn improved<const C: usize>(
     if improved.after.is_none() {
         return Ok(vec![Shown { says: vec![says], ..before }]);
     }
-    let other = grasp.placed_as(&improved)?;
+    let other = improved.placed(grasp)?;
     let after = seen(&other, "after", improved.after)?;
     Ok(vec![Shown { grasp: Some(other), says: vec![says], ..after }, before])
 }

@@ -1,0 +1,47 @@
+//! Fingers that are improved in a scene: the answer comes back as it was written, also where nothing ever slides.
+
+use grasp_lcp::scene::{Answer, Answers, Scene};
+
+type Tested = Result<(), Box<dyn std::error::Error>>;
+
+/// Two jaws on the sides of a box, the left one free to move; the hold of both and the load that grows.
+fn answered(hold: &str) -> Result<Answers, Box<dyn std::error::Error>> {
+    let scene: Scene = serde_json::from_str(&format!(
+        r#"{{
+            "format": "grasp-lcp/1",
+            "planar": {{
+                "contacts": [
+                    {{ "name": "left", "point": [-0.03, 0], "normal": [1, 0], "stiffness": 1e3, {hold},
+                       "surface": {{ "segment": [[-0.03, -0.02], [-0.03, 0.02]] }} }},
+                    {{ "name": "right", "point": [0.03, 0.01], "normal": [-1, 0], "stiffness": 1e3, {hold} }}
+                ],
+                "questions": [{{ "improve": {{ "load": {{ "force": [0, -1] }} }} }}]
+            }}
+        }}"#
+    ))?;
+    Ok(scene.answers()?)
+}
+
+fn comes_back(answers: &Answers) -> Result<(Option<f64>, Option<f64>), Box<dyn std::error::Error>> {
+    let Answers::Planar(answers) = answers else { panic!("in the plane") };
+    let back: Vec<Answer<2>> = serde_json::from_str(&serde_json::to_string(answers)?)?;
+    assert_eq!(&back, answers);
+    let [Answer::Improve(told)] = &back[..] else { panic!("{back:?}") };
+    Ok((told.improved.before, told.improved.after))
+}
+
+#[test]
+fn an_answer_comes_back() -> Tested {
+    let (before, after) = comes_back(&answered(r#""friction": 0.5, "pressed_with": 8"#)?)?;
+    let [before, after] = [before, after].map(|factor| factor.expect("sticks at rest"));
+    // Level with the other one both carry half of 2 μ N.
+    assert!(before < after && (after - 8.0).abs() < 1e-9, "{before} {after}");
+    Ok(())
+}
+
+#[test]
+fn what_never_slides_is_told_as_infinite() -> Tested {
+    let infinite = Some(f64::INFINITY);
+    assert_eq!(comes_back(&answered(r#""hold": "bonded""#)?)?, (infinite, infinite));
+    Ok(())
+}
