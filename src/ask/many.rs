@@ -96,8 +96,8 @@ impl<const C: usize> Grasp<C> {
         self.engine.robust_onset(ramp, uncertainty, &self.settings)
     }
 
-    /// Up to which load everything keeps sticking with so many standard deviations in reserve, on top of a base load and in any direction: at most one part
-    /// in Φ(-sigmas) – 0.00135 for three – of all grasps that this one may be slides below [`Reserve::along`]. All contacts count, whichever would be the
+    /// Up to which load everything keeps sticking with so many standard deviations in reserve, on top of a base load and in any direction. Of all grasps
+    /// that this one may be at most the part Φ(-sigmas) – 0.00135 for three – slides below [`Reserve::along`]. All contacts count, whichever would be the
     /// first. What each datum does to the forces is looked at, not only its derivative; for what two do together a fifth of that part is kept. The report
     /// `reserve` has samples beside it.
     ///

@@ -19,7 +19,7 @@ impl<const C: usize> Grasp<C> {
         self.engine.follow(start, legs, &self.settings)
     }
 
-    /// Does it survive a load that repeats? From rest under `base` a cycle of legs, which leads back to where it begins, is gone again and again: the grasp comes to rest,
+    /// Does it survive a load that repeats? From rest under `base` a cycle of legs, which leads back to where it begins, is gone again and again. The grasp comes to rest,
     /// contacts slide to and fro for ever, the object walks on by as much in every cycle, or it is lost in one of them. [`Shaken`] says which, for all time, in a
     /// sentence; see [`shake`](crate::shake). It follows up to [`Settings::most_cycles`](crate::Settings::most_cycles) cycles.
     ///

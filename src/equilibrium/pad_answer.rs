@@ -33,7 +33,7 @@ pub struct PadAnswer<const C: usize> {
     pub sliding: usize,
     /// How many of them are open.
     pub open: usize,
-    /// Force of the finger on the object in the contact frame, N, normal part first, and moment about the middle of the pad, N m: in space along the
+    /// Force of the finger on the object in the contact frame, N, normal part first, and moment about the middle of the pad, N m. The moment is in space along the
     /// axes of the contact frame, the torsion first, in the plane from x to y.
     pub wrench: Wrench<C>,
     /// Friction in reserve, N: the sum of the [margins](ContactAnswer::margin) of its points, `Σ (μ F_n - |F_t|)`. A force of that size in

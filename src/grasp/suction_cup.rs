@@ -50,8 +50,8 @@ pub struct SuctionCup {
 }
 
 impl SuctionCup {
-    /// A cup whose lip is a ring of this radius (m) and so many points, and whose vacuum pulls with this force (N): the difference
-    /// of pressure times the area within the lip, or what was measured.
+    /// A cup whose lip is a ring of this radius (m) and so many points, and whose vacuum pulls with this force (N). That is the
+    /// difference of pressure times the area within the lip, or what was measured.
     ///
     /// # Errors
     /// [`Error::Fingertip`] as for [`SoftFingertip::ring`], and unless the force is from 0 to 1e50.

@@ -34,7 +34,7 @@
 //! # What the answer promises
 //!
 //! "Nothing nearby is better to first order" is a proof by multipliers: gradients of what slides first, and of bounds that are met, cancel up to a
-//! millionth ([`Improved::residual`](crate::improve::Improved::residual) says up to what), so that no small step gains in proportion to its length.
+//! millionth. [`Improved::residual`](crate::improve::Improved::residual) says up to what. So no small step gains in proportion to its length.
 //! It is no proof that nothing far away is better: several starts are scattered over the surfaces for that, as many as `starts` says, and the best
 //! answer is told. Each thing that stands in the way has its multiplier ([`InTheWay`](crate::improve::InTheWay)): how much later the first slip would
 //! come for one more newton of force, or one more metre of edge.

@@ -48,5 +48,5 @@
 //!
 //! # Skin and rubber: friction that falls with force
 //!
-//! For `μ(N) = μ₁ N^(n-1)` ask twice, with the coefficients at the least and at the largest normal force that the contact has under the load: the answers bracket it where more friction is
+//! For `μ(N) = μ₁ N^(n-1)` ask twice, with the coefficients at the least and at the largest normal force that the contact has under the load. The answers bracket it where more friction is
 //! better. Skin loses about half of its coefficient from 1 N to 20 N.

@@ -36,7 +36,7 @@
 //! * `±` is the standard error; behind it stands what holds the truth in 95 of 100 cases. Where the scatter of the loads is not given it is estimated, and the interval is Student's.
 //! * What the slips do not fix has no number. Why is said: a product, a sum or a ratio that is all they fix.
 //! * A slip that is off by more than two standard deviations counts less, so that one that was written down wrong does little harm; how many do is said.
-//! * With a scatter that is given, slips that are much farther off say that the model is wrong: friction that is not the same everywhere, a load that did not act where it was said to.
+//! * With a scatter that is given, slips that are much farther off say that the model is wrong. Friction may not be the same everywhere, or a load did not act where it was said to.
 //!
 //! # Into other answers
 //!

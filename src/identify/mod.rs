@@ -14,7 +14,7 @@
 //! **How.** All of them are positive, so that the search goes in their logarithms x, and so do residuals: a slip at load factor λ that was predicted at
 //! λ(x) is off by `ln λ - ln λ(x)`. Gauss and Newton's steps, damped as Levenberg has it, make the sum of
 //! [Huber's loss](Identify::with_outliers_beyond) of them least. Derivatives are exact: those of an onset are
-//! [known](crate::ask::Sensitivity::onset_gradients), and where normal forces stay as they are at rest until everything slides, the load that is lost
+//! [known](crate::ask::Sensitivity::onset_gradients). Where normal forces stay as they are at rest until everything slides, the load that is lost
 //! changes with a limit of friction by the rate at which that contact slips, for one unit of the load's power:
 //!
 //! ```text

@@ -4,8 +4,8 @@
 //! [`Improve::answered_by`] a grasp answers with an [`Improved`]: places, squeezes, the first slip before and after, and what stands in the way
 //! of more.
 //!
-//! While everything sticks, forces are linear in the load and in the squeeze, `F = F⁰ + τ F¹`, and each condition `a·F >= 0` of each contact and load
-//! has a factor τ of its own at which it is broken. The first slip is the least of them: piecewise smooth in places and squeezes x,
+//! While everything sticks, forces are linear in the load and in the squeeze, `F = F⁰ + τ F¹`. Each condition `a·F >= 0` of each contact and load
+//! has a factor τ of its own at which it is broken. The first slip is the least of them, piecewise smooth in places and squeezes x:
 //!
 //! ```text
 //! τ(x) = min_k τ_k(x),      dτ_k = -a·(dF⁰ + τ dF¹) / a·F¹

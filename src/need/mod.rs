@@ -15,7 +15,7 @@
 //!
 //! Every trial is a verdict of its own, from rest ([`Grasp::hold`](crate::ask::Grasp::hold)): one amount does, the other does not, and the answer
 //! names both. Between them it is bisected to the last digits. No theorem says that more is better: a motor at its limit presses no harder while another
-//! finger still pushes the object away. So the search goes both ways from what is given, and between amounts to where most of the load is carried; then a
+//! finger still pushes the object away. So the search goes both ways from what is given, and between amounts to where most of the load is carried. Then a
 //! scan of amounts around the bound tells up to where they do ([`FarEnd`]), and which others do ([`AmountWindow`]).
 
 mod answer;

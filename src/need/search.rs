@@ -93,8 +93,8 @@ fn edge_from(tries: Tries<'_>, start: f64, factor: f64) -> Result<Searched, Erro
     Ok(Searched::All(does))
 }
 
-/// An amount that does between amounts of which none does, and the two around it: while the states of contacts and drives are the same, what is
-/// carried is a concave function of a squeeze, so that its greatest value is looked for around the best of them.
+/// An amount that does between amounts of which none does, and the two around it. While the states of contacts and drives are the same, what is
+/// carried is a concave function of a squeeze. So its greatest value is looked for around the best of them.
 fn refined(tries: Tries<'_>, vain: &mut Vec<(f64, Trial)>) -> Result<Option<(f64, [f64; 2])>, Error> {
     let mut in_order: Vec<_> = vain.iter().map(|(at, trial)| (*at, trial.carried())).collect();
     in_order.sort_by(|one, other| one.0.total_cmp(&other.0));

@@ -108,8 +108,8 @@ impl<'a> PlanarPicture<'a> {
     /// Draws it, 860 pixels wide.
     ///
     /// # Errors
-    /// [`PictureError`] if the equilibrium has not as many contacts as the grasp, if a corner of the
-    /// outline is not finite, or if a length or force is too large or too small to be drawn.
+    /// [`PictureError`] if the equilibrium has not as many contacts as the grasp, or if a corner of the
+    /// outline is not finite. Also if a length or force is too large or too small to be drawn.
     pub fn to_svg(&self) -> Result<String, PictureError> {
         self.check()?;
         Picture::new(self).draw()

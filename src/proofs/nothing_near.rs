@@ -23,8 +23,8 @@ use crate::object::Problem;
 /// Sums of so many terms are off by this part of the sum of their sizes at most, products and maps that were rounded before included.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// The largest ρ such that no equilibrium exists at any `q* + δ` where δ moves the centroid by at most ρ, turns the object by at most ρ over the inside unit of
-/// length, and moves each further coordinate by at most ρ. Infinite where no equilibrium exists at all; `None` where nothing is proved even at q*.
+/// The largest ρ such that no equilibrium exists at any `q* + δ`, for δ up to ρ. Such a δ moves the centroid by at most ρ, turns the object by at most ρ over
+/// the inside unit of length, and moves each further coordinate by at most ρ. Infinite where no equilibrium exists at all; `None` where nothing is proved even at q*.
 pub(crate) fn nothing_near<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     at: &Vector<D>,

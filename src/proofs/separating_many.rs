@@ -1,6 +1,6 @@
 //! A separating motion of many coordinates: what is left of a load where contacts push against it as well as they may.
 //!
-//! The nearest sum of contact forces to a load leaves `v = Σ G_i f_i + W`, and v is found from the other side: contacts answer a motion by
+//! The nearest sum of contact forces to a load leaves `v = Σ G_i f_i + W`. It is found from the other side: contacts answer a motion by
 //! forces in their cones, and these are told what they have to answer already,
 //!
 //! ```text

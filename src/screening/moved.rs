@@ -89,8 +89,8 @@ pub(super) fn with_triangle<const C: usize, const M: usize, X: Packed>(
     }
 }
 
-/// What a motion and a force make of each other at a contact: the change of their work if the contact moves, `ω × F`, and if its frame turns, `u × F`, as
-/// a change of the normal, `(u × F) × n`.
+/// What a motion and a force make of each other at a contact: the change of their work if the contact moves, `ω × F`, and if its frame turns, `u × F`. The latter
+/// is told as a change of the normal, `(u × F) × n`.
 #[inline(always)]
 pub(super) fn worked<const C: usize, X: Packed>([turn, at, force, normal]: [&[X; C]; 4]) -> ([X; C], [X; C]) {
     if C == 2 {

@@ -9,7 +9,7 @@
 //! ```
 //!
 //! Neither where the object has gone nor how far a contact has slid matters beside them. So where a cycle ends with the e that it began with, all cycles to
-//! come are like it, and that is the verdict for all time ([`Repeats`]): nothing slides in it, and the grasp rests; contacts slide to and fro; or the
+//! come are like it. That is the verdict for all time ([`Repeats`]). Nothing slides in such a cycle, and the grasp rests. Or contacts slide to and fro. Or the
 //! object has moved, and walks on by as much each time.
 //!
 //! Where e changes by less and less, the verdict is that of its limit. While the same events happen in each cycle of the plane, or on a polygon, e goes from

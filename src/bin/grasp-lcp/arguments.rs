@@ -195,8 +195,9 @@ pub(crate) enum Command {
     },
     /// Draws every question: SVG, and a page with all answers, of a spatial grasp to turn with the mouse.
     ///
-    /// The first question is drawn in a file with the name of the scene, those after it in files with their number besides; what each contact uses
-    /// of its friction as the load is put on, turns or follows a program is drawn in one that ends in `_friction`, and what slips while a load repeats in one that ends in `_cycles`.
+    /// The first question is drawn in a file with the name of the scene, those after it in files with their number besides. A file that ends in `_friction`
+    /// shows what each contact uses of its friction as the load is put on, turns or follows a program. One that ends in `_cycles` shows what slips while a
+    /// load repeats.
     Draw {
         /// The scene; `-` for standard input.
         scene: PathBuf,

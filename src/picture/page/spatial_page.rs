@@ -15,14 +15,14 @@ use crate::spatial::{Equilibrium, Grasp, NoEquilibrium, Outcome, Wrench};
 /// to begin with):
 ///
 /// * contacts, coloured by what they do, with friction cones as long as the normal forces in them;
-/// * the force F on the object at each contact and the force of the load on its line of action, at
-///   one scale for all answers, so short that contact forces do not go through the object; a load
-///   that would be too short to be seen is drawn longer, and that is said beside it;
+/// * the force F on the object at each contact and the force of the load on its line of action, so
+///   short that contact forces do not go through the object. All answers have one scale. A load that
+///   would be too short to be seen is drawn longer, and that is said beside it;
 /// * of all points of a [soft fingertip](crate::spatial::SoftFingertip) one force and one cone, at
 ///   their centre of pressure, and dots in the colours of what the points do;
 /// * the moment of the load about that line (of a load without force: its whole moment), with two
-///   heads; a line that passes the grasp by in a distance is not drawn there, but its force in the
-///   middle of the grasp, with the moment about that;
+///   heads. Where the line passes the grasp by in a distance, the force is drawn in the middle of
+///   the grasp, with the moment about that;
 /// * displacements u_c of the object, magnified, the same for all answers; the factor is written
 ///   beside;
 /// * axes of the motions that no contact resists, and where the object would be next on its way out;

@@ -81,19 +81,7 @@ pub(crate) fn map(
     let number = |x: f64| Words::default().number(x);
     println!("  onsets in {} directions: {} to {} N", directions.len(), number(least), number(largest));
     println!("  weakest direction ({}): first slip at {} N", components(weakest), number(onset));
-    match &lasts {
-        Some(lasts) => println!(
-            "  of {} paths, followed to {most:.1} N with an error of a step of {:.0e}: {}",
-            ways.len(),
-            limit::STEP_ERROR,
-            limit::count(lasts)
-        ),
-        None => println!(
-            "  no map of what is held: load paths in {} directions take too long here ({} points of contact)",
-            ways.len(),
-            grasp.len()
-        ),
-    }
+    print_paths(&grasp, lasts.as_deref(), (ways.len(), most));
     let first = first(weakest)?;
 
     let drawing = Drawing { grasp: &grasp, pictures, title: &title, words: &words, unsure };
@@ -123,6 +111,21 @@ fn load_paths(
         let known = last.end != LimitEnd::Unknown;
         if known { Ok(last) } else { limit::last(grasp, base, pull(*d), most) }
     })?)
+}
+
+/// How far these load paths are followed, and how they end.
+fn print_paths(grasp: &Grasp, lasts: Option<&[Last]>, (ways, most): (usize, f64)) {
+    match lasts {
+        Some(lasts) => println!(
+            "  of {ways} paths, followed to {most:.1} N with an error of a step of {:.0e}: {}",
+            limit::STEP_ERROR,
+            limit::count(lasts)
+        ),
+        None => println!(
+            "  no map of what is held: load paths in {ways} directions take too long here ({} points of contact)",
+            grasp.len()
+        ),
+    }
 }
 
 /// What all maps of a grasp have in common.

@@ -1,25 +1,25 @@
 //! A planar grasp: object, fingers, friction cones, contact forces, load.
 
+mod names;
+
 use nalgebra::{Matrix2, Vector2};
 use plotters::style::{Color, RGBColor};
 
-use super::actuators::Actuators;
-use super::axes::{EqualScales, bounds};
-use super::contact_look::{ink, slope, word};
-use super::error::PictureError;
-use super::fingertip::{ContactGroup, Resultant, fingertips};
-use super::force_scale::metres_per_newton;
-use super::labels::Labels;
-use super::painting::{Painting, flat};
-use super::palette::{GREY, VERMILION};
-use super::planar_link::PlanarLink;
-use super::planar_load::{LoadOnPaper, PlanarLoad};
-use super::planar_picture::PlanarPicture;
-use super::sheet::{Place, sheet};
-use super::way_out::MovedOutlines;
-use super::window::Window;
-use super::words::{caution, lines, short};
-use crate::words::printable;
+use crate::picture::actuators::Actuators;
+use crate::picture::axes::{EqualScales, bounds};
+use crate::picture::contact_look::{ink, slope, word};
+use crate::picture::error::PictureError;
+use crate::picture::fingertip::{ContactGroup, Resultant, fingertips};
+use crate::picture::force_scale::metres_per_newton;
+use crate::picture::painting::{Painting, flat};
+use crate::picture::palette::{GREY, VERMILION};
+use crate::picture::planar_link::PlanarLink;
+use crate::picture::planar_load::{LoadOnPaper, PlanarLoad};
+use crate::picture::planar_picture::PlanarPicture;
+use crate::picture::sheet::{Place, sheet};
+use crate::picture::way_out::MovedOutlines;
+use crate::picture::window::Window;
+use crate::picture::words::{caution, lines};
 
 /// What is drawn on: pixels.
 struct Paper {
@@ -50,9 +50,6 @@ const LETTERS: f64 = 15.0;
 /// Letters of a line of the title, and heights of lines of it and of a sentence.
 const TITLE_LETTERS: usize = 70;
 const LINE: (f64, f64) = (24.0, 20.0);
-/// Of more fingertips names alone are written, and of still more not even these.
-const MANY: usize = 12;
-const TOO_MANY: usize = 30;
 /// A finger behind its contact, and where its name goes, in parts of the span.
 const FINGER: f64 = 0.08;
 /// The finger.
@@ -168,54 +165,7 @@ impl<'a> Picture<'a> {
             }
             axes.draw(paper);
             painting.draw(paper);
-            let mut labels = Labels::new(window.within(4.0), painting.ink());
-            let (placed, elsewhere): (Vec<_>, Vec<_>) = self
-                .of
-                .state
-                .iter()
-                .flat_map(|state| self.actuators.that_yield(state))
-                .partition(|(_, at)| at.is_some());
-            if !elsewhere.is_empty() {
-                let names: Vec<_> = elsewhere.into_iter().map(|(name, _)| name).collect();
-                labels.write_in_the_corner(paper, &format!("At their limit: {}", names.join(", ")), LETTERS);
-            }
-            let named = if self.tips.len() <= TOO_MANY { &self.tips[..] } else { &[] };
-            for tip in named {
-                // Behind the finger, away from the object.
-                let at = axes.place(tip.middle - tip.frame.column(0) * (FINGER * self.span));
-                match &tip.does {
-                    Some(does) if self.tips.len() <= MANY && tip.link.is_some() => {
-                        let force = format!("{} N", short(does.force.norm()));
-                        labels.write(paper, at, &[&tip.of.name, &force], LETTERS);
-                    }
-                    Some(does) if self.tips.len() <= MANY => {
-                        let force = format!("|F| = {} N", short(does.force.norm()));
-                        labels.write(paper, at, &[&tip.of.name, does.word, &force], LETTERS);
-                    }
-                    _ => labels.write(paper, at, &[&tip.of.name], LETTERS),
-                }
-            }
-            for body in self.of.state.iter().flat_map(|state| &state.bodies).zip(&self.of.outlines) {
-                let (motion, outline) = body;
-                if outline.len() > 2 {
-                    let middle = outline.iter().sum::<Vector2<f64>>() / outline.len() as f64;
-                    labels.write(paper, axes.place(middle), &[&printable(&motion.body)], LETTERS);
-                }
-            }
-            if let Some(load) = &load {
-                load.write(paper, &mut labels, LETTERS);
-            }
-            for (name, at) in placed.into_iter().filter_map(|(name, at)| Some((name, at?))) {
-                labels.write(paper, axes.place(at), &[&format!("{name} yields")], LETTERS);
-            }
-            if let Some(at) = leaves {
-                labels.write(paper, at, &["where it goes, not to scale"], LETTERS);
-            }
-            let unnamed = labels.left_out + self.tips.len() - named.len();
-            if unnamed > 0 {
-                let words = format!("{unnamed} names have no room here");
-                paper.text((window.left, window.top + window.high + 36.0), &words, LETTERS, 0.0, GREY);
-            }
+            self.write_names(&axes, (paper, window, &painting), (load.as_ref(), leaves));
         }))
     }
 

@@ -1,0 +1,80 @@
+//! What is written on a picture of a grasp: names of fingertips, bodies and joints, each where it hides nothing.
+
+use nalgebra::Vector2;
+
+use super::{FINGER, LETTERS, Picture, Tip};
+use crate::picture::axes::EqualScales;
+use crate::picture::labels::Labels;
+use crate::picture::painting::Painting;
+use crate::picture::palette::GREY;
+use crate::picture::planar_load::LoadOnPaper;
+use crate::picture::sheet::{Place, Sheet};
+use crate::picture::window::Window;
+use crate::picture::words::short;
+use crate::words::printable;
+
+/// Of more fingertips names alone are written, and of still more not even these.
+const MANY: usize = 12;
+const TOO_MANY: usize = 30;
+
+impl Picture<'_> {
+    /// Writes all of them, the load and where the object leaves to included; how many found no room is said in the corner.
+    pub(super) fn write_names(
+        &self,
+        axes: &EqualScales,
+        (paper, window, painting): (&mut Sheet, Window, &Painting),
+        (load, leaves): (Option<&LoadOnPaper<'_>>, Option<Place>),
+    ) {
+        let mut labels = Labels::new(window.within(4.0), painting.ink());
+        let (placed, elsewhere): (Vec<_>, Vec<_>) = self
+            .of
+            .state
+            .iter()
+            .flat_map(|state| self.actuators.that_yield(state))
+            .partition(|(_, at)| at.is_some());
+        if !elsewhere.is_empty() {
+            let names: Vec<_> = elsewhere.into_iter().map(|(name, _)| name).collect();
+            labels.write_in_the_corner(paper, &format!("At their limit: {}", names.join(", ")), LETTERS);
+        }
+        let named = if self.tips.len() <= TOO_MANY { &self.tips[..] } else { &[] };
+        for tip in named {
+            self.write_tip(tip, axes, paper, &mut labels);
+        }
+        for (motion, outline) in self.of.state.iter().flat_map(|state| &state.bodies).zip(&self.of.outlines) {
+            if outline.len() > 2 {
+                let middle = outline.iter().sum::<Vector2<f64>>() / outline.len() as f64;
+                labels.write(paper, axes.place(middle), &[&printable(&motion.body)], LETTERS);
+            }
+        }
+        if let Some(load) = load {
+            load.write(paper, &mut labels, LETTERS);
+        }
+        for (name, at) in placed.into_iter().filter_map(|(name, at)| Some((name, at?))) {
+            labels.write(paper, axes.place(at), &[&format!("{name} yields")], LETTERS);
+        }
+        if let Some(at) = leaves {
+            labels.write(paper, at, &["where it goes, not to scale"], LETTERS);
+        }
+        let unnamed = labels.left_out + self.tips.len() - named.len();
+        if unnamed > 0 {
+            let words = format!("{unnamed} names have no room here");
+            paper.text((window.left, window.top + window.high + 36.0), &words, LETTERS, 0.0, GREY);
+        }
+    }
+
+    /// Behind the finger, away from the object: its name, what it does and with which force.
+    fn write_tip(&self, tip: &Tip, axes: &EqualScales, paper: &mut Sheet, labels: &mut Labels) {
+        let at = axes.place(tip.middle - tip.frame.column(0) * (FINGER * self.span));
+        match &tip.does {
+            Some(does) if self.tips.len() <= MANY && tip.link.is_some() => {
+                let force = format!("{} N", short(does.force.norm()));
+                labels.write(paper, at, &[&tip.of.name, &force], LETTERS);
+            }
+            Some(does) if self.tips.len() <= MANY => {
+                let force = format!("|F| = {} N", short(does.force.norm()));
+                labels.write(paper, at, &[&tip.of.name, does.word, &force], LETTERS);
+            }
+            _ => labels.write(paper, at, &[&tip.of.name], LETTERS),
+        }
+    }
+}
