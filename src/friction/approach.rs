@@ -17,6 +17,9 @@ use super::sweeps::sweep;
 use nalgebra::DVector;
 use std::ops::ControlFlow;
 
+/// A step that has to be shorter than this part of its length is not worth its factorisation.
+const SHORTEST: f64 = 1e-2;
+
 /// Sweeps of each start, and where it enters the central path: τ as part of the energy of a contact.
 pub(super) const STARTS: [(usize, f64); 4] = [(200, 1e-2), (20, 1.0), (1000, 1e-4), (5, 1e-6)];
 /// Sweeps end where forces move no more than this part of themselves.
@@ -136,7 +139,7 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
             let equations = self.near(&r, (delta, self.best.residual < CLOSE));
             let begin = equations.at(r.clone()).size;
             let steps = self.settings.steps;
-            let patience = Patience { steps, enough: 0.0, rounding: ROUNDING, shortest: 1e-2, leaps: 6 };
+            let patience = Patience { steps, enough: 0.0, rounding: ROUNDING, shortest: SHORTEST, leaps: 6 };
             let (place, made) = descend(&equations, &self.order, r.clone(), patience);
             self.best.steps += made;
             let missing = self.offer(&place.r);

@@ -17,6 +17,9 @@ use super::problem::{FrictionProblem, part};
 use nalgebra::{DVector, SVector};
 use std::ops::ControlFlow;
 
+/// A step that has to be shorter than this part of its length is not taken.
+const SHORTEST: f64 = 1e-3;
+
 /// A place is on the path if what a contact misses is this part of √τ, in the root of the mean square. Smaller, steps are made that the next τ makes again;
 /// larger, the path is lost on the way.
 const NEAR: f64 = 0.1;
@@ -86,7 +89,7 @@ pub(super) fn follow<const C: usize>(
     while tau * factor > END * energy && (factor < LOST || factor == 1.0) {
         let smoothed = Smoothed { problem, blocks, rho: &rho, tau: tau * factor };
         let enough = NEAR * (count * smoothed.tau).sqrt();
-        let patience = Patience { steps: STEPS, enough, rounding: 0.0, shortest: 1e-3, leaps: 0 };
+        let patience = Patience { steps: STEPS, enough, rounding: 0.0, shortest: SHORTEST, leaps: 0 };
         let (place, steps) = descend(&smoothed, order, r.clone(), patience);
         made += steps;
         let ControlFlow::Continue(missing) = judge(&place.r) else { break };

@@ -11,6 +11,9 @@ use super::equations::{Equations, Patience, descend};
 use super::problem::{FrictionProblem, part};
 use nalgebra::{DMatrix, DVector};
 
+/// A step towards the beginning that has to be shorter than this part of its length is not taken.
+const SHORTEST_TO_BEGIN: f64 = 1e-6;
+
 /// The path is followed as far as τ is this part of the energy of a contact, and from where it is that part.
 const END: f64 = 1e-18;
 const FARTHEST: f64 = 1e6;
@@ -96,7 +99,8 @@ impl<const C: usize> Path<'_, C> {
         let order: Vec<usize> = (0..self.problem.len()).collect();
         let far = Smoothed { problem: self.problem, blocks: self.blocks, rho: self.rho, tau };
         let enough = ON_PATH * (self.problem.len() as f64 * tau).sqrt();
-        let patience = Patience { steps: BEGINNING, enough, rounding: 0.0, shortest: 1e-6, leaps: 0 };
+        let patience =
+            Patience { steps: BEGINNING, enough, rounding: 0.0, shortest: SHORTEST_TO_BEGIN, leaps: 0 };
         let (place, _) = descend(&far, &order, x.rows(0, size).into_owned(), patience);
         x.rows_mut(0, size).copy_from(&place.r);
         (place.size <= enough).then_some(x)

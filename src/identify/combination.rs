@@ -4,6 +4,9 @@ use nalgebra::DMatrix;
 
 use crate::words::listed;
 
+/// Powers that differ from one by less are told as a plain product or ratio.
+const ALIKE: f64 = 1e-3;
+
 /// A part of a direction below this is none.
 const NONE: f64 = 1e-4;
 
@@ -91,7 +94,7 @@ fn said(names: &[String], powers: &[f64], law: Law) -> String {
         return format!("{one} is not fixed: these slips do not depend on it");
     }
     let apart = format!("{} are not fixed apart by these slips: only", listed(names));
-    let are_alike = powers.iter().all(|power| (power.abs() - 1.0).abs() < 1e-3);
+    let are_alike = powers.iter().all(|power| (power.abs() - 1.0).abs() < ALIKE);
     match law {
         Law::Sum => return format!("{apart} their sum"),
         Law::Powers if are_alike => {}

@@ -23,6 +23,9 @@ use crate::search::{
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
+/// However much a piece enlarges rounding, a condition that is missed by more than this part of its size is broken.
+const MOST_ROUNDING: f64 = 1e-10;
+
 /// Part of the whole load or of all commands, or of the leg where there is no load, that lies just beyond.
 const A_LITTLE: f64 = 1e-6;
 /// On the round cone that may be too little to tell: then a little more.
@@ -247,7 +250,7 @@ fn search_beyond<D: Size, const C: usize>(here: &Problem<D, C>, rates: &Problem<
         ) else {
             return false;
         };
-        let rounding = (ZERO_SLACK * piece.growth()).min(1e-10);
+        let rounding = (ZERO_SLACK * piece.growth()).min(MOST_ROUNDING);
         let mut values = Vec::new();
         for_each_condition(here, &states, &now.forces, &now.twist, |value, size| {
             values.push((value, size));

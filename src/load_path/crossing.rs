@@ -8,6 +8,9 @@ use super::segment::Here;
 use super::watch::{Watch, watch};
 use crate::numerics::Size;
 
+/// A secant stays this part of the bracket away from either end of it.
+const INSIDE: f64 = 1e-3;
+
 /// Evaluations on the way to an event: bisection alone would need 50.
 const MOST_TRIALS: usize = 80;
 
@@ -62,7 +65,7 @@ impl<D: Size, const C: usize> Pieces<'_, D, C> {
         for trial in 0..MOST_TRIALS {
             // The secant, and every third time the middle, so that the bracket shrinks for certain.
             let part = low.1 / (low.1 - high.1);
-            let part = if trial % 3 == 2 { 0.5 } else { part.clamp(1e-3, 1.0 - 1e-3) };
+            let part = if trial % 3 == 2 { 0.5 } else { part.clamp(INSIDE, 1.0 - INSIDE) };
             let newton =
                 end.watches[k].way().map(|way| end.length + way).filter(|t| *t > low.0 && *t < high.0);
             let to = newton.unwrap_or(low.0 + (high.0 - low.0) * part);

@@ -8,6 +8,9 @@ use crate::grasp::{Engine, Twist, of_the_object};
 use crate::numerics::{Fixed, Size, Vector};
 use crate::object::least_combination;
 
+/// Commands produce a twist that they miss by no more than this part of it.
+const REACHED: f64 = 1e-9;
+
 /// Response of an equilibrium of n contacts to the finger commands, as long as every contact keeps its state: the matrices of position
 /// control, the paper's aim. Columns: the commands, contact by contact, axis by axis (m); column `c i + a` is axis a of contact i. Of a
 /// [response to joint commands](crate::ask::Sensitivity::joint_response): joint by joint, then tendon by tendon (rad, m).
@@ -75,7 +78,7 @@ impl Response {
         });
         let wanted = DVectorView::from_slice(wanted, wanted.len());
         let missed = (&self.twist * &command - wanted).norm();
-        (missed <= 1e-9 * wanted.norm()).then_some(command)
+        (missed <= REACHED * wanted.norm()).then_some(command)
     }
 
     fn least_combination<D: Size>(&self, size: D, wanted: &[f64]) -> Vec<f64> {

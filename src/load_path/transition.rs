@@ -11,6 +11,9 @@ use crate::numerics::Size;
 use crate::object::Problem;
 use crate::search::{Found, combinations, search_among};
 
+/// Two solutions are one if forces and travel differ by no more than this part of their size.
+const SAME: f64 = 1e-9;
+
 /// With at most this many combinations of states among the contacts on an edge, all are tried to see whether the path
 /// goes on in more than one way.
 const FEW_COMBINATIONS: f64 = 256.0;
@@ -76,8 +79,8 @@ pub(super) fn others<D: Size, const C: usize>(rates: &Problem<D, C>, found: &Fou
                 apart -= v * v.dot(&apart);
             }
             let travel = known.twist.norm().max(other.twist.norm());
-            apart.norm() <= 1e-9 * travel
-                && known.forces.iter().zip(&other.forces).all(|(x, y)| (x - y).norm() <= 1e-9 * size)
+            apart.norm() <= SAME * travel
+                && known.forces.iter().zip(&other.forces).all(|(x, y)| (x - y).norm() <= SAME * size)
         };
         if !distinct.iter().any(same) {
             distinct.push(other);

@@ -17,6 +17,9 @@ use crate::search::Settings;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
+/// Slips that change normal forces by less than this part of all that they change leave them as they are.
+const CHANGES: f64 = 1e-12;
+
 /// Beyond so many times the loads nobody asks: what is kept there is kept for any factor.
 const FARTHEST: f64 = 1e6;
 /// Conditions and multipliers that are off by less, of numbers near one, are met.
@@ -128,7 +131,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         }
         let normal = slips.iter().flat_map(|(_, forces)| forces).map(|f| f[0].abs()).fold(0.0, f64::max);
         let all = slips.iter().flat_map(|(_, forces)| forces).map(Matrix::norm).fold(0.0, f64::max);
-        let slips_change_normal_forces = normal > 1e-12 * all;
+        let slips_change_normal_forces = normal > CHANGES * all;
         let around_the_round_cone = settings.is_round::<C>();
         Ok(Some(Shakedown {
             factor,
