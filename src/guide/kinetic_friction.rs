@@ -11,7 +11,7 @@
 //! ```
 //!
 //! Both feet press with 10 N. The plastic one is twice as stiff: of 7.5 N it carries 5 N, all that it can. It slides, keeps 4 N, and the rubber foot takes over what it loses. Both
-//! with the coefficients of plastic would be held if and only if the softer foot is at most `μ_k/μ_s` times as stiff as the other one; as stiff as each other they slide at once, and the box is gone.
+//! with the coefficients of plastic would be held if and only if the softer foot is at most `μ_k/μ_s` times as stiff as the other one. As stiff as each other they slide at once, and the box is gone.
 //!
 //! ```text
 //! $ grasp-lcp hold feet.json --base 0,-20 --force 14,0
