@@ -10,7 +10,8 @@ use pyo3::prelude::*;
 
 use crate::columns::GivenColumns;
 use crate::errors::wrong;
-use crate::onsets::{Rows, Status, ended, status_of};
+use crate::onsets::ended;
+use crate::rows::{Asked, Rows, Status, by_size, status_of};
 
 /// Rows of numbers as `ScreenedGradients` has them, with factors in place of codes, and how each ended.
 struct Slopes {
@@ -30,20 +31,25 @@ pub(crate) fn onset_gradients_of_rows<'py>(
     own: bool,
 ) -> PyResult<Arrays<'py>> {
     let (columns, base, direction) = (columns.view(), base.as_array(), direction.as_array());
-    let found = py.detach(|| match (columns.axes(), columns.contacts()) {
-        (2, 2) => Some(Rows::<2>::new(&columns, &base, &direction, own, false).slopes::<3, 2>()),
-        (2, 3) => Some(Rows::<2>::new(&columns, &base, &direction, own, false).slopes::<3, 3>()),
-        (2, 4) => Some(Rows::<2>::new(&columns, &base, &direction, own, false).slopes::<3, 4>()),
-        (2, 5) => Some(Rows::<2>::new(&columns, &base, &direction, own, false).slopes::<3, 5>()),
-        (3, 2) => Some(Rows::<3>::new(&columns, &base, &direction, own, false).slopes::<6, 2>()),
-        (3, 3) => Some(Rows::<3>::new(&columns, &base, &direction, own, false).slopes::<6, 3>()),
-        (3, 4) => Some(Rows::<3>::new(&columns, &base, &direction, own, false).slopes::<6, 4>()),
-        (3, 5) => Some(Rows::<3>::new(&columns, &base, &direction, own, false).slopes::<6, 5>()),
-        _ => None,
-    });
+    let found = py.detach(|| by_size::<Gradients>(&columns, (&base, &direction), own, false));
     let Slopes { numbers, status } =
         found.ok_or_else(|| wrong("points: gradients are of grasps of 2 to 5 contacts"))?;
     Ok((numbers.into_pyarray(py), status.into_pyarray(py)))
+}
+
+/// Gradients of the first slip.
+struct Gradients;
+
+impl Asked for Gradients {
+    type Answer = Slopes;
+
+    fn screened<const D: usize, const C: usize, const N: usize>(rows: &Rows<'_, C>) -> Slopes {
+        rows.slopes::<D, N>()
+    }
+
+    fn whole<const C: usize>(_: &Rows<'_, C>) -> Option<Slopes> {
+        None
+    }
 }
 
 impl<const C: usize> Rows<'_, C> {

@@ -2,36 +2,16 @@
 
 use std::ops::Range;
 
-use grasp_lcp::Error;
 use grasp_lcp::ask::Grasp;
-use grasp_lcp::grasp::{Contact, Wrench};
+use grasp_lcp::grasp::Contact;
 use grasp_lcp::load_path::{Onset, Ramp};
 use grasp_lcp::screening::{Batch, Fingers, Pull, Screened, ScreeningVerdict};
-use grasp_lcp::sweep::map_in_order;
-use numpy::ndarray::ArrayView2;
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 
-use crate::columns::{Columns, GivenColumns};
-use crate::errors::{has_nan, wrong};
-
-/// Grasps that a thread takes at once: so many stay in its cache from being read to being screened.
-pub(crate) const CHUNK: usize = 2048;
-
-/// How a row ends; `grasp_lcp.OnsetStatus` has the numbers.
-#[derive(Clone, Copy, PartialEq)]
-#[repr(u8)]
-pub(crate) enum Status {
-    Leaves,
-    Never,
-    NotSticking,
-    GivesWay,
-    Unclear,
-    AlreadySliding,
-    NoBase,
-    NotANumber,
-    Malformed,
-}
+use crate::columns::GivenColumns;
+use crate::errors::wrong;
+use crate::rows::{Asked, CHUNK, Rows, Status, by_size, status_of};
 
 /// Answers of some rows, load by load within each.
 struct Found {
@@ -53,65 +33,28 @@ pub(crate) fn onsets_of_rows<'py>(
     complete: bool,
 ) -> PyResult<Arrays<'py>> {
     let (columns, base, direction) = (columns.view(), base.as_array(), direction.as_array());
-    let found = py.detach(|| match (columns.axes(), columns.contacts()) {
-        (2, 2) => Some(Rows::<2>::new(&columns, &base, &direction, own, complete).screened::<3, 2>()),
-        (2, 3) => Some(Rows::<2>::new(&columns, &base, &direction, own, complete).screened::<3, 3>()),
-        (2, 4) => Some(Rows::<2>::new(&columns, &base, &direction, own, complete).screened::<3, 4>()),
-        (2, 5) => Some(Rows::<2>::new(&columns, &base, &direction, own, complete).screened::<3, 5>()),
-        (2, _) => Some(Rows::<2>::new(&columns, &base, &direction, own, complete).whole()),
-        (3, 2) => Some(Rows::<3>::new(&columns, &base, &direction, own, complete).screened::<6, 2>()),
-        (3, 3) => Some(Rows::<3>::new(&columns, &base, &direction, own, complete).screened::<6, 3>()),
-        (3, 4) => Some(Rows::<3>::new(&columns, &base, &direction, own, complete).screened::<6, 4>()),
-        (3, 5) => Some(Rows::<3>::new(&columns, &base, &direction, own, complete).screened::<6, 5>()),
-        (3, _) => Some(Rows::<3>::new(&columns, &base, &direction, own, complete).whole()),
-        _ => None,
-    });
+    let found = py.detach(|| by_size::<Onsets>(&columns, (&base, &direction), own, complete));
     let Found { factor, status, leaving } =
         found.ok_or_else(|| wrong("points: must have 2 or 3 coordinates"))?;
     Ok((factor.into_pyarray(py), status.into_pyarray(py), leaving.into_pyarray(py)))
 }
 
-/// What is asked of each row.
-pub(crate) struct Rows<'a, const C: usize> {
-    pub(crate) columns: &'a Columns<'a>,
-    loads: Vec<[Wrench<C>; 2]>,
-    pub(crate) pulls: Vec<Result<Pull<C>, Status>>,
-    /// Whether each row has its own load.
-    pub(crate) own: bool,
-    /// Whether the method of the whole answers what screening leaves open.
-    complete: bool,
+/// Factors of the first slip.
+struct Onsets;
+
+impl Asked for Onsets {
+    type Answer = Found;
+
+    fn screened<const D: usize, const C: usize, const N: usize>(rows: &Rows<'_, C>) -> Found {
+        rows.screened::<D, N>()
+    }
+
+    fn whole<const C: usize>(rows: &Rows<'_, C>) -> Option<Found> {
+        Some(rows.whole())
+    }
 }
 
-impl<'a, const C: usize> Rows<'a, C> {
-    pub(crate) fn new(
-        columns: &'a Columns<'a>,
-        base: &ArrayView2<'_, f64>,
-        direction: &ArrayView2<'_, f64>,
-        own: bool,
-        complete: bool,
-    ) -> Self {
-        let load = |of: &ArrayView2<'_, f64>, p: usize| Wrench::from_components(&of.row(p).to_vec());
-        let loads: Vec<_> = (0..direction.nrows()).map(|p| [load(base, p), load(direction, p)]).collect();
-        let pull = |[base, direction]: &[_; 2]| match Pull::new(base, direction) {
-            Ok(_) if *direction == Wrench::ZERO => Err(Status::Malformed),
-            pull => pull.map_err(|error| status_of(&error)),
-        };
-        let pulls = loads.iter().map(pull).collect();
-        Self { columns, loads, pulls, own, complete }
-    }
-
-    /// Loads of a row.
-    pub(crate) fn of_row(&self, row: usize) -> Range<usize> {
-        if self.own { row..row + 1 } else { 0..self.loads.len() }
-    }
-
-    /// What comes of some rows at once.
-    pub(crate) fn in_chunks<T: Send>(&self, answer: impl Fn(Range<usize>) -> T + Sync + Send) -> Vec<T> {
-        let rows = self.columns.rows();
-        let chunks: Vec<_> = (0..rows).step_by(CHUNK).map(|first| first..rows.min(first + CHUNK)).collect();
-        map_in_order(&chunks, |chunk| answer(chunk.clone()))
-    }
-
+impl<const C: usize> Rows<'_, C> {
     /// Every row by what answers some of them.
     fn each(&self, answer: impl Fn(Range<usize>) -> Found + Sync + Send) -> Found {
         let rows = self.columns.rows();
@@ -285,9 +228,4 @@ pub(crate) fn ended(answer: &Screened) -> (Status, f64) {
         ScreeningVerdict::GivesWay => (Status::GivesWay, f64::NAN),
         _ => (Status::Unclear, f64::NAN),
     }
-}
-
-/// What is wrong with a row.
-pub(crate) fn status_of(error: &Error) -> Status {
-    if has_nan(error) { Status::NotANumber } else { Status::Malformed }
 }
