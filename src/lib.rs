@@ -96,9 +96,16 @@
 //! The model is that of "Position Control for Multifingered Robot Hand", which solves the sticking case as a quadratic
 //! program ([`energy`] has it, and says where it stops being an equilibrium); `paper-notes.md` in the repository tells what
 //! is taken from it, its misprints, and where this crate goes on.
+#![cfg_attr(not(feature = "std"), no_std)]
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 #![cfg_attr(test, allow(unexpected_cfgs, reason = "`tests/inside` has no such features"))]
+
+#[cfg_attr(not(feature = "std"), macro_use)]
+extern crate alloc;
+
+#[cfg(not(any(feature = "std", feature = "libm")))]
+compile_error!("grasp-lcp needs the feature `std`, or `libm` where there is no standard library");
 
 pub mod ask;
 mod contact;
@@ -120,6 +127,7 @@ mod object;
 #[cfg(feature = "plot")]
 pub mod picture;
 pub mod planar;
+mod prelude;
 mod proofs;
 #[cfg(feature = "serde")]
 pub mod scene;

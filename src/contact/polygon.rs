@@ -2,14 +2,15 @@
 //!
 //! In the plane the polygon is the interval [-1, 1] and nothing is approximated.
 
-use std::any::Any;
-use std::f64::consts::TAU;
-use std::sync::{Arc, OnceLock};
+use alloc::sync::Arc;
+use core::any::Any;
+use core::f64::consts::TAU;
 
 use nalgebra::SVector;
 
 use super::tangential::cross;
 use crate::error::Error;
+use crate::numerics::Once;
 
 /// A sine or cosine below this is that of a right angle, a few roundings away from zero.
 const ROUNDED_ZERO: f64 = 1e-15;
@@ -106,7 +107,7 @@ pub(crate) struct Polygon<const C: usize> {
 }
 
 /// The polygons that most questions ask for, in the plane and in space: made once.
-static SHARED: [OnceLock<Arc<dyn Any + Send + Sync>>; 2] = [const { OnceLock::new() }; 2];
+static SHARED: [Once<Arc<dyn Any + Send + Sync>>; 2] = [const { Once::new() }; 2];
 
 impl<const C: usize> Polygon<C> {
     /// The polygon of a cone; that of the plane and that of the default cone are made once.

@@ -8,8 +8,8 @@
 //!
 //! Of many coordinates `Q Qᵀ = K^{1/2}Gᵀ (G K Gᵀ)⁻¹ G K^{1/2}` is taken as it is, where rows have entries.
 
-use std::collections::HashMap;
-use std::collections::hash_map::Entry;
+use alloc::collections::BTreeMap;
+use alloc::collections::btree_map::Entry;
 
 use nalgebra::{DMatrix, DVector, SVector};
 
@@ -83,7 +83,7 @@ pub(crate) fn kinematic_form<D: Size, const C: usize>(
 
 /// What coordinates move by along columns of the kinematic form that have been asked for, contact by contact.
 #[derive(Debug, Default)]
-pub(crate) struct Moved(HashMap<usize, Vec<Vec<f64>>>);
+pub(crate) struct Moved(BTreeMap<usize, Vec<Vec<f64>>>);
 
 /// The kinematic form of a few contacts of many coordinates, where all others stay as they are in the trial state.
 pub(crate) fn kinematic_form_among<D: Size, const C: usize>(

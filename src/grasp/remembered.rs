@@ -1,12 +1,14 @@
 //! What is made once for a grasp and kept with it.
 
-use std::any::Any;
-use std::fmt;
-use std::sync::{Arc, OnceLock};
+use alloc::sync::Arc;
+use core::any::Any;
+use core::fmt;
+
+use crate::numerics::Once;
 
 /// Something that follows from the sites of a grasp alone, and that a room above makes when it first needs it.
 #[derive(Clone, Default)]
-pub(crate) struct Remembered(OnceLock<Arc<dyn Any + Send + Sync>>);
+pub(crate) struct Remembered(Once<Arc<dyn Any + Send + Sync>>);
 
 impl Remembered {
     /// What is remembered, made now if it never was.

@@ -1,17 +1,13 @@
-//! Work spread over the cores: the one place that knows of threads. What is done is handed over behind a pointer, so that the machinery of threads
-//! is compiled once and not for every question.
+//! Work spread over the cores (feature `parallel`): the one place that knows of threads. What is done is handed over behind a pointer, so that the
+//! machinery of threads is compiled once and not for every question.
 
 use std::sync::{Mutex, PoisonError};
 
-/// Does something for each of so many numbers: in parallel with the feature `parallel`, one after the other without it. A panic goes on to the caller.
+use rayon::prelude::*;
+
+/// Does something for each of so many numbers. A panic goes on to the caller.
 fn for_each(count: usize, what: &(dyn Fn(usize) + Sync)) {
-    #[cfg(feature = "parallel")]
-    {
-        use rayon::prelude::*;
-        (0..count).into_par_iter().for_each(what);
-    }
-    #[cfg(not(feature = "parallel"))]
-    (0..count).for_each(what);
+    (0..count).into_par_iter().for_each(what);
 }
 
 /// `f` of every item, answers in the order of the items.
@@ -41,7 +37,7 @@ pub(crate) fn each_taken<T: Send>(items: impl Iterator<Item = T>, f: &(impl Fn(T
     });
 }
 
-/// Both results, on two threads if there are threads.
+/// Both results, on two threads.
 pub(crate) fn both<R: Send>(a: impl FnOnce() -> R + Send, b: impl FnOnce() -> R + Send) -> (R, R) {
     let (mut first, mut second) = (None, None);
     {
@@ -52,11 +48,5 @@ pub(crate) fn both<R: Send>(a: impl FnOnce() -> R + Send, b: impl FnOnce() -> R 
 }
 
 fn side_by_side(a: &mut (dyn FnMut() + Send), b: &mut (dyn FnMut() + Send)) {
-    #[cfg(feature = "parallel")]
     rayon::join(a, b);
-    #[cfg(not(feature = "parallel"))]
-    {
-        a();
-        b();
-    }
 }

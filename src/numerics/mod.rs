@@ -29,7 +29,9 @@
 //! | `waiting_line` | numbered things that wait for their time |
 //! | `vector_dispatch` | loops on the widest vectors of the processor |
 //! | `pseudo_random` | numbers without structure, the same on every machine |
+//! | `square_root` | that of std by a name of its own |
 //! | `cleared_for` | lists that are filled anew |
+//! | `without_std` | what std does for all this, where there is none |
 
 mod band;
 mod bordered;
@@ -37,6 +39,7 @@ mod bordered_band;
 mod cleared_for;
 mod complete_pivoting;
 mod coordinates;
+#[cfg_attr(not(feature = "parallel"), path = "one_core.rs")]
 mod cores;
 mod dormand_prince;
 mod double_double;
@@ -56,12 +59,15 @@ mod partial_pivoting;
 mod positive_band;
 mod pseudo_random;
 mod ray_shooting;
+mod square_root;
 mod student_t;
 mod support;
 mod trigonometric;
 mod unit_vector;
 mod vector_dispatch;
 mod waiting_line;
+#[cfg(not(feature = "std"))]
+mod without_std;
 
 pub(crate) use band::{Band, BandFactors};
 pub(crate) use bordered::Bordered;
@@ -88,9 +94,14 @@ pub(crate) use partial_pivoting::PartialPivoting;
 pub(crate) use positive_band::PositiveBand;
 pub(crate) use pseudo_random::{Draw, generic};
 pub(crate) use ray_shooting::{RayExit, shoot};
+pub(crate) use square_root::square_root;
+#[cfg(feature = "std")]
+pub(crate) use std::sync::OnceLock as Once;
 pub(crate) use student_t::two_sided;
 pub(crate) use support::{Vertex, simplex};
 pub(crate) use trigonometric::{Fall, Trigonometric};
 pub(crate) use unit_vector::unit;
 pub(crate) use vector_dispatch::{Compiled, Loop, OnVectors, Vectors, on_the_widest, wide};
 pub(crate) use waiting_line::WaitingLine;
+#[cfg(not(feature = "std"))]
+pub(crate) use without_std::{FloatFunctions, Once};

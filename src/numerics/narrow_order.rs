@@ -5,7 +5,7 @@
 //!
 //! Source: A. George and J. W. H. Liu, Computer Solution of Large Sparse Positive Definite Systems (1981), chapter 4.
 
-use std::ops::Range;
+use core::ops::Range;
 
 /// For each of so many coordinates its number in the order; each coupling is between the coordinates of some ranges.
 pub(crate) fn narrow_order(count: usize, couplings: &[[Range<usize>; 2]]) -> Vec<usize> {
@@ -17,8 +17,8 @@ pub(crate) fn narrow_order(count: usize, couplings: &[[Range<usize>; 2]]) -> Vec
         if seen[place] {
             continue;
         }
-        let from = at_the_rim(&neighbours, place);
-        for place in outwards(&neighbours, from).into_iter().flatten() {
+        let from = at_the_rim(&neighbours, place, &mut seen);
+        for place in outwards(&neighbours, from, &mut seen).into_iter().flatten() {
             seen[place] = true;
             for k in starts[place]..starts[place + 1] {
                 numbers[k] = next;
@@ -65,12 +65,12 @@ fn graph(count: usize, couplings: &[[Range<usize>; 2]]) -> (Vec<usize>, Vec<Vec<
 }
 
 /// A place as far from others as any: from the last of those farthest away on again, until that is no farther.
-fn at_the_rim(neighbours: &[Vec<usize>], mut place: usize) -> usize {
-    let mut levels = outwards(neighbours, place);
+fn at_the_rim(neighbours: &[Vec<usize>], mut place: usize, seen: &mut [bool]) -> usize {
+    let mut levels = outwards(neighbours, place, seen);
     loop {
         let farthest = levels.last().into_iter().flatten();
         let Some(next) = farthest.min_by_key(|place| neighbours[**place].len()) else { return place };
-        let further = outwards(neighbours, *next);
+        let further = outwards(neighbours, *next, seen);
         if further.len() <= levels.len() {
             return place;
         }
@@ -78,21 +78,25 @@ fn at_the_rim(neighbours: &[Vec<usize>], mut place: usize) -> usize {
     }
 }
 
-/// All places that can be reached from one, level by level.
-fn outwards(neighbours: &[Vec<usize>], from: usize) -> Vec<Vec<usize>> {
-    let mut seen = std::collections::HashSet::from([from]);
+/// All places that can be reached from one, level by level. `seen` marks places on the way, and none of them at the end.
+fn outwards(neighbours: &[Vec<usize>], from: usize, seen: &mut [bool]) -> Vec<Vec<usize>> {
+    seen[from] = true;
     let mut levels = vec![vec![from]];
     while let Some(level) = levels.last() {
         let mut next = Vec::new();
         for place in level {
             let begin = next.len();
-            next.extend(neighbours[*place].iter().copied().filter(|other| seen.insert(*other)));
+            let unseen = |other: &usize| !core::mem::replace(&mut seen[*other], true);
+            next.extend(neighbours[*place].iter().copied().filter(unseen));
             next[begin..].sort_by_key(|other| neighbours[*other].len());
         }
         if next.is_empty() {
             break;
         }
         levels.push(next);
+    }
+    for place in levels.iter().flatten() {
+        seen[*place] = false;
     }
     levels
 }

@@ -7,8 +7,7 @@
 //! oblique projection (an orthogonal one when nothing slides). Both factors are orthogonalised.
 
 use crate::numerics::{Map, Size, Square, Vector};
-use std::ops::Range;
-use std::sync::OnceLock;
+use core::ops::Range;
 
 use nalgebra::SVector;
 
@@ -18,7 +17,7 @@ use super::null_motions::NullMotions;
 use super::problem::Problem;
 use crate::contact::{Spring, State};
 use crate::grasp::{Site, size_of};
-use crate::numerics::{CompletePivoting, Orthogonal, orthonormalise_against, without};
+use crate::numerics::{CompletePivoting, Once, Orthogonal, orthonormalise_against, without};
 
 /// One linear piece of the contact law: a state for every contact.
 #[derive(Debug, Clone)]
@@ -33,7 +32,7 @@ pub(crate) struct Piece<D: Size, const C: usize> {
     /// Of many coordinates, unless T is nearly singular and not quite.
     pub(super) band: Option<(BandPiece, NullMotions<D>)>,
     /// Of few; of many when they are first asked for.
-    orthogonal: OnceLock<OrthogonalPiece<D>>,
+    orthogonal: Once<OrthogonalPiece<D>>,
     size: D,
 }
 
@@ -66,7 +65,7 @@ impl<D: Size, const C: usize> Piece<D, C> {
             && let Some(null) = NullMotions::of(&band)
         {
             let (free, unbalanced) = (null.free.clone(), null.unbalanced.clone());
-            let (band, orthogonal) = (Some((band, null)), OnceLock::new());
+            let (band, orthogonal) = (Some((band, null)), Once::new());
             return Self { springs, first, free, unbalanced, band, orthogonal, size };
         }
         let rows = |side: fn(&Spring<C>) -> &SVector<f64, C>| {
@@ -83,7 +82,7 @@ impl<D: Size, const C: usize> Piece<D, C> {
         let factors = OrthogonalPiece::new(size, right, (!straight).then(|| rows(|spring| &spring.left)));
         let free = factors.right.null_space();
         let unbalanced = factors.left.as_ref().map_or_else(|| free.clone(), |(left, _)| left.null_space());
-        Self { springs, first, free, unbalanced, band: None, orthogonal: OnceLock::from(factors), size }
+        Self { springs, first, free, unbalanced, band: None, orthogonal: Once::from(factors), size }
     }
 
     /// Its orthogonal factors.

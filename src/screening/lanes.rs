@@ -6,6 +6,8 @@
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
+use crate::numerics::square_root;
+
 /// Scenes side by side in a batch.
 pub(super) const LANES: usize = if cfg!(feature = "simd") { 8 } else { 4 };
 
@@ -88,7 +90,7 @@ impl Packed for f64 {
     #[cfg_attr(not(feature = "simd"), inline)]
     #[cfg_attr(feature = "simd", inline(always))]
     fn sqrt(self) -> Self {
-        self.sqrt()
+        square_root(self)
     }
 
     #[cfg_attr(not(feature = "simd"), inline)]
@@ -176,7 +178,7 @@ impl Packed for Lanes {
     #[cfg_attr(not(feature = "simd"), inline)]
     #[cfg_attr(feature = "simd", inline(always))]
     fn sqrt(self) -> Self {
-        self.map(f64::sqrt)
+        self.map(square_root)
     }
 
     #[cfg_attr(not(feature = "simd"), inline)]

@@ -1,0 +1,12 @@
+//! What std does for the rooms above, where there is none.
+//!
+//! | file | idea |
+//! |---|---|
+//! | `float_functions` | functions of floating point, from `libm` |
+//! | `once` | what is made once, for all threads |
+
+mod float_functions;
+mod once;
+
+pub(crate) use float_functions::FloatFunctions;
+pub(crate) use once::Once;

@@ -1,0 +1,35 @@
+//! What is made when it is first needed, and kept, as `std::sync::OnceLock` does where there is std.
+
+use crate::prelude::*;
+
+use once_cell::race::OnceBox;
+
+/// A place for something that is made once. Nobody waits: whoever needs it meanwhile makes it, too, and the first to be done is kept.
+#[derive(Debug, Clone)]
+pub(crate) struct Once<T>(OnceBox<T>);
+
+impl<T> Once<T> {
+    pub(crate) const fn new() -> Self {
+        Self(OnceBox::new())
+    }
+
+    pub(crate) fn get(&self) -> Option<&T> {
+        self.0.get()
+    }
+
+    pub(crate) fn get_or_init(&self, make: impl FnOnce() -> T) -> &T {
+        self.0.get_or_init(|| Box::new(make()))
+    }
+}
+
+impl<T> Default for Once<T> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<T> From<T> for Once<T> {
+    fn from(made: T) -> Self {
+        Self(OnceBox::with_value(Box::new(made)))
+    }
+}
