@@ -1,8 +1,9 @@
 //! Malformed input, and only that: "no equilibrium exists" is an answer (see [`crate::equilibrium::Outcome`]), not an error.
 
-use std::fmt;
-use std::sync::Arc;
+use alloc::sync::Arc;
+use core::fmt;
 
+use crate::prelude::*;
 use crate::words::{LinkKind, printable};
 
 /// Larger numbers are refused: squares of products of three of them would overflow, and a size that overflows makes every

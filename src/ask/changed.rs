@@ -1,6 +1,6 @@
 //! A grasp with other data – commands, torques, friction, squeeze – asked with the same settings.
 
-use std::sync::Arc;
+use alloc::sync::Arc;
 
 use nalgebra::SVector;
 
@@ -9,6 +9,7 @@ use super::questions::Questions;
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::{Contact, Wrench};
+use crate::prelude::*;
 
 impl<const C: usize> Grasp<C> {
     /// This grasp by other contacts or commands.

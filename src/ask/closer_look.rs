@@ -6,6 +6,7 @@ use crate::equilibrium::{Accuracy, Bracket, Equilibrium, Refutation};
 use crate::error::Error;
 use crate::forms::Form;
 use crate::grasp::Wrench;
+use crate::prelude::*;
 
 impl<const C: usize> Grasp<C> {
     /// All equilibria under a load, for few contacts, by trying every combination of contact states; the one that

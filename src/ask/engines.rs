@@ -1,12 +1,13 @@
 //! Where engines are made: for the plane and for space, and for hands.
 
-use std::any::Any;
-use std::sync::Arc;
+use alloc::sync::Arc;
+use core::any::Any;
 
 use super::questions::Questions;
 use crate::error::Error;
 use crate::grasp::{Bodies, Contact, Engine, Finger, Hand};
 use crate::numerics::Fixed;
+use crate::prelude::*;
 
 type Made<const C: usize> = Result<Arc<dyn Questions<C>>, Error>;
 

@@ -1,6 +1,6 @@
 //! A grasp, and what it can be asked.
 
-use std::sync::Arc;
+use alloc::sync::Arc;
 
 use nalgebra::{SMatrix, SVector};
 
@@ -14,6 +14,7 @@ use crate::error::Error;
 use crate::grasp::{Bodies, Contact, Hand, HandPart, WholeContact, WholeContacts, Wrench};
 use crate::hold::Verdict;
 use crate::load_path::Ramp;
+use crate::prelude::*;
 
 /// An object held by elastic fingers: a checked list of contacts, and the joints behind them if a [`Hand`] holds it.
 ///

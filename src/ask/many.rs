@@ -5,6 +5,7 @@ use crate::equilibrium::Outcome;
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::load_path::{Onset, Ramp, Turn, TurnOnset};
+use crate::prelude::*;
 use crate::sweep::{Reserve, RobustOnset, Uncertainty, map_in_order};
 
 impl<const C: usize> Grasp<C> {

@@ -1,7 +1,7 @@
 //! What every engine answers, whatever its number of coordinates.
 
-use std::fmt::Debug;
-use std::sync::Arc;
+use alloc::sync::Arc;
+use core::fmt::Debug;
 
 use nalgebra::{SMatrix, SVector};
 
@@ -20,6 +20,7 @@ use crate::load_path::{
     PatchPath, Ramp, Response, SteppedPath, StickingRange, Turn, TurnOnset,
 };
 use crate::numerics::{Any, Fixed, Memory};
+use crate::prelude::*;
 use crate::shake::{Shakedown, Shaken};
 use crate::squeeze::{Bounds, LeastOnset, LeastSqueeze, Loads, WeakestDirection};
 use crate::statics::{Budget, Closure, LoadLimit, WrenchBall, WrenchScale};

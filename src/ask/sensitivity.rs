@@ -6,6 +6,7 @@ use crate::error::Error;
 use crate::load_path::{
     Derivative, GeometryGradient, OnsetEvent, OnsetGradient, Parameter, Ramp, Response, StickingRange,
 };
+use crate::prelude::*;
 use crate::sweep::{OnsetSpread, Uncertainty};
 
 /// How the answers of a grasp change with its data, made by [`Sensitivity::of`](crate::ask::Sensitivity::of).

@@ -10,6 +10,7 @@ use super::law::{Law, LocalLaw};
 use super::state::{Mode, State};
 use super::tangential::tangential;
 use super::tolerances::{WEIGHTLESS, ZERO_SLACK};
+use crate::prelude::*;
 
 /// Facets are at least as far apart as this; on the round cone the direction of one that is reached again differs by rounding.
 const ONE_FACET: f64 = 1e-9;

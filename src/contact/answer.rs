@@ -20,6 +20,8 @@ use super::slide::Slide;
 use super::state::{Mode, PolygonState, State};
 use super::tangent::Tangent;
 use super::tangential::{cross, tangential_norm};
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
 
 /// Newton's steps on the secular equation: from its lower bound it gains digits from the first step on.
 const STEPS: usize = 60;

@@ -9,6 +9,8 @@
 use nalgebra::SVector;
 
 use crate::numerics::DoubleDouble;
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
 
 /// The series springs of body and finger along the axes of the contact frame, normal first.
 #[derive(Debug, Clone, Copy, PartialEq)]

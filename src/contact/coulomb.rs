@@ -7,6 +7,8 @@ use nalgebra::SVector;
 
 use super::compliance::Compliance;
 use super::tangential::tangential_norm;
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
 
 /// Stands for infinite friction where a contact with infinite friction has to open: only then does it need facets.
 const INSTEAD_OF_INFINITE_FRICTION: f64 = 1e8;

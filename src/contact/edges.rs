@@ -4,6 +4,7 @@ use nalgebra::SVector;
 
 use super::law::LocalLaw;
 use super::tangential::tangential;
+use crate::prelude::*;
 
 /// What a sticking contact asks of its force.
 #[derive(Debug, Clone)]

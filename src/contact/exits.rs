@@ -6,6 +6,7 @@ use super::law::LocalLaw;
 use super::state::{Mode, State};
 use super::tangential::tangential;
 use super::tolerances::ZERO_SLACK;
+use crate::prelude::*;
 
 /// Newton's steps on the margin of a round cone: each doubles the digits that the quadratic equation has left.
 const POLISHING_STEPS: usize = 3;

@@ -14,12 +14,13 @@
 //! An arc of directions p is replaced by a polygon around it, so that the hull holds all that the law allows and a little more.
 //! What contradicts the hulls of all contacts contradicts the law.
 
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI, TAU};
+use core::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI, TAU};
 
 use nalgebra::SVector;
 
 use super::law::{Law, LocalLaw};
 use super::tangential::tangential_norm;
+use crate::prelude::*;
 
 /// A polygon around an arc has a corner for every piece of at most this angle.
 const PIECE: f64 = FRAC_PI_8;

@@ -10,6 +10,7 @@ use super::compliance::Compliance;
 use super::coulomb::Coulomb;
 use super::polygon::Polygon;
 use super::state::{Mode, PolygonState, State};
+use crate::prelude::*;
 
 /// Which conditions a contact has.
 #[derive(Debug, Clone, PartialEq)]

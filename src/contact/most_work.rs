@@ -19,6 +19,8 @@ use super::hull::{Label, Sector};
 use super::law::{Law, LocalLaw};
 use super::tangential::{cross, right_angle};
 use crate::numerics::unit;
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
 
 impl<const C: usize> LocalLaw<'_, C> {
     /// The most that a stretch and a force of length one in energy units, allowed under the label, do along φ (N) and u (m).

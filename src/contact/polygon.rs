@@ -11,6 +11,7 @@ use nalgebra::SVector;
 use super::tangential::cross;
 use crate::error::Error;
 use crate::numerics::Once;
+use crate::prelude::*;
 
 /// A sine or cosine below this is that of a right angle, a few roundings away from zero.
 const ROUNDED_ZERO: f64 = 1e-15;

@@ -17,6 +17,9 @@
 //! Drawn by half, squeezed, and drawn again it is right to second order, and exactly while the normal force stays or the springs are alike. It slides
 //! on to the end: what it slips by, γ p·K p = p·K v_t' - r', grows where it is zero, by `(p⊥·K v_t')²`.
 
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
+
 /// Steps towards s: they gain digits from the first on.
 const STEPS: usize = 60;
 /// A step shorter than this part of s is the last: rounding of s. With more Newton's method for the object would see jumps.

@@ -16,6 +16,8 @@ use super::polygon::corner;
 use super::slide::{Edge, Slide};
 use super::state::{Mode, State};
 use crate::numerics::rounding_of;
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
 
 /// `F = left (right · v)`, v the stretch of a contact.
 #[derive(Debug, Clone, Copy)]

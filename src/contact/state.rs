@@ -1,6 +1,6 @@
 //! What a contact does, with all that belongs to it: the one type of contact states.
 
-use std::convert::Infallible;
+use core::convert::Infallible;
 
 use nalgebra::SVector;
 

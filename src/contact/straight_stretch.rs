@@ -20,6 +20,8 @@ use super::relaxing_slide::RelaxingSlide;
 use super::slide::Slide;
 use super::state::Mode;
 use super::tangential::{tangential, tangential_norm};
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
 
 /// A traction this near to its limit, as a part of it, is on the cone: what a step leaves is rounding of it.
 const ON_THE_CONE: f64 = 1e-12;

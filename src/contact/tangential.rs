@@ -2,6 +2,9 @@
 
 use nalgebra::SVector;
 
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
+
 /// Squares between this and its reciprocal have lost no digits by underflow or overflow.
 const SAFE_SQUARE: f64 = 1e-280;
 

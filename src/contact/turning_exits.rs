@@ -11,6 +11,7 @@ use super::state::{Mode, State};
 use super::tangential::tangential;
 use super::tolerances::ZERO_SLACK;
 use crate::numerics::{Fall, Harmonic, Trigonometric, Turning};
+use crate::prelude::*;
 
 /// Newton's steps on the margin of a round cone: each doubles the digits that its square has left.
 const POLISHING_STEPS: usize = 3;

@@ -12,6 +12,7 @@ use crate::lcp::{self, Basis, Lcp, Parametric, Variable};
 use crate::load_path::Ramp;
 use crate::numerics::{Size, Vector};
 use crate::object::Piece;
+use crate::prelude::*;
 
 /// How far along a ramp the minimum of energy is an equilibrium.
 ///

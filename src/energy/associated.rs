@@ -10,6 +10,7 @@ use crate::grasp::{Engine, Twist, Wrench};
 use crate::lcp::Outcome;
 use crate::numerics::{Size, Vector, unit};
 use crate::object::{Piece, PieceState, Problem};
+use crate::prelude::*;
 use crate::proofs::separating_motion;
 
 /// What is left of a direction after the binding rows were taken out of it, when it depends on them.

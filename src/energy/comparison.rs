@@ -1,6 +1,6 @@
 //! Coulomb's law against the paper's minimum of energy, under one load.
 
-use std::fmt;
+use core::fmt;
 
 use super::minimum::{MinimumEnergy, MinimumOutcome};
 use crate::Settings;
@@ -9,6 +9,8 @@ use crate::error::Error;
 
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Size, Vector};
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
 
 /// An imbalance below this part of the largest force is rounding of zero.
 const BALANCED: f64 = 1e-12;

@@ -12,6 +12,7 @@ use crate::grasp::Site;
 use crate::lcp::{self, Lcp, Outcome};
 use crate::numerics::{Map, Size, Vector, unit};
 use crate::object::{Piece, Problem};
+use crate::prelude::*;
 
 /// A row is on its edge, and a condition is satisfied, up to this part of the forces that it compares (no unit).
 /// Scenes with stiffness ratios of 1e14 leave rounding of 1e-14; a smaller part would refuse their answers.

@@ -12,6 +12,7 @@ use crate::error::Error;
 use crate::grasp::{Coordinates, Engine, Motion, Twist, Wrench, object_alone};
 use crate::numerics::{Size, Vector};
 use crate::object::Unbalanced;
+use crate::prelude::*;
 
 /// How the search for the minimum of the paper's program ends.
 #[derive(Debug, Clone)]

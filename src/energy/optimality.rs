@@ -30,6 +30,7 @@ use crate::Settings;
 use crate::lcp::{Basis, Outcome};
 use crate::numerics::{Size, Vector};
 use crate::object::{Piece, PieceState, Problem};
+use crate::prelude::*;
 
 /// Gaps that may open, rows that may bind, and the springs when all of them hold.
 pub(super) struct EnergyProgram<'g, D: Size, const C: usize> {

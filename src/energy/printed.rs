@@ -8,6 +8,7 @@ use crate::contact::{LocalLaw, PolygonCone};
 use crate::error::{Error, Field, LARGEST};
 use crate::grasp::{Contact, Engine, Stiffness, Twist, Wrench, grasp_map};
 use crate::numerics::Size;
+use crate::prelude::*;
 
 /// What an equality row of the printed program says.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -200,7 +201,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             let map = grasp_map(size, &contact.point, &site.frame);
             for axis in 0..C {
                 let moved = (0..count).map(|k| (columns - count + k, -map[(k, axis)]));
-                let terms = std::iter::once((column::<C>(i, BODY_CORE, axis), 1.0)).chain(moved);
+                let terms = core::iter::once((column::<C>(i, BODY_CORE, axis), 1.0)).chain(moved);
                 written.equalities.push_terms(Equality::BodyMotion { contact: i, axis }, terms, 0.0);
             }
         }

@@ -14,6 +14,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::lcp::{LcpError, MixedLcp, MixedSolution, Outcome, Residuals};
+use crate::prelude::*;
 
 /// Steps of iterative refinement: two settle what a factorisation leaves, one more costs nothing.
 const REFINEMENTS: usize = 3;

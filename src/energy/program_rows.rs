@@ -2,6 +2,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use crate::prelude::*;
+
 /// Rows in so many unknowns.
 pub(super) struct ProgramRows<Says> {
     columns: usize,

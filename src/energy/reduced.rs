@@ -8,6 +8,7 @@ use crate::contact::{LocalLaw, PolygonCone};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench, grasp_map};
 use crate::numerics::{Size, unit};
+use crate::prelude::*;
 
 /// Which unknowns a reduced program keeps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -10,6 +10,7 @@ use crate::error::Error;
 use crate::grasp::{Engine, Site, Twist, Wrench, displacement_of};
 use crate::numerics::{Map, Size, Square, Vector};
 use crate::object::{Lists, Load, Problem};
+use crate::prelude::*;
 use crate::search::{Settled, settle};
 /// More outer iterations than this are not made: each gains a digit or more where first order makes sense at all.
 const MOST_ITERATIONS: usize = 100;

@@ -1,12 +1,13 @@
 //! Is an equilibrium stable? The second derivative of the potential energy.
 
-use std::ops::Range;
+use core::ops::Range;
 
 use nalgebra::{DMatrix, SVector, SymmetricEigen};
 
 use crate::equilibrium::{ContactState, Equilibrium};
 use crate::grasp::{Engine, Motion, grasp_map, of_the_object};
 use crate::numerics::{Any, Size, Square, Vector};
+use crate::prelude::*;
 
 /// An eigenvalue of the Hessian below this part of the largest is zero as far as rounding can tell.
 const ZERO: f64 = 1e-12;

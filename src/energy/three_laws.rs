@@ -1,6 +1,6 @@
 //! One load, three laws of friction, one table.
 
-use std::fmt;
+use core::fmt;
 
 use nalgebra::SVector;
 
@@ -12,6 +12,7 @@ use crate::equilibrium::{ContactAnswer, Outcome};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::Size;
+use crate::prelude::*;
 
 /// What Coulomb's law, the paper's minimum of energy and the associated law say of one load, in space all on the same polygonal cone. Printed, it is a
 /// table: forces in the contact frames, N, slips and gaps, m.

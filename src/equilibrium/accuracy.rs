@@ -8,6 +8,7 @@ use crate::contact::{Polygon, PolygonCone, State};
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Draw, Size, Vector};
 use crate::object::{Load, Piece, PieceState, PreciseTwist, Problem};
+use crate::prelude::*;
 use crate::search::Rung;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;

@@ -12,6 +12,7 @@ use super::residuals::Residuals;
 use crate::contact::{Coulomb, State};
 use crate::forms::LeftOut;
 use crate::grasp::{BodyLoad, BodyMotion, Coordinates, Motion, Twist, WholeContact, Wrench};
+use crate::prelude::*;
 use crate::search::{Doubt, Rung};
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;

@@ -3,6 +3,8 @@
 use nalgebra::SVector;
 
 use crate::error::ContactLabel;
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 

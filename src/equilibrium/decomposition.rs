@@ -1,6 +1,6 @@
 //! Equilibrating and interaction forces.
 
-use std::borrow::Cow;
+use alloc::borrow::Cow;
 
 use nalgebra::SVector;
 
@@ -9,6 +9,7 @@ use super::contact_answer::ContactState;
 use crate::grasp::{Engine, Site, object_alone};
 use crate::numerics::{Map, Size};
 use crate::object::least_forces;
+use crate::prelude::*;
 
 /// Contact forces split in two, each along the coordinate axes, contact by contact (N).
 #[derive(Debug, Clone, PartialEq)]

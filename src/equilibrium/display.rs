@@ -1,6 +1,6 @@
 //! Answers in words, for a terminal.
 
-use std::fmt;
+use core::fmt;
 
 use super::answer::{Equilibrium, Outcome, Undecided};
 use super::contact_answer::{ContactAnswer, ContactState};
@@ -8,6 +8,7 @@ use super::hand_answer::{DriveState, JointAnswer, TendonAnswer};
 use super::no_equilibrium::{NoEquilibrium, Proof};
 use super::pad_answer::WholeAnswer;
 use crate::grasp::{JointKind, vacuum_is_gone};
+use crate::prelude::*;
 use crate::search::Doubt;
 use crate::words::Words;
 

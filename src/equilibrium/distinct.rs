@@ -8,6 +8,7 @@ use crate::contact::{Mode, State};
 use crate::grasp::Engine;
 use crate::numerics::Size;
 use crate::object::largest_force;
+use crate::prelude::*;
 
 /// A condition met by less than this part of the size of its terms may be rounding of the data. Normals, arms and products of
 /// them carry a few units of 1e-16, which well-posed grasps magnify a hundred times and more.

@@ -3,7 +3,7 @@
 //! Virtual forces are first balanced exactly, by six of them. Then every generator of what the law allows in a case is taken along, with polygons
 //! around arcs of directions: none may do more than the gain over [`ESCAPE`] times the data, for its length in √J.
 
-use std::f64::consts::FRAC_PI_8;
+use core::f64::consts::FRAC_PI_8;
 
 use nalgebra::SVector;
 use num_rational::BigRational;
@@ -13,6 +13,7 @@ use crate::contact::{Label, LocalLaw, Sector};
 use crate::grasp::{Contact, Engine, Site, Wrench};
 use crate::numerics::{Fixed, Vector};
 use crate::object::Problem;
+use crate::prelude::*;
 use crate::proofs::{ESCAPE, ProofStep, check};
 use crate::search::{Settings, refute};
 
@@ -41,9 +42,9 @@ struct Exact {
 impl Exact {
     fn new((site, local): (&Site<Fixed<6>, 3>, LocalLaw<'_, 3>), drive: &SVector<f64, 3>) -> Self {
         let entry = |k: usize, axis: usize| exact(site.map[(k, axis)]) + exact(site.map_rest[(k, axis)]);
-        let axes = |x: &SVector<f64, 3>| std::array::from_fn(|axis| exact(x[axis]));
+        let axes = |x: &SVector<f64, 3>| core::array::from_fn(|axis| exact(x[axis]));
         Self {
-            map: std::array::from_fn(|axis| std::array::from_fn(|k| entry(k, axis))),
+            map: core::array::from_fn(|axis| core::array::from_fn(|k| entry(k, axis))),
             stiffness: axes(&local.springs.force(&SVector::repeat(1.0))),
             friction: exact(local.cone().limit(1.0)),
             drive: axes(drive),
@@ -70,7 +71,7 @@ impl Exact {
         match label {
             Label::Open => {}
             Label::Anything | Label::Closed => {
-                let whole = around(-std::f64::consts::PI, std::f64::consts::PI);
+                let whole = around(-core::f64::consts::PI, core::f64::consts::PI);
                 list.extend(whole.iter().map(|p| [along(0, 1), on_cone(p)]));
                 list.extend(slips_anyhow());
             }

@@ -8,6 +8,7 @@ use crate::grasp::{
 };
 use crate::numerics::Size;
 use crate::object::Problem;
+use crate::prelude::*;
 use crate::search::Found;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;

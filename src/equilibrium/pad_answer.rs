@@ -1,6 +1,6 @@
 //! Soft fingertips of an equilibrium: each is one contact, whatever number of points stand for it.
 
-use std::ops::Range;
+use core::ops::Range;
 
 use nalgebra::SVector;
 
@@ -9,6 +9,7 @@ use super::contact_answer::{ContactAnswer, ContactState};
 use crate::error::ContactLabel;
 use crate::grasp::{Engine, WholeContacts, Wrench, displacement_of, of_the_object};
 use crate::numerics::{Fixed, Size, Vector};
+use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 use crate::words::{LinkKind, Words};

@@ -9,6 +9,7 @@ use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Size, Vector};
 use crate::object::Problem;
+use crate::prelude::*;
 use crate::search::{
     Doubt, Effort, Found, Rung, Settings, Settled, combinations, on_the_whole_line, search, settle,
 };

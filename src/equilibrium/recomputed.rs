@@ -9,6 +9,7 @@ use crate::contact::{Coulomb, Polygon};
 use crate::grasp::{Engine, Hold, Site, Wrench, displacement_of, object_alone, of_the_object, wrench_of};
 use crate::numerics::{Size, Vector};
 use crate::object::{NO_FORCE, Problem, least_spring_force};
+use crate::prelude::*;
 use crate::search::Found;
 
 /// Sizes below this are taken for this: products of subnormal numbers have no relative precision.
@@ -262,7 +263,7 @@ fn is_finite<const C: usize>(answer: &ContactAnswer<C>) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use std::sync::Arc;
+    use alloc::sync::Arc;
 
     use nalgebra::SVector;
 
@@ -275,7 +276,7 @@ mod tests {
 
     /// A comparison with a bound must fail wherever anything is not finite.
     #[test]
-    fn what_is_not_finite_holds_nowhere() -> Result<(), Box<dyn std::error::Error>> {
+    fn what_is_not_finite_holds_nowhere() -> Result<(), Box<dyn core::error::Error>> {
         let jaw = |side: f64| {
             Contact::new([side, 0.0], [-side, 0.0])
                 .series_stiffness(1e3, 8e2)

@@ -1,12 +1,13 @@
 //! A proof, case by case, that no equilibrium exists on the round cone.
 
-use std::any::Any;
-use std::marker::PhantomData;
-use std::sync::Arc;
+use alloc::sync::Arc;
+use core::any::Any;
+use core::marker::PhantomData;
 
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::Size;
+use crate::prelude::*;
 use crate::proofs::{self, ProofStep};
 use crate::search::{self, Settings};
 

@@ -10,6 +10,7 @@ use crate::forms::{LeftOut, Why};
 use crate::grasp::{Contact, Coordinates, Engine, Hold, Stiffness, Twist, Wrench};
 use crate::numerics::{Size, Vector};
 use crate::object::Problem;
+use crate::prelude::*;
 use crate::search::{Effort, Found, Rung};
 
 impl<D: Size, const C: usize> Engine<D, C> {

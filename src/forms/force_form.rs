@@ -10,6 +10,7 @@ use crate::contact::{LocalLaw, Mode, State};
 use crate::lcp::{Basis, Lcp};
 use crate::numerics::{Map, Size, Square, Vector};
 use crate::object::Problem;
+use crate::prelude::*;
 
 /// The force form, or `None` for rates with contacts on an edge (they have no copositive force form) and when a
 /// number overflows.

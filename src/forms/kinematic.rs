@@ -18,6 +18,7 @@ use crate::contact::{LocalLaw, Mode, State, tangential};
 use crate::lcp::{Basis, Lcp};
 use crate::numerics::Size;
 use crate::object::{Piece, PieceState, Problem};
+use crate::prelude::*;
 
 /// One row in energy coordinates: `ŵ = row · x`, `x` jumps by `column ẑ`, with x = K^{-1/2} F.
 struct Jump<const C: usize> {

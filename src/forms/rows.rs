@@ -1,6 +1,7 @@
 //! Which row of a linear complementarity problem says what, and which rows were never made.
 
 use crate::lcp::Lcp;
+use crate::prelude::*;
 
 /// The meaning of one complementary pair `0 <= z ⟂ w >= 0`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::rows::{Form, Row};
 use crate::contact::{Mode, State};
+use crate::prelude::*;
 
 /// A row that is broken by this part of the largest force or jump is broken clearly: the form is known to some 1e-14.
 const CLEARLY: f64 = 1e-9;

@@ -16,6 +16,7 @@ use super::blocks::{Blocks, ContactBlock};
 use super::equations::{Equations, Linearisation};
 use super::law::tangent;
 use super::problem::{FrictionProblem, part};
+use crate::prelude::*;
 use nalgebra::{DVector, SMatrix, SVector};
 
 /// The least δ of the linear equations, so that they have a solution: half of the digits of what is not determined, none of what is.

@@ -14,8 +14,9 @@ use super::problem::FrictionProblem;
 use super::progress::SolveProgress;
 use super::settings::Settings;
 use super::sweeps::sweep;
+use crate::prelude::*;
+use core::ops::ControlFlow;
 use nalgebra::DVector;
-use std::ops::ControlFlow;
 
 /// A step that has to be shorter than this part of its length is not worth its factorisation.
 const SHORTEST: f64 = 1e-2;
@@ -103,7 +104,7 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
         if self.offer(&r) <= CLOSE && self.polish() || self.best.stopped {
             return self.arrived();
         }
-        let (problem, blocks, order) = (self.problem, self.blocks, std::mem::take(&mut self.order));
+        let (problem, blocks, order) = (self.problem, self.blocks, core::mem::take(&mut self.order));
         let (r, steps) = central_path::follow(problem, blocks, &order, r, begin, |r| {
             let missing = self.offer(r);
             if self.best.stopped { ControlFlow::Break(()) } else { ControlFlow::Continue(missing) }

@@ -3,6 +3,7 @@
 //! Piles and stacks couple each contact with a few others, so that most of W vanishes.
 
 use super::problem::{FrictionProblem, part};
+use crate::prelude::*;
 use nalgebra::{DVector, SMatrix, SVector};
 
 /// A block of W: what the force of one contact moves at another.

@@ -14,8 +14,9 @@ use super::blocks::{Blocks, ContactBlock};
 use super::equations::{Equations, Linearisation, Patience, descend};
 use super::law::tangent;
 use super::problem::{FrictionProblem, part};
+use crate::prelude::*;
+use core::ops::ControlFlow;
 use nalgebra::{DVector, SVector};
-use std::ops::ControlFlow;
 
 /// A step that has to be shorter than this part of its length is not taken.
 const SHORTEST: f64 = 1e-3;

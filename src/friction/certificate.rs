@@ -12,16 +12,17 @@ use super::facets::Facets;
 use super::problem::{FrictionProblem, part};
 use crate::lcp::{self, Lcp};
 use crate::numerics::{ExactSum, rounding_of, times_power_of_two};
+use crate::prelude::*;
+use core::cmp::Ordering;
+use core::f64::consts::PI;
 use nalgebra::{DMatrix, DVector, SVector};
-use std::cmp::Ordering;
-use std::f64::consts::PI;
 
 /// Facets of the polygons around the cones from which a proof is sought.
 const AROUND: usize = 32;
 /// Of many contacts fewer facets are taken, so that they are no more than this together.
 const UNKNOWNS: usize = 512;
 /// Outside of these sizes a product may have lost digits by underflow, or overflow on the way.
-const KEPT: std::ops::Range<f64> = 1e-280..1e280;
+const KEPT: core::ops::Range<f64> = 1e-280..1e280;
 /// What a sum, rounded to a double, and two more operations may be off by.
 const ROUNDED: f64 = 1e-15;
 

@@ -5,8 +5,9 @@
 
 use super::blocks::{Blocks, ContactBlock};
 use super::problem::part;
+use crate::prelude::*;
+use alloc::collections::BTreeSet;
 use nalgebra::DVector;
-use std::collections::BTreeSet;
 
 /// Contacts in the order in which they are eliminated: next is one that has the fewest neighbours left (minimum degree).
 pub(super) fn order<const C: usize>(blocks: &Blocks<C>) -> Vec<usize> {
@@ -23,7 +24,7 @@ pub(super) fn order<const C: usize>(blocks: &Blocks<C>) -> Vec<usize> {
     let mut order = Vec::with_capacity(n);
     while let Some((_, i)) = waiting.pop_first() {
         order.push(i);
-        let around = std::mem::take(&mut near[i]);
+        let around = core::mem::take(&mut near[i]);
         for j in &around {
             waiting.remove(&(near[*j].len(), *j));
             near[*j].remove(&i);
@@ -81,7 +82,7 @@ pub(super) fn solve<const C: usize>(
         pivots.push(work[k].try_inverse().filter(|p| p.iter().all(|x| x.is_finite()))?);
         let mut upper = Vec::new();
         for j in k + 1..n {
-            if std::mem::take(&mut there[j]) {
+            if core::mem::take(&mut there[j]) {
                 upper.push((j, work[j]));
             }
         }

@@ -5,6 +5,7 @@
 
 use super::blocks::{Blocks, ContactBlock};
 use super::elimination;
+use crate::prelude::*;
 use nalgebra::{DVector, SVector};
 
 /// A step must take away this part of the share of the error that its length promises.

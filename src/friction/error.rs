@@ -1,6 +1,7 @@
 //! Malformed input.
 
 use crate::lcp::LcpError;
+use crate::prelude::*;
 
 /// The faults that the numbers of a frictional contact problem can have.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -13,8 +13,9 @@
 use super::problem::FrictionProblem;
 use super::settings::MOST_FACETS;
 use crate::lcp::{Lcp, LcpError};
+use crate::prelude::*;
+use core::f64::consts::TAU;
 use nalgebra::{DMatrix, DVector, SVector};
-use std::f64::consts::TAU;
 
 /// The facets of each contact: unit vectors without a normal component.
 #[derive(Debug, Clone, PartialEq)]

@@ -9,6 +9,7 @@ use super::blocks::Blocks;
 use super::central_path::{Smoothed, scales};
 use super::equations::{Equations, Patience, descend};
 use super::problem::{FrictionProblem, part};
+use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
 /// A step towards the beginning that has to be shorter than this part of its length is not taken.

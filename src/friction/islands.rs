@@ -7,6 +7,7 @@ use super::problem::FrictionProblem;
 use super::settings::Settings;
 use super::solution::Solution;
 use crate::lcp::{BreakdownCause, Certificate, Outcome};
+use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
 /// The islands of a problem, each a list of contacts by index; the first contacts of the islands are in order.
@@ -23,14 +24,14 @@ pub(super) fn islands<const C: usize>(blocks: &Blocks<C>) -> Vec<Vec<usize>> {
     let mut seen = vec![false; n];
     let mut islands = Vec::new();
     for first in 0..n {
-        if std::mem::replace(&mut seen[first], true) {
+        if core::mem::replace(&mut seen[first], true) {
             continue;
         }
         let mut island = vec![first];
         let mut next = 0;
         while next < island.len() {
             for j in &near[island[next]] {
-                if !std::mem::replace(&mut seen[*j], true) {
+                if !core::mem::replace(&mut seen[*j], true) {
                     island.push(*j);
                 }
             }

@@ -2,6 +2,7 @@
 
 use super::alart_curnier::answer;
 use super::problem::{FrictionProblem, part};
+use crate::prelude::*;
 use nalgebra::{DMatrix, DVector, SMatrix};
 
 /// A pivot below this part of the largest one leaves its unknown where it is: forces of redundant contacts are not determined.

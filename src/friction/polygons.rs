@@ -10,6 +10,7 @@ use super::problem::{FrictionProblem, part};
 use super::settings::{MOST_FACETS, Settings};
 use super::solution::Solution;
 use crate::lcp::{BreakdownCause, Certificate, Outcome};
+use crate::prelude::*;
 use nalgebra::{DVector, SVector};
 
 /// What has been tried so far.

@@ -2,6 +2,7 @@
 
 use super::error::Error;
 use crate::lcp::LcpError;
+use crate::prelude::*;
 use nalgebra::{DMatrix, DVector, SVector};
 
 /// A frictional contact problem with contacts of C components: 2 in the plane, 3 in space; see the [module](super).

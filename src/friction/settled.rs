@@ -3,6 +3,7 @@
 use super::law::{ContactMode, projection, tangent};
 use super::problem::{FrictionProblem, part};
 use super::solution::Solution;
+use crate::prelude::*;
 use nalgebra::{DVector, SVector};
 
 /// Residuals up to this are rounding.

@@ -3,6 +3,7 @@
 use super::error::Error;
 use super::problem::{FrictionProblem, PlanarContacts, SpatialContacts};
 use super::siconos_matrix::{Tokens, matrix};
+use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
 /// A problem from a file that says by itself how many components its contacts have.

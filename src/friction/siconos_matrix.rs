@@ -7,8 +7,9 @@
 //! | `2` | sparse, as CSparse prints it, in columns or in triplets of row, column and entry |
 
 use super::error::Error;
+use crate::prelude::*;
+use core::str::{FromStr, SplitWhitespace};
 use nalgebra::DMatrix;
-use std::str::{FromStr, SplitWhitespace};
 
 /// A matrix has at most so many entries: it is kept with all of them, a gigabyte.
 const MOST_ENTRIES: usize = 1 << 27;

@@ -1,8 +1,9 @@
 //! A solution.
 
 use super::law::{ContactMode, Residuals};
+use crate::prelude::*;
+use core::fmt;
 use nalgebra::DVector;
-use std::fmt;
 
 /// Forces and velocities that obey Coulomb's law.
 #[derive(Debug, Clone, PartialEq)]

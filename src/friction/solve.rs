@@ -9,8 +9,9 @@ use super::progress::SolveProgress;
 use super::settings::{MOST_FACETS, Settings};
 use super::solution::Solution;
 use crate::lcp::{BreakdownCause, Certificate, Outcome};
+use crate::prelude::*;
+use core::ops::ControlFlow;
 use nalgebra::DVector;
-use std::ops::ControlFlow;
 
 /// Up to so many rows of the complementarity problem of a polygon facets come first: Lemke's method takes milliseconds, and in the plane decides.
 const FEW_ROWS: usize = 160;

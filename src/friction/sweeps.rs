@@ -6,6 +6,8 @@
 use super::blocks::Blocks;
 use super::one_contact;
 use super::problem::{FrictionProblem, part};
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
 use nalgebra::{DVector, SVector};
 
 /// Goes through all contacts once. Returns how far forces have moved, as part of their size: √(Σ Δrᵀ A Δr / Σ rᵀ A r), A the own block of a contact.

@@ -1,12 +1,13 @@
 //! One contact: where it touches, how it gives way, how it rubs, how its finger is commanded.
 
-use std::sync::Arc;
+use alloc::sync::Arc;
 
 use nalgebra::SVector;
 
 use super::commands::Axes;
 use super::stiffness::Stiffness;
 use crate::error::ContactLabel;
+use crate::prelude::*;
 use crate::words::LinkKind;
 
 /// How the contact is held together.

@@ -4,6 +4,7 @@ use nalgebra::SVector;
 
 use super::rotation::of_the_object;
 use crate::numerics::{Size, Vector};
+use crate::prelude::*;
 
 /// Coordinates of the object and of the joints behind them. Without joints nothing is allocated.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -40,6 +41,6 @@ impl<const C: usize> Coordinates<C> {
 
     /// Its list, for other coordinates.
     pub(crate) fn take_list(&mut self) -> Vec<f64> {
-        std::mem::take(&mut self.joints)
+        core::mem::take(&mut self.joints)
     }
 }

@@ -13,6 +13,7 @@ use super::vacuum::Vacuum;
 use super::wrench::Wrench;
 use crate::error::{Error, Field, LARGEST, MODERATE, is_moderate};
 use crate::numerics::{Fixed, Size, cleared_for};
+use crate::prelude::*;
 
 /// A checked list of contacts in D coordinates: those of the object, 3 in the plane and 6 in space, and those of joints behind them.
 #[derive(Debug, Clone)]

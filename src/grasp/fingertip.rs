@@ -5,13 +5,14 @@
 //! in the tangent plane that share the springs of the one they replace, so everything the crate
 //! says of contacts holds for it.
 
-use std::f64::consts::TAU;
+use core::f64::consts::TAU;
 
 use nalgebra::SVector;
 
 use super::contact::Contact;
 use super::pressure::{Layer, Pressure};
 use crate::error::{Error, LARGEST};
+use crate::prelude::*;
 
 /// A patch of point contacts that stands for one fingertip, with its stiffness and its friction in
 /// closed form.

@@ -18,6 +18,8 @@ use super::contact::Contact;
 use super::rotation::{moved_twist, moved_wrench};
 use super::wrench::{Twist, Wrench};
 use crate::numerics::{Fixed, Size, Vector};
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
 
 impl<const C: usize> Contact<C> {
     /// This contact in other coordinates: `pose` is the frame in which it was given – of a finger's

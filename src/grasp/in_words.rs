@@ -6,6 +6,7 @@ use super::axis::Rotation;
 use super::bodies::BodyMotion;
 use super::motion::Motion;
 use super::wrench::{Twist, Wrench};
+use crate::prelude::*;
 use crate::words::{Words, listed, printable};
 
 /// Turning that shifts points by less than this part of what all of them move by is told beside that; else the object turns about an axis.

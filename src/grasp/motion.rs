@@ -2,6 +2,7 @@
 
 use super::bodies::BodyMotion;
 use super::wrench::Twist;
+use crate::prelude::*;
 
 /// A motion that an answer speaks of: of the object, and of the joints of the hand that holds it.
 #[derive(Debug, Clone, PartialEq)]

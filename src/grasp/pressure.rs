@@ -1,6 +1,8 @@
 //! How the pressure is distributed over a soft fingertip, and the few distances from its centre
 //! that stand for it.
 
+use crate::prelude::*;
+
 /// Pressure over a disc of radius R, or over a line of half-width R in the plane, at the distance r
 /// from its centre.
 ///

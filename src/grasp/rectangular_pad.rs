@@ -6,6 +6,8 @@ use super::contact::Contact;
 use super::fingertip::{PatchPoint, SoftFingertip, along_a_line, check, usable};
 use super::pressure::Pressure;
 use crate::error::Error;
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
 
 impl SoftFingertip<3> {
     /// A rectangular pad with these sides a, b (m) along the first and the second tangent, under uniform pressure. Along each side half of it is cut into

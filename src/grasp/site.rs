@@ -1,8 +1,8 @@
 //! One contact as the arithmetic sees it.
 
 use crate::numerics::{Map, Size, Vector};
-use std::ops::Range;
-use std::sync::Arc;
+use alloc::sync::Arc;
+use core::ops::Range;
 
 use nalgebra::{SMatrix, SVector};
 

@@ -1,10 +1,11 @@
 //! Suction cups: a lip, and the vacuum within it.
 
-use std::f64::consts::PI;
+use core::f64::consts::PI;
 
 use super::contact::Contact;
 use super::fingertip::{SoftFingertip, check};
 use crate::error::{Error, LARGEST};
+use crate::prelude::*;
 
 /// A suction cup: a vacuum pulls the object onto a lip, a ring of points that shares stiffness and friction of one contact.
 ///

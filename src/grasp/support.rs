@@ -1,9 +1,10 @@
 //! Which coordinates a site feels.
 
 use crate::numerics::{Map, Size};
-use std::ops::Range;
+use core::ops::Range;
 
 use super::rotation::of_the_object;
+use crate::prelude::*;
 
 /// The coordinates in which a map has entries, as two ranges: those of the object, or none of them, and some joints next to each other; or
 /// those of two bodies of which neither has the coordinates of the object. A contact feels the joints of one finger, a drive its own.

@@ -8,6 +8,7 @@ use super::whole_contact::{WholeContact, WholeContacts};
 use super::wrench::Wrench;
 use crate::error::ContactLabel;
 use crate::numerics::{Size, Vector};
+use crate::prelude::*;
 use crate::words::listed;
 
 /// "cup opens all around, and its vacuum is gone".

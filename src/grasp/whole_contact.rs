@@ -1,14 +1,15 @@
 //! Contacts as people count them: a soft fingertip is one, however many points stand for it.
 
-use std::borrow::Cow;
-use std::fmt;
-use std::ops::Range;
-use std::sync::Arc;
+use alloc::borrow::Cow;
+use alloc::sync::Arc;
+use core::fmt;
+use core::ops::Range;
 
 use nalgebra::SVector;
 
 use super::contact::Contact;
 use crate::error::ContactLabel;
+use crate::prelude::*;
 use crate::words::{LinkKind, printable};
 
 /// A contact that an answer speaks of, or a soft fingertip with those of its points that are meant.

@@ -1,8 +1,8 @@
 //! Wrenches and twists: loads on the object, and its small motions.
 
 use crate::numerics::{Fixed, Size, Vector};
-use std::fmt;
-use std::ops::{Add, Mul, Neg, Sub};
+use core::fmt;
+use core::ops::{Add, Mul, Neg, Sub};
 
 use nalgebra::{ArrayStorage, Matrix, SVector};
 

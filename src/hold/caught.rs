@@ -1,11 +1,12 @@
 //! Jumps on the way of a load: contacts begin to slide with less friction, and others catch the object.
 
-use std::fmt;
+use core::fmt;
 
 use super::words::amount_of;
 use crate::grasp::{Contact, Engine, WholeContact, WholeContacts};
 use crate::load_path::{Event, Jump, JumpSlip, Leg, PathEnd, Ramp};
 use crate::numerics::Size;
+use crate::prelude::*;
 use crate::search::Settings;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;

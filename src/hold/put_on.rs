@@ -16,6 +16,7 @@ use super::caught::Caught;
 use super::verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
 use super::way_out::{WayOut, way_out};
 use super::words::AT_ONCE;
+use crate::prelude::*;
 
 /// A gap below this part of the size of the grasp is none, for whoever reads of it.
 const SHUT: f64 = 1e-9;

@@ -9,6 +9,7 @@ use crate::serial::AsComputed;
 
 use super::caught::Caught;
 use super::way_out::WayOut;
+use crate::prelude::*;
 
 /// The answer to "does it hold?"; its [`Display`](std::fmt::Display) says it in a sentence.
 #[derive(Debug, Clone, PartialEq)]
@@ -135,7 +136,7 @@ pub struct Lost<const C: usize> {
     /// Whether all contacts that press slide: gross slip.
     pub is_gross_slip: bool,
     /// Whether the first slip is the last: friction is [lower](crate::grasp::Contact::kinetic) once contacts slide, and nothing catches the object.
-    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "std::ops::Not::not"))]
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub falls_at_once: bool,
     /// How many times the load it takes from then on, where friction is lower once contacts slide: so much would be held with friction of sliding from the beginning.
     #[cfg_attr(

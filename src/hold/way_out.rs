@@ -4,6 +4,7 @@ use nalgebra::SVector;
 
 use crate::grasp::{BodyMotion, Contact, Hold, Motion, Twist, WholeContact, WholeContacts, displacement_of};
 use crate::numerics::Fixed;
+use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 

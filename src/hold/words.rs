@@ -1,12 +1,13 @@
 //! A verdict in a sentence, as one would say it to a colleague.
 
-use std::borrow::Cow;
-use std::fmt;
+use alloc::borrow::Cow;
+use core::fmt;
 
 use super::caught::Caught;
 use super::verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
 use super::way_out::{BodyWay, WayOut};
 use crate::grasp::{WholeContact, Wrench, vacuum_is_gone};
+use crate::prelude::*;
 use crate::words::{TOO_FAR, Words, listed, open, opens, printable};
 
 /// What happens within this part of a load happens at once, for whoever reads it.

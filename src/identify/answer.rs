@@ -2,6 +2,7 @@
 
 use super::combination::FreeCombination;
 use super::unknown::UnknownKind;
+use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 use crate::sweep::Uncertainty;

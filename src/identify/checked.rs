@@ -5,6 +5,7 @@ use super::slip::Slip;
 use super::unknown::{Unknown, UnknownKind};
 use crate::ask::Grasp;
 use crate::error::Error;
+use crate::prelude::*;
 
 fn wrong(what: String, field: &'static str, value: f64, allowed: &'static str) -> Result<(), Error> {
     Err(Error::Identify { what, field, value, allowed })

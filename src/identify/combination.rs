@@ -2,6 +2,7 @@
 
 use nalgebra::DMatrix;
 
+use crate::prelude::*;
 use crate::words::listed;
 
 /// Powers that differ from one by less are told as a plain product or ratio.

@@ -1,12 +1,13 @@
 //! First slip, and its exact derivatives.
 
-use std::f64::consts::TAU;
+use core::f64::consts::TAU;
 
 use super::model::{NoSlip, Predicted, SlipToPredict};
 use super::slip::Grown;
 use super::unknown::{UnknownKind, carried_by};
 use crate::error::Error;
 use crate::load_path::{Onset, OnsetEvent, OnsetGradient, Ramp};
+use crate::prelude::*;
 
 /// Where the first contact slides.
 pub(super) fn predicted<const C: usize>(

@@ -5,6 +5,7 @@ use nalgebra::{DMatrix, DVector};
 use super::model::{Linear, Model};
 use super::robust::Huber;
 use crate::error::Error;
+use crate::prelude::*;
 
 /// A combination in which slips change by less than this part of what they do in the best one is not fixed: differences are known to 1e-8.
 pub(super) const NOT_FIXED: f64 = 1e-6;

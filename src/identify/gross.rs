@@ -7,7 +7,7 @@
 //! dλ = Σ |v_i| d(μ_i N_i) / (W·q̇)
 //! ```
 
-use std::f64::consts::TAU;
+use core::f64::consts::TAU;
 
 use nalgebra::{SMatrix, SVector};
 
@@ -18,6 +18,7 @@ use crate::equilibrium::{ContactState, Equilibrium};
 use crate::error::Error;
 use crate::grasp::{Contact, Twist, Wrench};
 use crate::load_path::{Leg, Parameter, PathEnd};
+use crate::prelude::*;
 
 /// What is this small beside the largest, a force or a velocity, is none: the derivative is off by as much.
 const NONE: f64 = 1e-6;

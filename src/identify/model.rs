@@ -9,6 +9,7 @@ use super::{first, gross};
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::Wrench;
+use crate::prelude::*;
 use crate::sweep::map_in_order;
 
 /// Step of a difference, in the logarithm: its error is some 1e-8 of itself, as is that of rounding.

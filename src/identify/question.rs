@@ -8,6 +8,7 @@ use super::spread::told;
 use super::unknown::Unknown;
 use crate::ask::Grasp;
 use crate::error::Error;
+use crate::prelude::*;
 
 /// Numbers that are sought, and the slips that were seen. Checked when it is asked.
 #[derive(Debug, Clone)]
@@ -97,7 +98,7 @@ impl<const C: usize> Identify<C> {
     }
 
     fn layouts(&self, grasp: &Grasp<C>) -> Vec<Grasp<C>> {
-        std::iter::once(grasp).chain(&self.others).cloned().collect()
+        core::iter::once(grasp).chain(&self.others).cloned().collect()
     }
 }
 

@@ -1,6 +1,8 @@
 //! Huber's loss: the square of a residual up to some standard deviations, and a straight line beyond.
 
 use crate::numerics::{normal_density, normal_tail};
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
 
 /// A scale smaller than this is that of rounding: slips that agree to all digits.
 const ROUNDING: f64 = 1e-12;

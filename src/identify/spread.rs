@@ -7,6 +7,7 @@ use super::combination::FreeCombination;
 use super::fit::{FitEnd, Fitted, Scatter, rank, singular};
 use super::model::{Linear, Model};
 use crate::numerics::two_sided;
+use crate::prelude::*;
 
 /// What intervals hold.
 const HELD: f64 = 0.95;

@@ -2,6 +2,7 @@
 
 use crate::ask::Grasp;
 use crate::grasp::{Contact, Wrench};
+use crate::prelude::*;
 use crate::words::listed;
 
 /// What kind of number is sought.

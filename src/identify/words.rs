@@ -1,9 +1,10 @@
 //! What slips tell, in a sentence.
 
-use std::fmt;
+use core::fmt;
 
 use super::answer::{Ending, Estimate, Identified};
 use super::unknown::UnknownKind;
+use crate::prelude::*;
 use crate::words::{Words, listed};
 
 /// Slips that count less than this lie far off.

@@ -3,6 +3,7 @@
 use nalgebra::SVector;
 
 use crate::grasp::WholeContact;
+use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 

@@ -12,6 +12,7 @@ use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::load_path::{Onset, Ramp};
+use crate::prelude::*;
 use crate::squeeze::{Loads, WeakestDirection};
 
 /// The first box, in units of the variables, the largest, and the least.
@@ -42,7 +43,7 @@ impl<const C: usize> Loaded<C> {
             Loads::Each(list) => Self { base: *base, loads: list.clone(), asked: Grows::Each, any: None },
             Loads::AnyForce { base: beside, size, point } => {
                 let axis = |axis: usize| {
-                    let force = std::array::from_fn(|k| if k == axis { *size } else { 0.0 });
+                    let force = core::array::from_fn(|k| if k == axis { *size } else { 0.0 });
                     Wrench::force_through(&(*point).into(), &force.into())
                 };
                 let loads = (0..C).map(axis).collect();

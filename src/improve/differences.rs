@@ -10,6 +10,7 @@ use super::surface::Surface;
 use crate::ask::Grasp;
 use crate::grasp::Contact;
 use crate::numerics::Draw;
+use crate::prelude::*;
 use crate::squeeze::Loads;
 use crate::{planar, spatial};
 

@@ -3,12 +3,13 @@
 //! A condition of a force is `a·F >= 0`: of friction `a = (μ, ∓1)` in the plane, `(μ, -cos φ, -sin φ)` at every angle φ in space; without
 //! friction, or with friction without limit, `a = (1, 0…)`.
 
-use std::f64::consts::{PI, TAU};
+use core::f64::consts::{PI, TAU};
 
 use nalgebra::{DVector, SVector};
 
 use super::sticking::{BySource, FrameForces, StickingForces};
 use crate::grasp::{Contact, Hold};
+use crate::prelude::*;
 
 /// A friction force below this part of the normal force has no direction.
 const NO_FRICTION: f64 = 1e-9;

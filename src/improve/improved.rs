@@ -9,6 +9,7 @@ use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::WholeContacts;
 use crate::numerics::{Draw, in_order};
+use crate::prelude::*;
 use crate::squeeze::Loads;
 
 /// For each start so many places are drawn, of which the best are gone up from.
@@ -67,7 +68,7 @@ impl<const C: usize> Improve<C> {
             drawn.into_iter().collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect();
         drawn.sort_by(|a, b| b.0.total_cmp(&a.0));
         let best = drawn.into_iter().take(self.starts).map(|(_, placing)| placing);
-        let placings: Vec<_> = std::iter::once(given.clone()).chain(best).collect();
+        let placings: Vec<_> = core::iter::once(given.clone()).chain(best).collect();
         let ascents = in_order(&placings, &|placing| {
             climb.held(placing.clone())?.map(|held| climb.up(held)).transpose()
         });

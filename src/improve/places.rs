@@ -3,10 +3,11 @@
 use nalgebra::SVector;
 
 use super::surface::{Shape, Surface};
+use crate::prelude::*;
 
 pub(super) fn unit_direction<const C: usize>(to: &SVector<f64, C>) -> [f64; 3] {
     let to = to.normalize();
-    std::array::from_fn(|k| to.get(k).copied().unwrap_or(0.0))
+    core::array::from_fn(|k| to.get(k).copied().unwrap_or(0.0))
 }
 
 /// What a surface is at a place.
@@ -86,7 +87,7 @@ impl<const C: usize> Surface<C> {
     pub(super) fn there(&self, part: usize, at: [f64; 3]) -> There<C> {
         let [a, b, c] = at;
         let between = |axis: usize, at: f64, length: f64| {
-            let row = |sign: f64| std::array::from_fn(|k| if k == axis { sign } else { 0.0 });
+            let row = |sign: f64| core::array::from_fn(|k| if k == axis { sign } else { 0.0 });
             [(row(1.0), length - at), (row(-1.0), at)]
         };
         match &self.0 {
@@ -164,9 +165,9 @@ impl<const C: usize> Surface<C> {
             }
             Shape::Arc { centre, from, over, .. } => {
                 let away = point - centre;
-                let angle = (away[1].atan2(away[0]) - from).rem_euclid(std::f64::consts::TAU);
+                let angle = (away[1].atan2(away[0]) - from).rem_euclid(core::f64::consts::TAU);
                 let beyond = |over: f64| {
-                    let nearer_to_begin = std::f64::consts::TAU - angle < angle - over;
+                    let nearer_to_begin = core::f64::consts::TAU - angle < angle - over;
                     if nearer_to_begin { 0.0 } else { over }
                 };
                 [over.map_or(angle, |over| if angle <= over { angle } else { beyond(over) }), 0.0, 0.0]
@@ -213,7 +214,7 @@ impl<const C: usize> Surface<C> {
 
     /// Coordinates of a part, evenly over it, from two numbers between 0 and 1.
     pub(super) fn drawn(&self, part: usize, [u, v]: [f64; 2]) -> [f64; 3] {
-        let turn = std::f64::consts::TAU;
+        let turn = core::f64::consts::TAU;
         match &self.0 {
             Shape::Segments(parts) => [u * (parts[part][1] - parts[part][0]).norm(), 0.0, 0.0],
             Shape::Arc { over, .. } => [u * over.unwrap_or(turn), 0.0, 0.0],

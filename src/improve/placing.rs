@@ -8,6 +8,7 @@ use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::{Contact, Hold};
 use crate::numerics::Draw;
+use crate::prelude::*;
 
 /// A point that lies off its surface by more than this part of the size of its coordinates is refused, and so is a normal by more than this angle, rad.
 const OFF: f64 = 1e-6;

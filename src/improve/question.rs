@@ -1,6 +1,6 @@
 //! What may change, for which loads.
 
-use std::collections::BTreeMap;
+use alloc::collections::BTreeMap;
 
 use super::surface::Surface;
 use crate::ask::Grasp;

@@ -2,6 +2,8 @@
 
 use nalgebra::{DMatrix, SVector};
 
+use crate::prelude::*;
+
 /// Points, the parameters at which they are met, and second derivatives there.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Spline<const C: usize> {

@@ -5,6 +5,7 @@ use nalgebra::SVector;
 use super::places::unit_direction;
 use super::surface::{Shape, Surface};
 use crate::numerics::Draw;
+use crate::prelude::*;
 
 /// A place on a part of a surface. Coordinates there are those of the part: lengths or angles, of a sphere a unit direction.
 #[derive(Debug, Clone, PartialEq)]

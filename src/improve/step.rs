@@ -10,6 +10,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::lcp::{Lcp, Outcome, Settings};
+use crate::prelude::*;
 
 /// Numbers near one: factors in parts of the present first slip, variables in their units.
 pub(super) struct StepProgram {

@@ -11,6 +11,7 @@ use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::{Contact, Hold, Wrench};
 use crate::load_path::Parameter;
+use crate::prelude::*;
 
 /// Forces of all contacts in their frames, N.
 pub(super) type FrameForces<const C: usize> = Vec<SVector<f64, C>>;

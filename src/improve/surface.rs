@@ -4,6 +4,7 @@ use nalgebra::SVector;
 
 use super::spline::Spline;
 use crate::error::{ContactLabel, Error, is_moderate};
+use crate::prelude::*;
 
 /// A curve in the plane or a surface in space that a contact may move along; the normal of the contact follows. On which side the object lies is told by
 /// the normal that the contact is given with. Checked when it is asked about.
@@ -164,7 +165,7 @@ impl<const C: usize> Surface<C> {
             }
             Shape::Arc { centre, radius, from, over } => {
                 let over = over.unwrap_or(1.0);
-                if !(over > 0.0 && over <= std::f64::consts::TAU && is_moderate(*from)) {
+                if !(over > 0.0 && over <= core::f64::consts::TAU && is_moderate(*from)) {
                     let value = if is_moderate(*from) { over } else { *from };
                     return refused(
                         "angle of its arc",
@@ -172,7 +173,7 @@ impl<const C: usize> Surface<C> {
                         "finite, the arc above 0 and at most a full turn, rad",
                     );
                 }
-                (wrong(&mut std::iter::once(centre)), ("radius of its surface", *radius))
+                (wrong(&mut core::iter::once(centre)), ("radius of its surface", *radius))
             }
             Shape::Spline(spline) => {
                 let least = spline.least_distance();
@@ -184,7 +185,7 @@ impl<const C: usize> Surface<C> {
                 if skew.abs() > SKEWED {
                     return refused("cosine between the sides of its rectangle", skew, "0, a right angle");
                 }
-                let points = wrong(&mut std::iter::once(corner).chain(sides));
+                let points = wrong(&mut core::iter::once(corner).chain(sides));
                 (points, ("side of its rectangle", a.min(b)))
             }
             Shape::Cylinder { ends, radius } => {
@@ -192,7 +193,7 @@ impl<const C: usize> Surface<C> {
                 (wrong(&mut ends.iter()), ("radius or length of its cylinder", least))
             }
             Shape::Sphere { centre, radius } => {
-                (wrong(&mut std::iter::once(centre)), ("radius of its surface", *radius))
+                (wrong(&mut core::iter::once(centre)), ("radius of its surface", *radius))
             }
             Shape::Triangles(parts) => {
                 let height = |[a, b, c]: &[SVector<f64, C>; 3]| {

@@ -1,8 +1,9 @@
 //! Where the fingers should be in a sentence, as one would say it to a colleague.
 
-use std::fmt;
+use core::fmt;
 
 use super::answer::{Binds, Improved, Placed, SearchEnd};
+use crate::prelude::*;
 use crate::words::{Words, listed};
 
 /// Less is rounding, as a part of the largest length or force that is told.

@@ -11,6 +11,7 @@ use super::problem::Lcp;
 use super::settings::Settings;
 use super::tolerances::{VALUE_ROUNDING, residual_rounding};
 use super::workspace::Workspace;
+use crate::prelude::*;
 
 /// So many times a path is taken up again where rounding has led it to a basis that is not
 /// feasible.

@@ -1,5 +1,7 @@
 //! Complementary bases.
 
+use crate::prelude::*;
+
 /// A complementary basis: from every pair (w_i, z_i) one variable is basic, the other is zero.
 ///
 /// Write α for the set of i with z_i basic. The basis is regular when the principal block M_αα is

@@ -10,6 +10,7 @@ use super::residuals::{Residuals, ignores_q};
 use super::settings::Settings;
 use super::tolerances::{SOUND, ZERO, residual_rounding};
 use super::workspace::Workspace;
+use crate::prelude::*;
 
 /// A point is refined in so many steps at most: each costs O(n²), and a third that still gains is
 /// rare.
@@ -77,7 +78,7 @@ impl Workspace {
         let spare = self.spare.evaluate(lcp);
         if accept(spare.max()) {
             *residuals = spare;
-            std::mem::swap(&mut self.point, &mut self.spare);
+            core::mem::swap(&mut self.point, &mut self.spare);
         }
     }
 

@@ -27,6 +27,7 @@ use super::memory::{make_room, refill};
 use super::scaling::Scaling;
 use super::tolerances::{RETIRING_PIVOT, STORED_ROUNDING};
 use crate::numerics::wide;
+use crate::prelude::*;
 
 /// A variable: w_i, z_i, or the covering variable z₀.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -127,7 +128,7 @@ impl Dictionary {
             self.u.copy_from_slice(&self.columns[at..at + self.n]);
         } else {
             self.load(variable, m, scaling);
-            let mut u = std::mem::take(&mut self.u);
+            let mut u = core::mem::take(&mut self.u);
             self.eliminate(&mut u);
             self.u = u;
         }
@@ -230,7 +231,7 @@ impl Dictionary {
                 c: &self.c,
                 y: &mut self.next,
             });
-            std::mem::swap(&mut self.u, &mut self.next);
+            core::mem::swap(&mut self.u, &mut self.next);
         } else {
             wide(Update { columns: &mut self.columns, n: self.n, g: &self.g, u: &self.u });
             if leaving != LemkeVariable::Covering {

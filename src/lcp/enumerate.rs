@@ -11,6 +11,7 @@ use super::settings::Settings;
 use super::solution::Solution;
 use super::tolerances::{SAME_ENTRY, SAME_POINT, ZERO};
 use super::vertices;
+use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
 /// The largest n for which 2ⁿ bases are tried.

@@ -3,6 +3,8 @@
 use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
 
+use crate::prelude::*;
+
 /// The faults that the numbers of a problem can have.
 ///
 /// "There is no solution" is not among them: that is an answer, see [`Outcome`](super::Outcome).

@@ -15,6 +15,7 @@ use super::linear_program::{self, MARGINS};
 use super::problem::Lcp;
 use super::scaling::Scaling;
 use super::settings::Settings;
+use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
 /// So many of the conditions that a point breaks are tried, the most broken first.

@@ -4,12 +4,14 @@
 //! ends in a y with rounding, and where (Mᵀy)_j must vanish, rounding spoils it. Its ratios are then those of small whole numbers as a rule,
 //! which are tried in its place. Where (Mᵀy)_j may be negative, a linear program with a margin keeps it so.
 
-use std::cmp::Ordering;
+use core::cmp::Ordering;
 
 use super::outcome::{Certificate, Outcome, Unsolved};
 use super::problem::Lcp;
 use super::tolerances::{ZERO, sum_rounding};
 use crate::numerics::{ExactSum, times_power_of_two};
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
 use nalgebra::DVector;
 
 /// Whole numbers beyond this, 2⁵³, are no longer all doubles.

@@ -4,6 +4,7 @@
 //! each other, that says more, and does not hang on the last digit of an entry.
 
 use super::problem::Lcp;
+use crate::prelude::*;
 use nalgebra::DVector;
 
 /// Pairs of rows are gone through in problems of up to so many rows, vectors made plainer in those of up to so many: n² checks of n² sums.
@@ -74,7 +75,7 @@ impl Lcp {
         let mut places: Vec<usize> = (0..y.len()).filter(|i| y[*i] != 0.0).collect();
         places.sort_by(|i, j| y[*i].total_cmp(&y[*j]));
         for i in places {
-            let entry = std::mem::replace(&mut y[i], 0.0);
+            let entry = core::mem::replace(&mut y[i], 0.0);
             if !self.proves_infeasible(&y) {
                 y[i] = entry;
             }

@@ -2,9 +2,10 @@
 
 use super::error::LcpError;
 use super::problem::Lcp;
+use crate::prelude::*;
+use core::fmt;
+use core::str::FromStr;
 use nalgebra::{DMatrix, DVector};
-use std::fmt;
-use std::str::FromStr;
 
 impl Lcp {
     /// The problem with the rows of M, each of n entries, and q.

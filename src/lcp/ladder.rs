@@ -13,6 +13,8 @@ use super::solution::Solution;
 use super::vertices;
 use super::workspace::Workspace;
 use crate::numerics::generic;
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
 use nalgebra::DVector;
 
 /// The covering vectors of other paths have entries 2^e of the balanced unit with e between −3 and

@@ -8,6 +8,7 @@ use super::outcome::{Certificate, Outcome, Unsolved};
 use super::problem::Lcp;
 use super::scaling::Scaling;
 use super::settings::Settings;
+use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
 /// A proof that the constraints cannot be met: one row of them, or the dual solution of the linear program.

@@ -3,6 +3,7 @@
 
 use super::memory::refill;
 use super::pattern::counts;
+use crate::prelude::*;
 
 /// So many mantissas, each below 2, are multiplied before their product is put away.
 ///

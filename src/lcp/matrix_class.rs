@@ -2,6 +2,8 @@
 
 use super::error::LcpError;
 use super::tolerances::{OFF_DIAGONAL, POSITIVE_MINOR, elimination_rounding};
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
 use nalgebra::DMatrix;
 
 /// For n up to this all principal minors are looked at when nothing else decides whether M is a

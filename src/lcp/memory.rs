@@ -1,5 +1,7 @@
 //! Vectors that keep their memory from one problem to the next.
 
+use crate::prelude::*;
+
 /// Makes a vector n copies of a value.
 #[inline]
 pub(super) fn refill<T: Clone>(v: &mut Vec<T>, n: usize, value: T) {

@@ -11,8 +11,9 @@ use super::reduction::Reduction;
 use super::residuals::{Residuals, ignores_q};
 use super::settings::Settings;
 use super::solution;
+use crate::prelude::*;
+use core::fmt;
 use nalgebra::{DMatrix, DVector};
-use std::fmt;
 
 /// The mixed problem: find u (m entries, free) and z (n entries) with
 ///

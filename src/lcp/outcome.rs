@@ -2,9 +2,9 @@
 
 use super::residuals::Residuals;
 use super::solution::{Solution, SolutionView};
+use core::convert::Infallible;
+use core::fmt;
 use nalgebra::DVector;
-use std::convert::Infallible;
-use std::fmt;
 use thiserror::Error;
 
 /// What is known when a solve ends: of a problem, of one with free variables

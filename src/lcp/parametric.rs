@@ -9,6 +9,7 @@ use super::ratio::Covering;
 use super::settings::Settings;
 use super::tolerances::ZERO;
 use super::workspace::Workspace;
+use crate::prelude::*;
 use nalgebra::DVector;
 
 /// The way τ goes on a piece of the path.

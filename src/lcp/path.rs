@@ -4,6 +4,7 @@ use super::dictionary::{Dictionary, LemkeVariable};
 use super::memory::{make_room, refill};
 use super::scaling::Scaling;
 use crate::numerics::generic;
+use crate::prelude::*;
 
 /// A path through the dictionaries of one balanced problem.
 #[derive(Debug, Clone, Default)]

@@ -1,5 +1,7 @@
 //! Walking over those entries of [M, q] that are not zero.
 
+use crate::prelude::*;
+
 /// Where the entries that take part are found.
 pub(super) enum Pattern<'a> {
     Listed(&'a [u32]),
@@ -23,7 +25,7 @@ impl<'a> Pattern<'a> {
         }
         list.clear();
         list.reserve(n * n / 4 + n);
-        for column in m.chunks_exact(n).chain(std::iter::once(q)) {
+        for column in m.chunks_exact(n).chain(core::iter::once(q)) {
             list.extend((0_u32..).zip(column).filter(|(_, m)| counts(**m)).map(|(i, _)| i));
         }
         Self::Listed(list)
@@ -44,7 +46,7 @@ impl<'a> Pattern<'a> {
                 }
             }
             Self::InPlace { n, m, q } => {
-                let columns = m.chunks_exact(*n).chain(std::iter::once(*q));
+                let columns = m.chunks_exact(*n).chain(core::iter::once(*q));
                 for (j, (column, count)) in
                     columns.zip(counts).enumerate().filter(|(_, (_, count))| **count > 0.0)
                 {

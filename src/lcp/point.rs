@@ -5,6 +5,7 @@ use super::principal;
 use super::problem::Lcp;
 use super::residuals::{Residuals, is_lost, residuals_from, slack_and_terms};
 use super::tolerances::ZERO;
+use crate::prelude::*;
 use nalgebra::DVector;
 
 /// z, w = M z + q, and the sizes of the terms of w.

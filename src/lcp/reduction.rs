@@ -4,6 +4,7 @@ use super::problem::Lcp;
 use super::scaling::Scaling;
 use super::solution::Solution;
 use super::tolerances::{DEPENDENT, FREE_PIVOT};
+use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
 /// The tableau after all free variables that can be were made basic.

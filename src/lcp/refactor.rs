@@ -98,7 +98,7 @@ impl Path {
     /// they may carry.
     pub(super) fn correct(&mut self) {
         self.dictionary.sum_terms(&self.terms);
-        let mut effect = std::mem::take(&mut self.terms);
+        let mut effect = core::mem::take(&mut self.terms);
         self.dictionary.effect(&self.defect, &mut effect);
         for (x, e) in self.dictionary.x.iter_mut().zip(&effect) {
             *x += e;
@@ -108,7 +108,7 @@ impl Path {
 
     /// The values for a new right-hand side in the present dictionary.
     pub(super) fn recompute_values(&mut self) {
-        let mut x = std::mem::take(&mut self.dictionary.x);
+        let mut x = core::mem::take(&mut self.dictionary.x);
         self.dictionary.effect(&self.q, &mut x);
         self.dictionary.x = x;
         self.dictionary.sum_terms(&self.q);

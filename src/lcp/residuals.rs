@@ -2,8 +2,8 @@
 
 use super::tolerances::{BACKWARD_ERROR, LOST, residual_rounding};
 use crate::numerics::{ExactSum, times_power_of_two};
+use core::fmt;
 use nalgebra::DMatrix;
-use std::fmt;
 
 /// The violations of 0 ≤ z ⟂ w = M z + q ≥ 0 at a point z, and of equalities in a [`MixedLcp`](super::MixedLcp), as pure
 /// numbers.

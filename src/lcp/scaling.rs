@@ -21,6 +21,7 @@ use super::logarithms::Logarithms;
 use super::memory::refill;
 use super::pattern::Pattern;
 use super::tolerances::SETTLED;
+use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
 /// Row and column factors: scaled M_ij = row_i M_ij column_j, all factors powers of two.
@@ -71,7 +72,7 @@ impl Scaling {
     /// Solves the least-squares problem over those entries of [M, q] that take part.
     fn solve_for_pattern(&mut self, n: usize, m: &[f64], q: &[f64]) {
         Logarithms::append(q, &mut self.rows, &mut self.columns);
-        let mut list = std::mem::take(&mut self.pattern);
+        let mut list = core::mem::take(&mut self.pattern);
         let pattern = Pattern::of(n, m, q, &self.columns.count, &mut list);
         self.descend(&pattern);
         pattern.for_each(&self.columns.count, |j, count, column| {

@@ -2,8 +2,8 @@
 
 use super::basis::Basis;
 use super::residuals::Residuals;
+use core::fmt;
 use nalgebra::DVector;
-use std::fmt;
 
 /// A solution 0 ≤ z ⟂ w = M z + q ≥ 0.
 #[derive(Debug, Clone, PartialEq)]

@@ -18,8 +18,9 @@ use super::farkas::cleaned;
 use super::problem::Lcp;
 use super::scaling::Scaling;
 use crate::numerics::ExactSum;
+use crate::prelude::*;
+use core::cmp::Ordering;
 use nalgebra::{DMatrix, DVector};
-use std::cmp::Ordering;
 
 /// Steps of refinement; each gives some digits more, up to those of two doubles.
 const REFINEMENTS: usize = 4;

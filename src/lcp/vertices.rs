@@ -9,6 +9,7 @@ use super::linear_program::MARGINS;
 use super::principal;
 use super::problem::Lcp;
 use super::scaling::Scaling;
+use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
 /// Corners of problems of up to so many rows are gone through: some thousands.

@@ -8,6 +8,7 @@ use super::path::Path;
 use super::point::LcpPoint;
 use super::residuals::Residuals;
 use super::solution::SolutionView;
+use crate::prelude::*;
 
 /// Memory that is kept between problems.
 ///

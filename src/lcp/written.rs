@@ -9,6 +9,7 @@
 use super::basis::Basis;
 use super::mixed::MixedLcp;
 use super::problem::Lcp;
+use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};

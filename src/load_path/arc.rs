@@ -20,6 +20,7 @@ use crate::equilibrium::NoEquilibrium;
 use crate::grasp::Site;
 use crate::numerics::{Size, Vector};
 use crate::object::{Imbalance, Piece, PieceState};
+use crate::prelude::*;
 
 /// Steps of Newton's method onto the cones: what a step leaves is of the order of its error, and the first step leaves the square of that.
 const CORRECTIONS: usize = 6;
@@ -304,7 +305,7 @@ impl<D: Size, const C: usize> Segment<'_, D, C> {
         at: &PieceState<D, C>,
         pushed: Option<&Vector<D>>,
     ) -> Result<Here<D, C>, NoEquilibrium<C>> {
-        let piece = std::sync::Arc::new(Piece::new(&self.problem, states));
+        let piece = alloc::sync::Arc::new(Piece::new(&self.problem, states));
         let rate = piece
             .solve(self.problem.sites, &self.change, &self.course.rate_at(factor))
             .map_err(|u| self.unbalanced(factor, u.motion))?;

@@ -1,6 +1,6 @@
 //! The unit of arclength along an arc: the displacement that counts as much as the whole leg.
 
-use std::f64::consts::FRAC_PI_2;
+use core::f64::consts::FRAC_PI_2;
 
 use nalgebra::SVector;
 
@@ -8,6 +8,8 @@ use super::pieces::Pieces;
 use super::segment::Here;
 use super::trajectory::Trajectory;
 use crate::numerics::Size;
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
 
 /// The object moves no more than so many times as far as the softest spring gives: what counts in arclength as much as the whole leg.
 const MOST_AMPLIFIED: f64 = 1e6;

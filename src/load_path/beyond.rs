@@ -15,6 +15,7 @@ use crate::grasp::{Engine, Motion, WholeContact};
 use crate::lcp;
 use crate::numerics::{Size, Vector};
 use crate::object::{Piece, Problem};
+use crate::prelude::*;
 use crate::proofs::{nothing_holds, separates_from_here_on, separating_motion};
 use crate::search::{
     Doubt, Effort, Found, Rung, Settings, Settled, combinations, dense_is_affordable, for_each_combination,

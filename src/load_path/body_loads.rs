@@ -1,12 +1,13 @@
 //! Loads of several bodies along a program of legs, each on its own way beside the load of the question.
 
-use std::borrow::Cow;
-use std::sync::Arc;
+use alloc::borrow::Cow;
+use alloc::sync::Arc;
 
 use super::leg::{Leg, LegGoal, LegLoad};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Size, Vector};
+use crate::prelude::*;
 
 /// What becomes of the load of one body along a leg.
 pub(super) type BodyGoal<const C: usize> = (Arc<str>, LegGoal<Wrench<C>>);

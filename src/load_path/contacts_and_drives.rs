@@ -8,6 +8,7 @@ use super::turn::EdgeOf;
 use crate::error::ContactLabel;
 use crate::grasp::{Engine, PartLabel, Role};
 use crate::numerics::Size;
+use crate::prelude::*;
 
 impl<D: Size, const C: usize> Engine<D, C> {
     /// Changes of contacts, and those of drives by the names of their owners.

@@ -7,6 +7,7 @@ use super::pieces::Pieces;
 use super::segment::Here;
 use super::watch::{Watch, watch};
 use crate::numerics::Size;
+use crate::prelude::*;
 
 /// A secant stays this part of the bracket away from either end of it.
 const INSIDE: f64 = 1e-3;

@@ -12,6 +12,7 @@ use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Size, Vector};
+use crate::prelude::*;
 use crate::search::{Doubt, Settings};
 
 /// Loads and commands that differ by no more than this part of the largest on the way are one: a cycle that ends there is closed.
@@ -155,8 +156,8 @@ impl<'g, D: Size, const C: usize> Cycles<'g, D, C> {
         self.end().is_none().then_some(())?;
         let first = (self.gone - 1) * self.legs.len();
         let follower = self.path.follower.as_mut()?;
-        let energies = std::mem::take(&mut follower.energy);
-        let behind = std::mem::take(&mut follower.behind);
+        let energies = core::mem::take(&mut follower.energy);
+        let behind = core::mem::take(&mut follower.behind);
         let slips_at_the_end = &follower.segment.problem.slips;
         let n = slips_at_the_end.len();
         let mut record = CycleRecord {
@@ -164,7 +165,7 @@ impl<'g, D: Size, const C: usize> Cycles<'g, D, C> {
             dissipated: energies.iter().map(|leg| leg.dissipated).sum(),
             largest: 0.0,
             open: vec![Some(f64::INFINITY); n],
-            step_error: std::mem::take(&mut follower.step_error),
+            step_error: core::mem::take(&mut follower.step_error),
             states: Vec::new(),
         };
         for (k, stretch) in behind.iter().enumerate().skip(before) {

@@ -1,6 +1,6 @@
 //! Onsets and ends of paths in words, for a terminal.
 
-use std::fmt;
+use core::fmt;
 
 use super::beyond::Beyond;
 use super::drive_change::{DriveChange, PartChange};

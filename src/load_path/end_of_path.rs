@@ -6,6 +6,7 @@ use super::follower::StandAtEdge;
 use crate::contact::State;
 use crate::numerics::{Size, Vector};
 use crate::object::{Piece, Problem};
+use crate::prelude::*;
 use crate::search::{Effort, Settings, Settled};
 
 /// The end of a path whose rates have no solution.

@@ -7,6 +7,7 @@ use super::turning_state::TurningState;
 use crate::contact::State;
 use crate::grasp::Site;
 use crate::numerics::{Harmonic, Size};
+use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 

@@ -8,6 +8,7 @@ use crate::equilibrium::{Equilibrium, Outcome};
 use crate::error::ContactLabel;
 use crate::grasp::{Coordinates, Engine, Motion, PartLabel, Wrench};
 use crate::numerics::{Size, Vector};
+use crate::prelude::*;
 use crate::search::Doubt;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;

@@ -8,6 +8,7 @@ use super::pieces::Pieces;
 use super::trajectory::Trajectory;
 use crate::contact::{ActiveSet, Mode};
 use crate::numerics::Size;
+use crate::prelude::*;
 
 /// A force below this part of the largest is gone, where stick and slip in turn have brought it there.
 const RUN_OUT: f64 = 1e-9;

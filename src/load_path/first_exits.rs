@@ -1,6 +1,7 @@
 //! What contacts reach first on the way.
 
 use crate::contact::Exit;
+use crate::prelude::*;
 
 /// Contacts that stand on an edge of their cone, at its apex or at a closed gap, with the facets concerned.
 pub(super) type PathState<const C: usize> = Vec<(usize, Vec<Exit<C>>)>;

@@ -14,6 +14,7 @@ use crate::equilibrium::ACCURATE;
 use crate::grasp::{Site, Wrench};
 use crate::numerics::{Harmonic, Size, Vector, cleared_for};
 use crate::object::{Imbalance, PieceState};
+use crate::prelude::*;
 use crate::search::{Found, Rung};
 
 /// Conditions at the base must hold by this part of their size: less may be rounding or an edge on which a contact stands, which is for
@@ -61,7 +62,7 @@ pub(super) fn first_to_leave<D: Size, const C: usize>(
     factor += more;
     there.twist += &rate.twist * more;
     there.forces.iter_mut().zip(&rate.forces).for_each(|(force, rate)| *force += rate * more);
-    Some(FirstToLeave { factor, contact, exit, there: std::mem::take(there) })
+    Some(FirstToLeave { factor, contact, exit, there: core::mem::take(there) })
 }
 
 /// What happens while a load turns.
@@ -151,10 +152,10 @@ impl<D: Size, const C: usize> FirstToLeave<D, C> {
         leaving.push(Leaving::driven_out(contact, &stands[contact], &segment.problem.local(contact), frame));
         cleared_for(sites, 1);
         sites.push(contact);
-        let found = Found::new(std::mem::take(states), there.forces, there.twist);
-        let leaving = (std::mem::take(leaving), std::mem::take(sites));
-        let stands = std::mem::take(stands);
-        memory.lists.laws = std::mem::take(&mut segment.problem.laws);
+        let found = Found::new(core::mem::take(states), there.forces, there.twist);
+        let leaving = (core::mem::take(leaving), core::mem::take(sites));
+        let stands = core::mem::take(stands);
+        memory.lists.laws = core::mem::take(&mut segment.problem.laws);
         let sticks = (found, Rung::EverythingSticks);
         let event =
             OnsetEvent::new(segment, (factor, load), leaving, stands, sticks, &mut memory.coordinates);

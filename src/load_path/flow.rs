@@ -20,6 +20,7 @@ use super::watch::is_vanishing;
 use crate::contact::{State, Tangent, tangential, tangential_norm};
 use crate::numerics::{Size, Stepped, Vector, explicit_step, implicit_step};
 use crate::object::{PieceState, largest_force};
+use crate::prelude::*;
 
 /// A goal within this part of the leg is where the step ends.
 const AT_THE_GOAL: f64 = 2e-13;
@@ -219,7 +220,7 @@ impl<'s, 'g, D: Size, const C: usize> Flow<'s, 'g, D, C> {
             }
         };
         let rate = PieceState { forces: self.arc.force_rates(&tangents, &way), twist: way.twist };
-        let [finger_work, dissipated, load_work, turnover] = std::array::from_fn(|k| y[works + k]);
+        let [finger_work, dissipated, load_work, turnover] = core::array::from_fn(|k| y[works + k]);
         let mut energy = LegEnergy { load_work, finger_work, stored: 0.0, dissipated, turnover };
         let before: Vec<_> = self.here.lines.iter().map(|line| line.force).collect();
         energy.store(self.arc.sites(), &before, &at.forces);

@@ -1,6 +1,6 @@
 //! What every follower of a load program answers, however it finds its way.
 
-use std::fmt::Debug;
+use core::fmt::Debug;
 
 use nalgebra::SVector;
 
@@ -13,6 +13,7 @@ use crate::equilibrium::Equilibrium;
 use crate::grasp::WholeContact;
 use crate::numerics::Size;
 use crate::object::Problem;
+use crate::prelude::*;
 use crate::search::Settings;
 
 /// How far a follower has come.

@@ -1,6 +1,6 @@
 //! A load program with its follower: how it starts, goes from leg to leg, and ends.
 
-use std::fmt::Debug;
+use core::fmt::Debug;
 
 use nalgebra::SVector;
 
@@ -15,6 +15,7 @@ use crate::error::Error;
 use crate::grasp::{Coordinates, Engine, Wrench};
 use crate::numerics::Size;
 use crate::object::Problem;
+use crate::prelude::*;
 use crate::search::{Settings, settle};
 
 /// A journey, and who follows it.

@@ -8,6 +8,7 @@ use super::sensitivity::Parameter;
 use crate::error::Error;
 use crate::grasp::Engine;
 use crate::numerics::Size;
+use crate::prelude::*;
 
 /// Derivatives of the load factor (without unit) at which one contact stops sticking, by the geometry of every contact. Commands,
 /// clearances and stiffnesses stay along the axes of the contact frames, changes of commands along a ramp too.

@@ -1,6 +1,6 @@
 //! What a path goes by, whoever follows it: the grasp, the program of legs, and what the caller has chosen.
 
-use std::sync::Arc;
+use alloc::sync::Arc;
 
 use nalgebra::SVector;
 
@@ -14,6 +14,7 @@ use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Size, Vector};
 use crate::object::{Load, Problem};
+use crate::prelude::*;
 use crate::search::{Doubt, Effort, Found, Rung, Settings, Settled, settle};
 
 /// What an equilibrium to start from settled to.

@@ -1,12 +1,13 @@
 //! What happens at one load where friction falls: a contact begins to slide, and others catch the object.
 
-use std::fmt;
+use core::fmt;
 
 use nalgebra::SVector;
 
 use super::event::ContactChange;
 use crate::equilibrium::Equilibrium;
 use crate::error::ContactLabel;
+use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 use crate::words::{Words, listed};

@@ -1,6 +1,6 @@
 //! Load programs: legs along which load and finger commands change linearly.
 
-use std::ops::Add;
+use core::ops::Add;
 
 use nalgebra::SVector;
 
@@ -11,6 +11,7 @@ use super::turn::Turn;
 use crate::error::{Error, Field};
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::Size;
+use crate::prelude::*;
 
 /// One leg of a load program: the load, the finger commands, or both go straight to where they are told.
 ///

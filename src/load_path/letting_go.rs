@@ -26,6 +26,7 @@ use crate::contact::{ActiveSet, tangential_norm};
 use crate::equilibrium::ACCURATE;
 use crate::numerics::{Size, Vector};
 use crate::object::Problem;
+use crate::prelude::*;
 use crate::search::{Doubt, Found, Settings, Settled, settle};
 
 /// One contact slides, sticks and slides again within a jump so often at most: each time it loses energy, and more often rounding goes in circles.
@@ -46,7 +47,7 @@ impl<'g, D: Size, const C: usize> Fall<'g, D, C> {
         let mut left = MOST_OFTEN * self.fallen.slid.len();
         loop {
             let leg = &mut self.leg;
-            if !std::mem::take(&mut leg.at_node) {
+            if !core::mem::take(&mut leg.at_node) {
                 let done = if leg.node.turns() {
                     leg.advance_along_arc(journey)
                 } else {
@@ -174,7 +175,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
             return Err(PathEnd::Lost(Box::new(loss)));
         }
         let slips = fall.slips(journey);
-        let before = std::mem::replace(&mut self.node, fall.leg.node).at;
+        let before = core::mem::replace(&mut self.node, fall.leg.node).at;
         let problem = &mut self.segment.problem;
         let relaxed = fall.leg.segment.problem;
         for (i, slip) in relaxed.slips.iter().enumerate() {

@@ -14,6 +14,7 @@ use crate::contact::{ActiveSet, Law, Mode, State, ZERO_SLACK};
 use crate::equilibrium::{ContactState, site_states};
 use crate::numerics::Size;
 use crate::object::{PieceState, Problem};
+use crate::prelude::*;
 use crate::search::{
     Doubt, Effort, Found, Judged, Rung, Settings, Settled, polish, settle, solution_near, try_states,
 };
@@ -101,7 +102,7 @@ impl<D: Size, const C: usize> Node<D, C> {
             return Err(PathEnd::Lost(Box::new(journey.loss(
                 factor,
                 LossKind::Corner,
-                std::mem::take(&mut self.stopped),
+                core::mem::take(&mut self.stopped),
                 motion.as_ref(),
             ))));
         }

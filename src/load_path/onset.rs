@@ -9,6 +9,7 @@ use crate::equilibrium::{Cone, Equilibrium, NoEquilibrium, Undecided};
 use crate::error::ContactLabel;
 use crate::grasp::{Coordinates, Wrench};
 use crate::numerics::Size;
+use crate::prelude::*;
 use crate::search::{Found, Kept, Rung};
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
@@ -109,7 +110,7 @@ impl<const C: usize> OnsetEvent<C> {
         lists: &mut [Vec<f64>; 3],
     ) -> Self {
         let mut lists = lists.iter_mut();
-        let mut list = || lists.next().map(std::mem::take).unwrap_or_default();
+        let mut list = || lists.next().map(core::mem::take).unwrap_or_default();
         let Segment { grasp, cone, problem, change: drive_rates, course, .. } = segment;
         let mut drives = problem.drives;
         drives.iter_mut().zip(&drive_rates).for_each(|(drive, rate)| *drive += rate * factor);

@@ -7,6 +7,7 @@ use super::onset_margins::{Leaver, OnsetMargins};
 use super::sensitivity::Parameter;
 use crate::grasp::{Engine, of_the_object};
 use crate::numerics::Size;
+use crate::prelude::*;
 
 /// Derivatives of the load factor (without unit) at which one contact stops sticking. Those by positions and normals of contacts are a
 /// question of their own, [`Sensitivity::onset_gradients_by_geometry`](crate::ask::Sensitivity::onset_gradients_by_geometry).

@@ -8,6 +8,7 @@ use crate::contact::tangential;
 use crate::equilibrium::Cone;
 use crate::grasp::{Engine, HandPart, Wrench};
 use crate::numerics::Size;
+use crate::prelude::*;
 
 /// What leaves at an onset.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

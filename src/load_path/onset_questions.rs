@@ -23,6 +23,7 @@ use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Memory, Size};
 use crate::object::{Load, Problem, are_many};
+use crate::prelude::*;
 use crate::search::{Effort, Found, Rung, Settings, Settled, settle};
 
 impl<D: Size, const C: usize> Engine<D, C> {

@@ -1,6 +1,6 @@
 //! One onset after another in the same memory.
 
-use std::sync::Arc;
+use alloc::sync::Arc;
 
 use nalgebra::SVector;
 
@@ -13,6 +13,7 @@ use crate::equilibrium::Cone;
 use crate::grasp::{Coordinates, Engine};
 use crate::numerics::{Size, Vector};
 use crate::object::{Lists, Load, PieceState, SolutionMemory};
+use crate::prelude::*;
 use crate::search::Settings;
 
 /// The lists that an onset is made of.
@@ -70,11 +71,11 @@ impl<D: Size, const C: usize> OnsetMemory<D, C> {
         course: Trajectory<Vector<D>>,
     ) -> Segment<'g, D, C> {
         let cone = Cone::of::<C>(settings);
-        let mut lists = std::mem::take(&mut self.lists);
+        let mut lists = core::mem::take(&mut self.lists);
         grasp.drives_into(&mut lists.drives);
         let polygon = self.polygon(settings.cone);
         let problem = grasp.problem_in(lists, polygon, cone == Cone::Round, &Load::from(&course.at(0.0)));
-        Segment { grasp, cone, problem, change: std::mem::take(&mut self.change), course, largest: 0.0 }
+        Segment { grasp, cone, problem, change: core::mem::take(&mut self.change), course, largest: 0.0 }
     }
 
     fn polygon(&mut self, cone: PolygonCone) -> Arc<Polygon<C>> {
@@ -99,16 +100,16 @@ impl<D: Size, const C: usize> OnsetMemory<D, C> {
     pub(super) fn take_back(&mut self, told: Onset<C>) {
         let Onset::At(mut event) = told else { return };
         let local = &mut event.local;
-        self.lists.drives = std::mem::take(&mut local.drives);
-        self.lists.slips = std::mem::take(&mut local.slips);
-        self.change = std::mem::take(&mut local.drive_rates);
+        self.lists.drives = core::mem::take(&mut local.drives);
+        self.lists.slips = core::mem::take(&mut local.slips);
+        self.change = core::mem::take(&mut local.drive_rates);
         let coordinates = [&mut local.found.twist, &mut local.wrench, &mut local.wrench_rate];
         self.coordinates = coordinates.map(Coordinates::take_list);
-        self.there.forces = std::mem::take(&mut local.found.forces);
-        self.states = std::mem::take(&mut local.found.states);
-        self.stands = std::mem::take(&mut local.stands);
-        self.sites = std::mem::take(&mut local.leaving);
-        self.leaving = std::mem::take(&mut event.leaving);
+        self.there.forces = core::mem::take(&mut local.found.forces);
+        self.states = core::mem::take(&mut local.found.states);
+        self.stands = core::mem::take(&mut local.stands);
+        self.sites = core::mem::take(&mut local.leaving);
+        self.leaving = core::mem::take(&mut event.leaving);
         self.place = Some(event);
     }
 }

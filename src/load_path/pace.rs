@@ -1,5 +1,8 @@
 //! How long the steps along a sliding arc are.
 
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
+
 /// Where steps die out the error asked for is made larger by this factor, so often: rounding may be what refuses them. The error made
 /// is what is reported.
 const LOOSER: f64 = 30.0;

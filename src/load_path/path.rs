@@ -11,6 +11,7 @@ use super::patch::PatchEvent;
 use super::stepped::Step;
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
+use crate::prelude::*;
 use crate::search::Settings;
 
 /// A load program being followed: an iterator over what happens on the way, so that the caller may look at each event or step and stop at any. When the

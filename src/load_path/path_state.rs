@@ -11,6 +11,7 @@ use crate::contact::{ActiveSet, Line, State, ZERO_SLACK, tangential};
 use crate::equilibrium::NoEquilibrium;
 use crate::numerics::{Size, Vector};
 use crate::object::{PieceState, Problem, least_spring_force};
+use crate::prelude::*;
 use crate::search::Found;
 
 /// Where steps die out events follow each other ever faster: a margin below this part of its size is used up.

@@ -1,11 +1,12 @@
 //! T of a point on a path, and the factors of what borders it: whole, or of many coordinates near the diagonal of a good order.
 
-use std::ops::Range;
-use std::sync::Arc;
+use alloc::sync::Arc;
+use core::ops::Range;
 
 use crate::grasp::Site;
 use crate::numerics::{Band, Bordered, BorderedBand, Size, Square, Vector, narrow_order, widest};
 use crate::object::are_many;
+use crate::prelude::*;
 
 /// An order of coordinates in which those that a contact couples are near each other.
 #[derive(Debug)]

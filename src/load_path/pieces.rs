@@ -29,6 +29,7 @@ use crate::error::Error;
 use crate::grasp::{Engine, WholeContact, Wrench};
 use crate::numerics::{Size, Vector};
 use crate::object::{PieceState, Problem};
+use crate::prelude::*;
 use crate::search::{Doubt, Settings};
 
 /// The follower of a [`LoadPath`]: it keeps the pieces behind it.
@@ -82,8 +83,8 @@ impl<'g, D: Size, const C: usize> Follower<'g, D, C> for Pieces<'g, D, C> {
     type Report = Event<C>;
 
     fn set_out(&mut self, journey: &Journey<'g, D, C>) -> Result<(), PathEnd<C>> {
-        let cones = std::mem::take(&mut self.segment.problem.cones);
-        self.segment = journey.segment(std::mem::take(&mut self.segment.problem.slips));
+        let cones = core::mem::take(&mut self.segment.problem.cones);
+        self.segment = journey.segment(core::mem::take(&mut self.segment.problem.slips));
         self.segment.problem.cones = cones;
         self.factor = 0.0;
         self.pace = Pace::new();
@@ -94,7 +95,7 @@ impl<'g, D: Size, const C: usize> Follower<'g, D, C> for Pieces<'g, D, C> {
     }
 
     fn go_on(&mut self, journey: &Journey<'g, D, C>) -> Result<Came<Event<C>>, PathEnd<C>> {
-        if std::mem::take(&mut self.at_node) {
+        if core::mem::take(&mut self.at_node) {
             return Ok(self.decide(journey)?.map_or(Came::OnTheWay, Came::To));
         }
         let leg_done =

@@ -1,6 +1,6 @@
 //! A load program on its way: which leg it is on, and between which loads and commands that leads.
 
-use std::sync::Arc;
+use alloc::sync::Arc;
 
 use nalgebra::{Matrix, SVector};
 
@@ -11,6 +11,7 @@ use super::turn::inside;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Size, Vector};
+use crate::prelude::*;
 
 /// A program on its way: the present leg, and the goals between which it leads.
 #[derive(Debug, Clone)]

@@ -5,6 +5,7 @@ use nalgebra::SVector;
 use crate::error::{Error, Field};
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::Size;
+use crate::prelude::*;
 
 /// At factor τ >= 0 the load is `base + τ direction` and the finger commands are those of the grasp plus τ times their
 /// change. τ has no unit; with a direction of 1 N it counts newtons.

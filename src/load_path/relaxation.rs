@@ -21,6 +21,7 @@ use super::arc::{Arc, Direction};
 use super::path_stiffness::{PathFactors, PathStiffness};
 use crate::contact::{Tangent, tangential_norm};
 use crate::numerics::{Size, Vector};
+use crate::prelude::*;
 
 /// A direction that is turned by this angle to both sides, rad, for the derivative of a tangent: two thirds of the digits stay.
 const TURNED: f64 = 6e-6;
@@ -179,7 +180,7 @@ mod tests {
                 .map(|i| SVector::from([0.0, angle(i).cos(), angle(i).sin()]) * (0.2 + 0.1 * f64::from(i)))
                 .collect();
             let sliding = frictions.iter().map(|friction| State::Round(Slide::new(friction, 0.0)));
-            let states: Vec<_> = std::iter::once(State::Sticking).chain(sliding).collect();
+            let states: Vec<_> = core::iter::once(State::Sticking).chain(sliding).collect();
             let arc = Arc::new(&segment, &states, [], 0.5);
             let way = arc.direction(&arc.tangents(frictions.iter().copied()), 0.0, &Direction::onward());
             let way = way.expect("one direction");

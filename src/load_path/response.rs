@@ -7,6 +7,7 @@ use crate::equilibrium::Equilibrium;
 use crate::grasp::{Engine, Twist, of_the_object};
 use crate::numerics::{Fixed, Size, Vector};
 use crate::object::least_combination;
+use crate::prelude::*;
 
 /// Commands produce a twist that they miss by no more than this part of it.
 const REACHED: f64 = 1e-9;

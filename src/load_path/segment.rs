@@ -11,6 +11,7 @@ use crate::equilibrium::{Cone, NoEquilibrium, Proof};
 use crate::grasp::Engine;
 use crate::numerics::{Size, Vector, cleared_for};
 use crate::object::{Piece, PieceState, Problem, largest_force};
+use crate::prelude::*;
 
 /// Load and drives at factor 0 and their rates, with the slip of the contacts so far.
 #[derive(Debug, Clone)]
@@ -39,13 +40,13 @@ pub(super) struct Here<D: Size, const C: usize> {
     pub(super) free_motions: Vec<Vector<D>>,
     pub(super) neutral_motions: Vec<Vector<D>>,
     /// The linear piece of these states.
-    pub(super) piece: std::sync::Arc<Piece<D, C>>,
+    pub(super) piece: alloc::sync::Arc<Piece<D, C>>,
     pub(super) gaps: Vec<GapLine>,
     /// Largest force and displacement of the terms that the state and its rates are sums of.
     pub(super) sizes: [f64; 2],
     pub(super) rate_sizes: [f64; 2],
     /// How everything goes on while the load turns; `None` where rates stay or nothing is known beyond them.
-    pub(super) turned: Option<std::sync::Arc<TurningState<D, C>>>,
+    pub(super) turned: Option<alloc::sync::Arc<TurningState<D, C>>>,
 }
 
 impl<D: Size, const C: usize> Here<D, C> {
@@ -107,7 +108,7 @@ impl<'g, D: Size, const C: usize> Segment<'g, D, C> {
     /// A state on an arc with rates for one unit of arclength, for which the factor grows at this rate.
     pub(super) fn along(
         &self,
-        piece: &std::sync::Arc<Piece<D, C>>,
+        piece: &alloc::sync::Arc<Piece<D, C>>,
         factor: f64,
         at: &PieceState<D, C>,
         rate: &PieceState<D, C>,
@@ -128,7 +129,7 @@ impl<'g, D: Size, const C: usize> Segment<'g, D, C> {
     /// that it was reached from, at another factor, and the way from there.
     pub(super) fn here(
         &self,
-        piece: std::sync::Arc<Piece<D, C>>,
+        piece: alloc::sync::Arc<Piece<D, C>>,
         factor: f64,
         at: PieceState<D, C>,
         (rate, factor_rate): (&PieceState<D, C>, f64),

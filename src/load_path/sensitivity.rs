@@ -12,7 +12,7 @@
 //! The stretches v are taken as F/k, so that no difference of large displacements is needed. A change dG_i of the geometry
 //! (`geometry`) changes the stretch by `-dG_iᵀq` and the balance by `dG_i F_i`.
 
-use std::sync::Arc;
+use alloc::sync::Arc;
 
 use nalgebra::SVector;
 
@@ -22,6 +22,7 @@ use crate::equilibrium::{Cone, Equilibrium};
 use crate::grasp::{Engine, Motion, Twist, Wrench, of_the_object};
 use crate::numerics::{Map, Size, Vector};
 use crate::object::{Load, Piece, Problem};
+use crate::prelude::*;
 use crate::search::Settings;
 
 /// One datum of a grasp or its load.

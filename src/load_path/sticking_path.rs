@@ -11,6 +11,7 @@ use crate::equilibrium::{ACCURATE, ContactState, Undecided, WorkDone, site_state
 use crate::grasp::Wrench;
 use crate::numerics::Size;
 use crate::object::Problem;
+use crate::prelude::*;
 use crate::search::{Doubt, Found, Rung, Settings, Settled, settle};
 
 /// The walk along a course while nothing slides.

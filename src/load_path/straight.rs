@@ -8,6 +8,7 @@ use super::pieces::Pieces;
 use super::segment::Here;
 use crate::numerics::Size;
 use crate::object::PieceState;
+use crate::prelude::*;
 use crate::search::Doubt;
 
 /// Steps in a row within their uncertainty that are still events of one node and not rounding that goes in circles.

@@ -12,6 +12,7 @@ use crate::equilibrium::{Cone, Equilibrium};
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Size, Vector};
 use crate::object::{PieceState, Problem};
+use crate::prelude::*;
 use crate::search::{Effort, Found, Rung};
 
 /// Of a step of which a part cannot be made at once: each is half as long as the one before.

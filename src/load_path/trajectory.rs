@@ -1,6 +1,6 @@
 //! The way that a load takes while a factor grows: straight on, or round.
 
-use std::ops::{Add, Mul, Sub};
+use core::ops::{Add, Mul, Sub};
 
 use crate::numerics::Harmonic;
 

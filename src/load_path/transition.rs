@@ -9,6 +9,7 @@ use crate::grasp::Site;
 use crate::lcp::MatrixClass;
 use crate::numerics::Size;
 use crate::object::Problem;
+use crate::prelude::*;
 use crate::search::{Found, combinations, search_among};
 
 /// Two solutions are one if forces and travel differ by no more than this part of their size.

@@ -1,6 +1,6 @@
 //! A load that turns.
 
-use std::f64::consts::TAU;
+use core::f64::consts::TAU;
 
 use nalgebra::SVector;
 
@@ -8,6 +8,8 @@ use super::trajectory::Trajectory;
 use crate::error::{ContactLabel, Error};
 use crate::grasp::{Engine, PartLabel, Wrench};
 use crate::numerics::{Harmonic, Size, Vector};
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 

@@ -11,6 +11,7 @@ use super::turn::{Touch, Turn};
 use crate::error::Error;
 use crate::grasp::Engine;
 use crate::numerics::Size;
+use crate::prelude::*;
 use crate::search::{Settings, settle};
 
 /// The answer to "at which angle does the first contact stop sticking?"

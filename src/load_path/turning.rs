@@ -24,6 +24,7 @@ use super::trajectory::Trajectory;
 use super::watch::{Watch, WatchedCondition, watch};
 use crate::contact::{ActiveSet, Exit, Line, Mode, State, ZERO_SLACK, tangential};
 use crate::numerics::Size;
+use crate::prelude::*;
 use crate::search::Doubt;
 
 /// The first step turns the fastest contact by this angle, as far as can be told from the rate there.

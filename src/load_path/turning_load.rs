@@ -1,6 +1,6 @@
 //! Where a load that turns stands, and how everything turns with it from there: three solves.
 
-use std::sync::Arc;
+use alloc::sync::Arc;
 
 use nalgebra::SVector;
 

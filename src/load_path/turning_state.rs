@@ -4,6 +4,7 @@ use super::first_exits::FirstExits;
 use crate::contact::{Exit, State, TurningExit, Wave};
 use crate::numerics::{Harmonic, Size, Vector};
 use crate::object::{PieceState, Problem};
+use crate::prelude::*;
 
 /// How everything turns from a place on, while contacts keep their states.
 #[derive(Debug)]

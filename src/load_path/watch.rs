@@ -3,6 +3,7 @@
 use super::segment::{Here, Segment};
 use crate::contact::{Line, Mode, State, ZERO_SLACK, tangential, tangential_norm};
 use crate::numerics::Size;
+use crate::prelude::*;
 
 /// On an arc a value carries the error of the steps besides rounding.
 const ERROR_OF_STEPS: f64 = 1e-13;

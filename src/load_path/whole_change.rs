@@ -1,10 +1,11 @@
 //! Events as people tell them: a soft fingertip begins to slide with its first point, and slides everywhere with its last one.
 
-use std::fmt;
+use core::fmt;
 
 use super::event::{Change, ContactChange, Event};
 use crate::equilibrium::{ContactState, Equilibrium, PadAnswer};
 use crate::error::ContactLabel;
+use crate::prelude::*;
 use crate::words::{Words, opens};
 
 /// What changes at an event, points of one soft fingertip together.

@@ -4,6 +4,7 @@ use crate::error::Error;
 use crate::grasp::WholeContact;
 
 use super::question::Demand;
+use crate::prelude::*;
 
 /// The answer to "how much does it need?"; its [`Display`](std::fmt::Display) says it in a sentence.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,7 +26,7 @@ pub struct Needed {
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub force: Option<f64>,
     /// Whether the object turns [too far](crate::equilibrium::Equilibrium::is_beyond_small_motions) under that for the answer to say much.
-    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "std::ops::Not::not"))]
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub beyond_small_motions: bool,
 }
 

@@ -4,6 +4,7 @@ use super::answer::AmountWindow;
 use super::search::{Threshold, Tries};
 use super::trial::Trial;
 use crate::error::Error;
+use crate::prelude::*;
 
 /// Amounts are looked at so many times below and above the bound.
 const SCANNED: f64 = 4.0;

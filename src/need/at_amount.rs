@@ -6,6 +6,7 @@ use crate::ask::Grasp;
 use crate::equilibrium::{ContactState, Equilibrium};
 use crate::error::Error;
 use crate::load_path::{Leg, Ramp};
+use crate::prelude::*;
 use crate::squeeze::{Loads, WeakestDirection};
 
 /// Angles of a turn that are compared.

@@ -9,6 +9,7 @@ use crate::ask::Grasp;
 use crate::equilibrium::{DriveState, Outcome};
 use crate::error::Error;
 use crate::grasp::{WholeContacts, Wrench};
+use crate::prelude::*;
 use crate::squeeze::Loads;
 
 impl<const C: usize> Grasp<C> {

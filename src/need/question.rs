@@ -2,6 +2,7 @@
 
 use crate::grasp::Wrench;
 use crate::load_path::Turn;
+use crate::prelude::*;
 use crate::squeeze::Loads;
 use crate::words::Words;
 

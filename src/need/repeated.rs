@@ -1,12 +1,13 @@
 //! What becomes of an amount where the loads are put on again and again.
 
-use std::f64::consts::TAU;
+use core::f64::consts::TAU;
 
 use super::question::Demand;
 use super::trial::{Loading, NOT_AT_REST, Trial};
 use crate::error::Error;
 use crate::grasp::{BodyMotion, Wrench};
 use crate::load_path::Leg;
+use crate::prelude::*;
 use crate::shake::{Repeats, Shaken};
 use crate::squeeze::Loads;
 
@@ -43,7 +44,7 @@ impl<const C: usize> Loading<C> {
                 let round = there.angle() / TAU;
                 let is_round = (round - round.round()).abs() <= ROUND && round > 0.5;
                 let back = (!is_round).then(|| Leg::turn(&there.back()));
-                Some((there.load_at(0.0), std::iter::once(Leg::turn(&there)).chain(back).collect()))
+                Some((there.load_at(0.0), core::iter::once(Leg::turn(&there)).chain(back).collect()))
             }
             Loads::AnyForce { .. } => None,
         }

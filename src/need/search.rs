@@ -2,6 +2,7 @@
 
 use super::trial::Trial;
 use crate::error::Error;
+use crate::prelude::*;
 
 /// From what is given amounts are doubled or halved so many times at most.
 pub(super) const MOST_DOUBLINGS: usize = 20;

@@ -1,8 +1,8 @@
 //! What becomes of one amount of what is sought.
 
-use std::cell::Cell;
-use std::f64::consts::{PI, TAU};
-use std::fmt;
+use core::cell::Cell;
+use core::f64::consts::{PI, TAU};
+use core::fmt;
 
 use super::question::{Demand, Need, Sought};
 use crate::ask::Grasp;
@@ -11,6 +11,7 @@ use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::hold::{Holding, Verdict};
 use crate::load_path::{Leg, Onset, PathEnd, Ramp, Turn};
+use crate::prelude::*;
 use crate::squeeze::{Loads, WeakestDirection};
 use crate::words::Words;
 
@@ -264,7 +265,7 @@ fn directions<const C: usize>() -> Vec<[f64; C]> {
         let z = 1.0 - (2 * k + 1) as f64 / count as f64;
         let (radius, angle) = if C == 2 { (1.0, TAU / count as f64) } else { ((1.0 - z * z).sqrt(), golden) };
         let (sin, cos) = (angle * k as f64).sin_cos();
-        std::array::from_fn(|a| [radius * cos, radius * sin, z][a])
+        core::array::from_fn(|a| [radius * cos, radius * sin, z][a])
     };
     (0..count).map(direction).collect()
 }

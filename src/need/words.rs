@@ -1,9 +1,10 @@
 //! What is needed in a sentence, as one would say it to a colleague.
 
-use std::fmt;
+use core::fmt;
 
 use super::answer::{Amount, AmountWindow, Needed, Press, Quantity};
 use super::question::Demand;
+use crate::prelude::*;
 use crate::words::{TOO_FAR, Words, listed, printable};
 
 /// Forces and amounts this close are called one.

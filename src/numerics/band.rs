@@ -3,6 +3,8 @@
 //! With entries up to b places from the diagonal exchanged rows reach 2b places to the right: n rows cost 2 n b² multiplications in place of
 //! n³/3, and a solution 3 n b in place of n².
 
+use crate::prelude::*;
+
 /// A pivot below this part of the largest entry is none: who asks has to tell a singular matrix from a soft one. Exactly singular ones leave some 1e-16.
 const REGULAR: f64 = 1e-11;
 

@@ -99,8 +99,8 @@ impl<D: Size> Bordered<D> {
         }
         if border[k].abs() > most {
             top.swap_with_slice(border);
-            std::mem::swap(&mut last[k], corner);
-            std::mem::swap(&mut order[k], order_of_border);
+            core::mem::swap(&mut last[k], corner);
+            core::mem::swap(&mut order[k], order_of_border);
         } else if pivot != k {
             top.swap_with_slice(&mut behind[(pivot - k - 1) * d..][..d]);
             last.swap(k, pivot);
@@ -115,7 +115,7 @@ impl<D: Size> Bordered<D> {
         let row = &row.as_slice()[open.clone()];
         let top_last = last[k];
         let below = behind.chunks_exact_mut(d).zip(&mut last[k + 1..]);
-        for (below, below_last) in below.chain(std::iter::once((border, corner))) {
+        for (below, below_last) in below.chain(core::iter::once((border, corner))) {
             let factor = below[k] * inverse;
             for (x, top) in below[open.clone()].iter_mut().zip(row) {
                 *x -= factor * top;
@@ -129,7 +129,7 @@ impl<D: Size> Bordered<D> {
     /// The least pivot over the largest.
     pub(crate) fn least_pivot(&self) -> f64 {
         let inverses =
-            (0..self.rows.size().count()).map(|k| self.rows[(k, k)]).chain(std::iter::once(self.corner));
+            (0..self.rows.size().count()).map(|k| self.rows[(k, k)]).chain(core::iter::once(self.corner));
         let pivots = inverses.map(|inverse| 1.0 / inverse.abs());
         let [least, largest] = [f64::min, f64::max].map(|pick| pivots.clone().reduce(pick).unwrap_or(0.0));
         least / largest

@@ -9,6 +9,7 @@
 //! SIAM J. Matrix Anal. Appl. 12, 1991). Where T has no factors whoever asks takes those of the whole matrix.
 
 use super::band::{Band, BandFactors};
+use crate::prelude::*;
 
 /// Steps with what is left.
 const REFINED: usize = 2;

@@ -1,6 +1,7 @@
 //! A small linear system with complete pivoting that says what it could not resolve.
 
 use crate::numerics::{Size, Square, Vector};
+use crate::prelude::*;
 
 /// A pivot below this part of the largest entry counts as zero. The matrices here are products of orthonormal factors
 /// (entries at most one, noise near 1e-16), so anything smaller is a singular state, not a stiff one.

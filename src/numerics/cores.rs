@@ -5,6 +5,8 @@ use std::sync::{Mutex, PoisonError};
 
 use rayon::prelude::*;
 
+use crate::prelude::*;
+
 /// Does something for each of so many numbers. A panic goes on to the caller.
 fn for_each(count: usize, what: &(dyn Fn(usize) + Sync)) {
     (0..count).into_par_iter().for_each(what);

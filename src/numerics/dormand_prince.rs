@@ -9,6 +9,8 @@
 //!
 //! Source: the method DOP853 of Hairer, Nørsett and Wanner, Solving Ordinary Differential Equations I, second edition, section II.10.
 
+use crate::prelude::*;
+
 /// Coefficients of a sum of stages: which, times what.
 type Sum = &'static [(usize, f64)];
 

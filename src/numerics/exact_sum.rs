@@ -3,7 +3,10 @@
 //! A product of two doubles is an integer times 2⁻²¹⁴⁸, below 2⁴¹⁹⁶ such units. A fixed-point number that is wide enough holds every sum of
 //! them: neither cancellation nor underflow nor overflow of a term loses a bit (U. Kulisch's long accumulator).
 
-use std::cmp::Ordering;
+use core::cmp::Ordering;
+
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
 
 /// 64 bits each: 4196 of a product, the rest for carries and the sign.
 const LIMBS: usize = 68;

@@ -4,6 +4,7 @@ use crate::numerics::{Size, Square, Vector};
 
 use super::complete_pivoting::CompletePivoting;
 use super::partial_pivoting::PartialPivoting;
+use crate::prelude::*;
 
 /// What no solution reaches by more than this part of the sizes of the terms is out of reach, times the growth of errors.
 const OUT_OF_REACH: f64 = 1e-12;

@@ -1,6 +1,9 @@
 //! What turns: `x(φ) = x₀ + x_c cos φ + x_s sin φ`, for numbers, vectors and wrenches.
 
-use std::ops::{Add, Mul, Sub};
+use core::ops::{Add, Mul, Sub};
+
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
 
 /// x.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -9,14 +9,15 @@
 //! Where a set is smooth, faces become so thin that rounding hides their planes. Where the polytope comes nearer to the origin by that, it ends, and what was
 //! known before holds.
 
-use std::cmp::Ordering;
-use std::collections::BinaryHeap;
+use alloc::collections::BinaryHeap;
+use core::cmp::Ordering;
 
 use super::coordinates::Square;
 use nalgebra::{SMatrix, SVector};
 
 use super::partial_pivoting::PartialPivoting;
 use super::support::{Vertex, middle};
+use crate::prelude::*;
 
 /// A point that lies nearer to the plane of a face than this part of its distance from the middle lies in it.
 const IN_PLANE: f64 = 1e-12;
@@ -86,7 +87,7 @@ impl<const D: usize> Polytope<D> {
         let (faces, alive, queue, ridges) = (Vec::new(), Vec::new(), BinaryHeap::new(), Vec::new());
         let mut polytope = Self { middle: middle(simplex), points, faces, alive, queue, ridges };
         for without in 0..=D {
-            polytope.add(std::array::from_fn(|k| if k < without { k } else { k + 1 }));
+            polytope.add(core::array::from_fn(|k| if k < without { k } else { k + 1 }));
         }
         polytope
     }
@@ -125,7 +126,7 @@ impl<const D: usize> Polytope<D> {
             face.is_alive
         });
         // A ridge inside of what goes belongs to two faces of it, one of its rim to one; twins are neighbours once sorted.
-        let mut ridges = std::mem::take(&mut self.ridges);
+        let mut ridges = core::mem::take(&mut self.ridges);
         ridges.sort_unstable();
         for same in ridges.chunk_by(|a, b| a == b).filter(|same| same.len() == 1) {
             self.add(same[0]);

@@ -10,6 +10,7 @@
 //! Source: Hairer and Wanner, Solving Ordinary Differential Equations II, second edition, section IV.9.
 
 use super::dormand_prince::Stepped;
+use crate::prelude::*;
 
 /// Rows of the scheme at most.
 const MOST_ROWS: usize = 9;

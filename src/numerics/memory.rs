@@ -1,7 +1,9 @@
 //! Memory that is lent from question to question to whoever answers.
 
-use std::any::Any;
-use std::fmt::{Debug, Formatter};
+use core::any::Any;
+use core::fmt::{Debug, Formatter};
+
+use crate::prelude::*;
 
 /// What an engine keeps for its next question. That of another engine is thrown away, and a copy begins empty.
 #[derive(Default)]
@@ -23,7 +25,7 @@ impl Clone for Memory {
 }
 
 impl Debug for Memory {
-    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
+    fn fmt(&self, f: &mut Formatter<'_>) -> core::fmt::Result {
         f.write_str("Memory")
     }
 }

@@ -7,6 +7,8 @@
 
 use core::ops::Range;
 
+use crate::prelude::*;
+
 /// For each of so many coordinates its number in the order; each coupling is between the coordinates of some ranges.
 pub(crate) fn narrow_order(count: usize, couplings: &[[Range<usize>; 2]]) -> Vec<usize> {
     let (starts, neighbours) = graph(count, couplings);

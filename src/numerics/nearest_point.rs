@@ -10,6 +10,8 @@
 //! At the nearest point the residual `r = t - Σ s_k a_k` has `a·r <= 0` for every generator and `t·r = |r|²`. Where r is not zero it
 //! separates t from the cone.
 
+use crate::prelude::*;
+
 /// A generator that adds less than this to the span of those with a share is taken for one of them.
 const DEPENDENT: f64 = 1e-13;
 /// A column that keeps this part of its length when the others are taken out of it has lost no digits.

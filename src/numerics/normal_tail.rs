@@ -1,6 +1,9 @@
 //! The tail of the normal distribution.
 
-use std::f64::consts::TAU;
+use core::f64::consts::TAU;
+
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
 
 /// Below this the series of the integral converges in some tens of terms, above it the continued fraction of its tail does.
 const SERIES: f64 = 3.0;
@@ -41,7 +44,7 @@ const TERMS: u32 = 120;
 
 #[cfg(test)]
 mod tests {
-    use std::f64::consts::{FRAC_1_SQRT_2, PI};
+    use core::f64::consts::{FRAC_1_SQRT_2, PI};
 
     use super::*;
 

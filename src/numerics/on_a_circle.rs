@@ -2,7 +2,7 @@
 //!
 //! It is nowhere exactly if N is not negative and `N² - |v|²`, a trigonometric polynomial of degree two, does not fall below zero.
 
-use std::f64::consts::TAU;
+use core::f64::consts::TAU;
 
 use nalgebra::SVector;
 
@@ -99,7 +99,7 @@ mod tests {
             };
             let turning = Turning {
                 number: Harmonic::new([2.0 + number(), number(), number()]),
-                vector: Harmonic::new(std::array::from_fn(|_| SVector::from([number(), number()]))),
+                vector: Harmonic::new(core::array::from_fn(|_| SVector::from([number(), number()]))),
             };
             let sampled =
                 (0..3000).map(|k| turning.value(TAU * f64::from(k) / 3000.0)).fold(f64::INFINITY, f64::min);

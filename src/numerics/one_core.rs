@@ -1,5 +1,7 @@
 //! Work on one core, where there are no threads (without the feature `parallel`): the same questions as in `cores`, one after the other.
 
+use crate::prelude::*;
+
 /// `f` of every item, answers in the order of the items.
 pub(crate) fn in_order<T: Sync, R: Send>(items: &[T], f: &(impl Fn(&T) -> R + Sync)) -> Vec<R> {
     items.iter().map(f).collect()

@@ -5,9 +5,10 @@
 //! orthogonalised twice, keeps the columns of Q orthonormal to working precision whatever the grading.
 
 use crate::numerics::{Size, Square, Vector};
-use std::ops::Range;
+use core::ops::Range;
 
 use super::pairwise::in_halves;
+use crate::prelude::*;
 
 /// A column counts as dependent on those before it when less than this part of it is left after orthogonalisation.
 /// It guards against rounding noise (about 1e-16 times a few operations) being taken for a resisted direction; real
@@ -62,7 +63,7 @@ impl<D: Size> Orthogonal<D> {
     /// The factors of other rows, in the same memory.
     pub(crate) fn assign(&mut self, size: D, rows: &[Vector<D>]) {
         if self.size() != size {
-            *self = Self::of(size, std::mem::take(&mut self.q));
+            *self = Self::of(size, core::mem::take(&mut self.q));
         }
         self.q.clear();
         self.q.extend_from_slice(rows);
@@ -326,7 +327,7 @@ pub(crate) fn without<D: Size>(mut v: Vector<D>, basis: &[Vector<D>]) -> Vector<
 /// v becomes a unit vector orthogonal to an orthonormal set (two passes).
 pub(crate) fn orthonormalise_against<D: Size>(v: &mut Vector<D>, basis: &[Vector<D>]) {
     for _ in 0..2 {
-        *v = without(std::mem::take(v), basis);
+        *v = without(core::mem::take(v), basis);
     }
     let norm = v.norm();
     if norm > 0.0 {

@@ -1,7 +1,7 @@
 //! Sums over very many terms, made of halves. Their rounding grows with the logarithm of their
 //! length only, and they are the same for any number of threads.
 
-use std::ops::Range;
+use core::ops::Range;
 
 use super::cores;
 

@@ -2,6 +2,8 @@
 //!
 //! With entries up to b places from the diagonal n rows cost ½ n b² multiplications, a quarter of what those of a band that is not symmetric do.
 
+use crate::prelude::*;
+
 /// A pivot below this part of the entry that was there is none.
 const POSITIVE: f64 = 1e-12;
 

@@ -1,6 +1,9 @@
 //! Numbers without structure, the same on every machine and in every run.
 
-use std::f64::consts::TAU;
+use core::f64::consts::TAU;
+
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
 
 const STEP: u64 = 0x9E37_79B9_7F4A_7C15;
 

@@ -10,6 +10,7 @@ use super::coordinates::Square;
 use super::partial_pivoting::PartialPivoting;
 use super::support::{Vertex, middle};
 use super::unit_vector::unit;
+use crate::prelude::*;
 
 /// A point that lies beyond the plane by this part of its distance from the middle is rounding.
 const BEYOND: f64 = 1e-13;

@@ -1,8 +1,10 @@
 //! Student's distribution: how far a mean may be off by chance where the scatter is estimated from the same few numbers.
 
-use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
+use core::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 
 use super::normal_tail::normal_tail;
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
 
 /// More degrees of freedom are as good as any number of them, to some 1e-4.
 const MANY: usize = 4000;

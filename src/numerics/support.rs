@@ -3,6 +3,7 @@
 use nalgebra::SVector;
 
 use super::unit_vector::unit;
+use crate::prelude::*;
 
 /// A set that is thinner than this part of its size in some direction is flat.
 const FLAT: f64 = 1e-10;

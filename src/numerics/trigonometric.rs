@@ -8,9 +8,11 @@
 //! 0 ≤ t ≤ 1. Its turning points are the roots of its derivative, found in the
 //! same way, down to a straight line: between two of them there is one root or none, so that none is lost and none invented.
 
-use std::f64::consts::{FRAC_PI_2, TAU};
+use core::f64::consts::{FRAC_PI_2, TAU};
 
 use super::harmonic::Harmonic;
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
 
 /// Steps of Newton's method and bisection for one root: bisection alone would need 53.
 const STEPS: usize = 80;

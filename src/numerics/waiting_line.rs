@@ -3,10 +3,11 @@
 //! Most of them are put in line anew before their time comes. So only the next ones are kept in order, few enough for the nearest memory. Behind
 //! them the line has tiers without order, each about as many times longer as the one before.
 
-use std::cmp::Reverse;
-use std::collections::BinaryHeap;
+use alloc::collections::BinaryHeap;
+use core::cmp::Reverse;
 
 use super::pairwise::in_halves;
+use crate::prelude::*;
 
 /// About one part in so many of a tier moves on at a time. A larger part sorts what is never asked for, a
 /// smaller one runs over the others too often.
@@ -142,7 +143,7 @@ fn last_to_move_on(waiting: &[Entry]) -> Option<Entry> {
         return waiting.iter().copied().max();
     }
     let apart = waiting.len() / SAMPLE;
-    let mut sample: [Entry; SAMPLE] = std::array::from_fn(|k| waiting[k * apart]);
+    let mut sample: [Entry; SAMPLE] = core::array::from_fn(|k| waiting[k * apart]);
     sample.sort_unstable();
     Some(sample[SAMPLE / PARTS])
 }

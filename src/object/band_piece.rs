@@ -11,12 +11,13 @@
 
 use crate::numerics::{Band, BandFactors, Size, Vector, generic, narrow_order, widest};
 
-use std::ops::Range;
+use core::ops::Range;
 
 use nalgebra::SVector;
 
 use crate::contact::Spring;
 use crate::grasp::{Site, size_of};
+use crate::prelude::*;
 
 /// With fewer coordinates orthogonal factors cost no more, and know the rank: four bodies in space take a third less time with them, nine bricks in the plane more than
 /// twice as much.

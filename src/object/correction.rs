@@ -17,6 +17,7 @@ use super::problem::Problem;
 use super::solution::{MOST_CORRECTIONS, NEARLY};
 use crate::contact::{LocalLaw, Mode, Spring, State};
 use crate::numerics::{DoubleDouble, Size, Vector, without};
+use crate::prelude::*;
 
 /// What is missing of a solution.
 #[derive(Debug, Clone)]
@@ -40,7 +41,7 @@ impl<D: Size, const C: usize> Piece<D, C> {
         size: f64,
     ) -> Correction<D, C> {
         let mut forces: Vec<[DoubleDouble; C]> =
-            at.iter().map(|f| std::array::from_fn(|a| DoubleDouble::new(f[a]))).collect();
+            at.iter().map(|f| core::array::from_fn(|a| DoubleDouble::new(f[a]))).collect();
         let mut twist = from.clone();
         let mut change = vec![0.0; self.springs.len()];
         let mut doubt = 0.0;

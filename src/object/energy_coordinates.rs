@@ -15,6 +15,7 @@ use super::problem::Problem;
 use crate::contact::{LocalLaw, cross, tangential, tangential_norm};
 use crate::grasp::Site;
 use crate::numerics::{Orthogonal, Seen, Size, Vector};
+use crate::prelude::*;
 
 /// Facets whose normals enclose an angle with a sine below this leave no independent slips.
 const PARALLEL: f64 = 1e-6;

@@ -19,6 +19,7 @@ use super::limited::{Limited, LimitedAnswer};
 use super::problem::Problem;
 use crate::contact::{Mode, State};
 use crate::numerics::{PositiveBand, Size, Vector, narrow_order, widest};
+use crate::prelude::*;
 
 /// How often limits are given, and how often at first the next ones are taken as they come: later the means do not go to and fro.
 const ROUNDS: usize = 30;
@@ -178,7 +179,8 @@ impl<const C: usize> GivenLimits<C> {
             let next = self.limits_of(&answers.of);
             let change: Vec<f64> = next.iter().zip(&self.limits).map(|(next, last)| next - last).collect();
             let change = norm(&change) / norm(&next).max(f64::MIN_POSITIVE);
-            let last = std::mem::replace(&mut states, answers.of.iter().map(|answer| answer.state).collect());
+            let last =
+                core::mem::replace(&mut states, answers.of.iter().map(|answer| answer.state).collect());
             if last == states && change <= NEARLY {
                 break;
             }

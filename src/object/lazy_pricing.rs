@@ -18,6 +18,7 @@
 use crate::numerics::{Size, Vector};
 
 use crate::numerics::WaitingLine;
+use crate::prelude::*;
 
 /// ε: deviations from e count this much more. With less, a clock that turns away runs too fast;
 /// with more, contacts are looked at too early.

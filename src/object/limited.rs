@@ -4,6 +4,7 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::contact::{Coulomb, Law, LocalLaw, Mode, tangential, tangential_norm};
 use crate::numerics::unit;
+use crate::prelude::*;
 
 /// A contact whose friction has a limit that is given.
 pub(super) struct Limited<const C: usize> {

@@ -12,6 +12,7 @@ use nalgebra::DMatrix;
 use super::band_piece::{BandPiece, Side};
 use super::free_motions::NO_WORK;
 use crate::numerics::{BandFactors, Size, Vector, orthonormalise_against};
+use crate::prelude::*;
 
 /// A unit motion that stretches no spring by more than this part of what it could is free. The soft ones stretch some by more than 1e-6.
 const FREE: f64 = 1e-11;

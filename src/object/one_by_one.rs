@@ -1,7 +1,7 @@
 //! Contacts that answer a motion of the object one by one, each to its own stretch.
 
 use crate::numerics::{Size, Vector};
-use std::ops::Range;
+use core::ops::Range;
 
 use nalgebra::SVector;
 
@@ -10,6 +10,7 @@ use super::problem::Problem;
 use super::tangent::{TangentFactors, tangent_stiffness};
 use crate::contact::ContactResponse;
 use crate::numerics::{Factors, in_halves};
+use crate::prelude::*;
 
 /// Newton's method for contacts that answer one by one, each from its last answer; all are open to begin with. Their answers are in `contacts` then, a
 /// list that is there. `beside` is a size of forces in which the method cannot see: of rounding, for instance.

@@ -18,6 +18,7 @@ use super::problem::Problem;
 use crate::contact::{Spring, State};
 use crate::grasp::{Site, size_of};
 use crate::numerics::{CompletePivoting, Once, Orthogonal, orthonormalise_against, without};
+use crate::prelude::*;
 
 /// One linear piece of the contact law: a state for every contact.
 #[derive(Debug, Clone)]

@@ -3,7 +3,7 @@
 //! What a stiff spring leaves of its equation is the difference of numbers 1e14 times as large as itself. With G_i, W and q to twice the
 //! working precision, solving again for what is left gives forces that are right to the last digit.
 
-use std::ops::Range;
+use core::ops::Range;
 
 use crate::numerics::{Size, Vector};
 

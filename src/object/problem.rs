@@ -7,7 +7,7 @@
 //! At rest the drives a_i are commanded displacements and the laws are whole; in rates both are those of what happens next.
 
 use crate::numerics::{Size, Vector};
-use std::sync::Arc;
+use alloc::sync::Arc;
 
 use nalgebra::SVector;
 
@@ -17,6 +17,7 @@ use crate::contact::{Coulomb, Law, LocalLaw, Mode, Polygon, PolygonCone, Slide, 
 use crate::error::Error;
 use crate::grasp::{Engine, Remembered, Site, Wrench, size_of};
 use crate::numerics::{DoubleDouble, cleared_for};
+use crate::prelude::*;
 
 /// Laws, drives a_i, load: `Σ G_i F_i + W = 0` is sought.
 #[derive(Debug, Clone)]

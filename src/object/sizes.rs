@@ -8,6 +8,7 @@ use super::solution::PieceState;
 use crate::contact::At;
 use crate::grasp::Site;
 use crate::numerics::{Size, Vector};
+use crate::prelude::*;
 
 /// Where a statically determinate grasp carries no force at all, what comes out of three projections is the rounding of
 /// the rounding of the rounding (1e-45) of the forces that its springs could have had from displacements of this size. This

@@ -15,6 +15,7 @@ use super::precise::{PreciseBalance, PreciseTwist};
 use super::problem::Problem;
 use crate::grasp::Site;
 use crate::numerics::{DoubleDouble, Size, Vector, cleared_for, without};
+use crate::prelude::*;
 
 /// A correction by less than this part of the largest force is the last: what it leaves is this part of itself.
 pub(super) const NEARLY: f64 = 1e-8;

@@ -12,7 +12,7 @@
 //! T is the identity where everything sticks, whatever the stiffnesses.
 
 use crate::numerics::{Seen, Size, Square, Vector};
-use std::ops::Range;
+use core::ops::Range;
 
 use nalgebra::{SMatrix, SVector};
 
@@ -49,7 +49,7 @@ impl<D: Size, const R: usize> Sums<D, R> {
     /// Those of contacts that all stick, without memory: Q has orthonormal columns.
     pub(crate) fn sticking(size: D) -> Self {
         let stiffness = Square::from_diagonal(size, |_| 1.0);
-        Self { stiffness, sides: std::array::from_fn(|_| Vector::zeros()) }
+        Self { stiffness, sides: core::array::from_fn(|_| Vector::zeros()) }
     }
 
     /// Becomes [`Self::sticking`], in the same memory.
@@ -69,7 +69,7 @@ impl<D: Size, const R: usize> Sums<D, R> {
     ) -> Self {
         let part = |contacts: Range<usize>| {
             let stiffness = Square::zeros(size);
-            let mut sums = Self { stiffness, sides: std::array::from_fn(|_| Vector::zeros()) };
+            let mut sums = Self { stiffness, sides: core::array::from_fn(|_| Vector::zeros()) };
             contacts.for_each(|contact| add(&mut sums, contact));
             sums
         };

@@ -9,7 +9,7 @@
 //! to the last digits where T is regular; where it is not, see [`super::Piece`].
 
 use crate::numerics::{Size, Square, Vector};
-use std::ops::Range;
+use core::ops::Range;
 
 use nalgebra::SMatrix;
 
@@ -20,6 +20,7 @@ use super::solution::PieceState;
 use crate::contact::State;
 use crate::grasp::{Site, size_of};
 use crate::numerics::{Factors, PartialPivoting, in_halves};
+use crate::prelude::*;
 
 /// Steps of refinement: where the first does not do, the second should.
 const STEPS: usize = 4;
@@ -91,7 +92,7 @@ pub(crate) fn tangent_stiffness<D: Size, const C: usize>(
 
 /// Adds `G_i C_i G_iᵀ` of one contact to T.
 fn add_tangent<D: Size, const C: usize>(t: &mut Square<D>, site: &Site<D, C>, springs: &SpringTangent<C>) {
-    let pushed: [Vector<D>; C] = std::array::from_fn(|a| &site.map * springs.column(a).into_owned());
+    let pushed: [Vector<D>; C] = core::array::from_fn(|a| &site.map * springs.column(a).into_owned());
     // A contact of one finger does not feel the joints of the others, a drive nothing but its own.
     for columns in site.support.ranges::<C>() {
         for j in columns {

@@ -1,7 +1,7 @@
 //! The elastic trial: the piece in which everything that is there sticks.
 
 use crate::numerics::Size;
-use std::sync::Arc;
+use alloc::sync::Arc;
 
 use super::piece::Piece;
 use super::problem::Problem;

@@ -19,6 +19,7 @@ use crate::contact::Resistance;
 use crate::grasp::of_the_object;
 use crate::numerics::{Size, Vector, unit};
 use crate::object::Problem;
+use crate::prelude::*;
 
 /// Sums of so many terms are off by this part of the sum of their sizes at most, products and maps that were rounded before included.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;

@@ -19,6 +19,7 @@ use crate::contact::LocalLaw;
 use crate::lcp::{Lcp, Outcome, Settings};
 use crate::numerics::{Size, Vector, unit};
 use crate::object::Problem;
+use crate::prelude::*;
 
 /// Up to this many contacts that may open all choices of open ones are looked at.
 const MOST_CONTACTS: usize = 8;

@@ -18,6 +18,7 @@ use crate::contact::{Label, LocalLaw, State};
 use crate::grasp::Site;
 use crate::numerics::{Size, Vector};
 use crate::object::{Piece, Problem};
+use crate::prelude::*;
 
 /// Virtual forces balance one another but for this part of them and of those that the virtual motion would cause. Through what is left
 /// an equilibrium could escape whose motion is larger than the data by the reciprocal.

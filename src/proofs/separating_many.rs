@@ -12,7 +12,7 @@
 //!
 //! Source: R. T. Rockafellar, Augmented Lagrangians and applications of the proximal point algorithm in convex programming, Math. Oper. Res. 1 (1976).
 
-use std::ops::Range;
+use core::ops::Range;
 
 use nalgebra::{SMatrix, SVector};
 
@@ -20,6 +20,7 @@ use super::wrench_cone::{Generator, straight_generators};
 use crate::contact::{tangential, tangential_norm};
 use crate::numerics::{PositiveBand, Size, Vector, narrow_order, unit, widest};
 use crate::object::{Problem, are_many};
+use crate::prelude::*;
 
 /// ρ at first, by what it grows from round to round, and at last: with more the digits of a step would be gone.
 const FIRST: f64 = 1e1;

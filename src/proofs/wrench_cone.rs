@@ -21,6 +21,7 @@ use crate::contact::{Law, tangential, tangential_norm};
 use crate::grasp::Site;
 use crate::numerics::{NearestPoint, Size, Vector, unit};
 use crate::object::Problem;
+use crate::prelude::*;
 
 /// A residual below this part of the load is no proof: the load lies on the boundary as far as rounding can tell.
 const CLEAR: f64 = 1e-9;

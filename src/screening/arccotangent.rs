@@ -6,7 +6,7 @@
 use super::lanes::Packed;
 
 /// tan(π/8): up to here the series serves, beyond it the angle is taken from π/4.
-const EIGHTH: f64 = std::f64::consts::SQRT_2 - 1.0;
+const EIGHTH: f64 = core::f64::consts::SQRT_2 - 1.0;
 /// `(atan x - x) / x³` in powers of x² for |x| <= tan(π/8), interpolated at the roots of a
 /// Chebyshev polynomial: atan to 7e-18 of its value. With a term less it would lose a digit.
 const SERIES: [f64; 11] = [
@@ -37,11 +37,11 @@ pub(super) fn angle_of<X: Packed>(u: X) -> X {
     for coefficient in SERIES.into_iter().rev() {
         sum = sum * square + X::all(coefficient);
     }
-    let eighth = X::all(std::f64::consts::FRAC_PI_4);
+    let eighth = X::all(core::f64::consts::FRAC_PI_4);
     let steep = small.above(bound, eighth, zero) + (x + x * square * sum);
     // So far the angle whose tangent is the smaller one over the larger.
-    let half = size.above(one, steep, X::all(std::f64::consts::FRAC_PI_2) - steep);
-    let half = zero.above(u, X::all(std::f64::consts::PI) - half, half);
+    let half = size.above(one, steep, X::all(core::f64::consts::FRAC_PI_2) - steep);
+    let half = zero.above(u, X::all(core::f64::consts::PI) - half, half);
     half + half
 }
 
@@ -61,7 +61,7 @@ mod tests {
         let at = |u: f64| angle_of(u);
         assert_eq!(
             [at(f64::INFINITY), at(0.0), at(1.0)],
-            [0.0, std::f64::consts::PI, std::f64::consts::FRAC_PI_2]
+            [0.0, core::f64::consts::PI, core::f64::consts::FRAC_PI_2]
         );
         assert!((at(1e200) / 2e-200 - 1.0).abs() < 4.0 * f64::EPSILON);
     }

@@ -14,6 +14,7 @@ use super::screened_gradient::ScreenedGradients;
 use super::screened_squeeze::ScreenedSqueeze;
 use super::turning_pull::TurningPull;
 use crate::numerics::each_taken;
+use crate::prelude::*;
 
 /// Blocks of scenes that one thread screens in one go. Blocks are four or eight scenes: far more
 /// work than handing it out, and small enough that every core gets some of a batch of ten thousand.

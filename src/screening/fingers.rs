@@ -12,6 +12,7 @@ use super::screened_squeeze::ScreenedSqueeze;
 use super::turning_pull::TurningPull;
 use crate::error::Error;
 use crate::grasp::Contact;
+use crate::prelude::*;
 
 /// A grasp of `N` contacts, two to five, made ready for the question at which load the first of
 /// them stops sticking: what does not depend on the load is done once.

@@ -1,6 +1,8 @@
 //! When the first contact of one grasp stops sticking, at a factor or an angle.
 
-use std::fmt;
+use core::fmt;
+
+use crate::prelude::*;
 
 /// When the first contact of one grasp stops sticking: a plain number, so that kernels choose it
 /// without a branch.

@@ -3,7 +3,7 @@
 //! Whoever links the library knows the number of axes and of contacts as parameters of types. Functions with such parameters would be compiled again
 //! by everyone who calls them, for minutes; so they are called by pointer.
 
-use std::any::Any;
+use core::any::Any;
 
 use super::block::MOST_CONTACTS as MOST;
 use super::gradient::GradientOf;

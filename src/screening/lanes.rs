@@ -3,8 +3,8 @@
 //! With `simd` everything here is inlined wherever it is used: what is not is compiled for the vectors of every processor. Without, that would only cost time
 //! to compile.
 
-use std::fmt::Debug;
-use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+use core::fmt::Debug;
+use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 use crate::numerics::square_root;
 
@@ -154,7 +154,7 @@ impl Packed for Lanes {
     #[cfg_attr(not(feature = "simd"), inline)]
     #[cfg_attr(feature = "simd", inline(always))]
     fn each<T: Copy>(of: impl FnMut(usize) -> T) -> [T; LANES] {
-        std::array::from_fn(of)
+        core::array::from_fn(of)
     }
 
     #[cfg_attr(not(feature = "simd"), inline)]

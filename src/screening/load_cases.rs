@@ -10,6 +10,7 @@ use super::told::Told;
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::numerics::Vectors;
+use crate::prelude::*;
 
 /// Loads on a grasp in screening, each of which it is to hold: one at a time, at least one.
 #[derive(Debug, Clone, PartialEq)]

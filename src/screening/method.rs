@@ -145,7 +145,7 @@ mod tests {
         for i in 0..3 {
             let bound = part * (forces.rounding[i] + others.rounding[i]);
             let (force, other) = (&forces.of[i], &others.of[i]);
-            let pairs = std::iter::once((force.normal, other.normal));
+            let pairs = core::iter::once((force.normal, other.normal));
             let across = (0..3).map(|axis| (force.tangential[axis], other.tangential[axis]));
             off = pairs.chain(across).map(|(a, b)| (a - b).abs() / bound).fold(off, f64::max);
         }

@@ -1,6 +1,6 @@
 //! What screening says of one grasp.
 
-use std::fmt;
+use core::fmt;
 
 use super::first_slip::{ScreeningVerdict, SlipCode};
 

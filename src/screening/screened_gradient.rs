@@ -3,6 +3,7 @@
 use super::first_slip::SlipCode;
 use super::gradient_row::GradientRow;
 use super::screened::Screened;
+use crate::prelude::*;
 
 /// The derivatives of many factors, in the order of the answers that they belong to: rows of numbers, whose memory is used again.
 #[derive(Debug, Clone, Default, PartialEq)]

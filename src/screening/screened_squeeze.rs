@@ -1,6 +1,6 @@
 //! What screening says of the squeeze that one grasp needs.
 
-use std::fmt;
+use core::fmt;
 
 use super::least_factor::{GIVES_WAY, NO_FACTOR, UNCLEAR};
 

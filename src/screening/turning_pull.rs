@@ -1,6 +1,6 @@
 //! A load that turns, in screening.
 
-use std::f64::consts::TAU;
+use core::f64::consts::TAU;
 
 use super::first_slip::SlipCode;
 use super::forces::Forces;

@@ -1,6 +1,6 @@
 //! A watch in a control loop: from measured contact forces to what they have left.
 
-use std::fmt;
+use core::fmt;
 
 use super::block::count;
 use super::cone::StickingCone;

@@ -3,7 +3,7 @@
 //! Contacts that break a condition are let go of, and all others stay as they are. With the states that this gives others may break one: they
 //! join, until none does. Where many leave the trial, states by friction with given limits come nearer, and what breaks a condition there is a few again.
 
-use std::sync::Arc;
+use alloc::sync::Arc;
 
 use super::candidate::breaking;
 use super::near_states::{beside, regular};
@@ -14,6 +14,7 @@ use crate::contact::State;
 use crate::forms::{Moved, kinematic_form_among, kinematic_states};
 use crate::numerics::Size;
 use crate::object::{Piece, PieceState, Problem, states_by_given_limits};
+use crate::prelude::*;
 
 /// How often others may join: a disturbance spreads from contact to contact, and fades.
 const ROUNDS: usize = 32;

@@ -5,6 +5,7 @@ use nalgebra::SVector;
 use crate::contact::State;
 use crate::grasp::Coordinates;
 use crate::numerics::{Size, Vector};
+use crate::prelude::*;
 
 /// By which rule a solution was found; with several equilibria this says which one it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

@@ -1,6 +1,6 @@
 //! A proposal of contact states, solved and checked: the only way to an answer, whoever proposed.
 
-use std::cell::OnceCell;
+use core::cell::OnceCell;
 
 use nalgebra::{DMatrix, DVector, Matrix, SVector};
 
@@ -9,6 +9,7 @@ use crate::contact::{At, State};
 use crate::lcp::{self, Lcp, Outcome};
 use crate::numerics::{Size, Vector};
 use crate::object::{Piece, PieceState, Problem, largest_force};
+use crate::prelude::*;
 
 /// Inequalities may be violated by this much of their size, times the growth of errors in the piece. Ties are the
 /// normal case in symmetric grasps: a slack that is exactly zero comes out as a few roundings of 1e-16.

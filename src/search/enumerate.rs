@@ -6,6 +6,7 @@ use super::polish::accept;
 use crate::contact::State;
 use crate::numerics::Size;
 use crate::object::Problem;
+use crate::prelude::*;
 
 /// The number of combinations of contact states, in floating point because it overflows soon.
 pub(crate) fn combinations<D: Size, const C: usize>(problem: &Problem<D, C>) -> f64 {

@@ -17,6 +17,7 @@ use super::candidate::for_each_condition;
 use crate::contact::ZERO_SLACK;
 use crate::numerics::{NearestPoint, Size, Vector};
 use crate::object::Problem;
+use crate::prelude::*;
 
 /// A condition that changes along a unit motion by less than this part of its size does not change.
 const UNCHANGED: f64 = 1e-12;

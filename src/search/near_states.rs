@@ -3,6 +3,7 @@
 use crate::contact::{Mode, State};
 use crate::numerics::Size;
 use crate::object::Problem;
+use crate::prelude::*;
 
 /// How often contacts may be stuck until nothing is loose any more.
 const ROUNDS: usize = 8;

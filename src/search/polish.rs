@@ -10,6 +10,7 @@ use super::round_pieces::RoundPieces;
 use crate::contact::State;
 use crate::numerics::{PartialPivoting, Size, Vector};
 use crate::object::{Piece, PieceState, Problem, balance, tangent_stiffness};
+use crate::prelude::*;
 
 /// What may be out of balance of a polygon's answer, from which Newton's method starts.
 const NEAR: f64 = 1e-12;

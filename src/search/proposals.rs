@@ -12,6 +12,7 @@ use crate::forms::Form;
 use crate::lcp::{self, Basis, Outcome};
 use crate::numerics::Size;
 use crate::object::Problem;
+use crate::prelude::*;
 use crate::structured;
 
 /// Covering vectors tried after a ray, where trying every combination of states would come next: each path costs as much as

@@ -21,6 +21,7 @@ use nalgebra::SVector;
 use crate::contact::HullRay;
 use crate::numerics::{NearestPoint, Size, Vector};
 use crate::object::{Piece, PieceState, Problem};
+use crate::prelude::*;
 use crate::proofs::{ESCAPE, LEAST_WORK};
 
 /// A generator works along the residual if by more than this part of it.

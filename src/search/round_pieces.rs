@@ -11,6 +11,7 @@ use super::candidate::{admit, admit_regular};
 use crate::contact::{LocalLaw, Mode, Slide, State, tangential, tangential_norm};
 use crate::numerics::{Size, Vector};
 use crate::object::{Piece, PieceState, PreciseTwist, Problem, newton_on_cones};
+use crate::prelude::*;
 
 /// What is left out of balance where Newton's method on the twist ends, as a part of the forces: steps on the pieces do the rest.
 const ARRIVED: f64 = 1e-9;

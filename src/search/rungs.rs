@@ -14,6 +14,7 @@ use crate::contact::State;
 use crate::forms;
 use crate::numerics::Size;
 use crate::object::{Problem, twist_by_given_limits};
+use crate::prelude::*;
 use crate::proofs;
 use crate::structured::propose_by_newton;
 

@@ -1,7 +1,7 @@
 //! What a rung of the ladder is given, and what it has to say.
 
-use std::cell::OnceCell;
-use std::sync::Arc;
+use alloc::sync::Arc;
+use core::cell::OnceCell;
 
 use nalgebra::SVector;
 
@@ -10,6 +10,7 @@ use super::settings::Settings;
 use crate::contact::{Polygon, PolygonCone, State};
 use crate::numerics::Size;
 use crate::object::{Piece, PieceState, Problem};
+use crate::prelude::*;
 
 /// A question for an equilibrium, with its elastic trial state.
 pub(super) struct TrialScene<'s, 'g, D: Size, const C: usize> {

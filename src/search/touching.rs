@@ -5,6 +5,7 @@ use super::candidate::admit;
 use crate::contact::{Mode, State};
 use crate::numerics::Size;
 use crate::object::{Piece, PieceState, Problem};
+use crate::prelude::*;
 
 /// With more contacts all that pull let go together.
 const ONE_BY_ONE: usize = 64;

@@ -5,7 +5,7 @@
 //! contact that is farthest from its law is divided into two labels, which make two cases. The relaxation comes closer to
 //! the law with every division, so that in the end cases are contradicted or Newton's method arrives.
 
-use std::rc::Rc;
+use alloc::rc::Rc;
 
 use nalgebra::SVector;
 
@@ -16,6 +16,7 @@ use super::settings::Settings;
 use crate::contact::{HullRay, Label, LocalLaw};
 use crate::numerics::{NearestPoint, Size, Vector};
 use crate::object::{Piece, PieceState, Problem};
+use crate::prelude::*;
 use crate::proofs::ProofStep;
 
 /// Newton's method starts from every so manieth case: it costs as much as a few of them.

@@ -11,6 +11,7 @@ use super::least_motion::at_the_least_motion;
 use crate::contact::{Line, Mode, State, WEIGHTLESS};
 use crate::numerics::Size;
 use crate::object::Problem;
+use crate::prelude::*;
 
 /// Forces that differ by less than this part of the largest are the same.
 const SAME: f64 = 1e-9;

@@ -1,7 +1,7 @@
 //! The proof that everything yields, held against all combinations of contact states: where it says that nothing balances drives and load, none
 //! of them does.
 
-use std::f64::consts::TAU;
+use core::f64::consts::TAU;
 
 use nalgebra::SVector;
 
@@ -9,6 +9,7 @@ use super::enumerate::search;
 use crate::contact::{Law, LocalLaw, tangential};
 use crate::grasp::{Contact, Engine, Site, Wrench};
 use crate::numerics::{Draw, Fixed, Size, Vector};
+use crate::prelude::*;
 use crate::proofs::yields;
 use crate::{Fit, PolygonCone, planar, spatial};
 

@@ -5,6 +5,8 @@ use nalgebra::{DVector, SVector};
 use crate::grasp::{Engine, Site};
 use crate::load_path::{CycleRecord, CycleState, Cycles};
 use crate::numerics::Size;
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
 use crate::search::Settings;
 
 /// Forces and gaps that differ by less than this part of the largest at both ends of a cycle are the same: rounding.

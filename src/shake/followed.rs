@@ -8,6 +8,7 @@ use crate::error::Error;
 use crate::grasp::{BodyMotion, Engine, WholeContact, WholeContacts, Wrench};
 use crate::load_path::{CycleState, Cycles, Leg, PathEnd, Ramp};
 use crate::numerics::Size;
+use crate::prelude::*;
 use crate::search::Settings;
 
 /// So many places between the last cycles are kept for what they lead to.
@@ -103,7 +104,7 @@ impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
                 return self.shaken(repeats, (change, 0.0), None);
             };
             change = cycle.change();
-            let mut round = std::mem::replace(&mut self.round, Round::new());
+            let mut round = core::mem::replace(&mut self.round, Round::new());
             let alone = (change <= cycle.same()).then_some((&cycle, 1));
             if let Some((closed, many)) = alone.or_else(|| round.closed_by(&cycle)) {
                 let Some(more) = closed.cycles_until_closing() else {

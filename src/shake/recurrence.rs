@@ -9,6 +9,7 @@ use nalgebra::{DMatrix, DVector};
 use super::cycle::Scale;
 use crate::load_path::CycleState;
 use crate::numerics::Size;
+use crate::prelude::*;
 
 /// So many modes are told apart at most: cycles that have more go on until fewer are left.
 const MOST_MODES: usize = 8;
@@ -68,7 +69,7 @@ impl<'p, D: Size, const C: usize> Recurrence<'p, D, C> {
         }
         let others = self.coefficients.iter().map(|c| -c / rest);
         // Each change leads from its place to the next.
-        let weights: Vec<f64> = std::iter::once(0.0).chain(others).chain([1.0 / rest]).collect();
+        let weights: Vec<f64> = core::iter::once(0.0).chain(others).chain([1.0 / rest]).collect();
         Some(self.combination(&weights))
     }
 

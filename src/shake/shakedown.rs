@@ -13,6 +13,7 @@ use crate::grasp::{Engine, WholeContact, WholeContacts, Wrench};
 use crate::lcp::{self, Lcp};
 use crate::numerics::Size;
 use crate::object::Load;
+use crate::prelude::*;
 use crate::search::Settings;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;

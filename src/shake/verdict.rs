@@ -3,6 +3,7 @@
 use crate::equilibrium::Equilibrium;
 use crate::grasp::{BodyMotion, Motion, WholeContact, Wrench};
 use crate::hold::{Lost, Verdict};
+use crate::prelude::*;
 use crate::search::Doubt;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;

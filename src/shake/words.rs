@@ -1,11 +1,12 @@
 //! What becomes of a load that repeats, in a sentence.
 
-use std::fmt;
+use core::fmt;
 
 use super::shakedown::{BindingContact, Shakedown};
 use super::verdict::{Repeats, Shaken};
 use crate::grasp::{BodyMotion, WholeContact};
 use crate::hold::does;
+use crate::prelude::*;
 use crate::words::{TOO_FAR, Words, listed};
 
 /// Forces that change by less than this part of the largest stay as they are, up to the error of steps along arcs. Slowly they may still go far.

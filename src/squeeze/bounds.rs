@@ -5,6 +5,7 @@ use nalgebra::SVector;
 use crate::error::{Error, Field, is_moderate};
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::Size;
+use crate::prelude::*;
 
 /// What is allowed.
 const ALLOWED: &str = "from 0 to 1e50";

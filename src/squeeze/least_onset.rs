@@ -11,7 +11,7 @@
 //! There the corner changes only where some `a·c_p` changes its sign, at two angles for each datum. So a corner for each arc between them
 //! is all that can be worst.
 
-use std::f64::consts::TAU;
+use core::f64::consts::TAU;
 
 use nalgebra::SVector;
 
@@ -22,6 +22,7 @@ use crate::error::Error;
 use crate::grasp::{Contact, Engine, Motion, Wrench};
 use crate::load_path::Ramp;
 use crate::numerics::{Size, Vector};
+use crate::prelude::*;
 use crate::search::Settings;
 
 /// The answer to "what is the least onset of sliding, if commands and loads are off by no more than this?"

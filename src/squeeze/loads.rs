@@ -4,6 +4,7 @@ use crate::error::{Error, MODERATE, is_moderate};
 use crate::grasp::{Engine, Wrench};
 use crate::load_path::Turn;
 use crate::numerics::Size;
+use crate::prelude::*;
 
 /// A set of loads.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,6 +1,6 @@
 //! What is broken under a set of loads at some factor of the squeeze.
 
-use std::f64::consts::TAU;
+use core::f64::consts::TAU;
 
 use nalgebra::SVector;
 
@@ -10,6 +10,7 @@ use crate::contact::{Edges, ZERO_SLACK, tangential};
 use crate::grasp::{Motion, Wrench};
 use crate::load_path::Turn;
 use crate::numerics::{Harmonic, Size, Turning, Vector};
+use crate::prelude::*;
 
 /// A condition `row·F >= 0`, its value under a load, and the size of its forces.
 pub(super) struct Condition<const C: usize> {
@@ -147,7 +148,7 @@ impl<'l, const C: usize> Parts<'l, C> {
         (contact, factor): (usize, f64),
     ) -> Vec<Condition<C>> {
         let (squeeze, pressed) = self.pressed(contact, factor);
-        let mut force = Harmonic::new(std::array::from_fn(|k| self.base[k].of[contact]));
+        let mut force = Harmonic::new(core::array::from_fn(|k| self.base[k].of[contact]));
         force.constant += squeeze;
         let size = pressed + self.base.iter().map(|part| part.sizes[contact]).sum::<f64>();
         let margins: Vec<Turning<C>> = match edges {

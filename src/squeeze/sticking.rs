@@ -6,13 +6,14 @@ use crate::contact::{Edges, LocalLaw, Polygon, ZERO_SLACK};
 use crate::grasp::{Engine, Motion, Wrench};
 use crate::numerics::{Harmonic, Size, Vector};
 use crate::object::{Load, Piece, Problem};
+use crate::prelude::*;
 use crate::search::Settings;
 
 /// A grasp in which everything sticks.
 pub(super) struct Sticking<'g, D: Size, const C: usize> {
     pub(super) grasp: &'g Engine<D, C>,
     problem: Problem<'g, D, C>,
-    piece: std::sync::Arc<Piece<D, C>>,
+    piece: alloc::sync::Arc<Piece<D, C>>,
     pub(super) edges: Vec<Edges<C>>,
 }
 
@@ -89,7 +90,7 @@ impl<'g, D: Size, const C: usize> Sticking<'g, D, C> {
         let mut pushes: Vec<_> =
             at_rest.iter().map(|_| Push { columns: [SVector::zeros(); C], size: 0.0 }).collect();
         for axis in 0..C {
-            let along = push(point, &std::array::from_fn(|k| if k == axis { 1.0 } else { 0.0 }));
+            let along = push(point, &core::array::from_fn(|k| if k == axis { 1.0 } else { 0.0 }));
             let forces = self.forces(&at_rest, &self.grasp.inside_unchecked(&along))?;
             for ((push, force), size) in pushes.iter_mut().zip(forces.of).zip(forces.sizes) {
                 push.columns[axis] = force;

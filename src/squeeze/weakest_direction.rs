@@ -1,6 +1,6 @@
 //! The least force, of all directions, at which something slides.
 
-use std::f64::consts::{FRAC_PI_2, TAU};
+use core::f64::consts::{FRAC_PI_2, TAU};
 
 use nalgebra::SVector;
 
@@ -11,6 +11,8 @@ use crate::error::Error;
 use crate::grasp::{Engine, Motion, Wrench};
 use crate::load_path::Leaver;
 use crate::numerics::{Size, Turning};
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
 use crate::search::Settings;
 
 /// A cut lowers the force by a part that soon is squared; more of them are made by rounding.

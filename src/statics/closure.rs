@@ -17,6 +17,7 @@ use crate::error::Error;
 use crate::grasp::{BodyMotion, Engine, Twist};
 use crate::numerics::{Orthogonal, Size, Vector, unit};
 use crate::object::{Load, Problem};
+use crate::prelude::*;
 use crate::proofs::{Generator, NearestForces, nearest_forces, round_generators, straight_generators};
 use crate::search::Settings;
 

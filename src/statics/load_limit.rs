@@ -10,6 +10,7 @@ use super::wrench_set::WrenchSet;
 use crate::error::Error;
 use crate::grasp::{Engine, Twist, Wrench};
 use crate::numerics::{Fixed, RayExit, Vertex, shoot, simplex};
+use crate::prelude::*;
 use crate::search::Settings;
 
 /// A target this part beyond where the ray leaves the set lies on its boundary, as far as rounding can tell.

@@ -11,6 +11,7 @@ use crate::error::Error;
 use crate::grasp::{Engine, Twist, Wrench, grasp_map, moved_twist, moved_wrench};
 use crate::numerics::{Fixed, Vector, unit};
 use crate::object::Problem;
+use crate::prelude::*;
 
 /// Forces of one contact for one newton along its normal.
 enum Cone<const C: usize> {

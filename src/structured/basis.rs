@@ -16,6 +16,7 @@ use nalgebra::{SMatrix, SVector};
 use super::contact_form::{ContactForm, PairedContact};
 use crate::numerics::Size;
 use crate::object::{Slipping, Sums, normal};
+use crate::prelude::*;
 
 /// The sides of the balance: what belongs to the trial state, to the covering vector, and to the
 /// vector by which ties are broken.

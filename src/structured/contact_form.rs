@@ -15,6 +15,7 @@ use nalgebra::SVector;
 
 use crate::numerics::{Orthogonal, Size, Vector, generic};
 use crate::object::{EnergyContact, EnergyCoordinates, Facet, Problem, normal};
+use crate::prelude::*;
 
 /// A contact with its pairs (w, z).
 #[derive(Debug, Clone)]
@@ -104,7 +105,7 @@ impl<D: Size, const C: usize> ContactForm<D, C> {
     /// A fixed covering vector without structure, another for every number: entries between 1/8 and
     /// 8. Number 0 is all ones.
     pub(super) fn scatter(&mut self, attempt: usize) {
-        let mut covering = std::mem::take(&mut self.covering);
+        let mut covering = core::mem::take(&mut self.covering);
         covering.clear();
         if attempt > 0 {
             for local in &self.locals {

@@ -3,7 +3,7 @@
 //! Where forces balance that is an equilibrium: every inequality of the law is part of the return map. Stretches that all stick give the
 //! twist to start from.
 
-use std::ops::Range;
+use core::ops::Range;
 
 use nalgebra::SVector;
 

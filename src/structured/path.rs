@@ -13,6 +13,7 @@ use super::variables::{Candidate, Entering, GREY, PivotStep, TIE, Vanishing};
 use crate::contact::{LocalLaw, Mode, PolygonState};
 use crate::numerics::{Bordered, Size, Vector};
 use crate::object::{Facet, LazyPricing, Point, Sums, are_stale};
+use crate::prelude::*;
 
 /// Fewer contacts than this are all looked at in every step: a line would cost more than it spares.
 const FEW: usize = 24;

@@ -6,6 +6,7 @@ use super::solution::Solution;
 use crate::contact::State;
 use crate::numerics::Size;
 use crate::object::{Piece, PieceState, Problem};
+use crate::prelude::*;
 
 /// What a search for contact states took, and its end.
 #[derive(Debug, Clone)]

@@ -9,6 +9,7 @@ use super::solution::{ACCURATE, BALANCED, Solution};
 use crate::contact::{ContactResponse, ZERO_SLACK};
 use crate::numerics::{Size, Vector};
 use crate::object::{Problem, newton_on_cones};
+use crate::prelude::*;
 
 /// The number of steps after which Newton's method has arrived from a twist; the answers of the contacts are in `answers` then.
 pub(super) fn newton<D: Size, const C: usize>(

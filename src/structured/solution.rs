@@ -7,6 +7,7 @@ use super::path::Path;
 use crate::contact::{PolygonState, SMALLEST};
 use crate::numerics::{Bordered, Size, Vector};
 use crate::object::{CORRECTIONS, Facet, Problem};
+use crate::prelude::*;
 
 /// Forces out of balance by less than this part of their sizes balance: what is left is mostly
 /// rounding, and another correction would only stir it.

@@ -1,6 +1,6 @@
 //! What a workspace has found.
 
-use std::fmt::Debug;
+use core::fmt::Debug;
 
 use nalgebra::SVector;
 

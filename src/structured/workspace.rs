@@ -1,6 +1,6 @@
 //! One equilibrium after another in the same memory.
 
-use std::sync::Arc;
+use alloc::sync::Arc;
 
 use nalgebra::SVector;
 
@@ -15,6 +15,7 @@ use crate::forms::Row;
 use crate::grasp::{Engine, Site, Twist, Wrench};
 use crate::numerics::{Memory, Orthogonal, Size, Vector, without};
 use crate::object::{Problem, spring_rows, stretched_into, worked_on};
+use crate::prelude::*;
 
 /// Paths with other covering vectors that are tried after a first one without solution.
 const OTHER_PATHS: usize = 3;
@@ -91,8 +92,8 @@ impl<D: Size, const C: usize> Workspace<D, C> {
             polygon: self.polygon.clone(),
             turned: Vec::new(),
             cones: Vec::new(),
-            laws: std::mem::take(&mut self.laws),
-            drives: std::mem::take(&mut self.drives),
+            laws: core::mem::take(&mut self.laws),
+            drives: core::mem::take(&mut self.drives),
             slips: Vec::new(),
             wrench,
             wrench_rest: Vector::zeros(),
@@ -154,7 +155,7 @@ impl<D: Size, const C: usize> Workspace<D, C> {
 
     fn newton_on_the_round_cone(&mut self, problem: &Problem<D, C>, from: Vector<D>) -> bool {
         self.newton_steps = round_cone::newton(problem, from, &mut self.answers, &mut self.solution);
-        let twist = std::mem::take(&mut self.solution.twist);
+        let twist = core::mem::take(&mut self.solution.twist);
         self.solution.twist = without(twist, &self.free);
         self.newton_steps.is_some()
     }
@@ -175,7 +176,7 @@ impl<D: Size, const C: usize> Workspace<D, C> {
         let gaps = usize::from(self.path.form.locals[contact].contact.gap);
         let row = |pair: usize| pair.checked_sub(gaps).map_or(gap, slip);
         let mut rows = self.path.basis.active[contact].iter().map(row);
-        std::array::from_fn(|_| rows.next())
+        core::array::from_fn(|_| rows.next())
     }
 
     /// The trial state in which every contact sticks; `false` if no contact resists the load.

@@ -1,5 +1,6 @@
 //! Batches of small grasps screened on all cores.
 
+use crate::prelude::*;
 use crate::screening::{
     Batch, LoadCases, Pull, Screened, ScreenedGradients, ScreenedSqueeze, ScreenedTurn, TurningPull,
 };

@@ -1,6 +1,6 @@
 //! Forces of contacts that keep their states: linear in the load, and what it changes of them that data are off.
 
-use std::sync::Arc;
+use alloc::sync::Arc;
 
 use nalgebra::{Matrix, SVector};
 
@@ -11,6 +11,7 @@ use crate::error::Error;
 use crate::grasp::{Engine, Wrench, of_the_object};
 use crate::numerics::{Size, Vector};
 use crate::object::{Load, Piece, PieceState};
+use crate::prelude::*;
 
 /// Forces with data as known, and with each datum off by what is looked at.
 #[derive(Debug, Clone)]

@@ -5,6 +5,7 @@ use super::uncertainty::Uncertainty;
 use crate::error::Error;
 use crate::grasp::{Contact, Engine};
 use crate::numerics::Size;
+use crate::prelude::*;
 
 /// One datum with its σ, which is that of a factor, or of what is added.
 pub(super) struct UncertainDatum {

@@ -10,13 +10,14 @@
 //! by the mean number of crossings (Rice, Mathematical analysis of random noise, 1944), nearly reached where failing is seldom. θ₀ is a direction
 //! that hardly ever fails.
 
-use std::f64::consts::{PI, TAU};
+use core::f64::consts::{PI, TAU};
 
 use nalgebra::SVector;
 
 use super::margin::{FacetMargin, MarginRow, UncertainForce};
 use crate::contact::Coulomb;
 use crate::numerics::normal_tail;
+use crate::prelude::*;
 
 /// Directions around the circle among which the worst is looked for, and those of the integral about it.
 const AROUND: usize = 16;

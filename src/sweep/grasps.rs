@@ -6,6 +6,7 @@ use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::load_path::{Onset, Ramp, Turn, TurnOnset};
 use crate::numerics::Size;
+use crate::prelude::*;
 
 impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Grasp::solve_each`](crate::ask::Grasp::solve_each).

@@ -1,6 +1,7 @@
 //! Work spread over the cores, answers in the order of the questions.
 
 use crate::numerics::in_order;
+use crate::prelude::*;
 
 /// `f` of every item, answers in the order of the items: in parallel with the feature `parallel`,
 /// one after the other without it. A panic in `f` goes on to the caller.

@@ -11,6 +11,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use crate::numerics::{normal_density, normal_tail};
+use crate::prelude::*;
 
 /// At these parts of the standard deviations in reserve it is looked at what a datum does.
 pub(super) const LOOKED_AT: [f64; 4] = [-1.0, -0.5, 0.5, 1.0];

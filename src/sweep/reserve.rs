@@ -10,6 +10,7 @@ use crate::error::Error;
 use crate::grasp::{Engine, Wrench, of_the_object};
 use crate::numerics::{Size, Vector};
 use crate::object::Load;
+use crate::prelude::*;
 
 /// More standard deviations than this leave less than 1e-15, which rounding hides.
 const MOST_SIGMAS: f64 = 8.0;

@@ -9,13 +9,14 @@
 //! ```
 
 use crate::numerics::Size;
-use std::f64::consts::TAU;
+use core::f64::consts::TAU;
 
 use super::uncertainty::Uncertainty;
 use crate::equilibrium::Settings;
 use crate::error::Error;
 use crate::grasp::{Engine, WholeContacts};
 use crate::load_path::{Leaver, Onset, OnsetEvent, OnsetMargins, Parameter, Ramp};
+use crate::prelude::*;
 
 /// An onset of sliding with its spread.
 #[derive(Debug, Clone)]

@@ -8,6 +8,7 @@ use super::failure::{LimitState, MarginPair};
 use super::margin::{Effect, LOOKED_AT, UncertainForce, effect};
 use crate::grasp::Wrench;
 use crate::numerics::normal_tail;
+use crate::prelude::*;
 
 /// Of what may fail: what two data change together is not looked at, and may be worth as much.
 const SPARED: f64 = 0.2;

@@ -10,6 +10,7 @@ use crate::error::Error;
 use crate::grasp::Engine;
 use crate::load_path::{Onset, Ramp};
 use crate::numerics::{Draw, Size};
+use crate::prelude::*;
 
 /// How far the data of a grasp and its load may be off. Each friction, stiffness and squeeze of each
 /// contact is multiplied by a factor of its own, `exp(σ z)` with z normally distributed (mean 0,

@@ -1,6 +1,7 @@
 //! Links as people speak of them: hinges carry, cables pull and go slack.
 
 use super::Words;
+use crate::prelude::*;
 
 /// What kind of link two bodies, or a body and the ground, are joined by; see [`Link`](crate::grasp::Link).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,7 +1,9 @@
 //! Names that users give, and lists of them.
 
-use std::borrow::Cow;
-use std::fmt;
+use alloc::borrow::Cow;
+use core::fmt;
+
+use crate::prelude::*;
 
 /// A text of somebody else as it may be printed: control characters, and those that turn the direction of writing or break lines, are written
 /// as Rust writes them. A name cannot clear a screen, or pass for an answer.

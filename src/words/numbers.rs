@@ -1,8 +1,10 @@
 //! Numbers with their units, and directions.
 
-use std::fmt;
+use core::fmt;
 
 use nalgebra::SVector;
+
+use crate::prelude::*;
 
 /// Digits that a person reads.
 const DIGITS: usize = 6;

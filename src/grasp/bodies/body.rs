@@ -1,12 +1,13 @@
 //! One body of several.
 
-use std::sync::Arc;
+use alloc::sync::Arc;
 
 use nalgebra::SVector;
 
 use crate::grasp::rotation::displacement_of;
 use crate::grasp::wrench::{Twist, Wrench};
 use crate::numerics::Fixed;
+use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 

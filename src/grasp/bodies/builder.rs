@@ -1,6 +1,6 @@
 //! Several bodies, and what touches them.
 
-use std::sync::Arc;
+use alloc::sync::Arc;
 
 use nalgebra::SVector;
 
@@ -11,6 +11,7 @@ use crate::error::{Error, MODERATE, is_moderate};
 use crate::grasp::contact::Contact;
 use crate::grasp::hand::{Finger, Hand};
 use crate::grasp::wrench::Wrench;
+use crate::prelude::*;
 
 /// Several bodies that touch each other, the ground and fingers; [`Bodies::grasp`] makes a grasp of them, which answers as any other.
 ///

@@ -1,6 +1,6 @@
 //! Loads and motions of several bodies, in inside coordinates and as the user sees them.
 
-use std::sync::Arc;
+use alloc::sync::Arc;
 
 use nalgebra::SVector;
 
@@ -11,6 +11,7 @@ use crate::grasp::engine::Engine;
 use crate::grasp::rotation::{moved_twist, moved_wrench, object_alone, of_the_object, wrench_of};
 use crate::grasp::wrench::{Twist, Wrench};
 use crate::numerics::{Fixed, Size, Vector};
+use crate::prelude::*;
 
 impl<D: Size, const C: usize> Engine<D, C> {
     /// The bodies, if there are several.

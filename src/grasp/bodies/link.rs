@@ -1,9 +1,10 @@
 //! What joins bodies to each other and to the ground: hinges, slides, rigid joints, springs, cables.
 
-use std::sync::Arc;
+use alloc::sync::Arc;
 
 use nalgebra::SVector;
 
+use crate::prelude::*;
 use crate::words::LinkKind;
 
 /// A link between two bodies, or between a body and the ground: a hinge, a slide, a rigid joint, a spring, a cable.

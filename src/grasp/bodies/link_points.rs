@@ -9,6 +9,7 @@ use nalgebra::SVector;
 use super::link::{Link, LinkPlace};
 use crate::error::{Error, LARGEST, MODERATE, is_moderate};
 use crate::grasp::contact::Contact;
+use crate::prelude::*;
 
 /// Directions across another one: two in space, one in the plane.
 type Across<const C: usize> = Vec<SVector<f64, C>>;
@@ -75,7 +76,8 @@ impl<const C: usize> Link<C> {
                 let mut points = Vec::new();
                 for normal in &across {
                     // At the ends of the way, and in space beside it, too: it does not turn about its direction.
-                    for arm in std::iter::once(&along).chain(across.iter().filter(|other| *other != normal)) {
+                    for arm in core::iter::once(&along).chain(across.iter().filter(|other| *other != normal))
+                    {
                         points.extend([-half, half].map(|x| contact(point + arm * x, *normal).kept_closed()));
                     }
                 }

@@ -1,6 +1,6 @@
 //! Where each body has its coordinates, and which bodies each contact couples.
 
-use std::sync::Arc;
+use alloc::sync::Arc;
 
 use nalgebra::SVector;
 
@@ -10,6 +10,7 @@ use crate::grasp::hand::Columns;
 use crate::grasp::rotation::{displacement_of, moved_wrench, of_the_object};
 use crate::grasp::wrench::Wrench;
 use crate::numerics::{Fixed, Size, Vector};
+use crate::prelude::*;
 use crate::words::printable;
 
 /// The coordinates of a body.

@@ -13,6 +13,7 @@ use crate::grasp::bodies::{PlacedBodies, refuse_sides};
 use crate::grasp::engine::Engine;
 use crate::grasp::rotation::of_the_object;
 use crate::numerics::{Any, Size, Vector};
+use crate::prelude::*;
 use crate::words::printable;
 
 impl<const C: usize> Hand<C> {

@@ -8,6 +8,7 @@ use super::drive::Drive;
 use super::finger::{ContactMover, Finger};
 use crate::error::{Error, MODERATE, is_moderate};
 use crate::grasp::contact::Contact;
+use crate::prelude::*;
 
 impl<const C: usize> Assembly<C> {
     /// The contacts of a finger whose joints begin at `first`.

@@ -12,6 +12,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::positive::{NotPositive, checked, least_eigenvalue, squares};
+use crate::prelude::*;
 
 /// A compliance whose least scaled eigenvalue is below this is singular up to rounding: along some direction the contacts would be rigid.
 const REGULAR: f64 = 1e-12;

@@ -9,6 +9,7 @@ use crate::error::Error;
 use crate::grasp::contact::Contact;
 use crate::grasp::rotation::of_the_object;
 use crate::numerics::{Any, Vector};
+use crate::prelude::*;
 use crate::words::printable;
 
 /// Motion of one contact with the coordinates beside those of the object, along the coordinate axes.

@@ -6,6 +6,7 @@ use crate::contact::{Compliance, Coulomb, Polygon, PolygonCone};
 use crate::grasp::contact::Hold;
 use crate::grasp::site::Site;
 use crate::numerics::{Size, Vector};
+use crate::prelude::*;
 
 /// Whose spring a drive is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -87,7 +88,7 @@ impl<D: Size> Drive<D> {
             return site;
         }
         // A square with corners on its one axis holds a line to exactly its bound.
-        let square = || std::sync::Arc::new(Polygon::new(&PolygonCone::square()));
+        let square = || alloc::sync::Arc::new(Polygon::new(&PolygonCone::square()));
         (site.friction, site.polygon) = (Coulomb::new(1.0), (C == 3).then(square));
         site
     }

@@ -4,6 +4,7 @@ use nalgebra::DMatrix;
 
 use super::joint::Joint;
 use crate::grasp::contact::Contact;
+use crate::prelude::*;
 
 /// What moves a contact of a finger.
 #[derive(Debug, Clone, PartialEq)]

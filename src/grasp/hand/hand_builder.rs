@@ -3,6 +3,7 @@
 use super::finger::Finger;
 use super::tendon::Tendon;
 use crate::grasp::rotation::of_the_object;
+use crate::prelude::*;
 
 /// Fingers and tendons that hold an object; [`Hand::grasp`] makes a grasp of them.
 ///

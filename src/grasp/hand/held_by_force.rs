@@ -7,6 +7,7 @@ use super::finger::Finger;
 use super::joint::Joint;
 use crate::error::Error;
 use crate::grasp::contact::Contact;
+use crate::prelude::*;
 
 impl<const C: usize> Finger<C> {
     /// How many slides its contacts need: points of one soft fingertip are on one.

@@ -1,10 +1,11 @@
 //! One joint of a finger.
 
-use std::sync::Arc;
+use alloc::sync::Arc;
 
 use nalgebra::SVector;
 
 use crate::grasp::well_posed::{length_or_culprit, unit};
+use crate::prelude::*;
 
 /// How a joint moves what lies behind it.
 #[derive(Debug, Clone, PartialEq)]

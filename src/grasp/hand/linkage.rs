@@ -1,7 +1,7 @@
 //! What a grasp knows of the hand that holds it.
 
-use std::fmt;
-use std::sync::Arc;
+use alloc::sync::Arc;
+use core::fmt;
 
 use nalgebra::SVector;
 
@@ -11,6 +11,7 @@ use crate::grasp::bodies::PlacedBodies;
 use crate::grasp::contact::Contact;
 use crate::grasp::rotation::of_the_object;
 use crate::numerics::{Size, Vector};
+use crate::prelude::*;
 use crate::words::printable;
 
 /// The joints behind a grasp, in inside coordinates.

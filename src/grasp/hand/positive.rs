@@ -2,6 +2,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use crate::prelude::*;
+
 /// Entries across the diagonal may differ by this part of the root of their diagonal ones: such a matrix was meant to be symmetric.
 const SYMMETRIC: f64 = 1e-9;
 /// What is left of a diagonal entry after elimination counts as zero below this part of the entry: rounding of n steps leaves some 1e-15.

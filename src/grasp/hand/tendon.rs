@@ -1,8 +1,9 @@
 //! A tendon, a linkage or a differential over several joints.
 
-use std::sync::Arc;
+use alloc::sync::Arc;
 
 use super::joint::Limit;
+use crate::prelude::*;
 
 /// A tendon over joints of a hand, with the spring and the pull of its motor. It pulls and never pushes, unless said otherwise.
 ///

@@ -17,6 +17,7 @@ use crate::contact::{PolygonState, WEIGHTLESS, tangential};
 use crate::grasp::Site;
 use crate::numerics::{Factors, Size, Vector, orthonormalise_against};
 use crate::object::{CORRECTIONS, EnergyCoordinates, Facet, MARGIN, Point, Problem, Sums, are_stale, slack};
+use crate::prelude::*;
 
 /// Up to so many contacts the sums are made afresh for every solve: that costs no more than the
 /// solve.

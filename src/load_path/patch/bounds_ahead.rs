@@ -7,6 +7,7 @@ use super::moving_contact::size;
 use crate::contact::ZERO_SLACK;
 use crate::numerics::Size;
 use crate::object::{LazyPricing, Point};
+use crate::prelude::*;
 
 /// Times are taken longer by this part, so that rounding of the clock does not hide a contact.
 const LONGER: f64 = 1e-13;
@@ -202,7 +203,7 @@ impl<D: Size> BoundsAhead<D> {
     pub(super) fn call_back<const C: usize>(&mut self, balance: &mut Balance<D, C>, contact: u32) {
         let moved = &mut balance.contacts[contact as usize];
         moved.stamp = moved.stamp.wrapping_add(1);
-        if std::mem::take(&mut moved.waits) {
+        if core::mem::take(&mut moved.waits) {
             self.pricing.looked.push(contact);
         }
     }

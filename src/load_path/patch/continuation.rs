@@ -20,6 +20,7 @@ use crate::load_path::event::{LossKind, PathEnd};
 use crate::load_path::journey::Journey;
 use crate::load_path::transition::change;
 use crate::numerics::Size;
+use crate::prelude::*;
 
 /// A motion that is shorter by less than this part is none that is shorter: it is the same up to
 /// rounding.
@@ -192,7 +193,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
                 self.sliding.wait(&self.balance, stand.contact);
             }
         }
-        self.told.sort_unstable_by_key(|event| std::cmp::Reverse(event.contact));
+        self.told.sort_unstable_by_key(|event| core::cmp::Reverse(event.contact));
     }
 
     /// The direction in which a sliding contact slips from here on, coordinate axes; where the slip

@@ -15,6 +15,7 @@ use crate::load_path::journey::Journey;
 use crate::load_path::leg::Leg;
 use crate::load_path::path::{PatchPath, Path};
 use crate::numerics::Size;
+use crate::prelude::*;
 use crate::search::Settings;
 
 /// Steps of no length in a row that are still events of one node: with more, rounding goes in
@@ -57,7 +58,7 @@ impl<'g, D: Size, const C: usize> Follower<'g, D, C> for Patch<D, C> {
         if let Some(event) = self.told.pop() {
             return Ok(Came::To(event));
         }
-        let leg_done = match std::mem::take(&mut self.due) {
+        let leg_done = match core::mem::take(&mut self.due) {
             Due::Nothing => self.advance(journey, most)?,
             due => {
                 self.decide(journey, due)?;

@@ -9,6 +9,7 @@ use super::trial_leg::TrialLeg;
 use crate::load_path::event::{Loss, LossKind, PathEnd};
 use crate::load_path::journey::Journey;
 use crate::numerics::{Size, Vector};
+use crate::prelude::*;
 use crate::search::Doubt;
 
 /// What has to be decided before the path goes on.

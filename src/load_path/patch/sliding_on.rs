@@ -6,6 +6,7 @@ use super::moving_contact::MovingContact;
 use crate::contact::ZERO_SLACK;
 use crate::numerics::{Size, WaitingLine};
 use crate::object::Point;
+use crate::prelude::*;
 
 /// The contacts that slide on, on the clock of the direction of the path.
 #[derive(Debug, Default)]

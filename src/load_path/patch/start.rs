@@ -12,6 +12,7 @@ use crate::load_path::event::{LossKind, PathEnd};
 use crate::load_path::journey::Journey;
 use crate::numerics::Size;
 use crate::object::{Problem, stretched_into};
+use crate::prelude::*;
 use crate::search::Found;
 
 impl<D: Size, const C: usize> Patch<D, C> {
@@ -77,7 +78,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
 
     /// Sets out on the present leg.
     pub(super) fn begin_leg(&mut self, journey: &Journey<'_, D, C>) -> Result<(), PathEnd<C>> {
-        if !std::mem::take(&mut self.is_laid) {
+        if !core::mem::take(&mut self.is_laid) {
             self.lay_leg(journey);
         }
         let (_, change) = loads(journey.grasp, &journey.program);

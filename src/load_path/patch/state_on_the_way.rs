@@ -10,6 +10,7 @@ use crate::grasp::Site;
 use crate::load_path::follower::StandAtEdge;
 use crate::load_path::journey::Journey;
 use crate::numerics::{Size, Vector};
+use crate::prelude::*;
 use crate::search::Found;
 
 impl<D: Size, const C: usize> Patch<D, C> {

@@ -6,6 +6,7 @@ use crate::grasp::{Engine, Site};
 use crate::load_path::program::Program;
 use crate::numerics::{Orthogonal, Size, Vector, without};
 use crate::object::{spring_rows, stretched_into, worked_on};
+use crate::prelude::*;
 
 /// The springs of all contacts, and the motion of the object if all of them hold.
 #[derive(Debug)]

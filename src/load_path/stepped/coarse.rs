@@ -50,7 +50,7 @@ impl<D: Size, const C: usize> Coarse<D, C> {
         let by = ELSEWHERE * distance + to.apart(at_once);
         let step = || along.step(&self.standing, (to.fraction - from.fraction, near), beside);
         if distance > ONE * largest && step().is_some() && beside.apart(at_once) <= by {
-            std::mem::swap(&mut self.standing, beside);
+            core::mem::swap(&mut self.standing, beside);
         } else {
             self.lost += distance / largest;
             self.standing.join(at_once);

@@ -6,6 +6,7 @@ use crate::load_path::end_of_path::end_of_path;
 use crate::load_path::event::{LossKind, PathEnd};
 use crate::load_path::journey::Journey;
 use crate::numerics::{Size, Vector};
+use crate::prelude::*;
 use crate::search::{Doubt, Settled, settle};
 
 /// Forces stay if they change by less than this part of what springs that stick would feel. At maxima it is some hundredths, a thousandth at least;

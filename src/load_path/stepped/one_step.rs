@@ -7,6 +7,7 @@ use crate::load_path::journey::Journey;
 use crate::load_path::trajectory::Trajectory;
 use crate::numerics::{Size, Vector, cleared_for};
 use crate::object::{Problem, newton_one_by_one};
+use crate::prelude::*;
 
 /// What Newton's method may leave out of balance, as a part of the forces: below the error of any step.
 const SETTLED: f64 = 1e-12;

@@ -1,6 +1,6 @@
 //! How the steps of a leg go: how long the next one is, and how fast the object has moved.
 
-use std::f64::consts::FRAC_PI_2;
+use core::f64::consts::FRAC_PI_2;
 
 use super::speeds::Speeds;
 use crate::load_path::trajectory::Trajectory;
@@ -39,6 +39,6 @@ impl<D: Size> StepPace<D> {
     /// That of the next leg, in the same memory.
     pub(super) fn set_out<X>(&mut self, course: &Trajectory<X>) {
         self.speeds.forget();
-        *self = Self { speeds: std::mem::take(&mut self.speeds), ..Self::along(course) };
+        *self = Self { speeds: core::mem::take(&mut self.speeds), ..Self::along(course) };
     }
 }

@@ -9,6 +9,8 @@
 //!
 //! The distance is too small in the end to tell one power from the other.
 
+use crate::prelude::*;
+
 /// The speed has grown if by this factor, and is noted each time that it has.
 const GROWN: f64 = 2.0;
 /// Speeds are compared at distances that differ by this factor.

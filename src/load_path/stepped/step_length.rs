@@ -8,6 +8,8 @@ use crate::load_path::event::PathEnd;
 use crate::load_path::follower::Came;
 use crate::load_path::journey::Journey;
 use crate::numerics::{Size, Vector};
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
 use crate::search::Doubt;
 
 /// An error below this part of the largest force is rounding.
@@ -129,7 +131,7 @@ impl<'g, D: Size, const C: usize> Steps<'g, D, C> {
         self.unseen = self.unseen.max(unseen);
         self.way += to.apart(&self.standing) / largest;
         let error = (to.apart(at_once) / largest).max(unseen);
-        std::mem::swap(&mut self.standing, to);
+        core::mem::swap(&mut self.standing, to);
         let to = &self.standing;
         let (leg, fraction) = (journey.program.leg, to.fraction);
         Step {

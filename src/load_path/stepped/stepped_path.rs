@@ -17,6 +17,7 @@ use crate::load_path::leg::Leg;
 use crate::load_path::path::{Path, SteppedPath};
 use crate::numerics::Size;
 use crate::object::Problem;
+use crate::prelude::*;
 use crate::search::{Found, Settings};
 
 /// The follower of a [`SteppedPath`].

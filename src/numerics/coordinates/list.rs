@@ -1,8 +1,10 @@
 //! Numbers in a row, in place or on the heap.
 
-use std::fmt::{Debug, Formatter};
+use core::fmt::{Debug, Formatter};
 
 use nalgebra::SMatrix;
+
+use crate::prelude::*;
 
 /// Numbers in a row.
 pub(crate) trait List: Clone + Debug + PartialEq + Send + Sync {
@@ -124,7 +126,7 @@ impl PartialEq for Short {
 }
 
 impl Debug for Short {
-    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
+    fn fmt(&self, f: &mut Formatter<'_>) -> core::fmt::Result {
         self.slice().fmt(f)
     }
 }

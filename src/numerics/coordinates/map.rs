@@ -1,12 +1,13 @@
 //! A matrix from a contact to coordinates.
 
-use std::ops::{Index, IndexMut, Mul, Range};
+use core::ops::{Index, IndexMut, Mul, Range};
 
 use nalgebra::{SMatrix, SVector};
 
 use super::map_entries::MapEntries;
 use super::size::Size;
 use super::vector::Vector;
+use crate::prelude::*;
 
 /// A matrix from C numbers of a contact to coordinates: a grasp map.
 #[derive(Debug, Clone, PartialEq)]

@@ -3,12 +3,13 @@
 //! A contact of several bodies touches two of them, however many there are: a map has entries in a few rows. Sums over these have the bits that sums over
 //! all rows have, since zeros change none.
 
-use std::fmt::Debug;
-use std::ops::Range;
+use core::fmt::Debug;
+use core::ops::Range;
 
 use nalgebra::SMatrix;
 
 use super::size::in_lanes;
+use crate::prelude::*;
 
 /// Entries of a matrix with a row for each coordinate and C columns.
 pub(crate) trait MapEntries<const C: usize>: Clone + Debug + PartialEq + Send + Sync {

@@ -1,12 +1,14 @@
 //! A matrix from coordinates to a contact.
 
-use std::ops::{Index, IndexMut, Mul};
+use core::ops::{Index, IndexMut, Mul};
 
 use nalgebra::SVector;
 
 use super::list::List;
 use super::size::Size;
 use super::vector::Vector;
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
 
 /// A matrix from coordinates to C numbers of a contact.
 #[derive(Debug, Clone, PartialEq)]

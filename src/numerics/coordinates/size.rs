@@ -1,12 +1,13 @@
 //! How many coordinates there are, and the arithmetic of so many.
 
-use std::fmt::Debug;
-use std::ops::Range;
+use core::fmt::Debug;
+use core::ops::Range;
 
 use nalgebra::{SMatrix, SVector};
 
 use super::list::{List, Short};
 use super::map_entries::{FewRows, MapEntries};
+use crate::prelude::*;
 
 /// How many coordinates there are.
 pub(crate) trait Size: Copy + PartialEq + Debug + Default + Send + Sync + 'static {
@@ -67,7 +68,7 @@ impl<const D: usize> Size for Fixed<D> {
 
     #[inline]
     fn in_order(self) -> [usize; D] {
-        std::array::from_fn(|k| k)
+        core::array::from_fn(|k| k)
     }
 
     fn of(_: usize) -> Self {

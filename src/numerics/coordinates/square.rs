@@ -1,6 +1,6 @@
 //! A square matrix over coordinates.
 
-use std::ops::{Add, AddAssign, Index, IndexMut, Mul};
+use core::ops::{Add, AddAssign, Index, IndexMut, Mul};
 
 use nalgebra::SMatrix;
 

@@ -1,11 +1,13 @@
 //! A vector over coordinates.
 
-use std::ops::{Index, IndexMut};
+use core::ops::{Index, IndexMut};
 
 use nalgebra::SVector;
 
 use super::list::List;
 use super::size::{Fixed, Size};
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
 
 /// A vector over coordinates: a motion, or a wrench.
 #[derive(Debug, Clone, PartialEq)]
@@ -71,12 +73,12 @@ impl<D: Size> Vector<D> {
     }
 
     #[inline]
-    pub(crate) fn iter(&self) -> std::slice::Iter<'_, f64> {
+    pub(crate) fn iter(&self) -> core::slice::Iter<'_, f64> {
         self.0.slice().iter()
     }
 
     #[inline]
-    pub(crate) fn iter_mut(&mut self) -> std::slice::IterMut<'_, f64> {
+    pub(crate) fn iter_mut(&mut self) -> core::slice::IterMut<'_, f64> {
         self.0.slice_mut().iter_mut()
     }
 
