@@ -66,7 +66,7 @@ mod trigonometric;
 mod unit_vector;
 mod vector_dispatch;
 mod waiting_line;
-#[cfg(not(feature = "std"))]
+#[cfg(any(test, not(feature = "std")))]
 mod without_std;
 
 pub(crate) use band::{Band, BandFactors};

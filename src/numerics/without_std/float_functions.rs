@@ -53,3 +53,67 @@ float_functions! {
     ln = log, ln_1p = log1p, log2 = log2, log10 = log10, floor = floor, ceil = ceil, round = round;
     hypot = hypot, atan2 = atan2, powf = pow
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Both have errors below one unit in the last place or two.
+    const ULPS: f64 = 4.0 * f64::EPSILON;
+
+    /// Numbers of all sizes within a range.
+    fn numbers(low: f64, high: f64) -> impl Iterator<Item = f64> {
+        (0..=1000).map(move |k| low + (high - low) * f64::from(k) / 1000.0)
+    }
+
+    fn agree(what: &str, low: f64, high: f64, here: fn(f64) -> f64, std: fn(f64) -> f64) {
+        for x in numbers(low, high) {
+            let (a, b) = (here(x), std(x));
+            assert!((a - b).abs() <= ULPS * b.abs().max(f64::MIN_POSITIVE), "{what}({x}): {a} and {b}");
+        }
+    }
+
+    macro_rules! agree {
+        ($($name:ident from $low:literal to $high:literal),* $(,)?) => {
+            $(agree(stringify!($name), $low, $high, <f64 as FloatFunctions>::$name, f64::$name);)*
+        };
+    }
+
+    #[test]
+    fn functions_agree_with_those_of_std() {
+        agree!(sqrt from 0.0 to 1e9, sin from -7.0 to 7.0, cos from -7.0 to 7.0, tan from -1.5 to 1.5, asin from -1.0 to 1.0);
+        agree!(acos from -1.0 to 1.0, atan from -9.0 to 9.0, exp from -30.0 to 30.0, exp2 from -40.0 to 40.0, exp_m1 from -1.0 to 1.0);
+        agree!(ln from 0.001 to 90.0, ln_1p from -0.9 to 9.0, log2 from 0.001 to 90.0, log10 from 0.001 to 90.0);
+        agree!(floor from -9.0 to 9.0, ceil from -9.0 to 9.0, round from -9.0 to 9.0);
+        for x in numbers(-9.0, 9.0) {
+            for y in numbers(-2.0, 3.0).step_by(50) {
+                let pairs = [
+                    (FloatFunctions::hypot(x, y), x.hypot(y)),
+                    (FloatFunctions::atan2(x, y), x.atan2(y)),
+                    (FloatFunctions::powf(x.abs(), y), x.abs().powf(y)),
+                ];
+                assert!(
+                    pairs.iter().all(|(a, b)| a == b || (a - b).abs() <= ULPS * b.abs()),
+                    "{x}, {y}: {pairs:?}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn sums_and_products_alone_give_the_bits_of_std() {
+        for x in numbers(-9.0, 9.0) {
+            assert_eq!(FloatFunctions::sin_cos(x), (FloatFunctions::sin(x), FloatFunctions::cos(x)));
+            for power in -9..=9 {
+                assert_eq!(
+                    FloatFunctions::powi(x, power).to_bits(),
+                    x.powi(power).to_bits(),
+                    "{x} to the {power}"
+                );
+            }
+            for divisor in [0.3, 2.0, -7.0] {
+                assert_eq!(FloatFunctions::rem_euclid(x, divisor).to_bits(), x.rem_euclid(divisor).to_bits());
+            }
+        }
+    }
+}

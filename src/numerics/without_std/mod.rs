@@ -8,5 +8,7 @@
 mod float_functions;
 mod once;
 
+#[cfg(not(feature = "std"))]
 pub(crate) use float_functions::FloatFunctions;
+#[cfg(not(feature = "std"))]
 pub(crate) use once::Once;

@@ -1,0 +1,59 @@
+//! What is asked of each grasp: first slip, equilibrium, what becomes of the load, a watch over forces.
+
+use alloc::string::{String, ToString};
+use alloc::vec::Vec;
+
+use grasp_lcp::Error;
+use grasp_lcp::ask::Grasp;
+use grasp_lcp::grasp::{Contact, Wrench};
+use grasp_lcp::screening::Fingers;
+
+use crate::scenes::Numbers;
+
+/// Answers about one grasp.
+#[derive(Debug)]
+pub struct Asked {
+    /// Numbers, in newton and metres: those of equilibria, the first slip as a factor of the load.
+    pub numbers: Vec<f64>,
+    /// What becomes of the load, in a sentence.
+    pub sentence: String,
+}
+
+/// Answers about so many grasps in the plane, and as many in space.
+///
+/// # Errors
+/// None: all numbers are within range.
+pub fn ask(grasps: usize) -> Result<Vec<Asked>, Error> {
+    let mut numbers = Numbers(1);
+    let mut all = Vec::new();
+    for _ in 0..grasps {
+        let (fingers, load) = numbers.planar();
+        all.push(answers(fingers.clone(), &Fingers::<3, 2, 3>::new(&fingers)?, load)?);
+        let (fingers, load) = numbers.spatial();
+        all.push(answers(fingers.clone(), &Fingers::<6, 3, 3>::new(&fingers)?, load)?);
+    }
+    Ok(all)
+}
+
+fn answers<const D: usize, const C: usize>(
+    contacts: [Contact<C>; 3],
+    fingers: &Fingers<D, C, 3>,
+    load: Wrench<C>,
+) -> Result<Asked, Error> {
+    let grasp = Grasp::new(contacts)?;
+    let mut numbers = Vec::new();
+    numbers.extend(grasp.onset_of_sliding(&Wrench::ZERO, &load)?.factor());
+    if let Some(equilibrium) = grasp.solve(&load)?.equilibrium() {
+        let mut forces = [[0.0; C]; 3];
+        for (force, contact) in forces.iter_mut().zip(&equilibrium.contacts) {
+            *force = contact.force_world.into();
+            numbers.extend(&contact.slip);
+        }
+        numbers.extend(forces.as_flattened());
+        let watched = fingers.watch(&forces, &load)?;
+        numbers.push(watched.margin());
+        numbers.extend(watched.first_slip().factor());
+        numbers.extend(watched.extra_squeeze().factor());
+    }
+    Ok(Asked { numbers, sentence: grasp.hold(load)?.to_string() })
+}

@@ -1,0 +1,9 @@
+//! Prints the answers, numbers with ten digits: `cargo run --package grasp-lcp-without-std`, and the same with `--features std`.
+
+fn main() -> Result<(), grasp_lcp::Error> {
+    for asked in grasp_lcp_without_std::ask(200)? {
+        let numbers: Vec<_> = asked.numbers.iter().map(|x| format!("{x:.9e}")).collect();
+        println!("{}\n{}", asked.sentence, numbers.join(" "));
+    }
+    Ok(())
+}
