@@ -96,6 +96,23 @@
 //! The model is that of "Position Control for Multifingered Robot Hand", which solves the sticking case as a quadratic
 //! program ([`energy`] has it, and says where it stops being an equilibrium); `paper-notes.md` in the repository tells what
 //! is taken from it, its misprints, and where this crate goes on.
+//!
+//! # Without the standard library
+//!
+//! `default-features = false, features = ["libm"]` makes the crate `no_std`: every question above is there, with the same answers to rounding. It takes an
+//! allocator and atomic pointers (`thumbv7em`, `riscv32imac`; not `thumbv6m`), and double precision, which small processors compute in software.
+//!
+//! | needs std | feature |
+//! |---|---|
+//! | several cores: sweeps and long sums go one after the other | `parallel` |
+//! | vectors that the processor is asked for | `simd` |
+//! | pictures and pages | `plot` |
+//! | scenes, files, streams, schemas | `serde`, `json`, `schema` |
+//! | the program | `cli`, `cli-full` |
+//!
+//! In a control loop [`screening::Fingers`] has all it needs in itself: [`onset`](screening::Fingers::onset) and [`watch`](screening::Fingers::watch) allocate
+//! nothing and take the same steps whatever the numbers. Functions of floating point come from `libm`, whose last digits are not those of std: where a load has
+//! several equilibria, another of them may be found.
 #![cfg_attr(not(feature = "std"), no_std)]
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]

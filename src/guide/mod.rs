@@ -9,6 +9,7 @@
 //! | What does it mean that Lemke's method ended on a ray? | [`reading_a_ray`] |
 //! | Round cone or polygon, and how many facets? | [`choosing_facets`] |
 //! | Where should fingers be, and how hard should they press? | [`choosing_fingers`] |
+//! | How is a grasp watched a thousand times a second, on a controller without a system? | [`control_loop`] |
 //! | Is the object caught, or does it fall at the first slip? | [`kinetic_friction`] |
 //! | How are wedges, vices, stacks and arches said, with more bodies than one? | [`several_bodies`] |
 //! | Does it survive shaking, and what walks out? | [`loads_that_repeat`] |
@@ -20,6 +21,7 @@
 
 pub mod choosing_facets;
 pub mod choosing_fingers;
+pub mod control_loop;
 pub mod everyday;
 pub mod hands;
 pub mod kinetic_friction;
