@@ -24,6 +24,20 @@
 //! `cargo run --release -p grasp-lcp --example raise_the_squeeze` closes the loop about a bottle that is swung. `cargo run --release -p reports --bin watch_forces`
 //! prints the longest time that a tick has taken.
 //!
+//! # In C
+//!
+//! `cargo build --release --package grasp-lcp-c` in the repository makes `libgrasp_lcp_c.a` and `.so` for `c/grasp_lcp.h`, with fingers in space:
+//!
+//! ```c
+//! grasp_lcp_fingers_t *fingers;
+//! char *wrong = grasp_lcp_fingers((slice_ref_grasp_lcp_finger_t){three, 3}, &fingers);
+//! …
+//! wrong = grasp_lcp_watch(fingers, (slice_ref_grasp_lcp_vector_t){forces, 3}, &to_come, &seen);
+//! if (wrong == NULL) squeeze += fmin(seen.extra_squeeze, FASTEST);
+//! ```
+//!
+//! What is wrong comes as a text, NULL if nothing is. A squeeze that is not known is NAN, of which `fmin` makes the other number. `c/tests/watch.c` is a whole program.
+//!
 //! # On a controller without an operating system
 //!
 //! ```toml
