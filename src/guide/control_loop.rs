@@ -26,7 +26,7 @@
 //!
 //! # In C
 //!
-//! `cargo build --release --package grasp-lcp-c` in the repository makes `libgrasp_lcp_c.a` and `.so` for `c/grasp_lcp.h`, with fingers in space:
+//! `cargo build --release --package grasp-lcp-c` in the repository makes `libgrasp_lcp_c.a` and `.so` for `examples/in_c/grasp_lcp.h`, with fingers in space:
 //!
 //! ```c
 //! grasp_lcp_fingers_t *fingers;
@@ -36,7 +36,7 @@
 //! if (wrong == NULL) squeeze += fmin(seen.extra_squeeze, FASTEST);
 //! ```
 //!
-//! What is wrong comes as a text, NULL if nothing is. A squeeze that is not known is NAN, of which `fmin` makes the other number. `c/tests/watch.c` is a whole program.
+//! What is wrong comes as a text, NULL if nothing is. A squeeze that is not known is NAN, of which `fmin` makes the other number. `examples/in_c/tests/watch.c` is a whole program.
 //!
 //! # On a controller without an operating system
 //!
