@@ -33,14 +33,16 @@ pub(super) struct Kernel<const D: usize, const C: usize, const N: usize, Q: Scre
     pub(super) many: fn(Part<'_, C, Q>),
 }
 
-type Each<const D: usize, const C: usize> =
-    (Kernels<D, C, 2>, Kernels<D, C, 3>, Kernels<D, C, 4>, Kernels<D, C, 5>);
-
+// Each a static of its own: a program for a small controller links those that it asks.
+static PLANE_2: Kernels<3, 2, 2> = Kernels::new::<MOST>();
 /// Batches of three contacts in the plane have kernels of their own, which are a quarter faster there; all others share them.
-static PLANE: Each<3, 2> =
-    (Kernels::new::<MOST>(), Kernels::new::<3>(), Kernels::new::<MOST>(), Kernels::new::<MOST>());
-static SPACE: Each<6, 3> =
-    (Kernels::new::<MOST>(), Kernels::new::<MOST>(), Kernels::new::<MOST>(), Kernels::new::<MOST>());
+static PLANE_3: Kernels<3, 2, 3> = Kernels::new::<3>();
+static PLANE_4: Kernels<3, 2, 4> = Kernels::new::<MOST>();
+static PLANE_5: Kernels<3, 2, 5> = Kernels::new::<MOST>();
+static SPACE_2: Kernels<6, 3, 2> = Kernels::new::<MOST>();
+static SPACE_3: Kernels<6, 3, 3> = Kernels::new::<MOST>();
+static SPACE_4: Kernels<6, 3, 4> = Kernels::new::<MOST>();
+static SPACE_5: Kernels<6, 3, 5> = Kernels::new::<MOST>();
 
 impl<const D: usize, const C: usize, const N: usize> Kernels<D, C, N> {
     const fn new<const M: usize>() -> Self {
@@ -55,9 +57,17 @@ impl<const D: usize, const C: usize, const N: usize> Kernels<D, C, N> {
     pub(super) fn get() -> &'static Self {
         const { assert_plane_or_space::<D, C>() };
         const { assert!(2 <= N && N <= MOST, "screening is for two to five contacts") };
-        let all: [&'static dyn Any; 8] =
-            [&PLANE.0, &PLANE.1, &PLANE.2, &PLANE.3, &SPACE.0, &SPACE.1, &SPACE.2, &SPACE.3];
-        all.into_iter().find_map(|kernels| kernels.downcast_ref()).expect("one of them, as was asserted")
+        let kernels: &'static dyn Any = match (C, N) {
+            (2, 2) => &PLANE_2,
+            (2, 3) => &PLANE_3,
+            (2, 4) => &PLANE_4,
+            (2, _) => &PLANE_5,
+            (_, 2) => &SPACE_2,
+            (_, 3) => &SPACE_3,
+            (_, 4) => &SPACE_4,
+            _ => &SPACE_5,
+        };
+        kernels.downcast_ref().expect("of that type, as was asserted")
     }
 }
 
