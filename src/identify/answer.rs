@@ -20,6 +20,9 @@ pub struct Identified {
     pub ending: Ending,
     /// How many slips there were.
     pub slips: usize,
+    /// How many groups of slips there were that may share errors; `None` where each slip stands for itself.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub groups: Option<usize>,
     /// The scatter of loads or angles as a part of them, estimated; `None` where it was given, or where there are as many unknowns as slips.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub scatter: Option<f64>,
@@ -64,6 +67,10 @@ pub struct Estimate {
     /// What holds the truth in 95 of 100 cases.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub interval: Option<[f64; 2]>,
+    /// The degrees of freedom of Student's distribution that the interval is from; `None` where it is normal, or there is none. Where slips share errors
+    /// they are those that groups leave to this number; few of them make the interval wide.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub degrees_of_freedom: Option<f64>,
 }
 
 /// How the search ended.

@@ -46,10 +46,18 @@ impl<const C: usize> Identify<C> {
         }
         self.unknowns.iter().enumerate().try_for_each(|(k, unknown)| unknown.check_numbers(k, layouts))?;
         self.slips.iter().enumerate().try_for_each(|(k, slip)| slip.check(k, layouts))?;
-        let is_given = |slip: &Slip<C>| slip.scatter.is_some();
-        if let Some(other) = self.slips.iter().position(|slip| is_given(slip) != is_given(&self.slips[0])) {
-            let given = self.slips[other].scatter.unwrap_or(0.0);
-            return wrong(format!("slip {other}"), "scatter", given, "given for every slip, or for none");
+        let scatters: Vec<_> = self.slips.iter().map(|slip| slip.scatter).collect();
+        let groups: Vec<_> = self.slips.iter().map(|slip| slip.group.map(|group| group as f64)).collect();
+        for (field, column) in [("scatter", scatters), ("group", groups)] {
+            let has_none = column.contains(&None);
+            if let Some(slip) = column.iter().position(Option::is_some).filter(|_| has_none) {
+                let (given, allowed) = (column[slip].unwrap_or(0.0), "given for every slip, or for none");
+                return wrong(format!("slip {slip}"), field, given, allowed);
+            }
+        }
+        if self.slips[0].group.is_some() && self.slips.iter().all(|slip| slip.group == self.slips[0].group) {
+            let allowed = "at least 2: errors of groups are told by how far they are apart";
+            return wrong("slips".to_owned(), "number of groups", 1.0, allowed);
         }
         let carries = |slip: &Slip<C>, unknown: &Unknown| {
             unknown.kind == UnknownKind::Carried && unknown.is_in(slip.layout)

@@ -23,9 +23,25 @@
 //!
 //! Where neither is at hand, as where contacts have closed on the way or normal forces change with the load, derivatives are differences of exact answers.
 //!
-//! **Errors** are those of the linear problem at the solution. Where scatter is not given with the slips it is estimated from what is left, and
+//! # Errors
+//!
+//! They are those of the linear problem at the solution. Where scatter is not given with the slips it is estimated from what is left, and
 //! intervals are Student's. A direction in which no slip changes, by the singular values of all derivatives, is a [combination](FreeCombination) that is not
 //! fixed, and no number is told of what takes part in it.
+//!
+//! All that takes slips for independent. Slips in one direction, of one specimen or of one day share what is wrong there: a surface that rubs better
+//! one way, a finger that slides along the object. Their mean is then less sure than their number says. Slips with [groups](Slip::in_group) have errors
+//! from what is left group by group, whatever the slips of a group share. The covariance is the sandwich of Liang and Zeger (Biometrika 73, 1986)
+//!
+//! ```text
+//! V = B⁻¹ (Σ_g X_g' A_g ψ_g ψ_g' A_g X_g + Σ_k x_k' x_k) B⁻¹,   B = c Σ_g X_g' X_g + Σ_k x_k' x_k,   A_g = (1 - H_gg)^(-1/2)
+//! ```
+//!
+//! with rows X of derivatives over standard deviations; `ψ`, what is left over them, cut where the loss bends; c, by how much that changes with what is
+//! left; rows `x_k` of sums that are known; and H, by how much the solution follows each slip. `A_g` is the correction CR2 of Bell and McCaffrey (Survey
+//! Methodology 28, 2002): V is then right in the mean where slips are independent after all. Few groups tell little of their own scatter. Intervals are
+//! Student's with Satterthwaite's degrees of freedom of that one number, [`Estimate::degrees_of_freedom`] (Pustejovsky and Tipton, J. Bus. Econ. Stat.
+//! 36, 2018). Estimates stay as they are, and what one group tells alone has no error.
 
 mod answer;
 mod checked;
@@ -33,6 +49,7 @@ mod combination;
 mod first;
 mod fit;
 mod gross;
+mod grouped;
 mod model;
 mod question;
 mod robust;

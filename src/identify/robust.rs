@@ -37,7 +37,7 @@ impl Huber {
 
     /// The sum of squares of residuals that are cut at the corner.
     pub(super) fn squares(self, residuals: impl Iterator<Item = f64>) -> f64 {
-        residuals.map(|u| u.clamp(-self.0, self.0).powi(2)).sum()
+        residuals.map(|u| self.pull(u).powi(2)).sum()
     }
 
     /// The scatter of residuals with so many degrees of freedom: Huber's second proposal, that of least squares without a corner.
@@ -52,12 +52,16 @@ impl Huber {
         scale
     }
 
-    /// By how much variances are larger than those of least squares with the same scatter: a mean of so many residuals, of which so many
-    /// lie inside, with so many unknowns (Huber and Ronchetti, Robust Statistics, 2009, 7.6).
-    pub(super) fn variance(self, all: usize, inside: usize, unknowns: usize) -> f64 {
+    /// What a residual pulls with: itself up to the corner, and no more beyond.
+    pub(super) fn pull(self, u: f64) -> f64 {
+        u.clamp(-self.0, self.0)
+    }
+
+    /// How much pulls change with residuals in the mean: of so many, of which so many lie inside, with so many unknowns (Huber and Ronchetti,
+    /// Robust Statistics, 2009, 7.6).
+    pub(super) fn slope(all: usize, inside: usize, unknowns: usize) -> f64 {
         let part = (inside as f64 / all as f64).max(0.5);
-        let correction = 1.0 + unknowns as f64 / all as f64 * (1.0 - part) / part;
-        self.mean_square() * (correction / part).powi(2)
+        part / (1.0 + unknowns as f64 / all as f64 * (1.0 - part) / part)
     }
 }
 

@@ -47,11 +47,13 @@ pub struct Slip<const C: usize> {
     pub(super) layout: usize,
     /// Standard deviation over the load or the angle.
     pub(super) scatter: Option<f64>,
+    /// Which slips share errors with it.
+    pub(super) group: Option<usize>,
 }
 
 impl<const C: usize> Slip<C> {
     fn of(kind: SlipKind, grown: Grown<C>) -> Self {
-        Self { kind, grown, base: Wrench::ZERO, squeeze: 1.0, layout: 0, scatter: None }
+        Self { kind, grown, base: Wrench::ZERO, squeeze: 1.0, layout: 0, scatter: None, group: None }
     }
 
     /// The first contact slid under this load, which had grown from nothing.
@@ -104,6 +106,14 @@ impl<const C: usize> Slip<C> {
     #[must_use]
     pub fn scattering_by(mut self, part: f64) -> Self {
         self.scatter = Some(part);
+        self
+    }
+
+    /// This slip as one of a group that may share errors: slips in one direction, of one specimen, or of one day. Any number will do, the same for all slips of the
+    /// group; given for every slip, or for none. See [errors](crate::identify#errors).
+    #[must_use]
+    pub fn in_group(mut self, group: usize) -> Self {
+        self.group = Some(group);
         self
     }
 

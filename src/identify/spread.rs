@@ -1,11 +1,15 @@
 //! How well the unknowns are known.
 
+use std::collections::BTreeSet;
+
 use nalgebra::DMatrix;
 
 use super::answer::{Ending, Estimate, Identified};
 use super::combination::FreeCombination;
 use super::fit::{FitEnd, Fitted, Scatter, rank, singular};
+use super::grouped::Grouped;
 use super::model::{Linear, Model};
+use super::robust::Huber;
 use crate::numerics::two_sided;
 use crate::prelude::*;
 
@@ -27,9 +31,9 @@ pub(super) fn told<const C: usize>(model: &Model<'_, C>, fit: &Fitted) -> Identi
     let estimates = names.iter().zip(&fit.logs).enumerate().map(|(j, (name, log))| {
         let value = log.exp();
         let known = spread.as_ref().and_then(|spread| spread.of_unknown(j));
-        let (error, times) = known.unwrap_or((f64::INFINITY, 0.0));
+        let (error, degrees) = known.unwrap_or((f64::INFINITY, None));
         let is_known = error.is_finite() && error <= TOO_WIDE;
-        let off = (times * error).exp();
+        let off = (two_sided(HELD, degrees) * error).exp();
         Estimate {
             name: name.clone(),
             kind: model.asked.unknowns[j].kind,
@@ -38,6 +42,7 @@ pub(super) fn told<const C: usize>(model: &Model<'_, C>, fit: &Fitted) -> Identi
                 && (is_known || !error.is_finite()),
             standard_error: is_known.then_some(value * error),
             interval: is_known.then_some([value / off, value * off]),
+            degrees_of_freedom: degrees.filter(|_| is_known),
         }
     });
     let estimates: Vec<_> = estimates.collect();
@@ -63,6 +68,7 @@ pub(super) fn told<const C: usize>(model: &Model<'_, C>, fit: &Fitted) -> Identi
         estimates,
         ending,
         slips: model.asked.slips.len(),
+        groups: groups(model).map(|groups| groups.iter().collect::<BTreeSet<_>>().len()),
         scatter: spread
             .as_ref()
             .and_then(|spread| spread.scatter.estimated)
@@ -86,6 +92,13 @@ struct Spread {
     scatter: Scatter,
     /// Mean square of residuals, where their scatter is given.
     square: Option<f64>,
+    /// What groups of slips do that share errors, if they are told.
+    grouped: Option<Grouped>,
+}
+
+/// The groups of all slips, if they have some.
+fn groups<const C: usize>(model: &Model<'_, C>) -> Option<Vec<usize>> {
+    model.asked.slips.iter().map(|slip| slip.group).collect()
 }
 
 impl Spread {
@@ -98,13 +111,35 @@ impl Spread {
         let huber = model.huber();
         let off = || linear.residuals[..slips].iter().zip(&scatter.rows).map(|(r, sigma)| r / sigma);
         let inside = off().filter(|u| u.abs() <= huber.0).count();
-        let wider = huber.variance(slips, inside, unknowns).sqrt();
-        let weight = |(k, sigma): (usize, &f64)| (if k < slips { sigma * wider } else { *sigma }).recip();
+        let slope = Huber::slope(slips, inside, unknowns);
+        let groups = groups(model);
+        // Pulls of groups are seen; those of slips that stand for themselves have the mean square of a normal distribution.
+        let counts = if groups.is_some() { slope.sqrt() } else { slope / huber.mean_square().sqrt() };
+        let weight = |(k, sigma): (usize, &f64)| if k < slips { counts / sigma } else { sigma.recip() };
         let weights: Vec<_> = scatter.rows.iter().enumerate().map(weight).collect();
         let (values, directions, _) = singular(&linear.jacobian, &linear.residuals, &weights);
         let square = scatter.estimated.is_none() && degrees > 0;
         let square = square.then(|| huber.squares(off()) / (degrees as f64 * huber.mean_square()));
-        Self { values, directions, rank, degrees, scatter, square }
+        let mut spread = Self { values, directions, rank, degrees, scatter, square, grouped: None };
+        spread.grouped = groups.map(|groups| {
+            let rows = DMatrix::from_diagonal(&weights.into()) * &linear.jacobian * spread.told_directions();
+            let off = |(k, (r, sigma)): (usize, (&f64, &f64))| {
+                if k < slips { huber.pull(r / sigma) / slope.sqrt() } else { r / sigma }
+            };
+            let off: Vec<_> =
+                linear.residuals.iter().zip(&spread.scatter.rows).enumerate().map(off).collect();
+            Grouped::of(&rows, &off, &groups)
+        });
+        spread
+    }
+
+    /// Directions that are fixed, as columns, each as long as its standard error were all slips independent.
+    fn told_directions(&self) -> DMatrix<f64> {
+        let mut told = self.directions.select_columns(&self.in_order()[..self.rank]);
+        for (mut column, k) in told.column_iter_mut().zip(self.in_order()) {
+            column /= self.values[k];
+        }
+        told
     }
 
     /// Directions from the best fixed on.
@@ -123,15 +158,16 @@ impl Spread {
         self.free().row(unknown).norm_squared() <= FIXED
     }
 
-    /// The standard error of a logarithm, and how many of them the interval reaches. `None` where it is not fixed, or its scatter is not known.
-    fn of_unknown(&self, unknown: usize) -> Option<(f64, f64)> {
-        let degrees = self.scatter.estimated.is_some().then_some(self.degrees);
-        if !self.fixes(unknown) || degrees == Some(0) {
+    /// The standard error of a logarithm, and the degrees of freedom of Student's interval. `None` where it is not fixed, or its error is not known.
+    fn of_unknown(&self, unknown: usize) -> Option<(f64, Option<f64>)> {
+        let degrees = self.scatter.estimated.is_some().then_some(self.degrees as f64);
+        if !self.fixes(unknown) || degrees == Some(0.0) {
             return None;
         }
-        let part = |k: &usize| (self.directions[(unknown, *k)] / self.values[*k]).powi(2);
-        let variance: f64 = self.in_order()[..self.rank].iter().map(part).sum();
-        Some((variance.sqrt(), two_sided(HELD, degrees)))
+        let along = self.told_directions().row(unknown).transpose();
+        let Some(grouped) = &self.grouped else { return Some((along.norm(), degrees)) };
+        let error = grouped.of_unknown(&along)?;
+        Some((error.variance.sqrt(), Some(error.degrees)))
     }
 
     /// How many times the scatter that was given residuals have.

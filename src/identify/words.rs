@@ -21,6 +21,9 @@ impl fmt::Display for Identified {
         }
         let told: Vec<_> = self.estimates.iter().map(|estimate| estimate.told(words)).collect();
         write!(f, "{} from {slips}", told.join(", "))?;
+        if let Some(groups) = self.groups {
+            write!(f, " in {groups} groups")?;
+        }
         if let Some(scatter) = self.scatter {
             write!(f, ", which scatter by {} %", Words::with_digits(2).number(100.0 * scatter))?;
         }
@@ -42,8 +45,13 @@ impl fmt::Display for Identified {
         if !wide.is_empty() {
             write!(f, ". {} not fixed: the slips scatter too much", capital(&are(&wide)))?;
         }
-        let without_error = |estimate: &Estimate| estimate.is_fixed && estimate.interval.is_none();
-        if self.estimates.iter().any(without_error) {
+        let without_error = |estimate: &&Estimate| estimate.is_fixed && estimate.interval.is_none();
+        let unsure: Vec<_> =
+            self.estimates.iter().filter(without_error).map(|estimate| estimate.name.clone()).collect();
+        if self.groups.is_some() && self.degrees_of_freedom > 0 && !unsure.is_empty() {
+            let those = listed(&unsure);
+            write!(f, ". How sure {those} is is not known: one group of slips alone tells it")?;
+        } else if !unsure.is_empty() {
             write!(
                 f,
                 ". How sure that is is not known: there are as many unknowns as slips, and their scatter is not given"

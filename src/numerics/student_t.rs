@@ -1,21 +1,25 @@
 //! Student's distribution: how far a mean may be off by chance where the scatter is estimated from the same few numbers.
 
-use core::f64::consts::{FRAC_2_PI, FRAC_PI_2};
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::normal_tail::normal_tail;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
 /// More degrees of freedom are as good as any number of them, to some 1e-4.
-const MANY: usize = 4000;
+const MANY: f64 = 4000.0;
 /// An angle is halved so often, to all digits.
 const HALVINGS: usize = 60;
+/// A continued fraction has all its digits by then: it needs some √ν terms.
+const TERMS: usize = 500;
+/// From here on the quotient of gamma functions is its asymptotic series, to 1e-13.
+const FAR: f64 = 100.0;
 
 /// How many standard errors on both sides hold the truth with this probability, from 0 to less than 1. `None` degrees of freedom stand for a scatter
-/// that is known.
+/// that is known; otherwise there is at least one, and parts of one count.
 ///
-/// With an integer number ν of them the distribution is a finite sum in θ, tan θ = t / √ν (Abramowitz and Stegun, 26.7.3 and 26.7.4).
-pub(crate) fn two_sided(probability: f64, degrees: Option<usize>) -> f64 {
+/// With t = √ν tan θ, `|t|` lies beyond with the probability `I(cos² θ; ν/2, 1/2)`, an incomplete beta function (Abramowitz and Stegun, 26.7.1 and 26.5.27).
+pub(crate) fn two_sided(probability: f64, degrees: Option<f64>) -> f64 {
     let halved = |least: f64, most: f64, within: &dyn Fn(f64) -> f64| {
         let halve = |(low, high): (f64, f64), _| {
             let middle = 0.5 * (low + high);
@@ -26,27 +30,61 @@ pub(crate) fn two_sided(probability: f64, degrees: Option<usize>) -> f64 {
     };
     match degrees {
         Some(nu) if nu <= MANY => {
-            let angle = halved(0.0, FRAC_PI_2, &|angle| within_an_angle(angle, nu));
-            angle.tan() * (nu as f64).sqrt()
+            let a = 0.5 * nu.max(1.0);
+            let whole = beta_with_half(a);
+            let angle = halved(0.0, FRAC_PI_2, &|angle| within_an_angle(angle, a, whole));
+            angle.tan() * (2.0 * a).sqrt()
         }
         _ => halved(0.0, 40.0, &|z| 1.0 - 2.0 * normal_tail(z)),
     }
 }
 
-/// How often |t| stays below √ν tan θ.
-fn within_an_angle(angle: f64, nu: usize) -> f64 {
+/// How often |t| stays below √ν tan θ, a = ν/2.
+fn within_an_angle(angle: f64, a: f64, whole: f64) -> f64 {
     let (sin, cos) = angle.sin_cos();
-    let is_odd = nu % 2 == 1;
-    // cos θ + 2/3 cos³ θ + …, or 1 + 1/2 cos² θ + …, up to cos^(ν-2).
-    let (first, mut term) = if is_odd { (1, cos) } else { (0, 1.0) };
-    let mut sum = 0.0;
-    let mut power = first;
-    while power + 2 <= nu {
-        sum += term;
-        power += 2;
-        term *= cos * cos * (power - 1) as f64 / power as f64;
+    let x = cos * cos;
+    // One of the two fractions converges fast.
+    if x < (a + 1.0) / (a + 2.5) {
+        1.0 - x.powf(a) * sin / (a * whole) * fraction(x, a, 0.5)
+    } else {
+        x.powf(a) * sin / (0.5 * whole) * fraction(sin * sin, 0.5, a)
     }
-    if is_odd { FRAC_2_PI * (angle + sin * sum) } else { sin * sum }
+}
+
+/// The continued fraction of an incomplete beta function (Abramowitz and Stegun, 26.5.8), from its head on.
+fn fraction(x: f64, a: f64, b: f64) -> f64 {
+    let term = |k: usize| {
+        let m = (k / 2) as f64;
+        if k.is_multiple_of(2) {
+            m * (b - m) * x / ((a + 2.0 * m - 1.0) * (a + 2.0 * m))
+        } else {
+            -(a + m) * (a + b + m) * x / ((a + 2.0 * m) * (a + 2.0 * m + 1.0))
+        }
+    };
+    // Convergents p / q by their recurrence, scaled to q = 1.
+    let ([mut p, mut before], mut q_before) = ([1.0, 1.0], 0.0);
+    for k in 1..TERMS {
+        let d = term(k);
+        let (next, q) = (p + d * before, 1.0 + d * q_before);
+        let (last, scaled) = (p, next / q);
+        (before, q_before, p) = (p / q, q.recip(), scaled);
+        if k > 2 && (scaled - last).abs() <= f64::EPSILON * scaled.abs() {
+            break;
+        }
+    }
+    p.recip()
+}
+
+/// B(a, 1/2): by its recurrence to where the quotient of gamma functions is a series (Abramowitz and Stegun, 6.1.47).
+fn beta_with_half(a: f64) -> f64 {
+    let (mut a, mut times) = (a, 1.0);
+    while a < FAR {
+        times *= (a + 0.5) / a;
+        a += 1.0;
+    }
+    let x = a.recip();
+    let series = 1.0 + x * (-1.0 / 8.0 + x * (1.0 / 128.0 + x * (5.0 / 1024.0 - x * 21.0 / 32768.0)));
+    times * (PI * x).sqrt() / series
 }
 
 #[cfg(test)]
@@ -57,27 +95,55 @@ mod tests {
     #[test]
     fn quantiles_are_those_of_tables() {
         for (nu, quantile) in [
-            (1, 12.706),
-            (2, 4.303),
-            (3, 3.182),
-            (4, 2.776),
-            (5, 2.571),
-            (10, 2.228),
-            (30, 2.042),
-            (100, 1.984),
-            (1000, 1.962),
+            (1.0, 12.706),
+            (2.0, 4.303),
+            (3.0, 3.182),
+            (4.0, 2.776),
+            (5.0, 2.571),
+            (10.0, 2.228),
+            (30.0, 2.042),
+            (100.0, 1.984),
+            (1000.0, 1.962),
         ] {
             let found = two_sided(0.95, Some(nu));
             assert!((found - quantile).abs() < 6e-4, "{nu}: {found}");
         }
         assert!((two_sided(0.95, None) - 1.959_963_984_540_054).abs() < 1e-12);
-        assert!((two_sided(0.99, Some(7)) - 3.499_483).abs() < 1e-6);
+        assert!((two_sided(0.99, Some(7.0)) - 3.499_483).abs() < 1e-6);
     }
 
-    /// The largest number that is summed up meets the normal distribution.
+    /// With one or two degrees of freedom the distribution is arctan t and t / √(2 + t²).
+    #[test]
+    fn few_degrees_of_freedom_have_closed_forms() {
+        for probability in [0.1_f64, 0.5, 0.9, 0.95, 0.999] {
+            let one = (FRAC_PI_2 * probability).tan();
+            let two = probability * (2.0 / (1.0 - probability * probability)).sqrt();
+            for (nu, quantile) in [(1.0, one), (2.0, two)] {
+                let found = two_sided(probability, Some(nu));
+                assert!((found / quantile - 1.0).abs() < 1e-11, "{nu}: {found} {quantile}");
+            }
+        }
+    }
+
+    /// Parts of a degree of freedom, beside `scipy.stats.t.ppf(0.975, nu)`.
+    #[test]
+    fn degrees_of_freedom_have_parts() {
+        for (nu, quantile) in [
+            (1.3, 7.500_529_325_562),
+            (2.5, 3.574_654_842_004),
+            (3.7, 2.867_520_707_191),
+            (7.25, 2.348_194_849_105),
+            (41.5, 2.018_802_291_882),
+        ] {
+            let found = two_sided(0.95, Some(nu));
+            assert!((found / quantile - 1.0).abs() < 1e-10, "{nu}: {found}");
+        }
+    }
+
+    /// The largest number that is computed meets the normal distribution.
     #[test]
     fn many_degrees_of_freedom_are_a_scatter_that_is_known() {
-        let [many, more] = [MANY, MANY + 1].map(|nu| two_sided(0.95, Some(nu)));
+        let [many, more] = [MANY, MANY + 1.0].map(|nu| two_sided(0.95, Some(nu)));
         assert!((many / more - 1.0).abs() < 4e-4, "{many} {more}");
     }
 }

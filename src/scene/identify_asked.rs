@@ -109,6 +109,9 @@ pub struct SlipAsked<const C: usize> {
     /// Standard deviation of load or angle, as a part of it: of every slip, or of none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub scatter: Option<f64>,
+    /// A number that slips have in common that may share errors, of one direction or one specimen: of every slip, or of none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub group: Option<usize>,
 }
 
 /// Points of contact, m: one for each contact of the scene.
@@ -176,7 +179,7 @@ impl<const C: usize> SlipAsked<C> {
     #[must_use]
     pub fn gross(load: Wrench<C>) -> Self {
         let (slip, load) = (SlipKind::Gross, Some(load));
-        Self { slip, load, turn: None, base: None, squeeze: None, layout: None, scatter: None }
+        Self { slip, load, turn: None, base: None, squeeze: None, layout: None, scatter: None, group: None }
     }
 
     fn as_seen(&self) -> Result<Slip<C>, Error> {
@@ -196,7 +199,8 @@ impl<const C: usize> SlipAsked<C> {
             .on_top_of(self.base.unwrap_or(Wrench::ZERO))
             .squeezed(self.squeeze.unwrap_or(1.0))
             .in_layout(self.layout.unwrap_or(0));
-        Ok(self.scatter.into_iter().fold(slip, Slip::scattering_by))
+        let slip = self.scatter.into_iter().fold(slip, Slip::scattering_by);
+        Ok(self.group.into_iter().fold(slip, Slip::in_group))
     }
 }
 

@@ -145,7 +145,7 @@
 //! | `onset_of_turn` | a turn | the onset of sliding while the load turns |
 //! | `follow` | `start` (a wrench), `legs` | the load path of a program |
 //! | `shake` | `base` (a wrench), `loads` or `legs` | what becomes of loads that are put on and taken off again and again, or of a cycle of legs, see [`ShakeAsked`] |
-//! | `identify` | `unknowns`, `slips`, `layouts`, `known` | friction, loads of supports, squeeze or stiffness from slips that were seen, see [`IdentifyAsked`] |
+//! | `identify` | `unknowns`, `slips` (with a `group` where they share errors), `layouts`, `known` | friction, loads of supports, squeeze or stiffness from slips that were seen, see [`IdentifyAsked`] |
 //! | `shakedown` | `base` (a wrench), `loads` | up to how many times such loads, in whichever order they come, it could come to rest |
 //!
 //! Of several bodies `together_with` has loads by name, `{"upper": {"force": [-5, 0]}}`, which grow as the load does; a `base` is then none.

@@ -1,7 +1,7 @@
 //! Intervals hold the truth as often as they say: 95 of 100 times, within what chance allows with so few draws.
 
 use support::Failure;
-use support::identified::{first_slips, pinch, three_feet};
+use support::identified::{first_slips, pinch, pinch_in_series, three_feet, three_feet_by_direction};
 
 /// With 300 draws 95 % scatter by 1.3 %: four of these on both sides. The report `identified` draws a thousand.
 const DRAWS: usize = 300;
@@ -34,6 +34,35 @@ fn of_first_slips_with_a_known_scatter() -> Result<(), Failure> {
 #[test]
 fn of_friction_and_loads_of_supports() -> Result<(), Failure> {
     let known = three_feet(16)?;
+    let coverage = known.coverage(100)?;
+    is_as_said(known.name, 4, |unknown| coverage.percent(unknown));
+    Ok(())
+}
+
+/// Series that share most of their scatter: with their groups intervals are as wide as they must be, without them far too narrow.
+#[test]
+fn of_slips_that_share_errors() -> Result<(), Failure> {
+    let known = pinch_in_series(6, 5)?;
+    let coverage = known.coverage(DRAWS)?;
+    is_as_said(known.name, 1, |unknown| coverage.percent(unknown));
+    let apart = known.without_groups().coverage(DRAWS)?.percent(0);
+    assert!(apart < 80.0, "{apart} %");
+    Ok(())
+}
+
+/// Groups of slips that share nothing do not make intervals too narrow, either.
+#[test]
+fn of_groups_that_share_nothing() -> Result<(), Failure> {
+    let mut known = pinch_in_series(6, 5)?;
+    known.shared.iter_mut().for_each(|shared| shared.scatter = 0.0);
+    let coverage = known.coverage(DRAWS)?;
+    is_as_said(known.name, 1, |unknown| coverage.percent(unknown));
+    Ok(())
+}
+
+#[test]
+fn of_pushes_that_share_errors_by_direction() -> Result<(), Failure> {
+    let known = three_feet_by_direction(12)?;
     let coverage = known.coverage(100)?;
     is_as_said(known.name, 4, |unknown| coverage.percent(unknown));
     Ok(())

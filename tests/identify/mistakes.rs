@@ -50,6 +50,14 @@ fn each_is_refused_by_name() -> Tested {
         "slip 1: scatter is 0.1, must be given for every slip, or for none",
     );
     refused(
+        Identify::new([mu.clone()], [slip.clone().in_group(3), slip.clone()]),
+        "slip 0: group is 3, must be given for every slip, or for none",
+    );
+    refused(
+        Identify::new([mu.clone()], [slip.clone().in_group(3), slip.clone().in_group(3)]),
+        "slips: number of groups is 1, must be at least 2: errors of groups are told by how far they are apart",
+    );
+    refused(
         Identify::new([mu.clone(), mu.clone().of_contacts([1])], [slip.clone()]),
         "unknown 1: number of the one that has its contacts, too, is 0, must be another one: no contact has two of a kind, or a squeeze beside what it carries",
     );

@@ -125,3 +125,24 @@ fn what_scatters_too_much() -> Tested {
     assert!(found.to_string().contains("Friction is not fixed: the slips scatter too much"), "{found}");
     Ok(())
 }
+
+/// Pulls to one side slide the first jaw, to the other side the second: each friction is told by one group alone, which says nothing of what its slips share.
+#[test]
+fn what_one_group_tells_alone() -> Result<(), support::Failure> {
+    let known = support::identified::first_slips()?;
+    let limits = known.limits()?;
+    let parts = [1.02, 0.98, 1.01, 0.97, 1.0];
+    let slip = |k: usize| Slip::first(limits[k] * parts[k % 5]);
+    let asked = |group: &dyn Fn(usize) -> usize| {
+        let slips = (0..limits.len()).map(|k| slip(k).in_group(group(k)));
+        Identify::new(known.unknowns.iter().cloned(), slips).answered_by(&known.guess)
+    };
+    let found = asked(&|k| k / 5)?;
+    assert!(found.estimates.iter().all(|each| each.is_fixed && each.standard_error.is_none()), "{found}");
+    let told =
+        "How sure friction of left and friction of right is is not known: one group of slips alone tells it";
+    assert!(found.to_string().contains(told), "{found}");
+    let found = asked(&|k| k % 5)?;
+    assert!(found.estimates.iter().all(|each| each.standard_error.is_some()), "{found}");
+    Ok(())
+}

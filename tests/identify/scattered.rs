@@ -62,6 +62,40 @@ fn a_scatter_that_is_given() -> Tested {
     Ok(())
 }
 
+/// Three specimens, three slips each: the error is that of the mean of three means, s / √3, and Student's quantile with 2 degrees of freedom.
+#[test]
+fn groups_of_slips() -> Tested {
+    let loads = [5.4, 5.6, 5.5, 6.1, 6.0, 6.2, 6.6, 6.5, 6.4];
+    let slips = loads.iter().enumerate().map(|(k, newtons)| slip(*newtons).in_group(7 + k / 3));
+    let asked = Identify::new([Unknown::friction()], slips).with_outliers_beyond(f64::INFINITY);
+    let found = asked.answered_by(&jaws()?)?;
+    let logs = loads.map(|newtons: f64| (newtons / 20.0).ln());
+    let mean = logs.iter().sum::<f64>() / 9.0;
+    let means = logs.chunks(3).map(|three| three.iter().sum::<f64>() / 3.0);
+    let error = (means.map(|x| (x - mean).powi(2)).sum::<f64>() / 2.0 / 3.0).sqrt();
+    let mu = &found.estimates[0];
+    let close = |a: Option<f64>, b: f64| a.is_some_and(|a| (a / b - 1.0).abs() < 1e-6);
+    assert!(close(Some(mu.value), mean.exp()) && close(mu.standard_error, mean.exp() * error), "{found}");
+    assert!(close(mu.degrees_of_freedom, 2.0) && found.groups == Some(3), "{found}");
+    assert!(close(mu.interval.map(|[low, _]| low), (mean - 4.302_653 * error).exp()), "{found}");
+    assert!(found.to_string().contains("from 9 slips in 3 groups, which scatter by"), "{found}");
+    Ok(())
+}
+
+/// With each slip in a group of its own errors are those of White: of one mean the same as without groups.
+#[test]
+fn groups_of_one_slip() -> Tested {
+    let alone = Identify::new([Unknown::friction()], LOADS.map(slip)).with_outliers_beyond(f64::INFINITY);
+    let slips = LOADS.iter().enumerate().map(|(k, newtons)| slip(*newtons).in_group(k));
+    let grouped = Identify::new([Unknown::friction()], slips).with_outliers_beyond(f64::INFINITY);
+    let [alone, grouped] = [alone.answered_by(&jaws()?)?, grouped.answered_by(&jaws()?)?].map(|found| {
+        let mu = &found.estimates[0];
+        [mu.standard_error.unwrap_or(f64::NAN), mu.interval.map_or(f64::NAN, |[low, _]| low)]
+    });
+    assert!(alone.iter().zip(grouped).all(|(a, g)| (a / g - 1.0).abs() < 1e-9), "{alone:?} {grouped:?}");
+    Ok(())
+}
+
 /// One load of ten that was written down ten times too large moves friction by no more than its error; least squares by a quarter.
 #[test]
 fn a_slip_far_off_counts_less() -> Tested {

@@ -25,7 +25,8 @@ fn asked() -> IdentifyAsked<2> {
     let pull = |newtons: f64| SlipAsked::gross(Wrench::force([newtons, 0.0]));
     let mut moved = pull(3.1);
     moved.layout = Some(1);
-    let slips = vec![pull(2.9), pull(3.0), pull(3.2), moved];
+    let mut slips = vec![pull(2.9), pull(3.0), pull(3.2), moved];
+    slips.iter_mut().zip([4, 4, 1, 1]).for_each(|(slip, group)| slip.group = Some(group));
     let mut asked = IdentifyAsked::new(vec![friction, carried(0), carried(1)], slips);
     asked.layouts = vec![ContactPoints([-0.2, 0.2].map(|x| [x, 0.0].into()).into())];
     asked.known = vec![KnownSum::new([1], 4.0, 0.01), KnownSum::new([1, 2], 10.0, 0.01)];
@@ -46,7 +47,8 @@ fn the_answer_is_that_of_the_grasp() -> Tested {
     let unknowns = [Unknown::friction().named("rubber").starting_at(0.4), carried(0), carried(1)];
     let slips = [2.9, 3.0, 3.2, 3.1].map(|newtons| Slip::gross(Wrench::force([newtons, 0.0])));
     let [a, b, c, d] = slips;
-    let same = Identify::new(unknowns, [a, b, c, d.in_layout(1)])
+    let slips = [a.in_group(4), b.in_group(4), c.in_group(1), d.in_group(1).in_layout(1)];
+    let same = Identify::new(unknowns, slips)
         .and_layouts([grasp_lcp::planar::Grasp::new(feet(0.2))?])
         .knowing([1], 4.0, 0.01)
         .knowing([1, 2], 10.0, 0.01)

@@ -145,14 +145,15 @@ impl<const C: usize> Meaning<C> {
                 format!("column `{other}`: unknown name, must be one of {}", columns.join(", ")),
             ));
         }
-        let mut slips = Vec::new();
+        let (mut slips, mut groups) = (Vec::new(), Vec::new());
         for (line, row) in lines {
             let cells: Vec<_> = row.split(',').map(str::trim).collect();
             if cells.len() != heads.len() {
                 let fault = format!("{} columns given, must be {}", cells.len(), heads.len());
                 return Err(refused(line, fault));
             }
-            slips.push(self.slip(&heads, &cells, given).map_err(|fault| match fault {
+            let slip = self.slip((&heads, &cells), &mut groups, given);
+            slips.push(slip.map_err(|fault| match fault {
                 Fault::Cell(fault) => refused(line, fault),
                 Fault::Usage(failure) => failure,
             })?);
@@ -160,10 +161,16 @@ impl<const C: usize> Meaning<C> {
         Ok(slips)
     }
 
-    fn slip(&self, heads: &[&str], cells: &[&str], given: &Identifies) -> Result<SlipAsked<C>, Fault> {
+    /// A row under its names of columns. Groups are numbered in the order in which they come first.
+    fn slip<'a>(
+        &self,
+        (heads, cells): (&[&str], &[&'a str]),
+        groups: &mut Vec<&'a str>,
+        given: &Identifies,
+    ) -> Result<SlipAsked<C>, Fault> {
         let [mut force, mut at, mut moment] = [[0.0; 3]; 3];
         let (mut kind, mut squeeze) = (if given.first { SlipKind::First } else { SlipKind::Gross }, None);
-        let mut scatter = given.scatter;
+        let (mut scatter, mut group) = (given.scatter, None);
         for (head, cell) in heads.iter().zip(cells) {
             if *head == "slip" {
                 kind = match *cell {
@@ -176,6 +183,14 @@ impl<const C: usize> Meaning<C> {
                         )));
                     }
                 };
+                continue;
+            }
+            if *head == "group" {
+                let known = groups.iter().position(|name| name == cell);
+                group = known.or_else(|| {
+                    groups.push(cell);
+                    Some(groups.len() - 1)
+                });
                 continue;
             }
             let number = cell.parse::<f64>().ok().filter(|number| number.is_finite()).ok_or_else(|| {
@@ -199,6 +214,7 @@ impl<const C: usize> Meaning<C> {
         let [force, at] = [force, at].map(|row| std::array::from_fn(|axis| row[axis]));
         let mut slip = SlipAsked::gross((self.force_at)(force, at) + (self.moment)(&moment));
         (slip.slip, slip.squeeze) = (kind, squeeze);
+        slip.group = group;
         slip.scatter = scatter.map(|percent| 0.01 * percent);
         if given.base.is_some() {
             slip.base = Some(self.base(given.base.as_ref(), None).map_err(Fault::Usage)?);
@@ -220,5 +236,5 @@ fn columns<const C: usize>() -> Vec<&'static str> {
     } else {
         &["fx", "fy", "m", "at_x", "at_y"]
     };
-    of_space.iter().copied().chain(["squeeze", "slip", "scatter_percent"]).collect()
+    of_space.iter().copied().chain(["squeeze", "slip", "scatter_percent", "group"]).collect()
 }

@@ -30,6 +30,26 @@ pub struct Known<const C: usize> {
     pub scatter: f64,
     /// Whether the search is told.
     pub is_told: bool,
+    /// What loads of a group share, if there are some.
+    pub shared: Option<Shared>,
+}
+
+/// What loads of a group are off by together.
+#[derive(Clone)]
+pub struct Shared {
+    /// The group of each load.
+    pub groups: Vec<usize>,
+    /// Standard deviation of a load, over it, the same for all of its group.
+    pub scatter: f64,
+    /// Whether the search is told of the groups.
+    pub is_told: bool,
+}
+
+impl Shared {
+    /// How many groups there are.
+    pub fn count(&self) -> usize {
+        self.groups.iter().max().map_or(0, |last| last + 1)
+    }
 }
 
 /// How often each unknown was told with an interval, and lay in it.
@@ -63,14 +83,20 @@ impl<const C: usize> Known<C> {
 
     /// The question, for slips that are drawn: each load off by its scatter, normally distributed.
     pub fn asked(&self, limits: &[grasp_lcp::grasp::Wrench<C>], draw: &mut Random) -> Identify<C> {
-        let slip = |load: &grasp_lcp::grasp::Wrench<C>| {
-            let load = *load * (self.scatter * draw.normal()).exp();
+        let groups = self.shared.as_ref().map_or(0, Shared::count);
+        let together: Vec<f64> = (0..groups).map(|_| draw.normal()).collect();
+        let slip = |(k, load): (usize, &grasp_lcp::grasp::Wrench<C>)| {
+            let with_all =
+                self.shared.as_ref().map_or(0.0, |shared| shared.scatter * together[shared.groups[k]]);
+            let load = *load * (self.scatter * draw.normal() + with_all).exp();
             let slip = if self.kind == SlipKind::First { Slip::first(load) } else { Slip::gross(load) };
             let carried = self.sum.is_some();
             let slip = if carried { slip } else { slip.on_top_of(self.base) };
-            if self.is_told { slip.scattering_by(self.scatter) } else { slip }
+            let slip = if self.is_told { slip.scattering_by(self.scatter) } else { slip };
+            let told = self.shared.iter().filter(|shared| shared.is_told);
+            told.fold(slip, |slip, shared| slip.in_group(shared.groups[k]))
         };
-        let slips: Vec<_> = limits.iter().map(slip).collect();
+        let slips: Vec<_> = limits.iter().enumerate().map(slip).collect();
         let asked = Identify::new(self.unknowns.iter().cloned(), slips);
         match self.sum {
             Some((sum, scatter)) => {
@@ -78,6 +104,12 @@ impl<const C: usize> Known<C> {
             }
             None => asked,
         }
+    }
+
+    /// The same without a word of the groups.
+    pub fn without_groups(mut self) -> Self {
+        self.shared.iter_mut().for_each(|shared| shared.is_told = false);
+        self
     }
 
     /// Intervals of so many draws.
@@ -124,7 +156,15 @@ pub fn pinch(slips: usize) -> Result<Known<2>, Error> {
         sum: None,
         scatter: 0.08,
         is_told: false,
+        shared: None,
     })
+}
+
+/// The same in so many series of as many slips, each with jaws of another day: most of the scatter is that of days.
+pub fn pinch_in_series(series: usize, each: usize) -> Result<Known<2>, Error> {
+    let groups = (0..series * each).map(|k| k / each).collect();
+    let shared = Some(Shared { groups, scatter: 0.07, is_told: true });
+    Ok(Known { name: "friction of two jaws, in series", scatter: 0.04, shared, ..pinch(series * each)? })
 }
 
 /// First slip of the left jaw under loads to the left of the middle, of the right one under others; the scatter is known.
@@ -142,6 +182,22 @@ pub fn first_slips() -> Result<Known<2>, Error> {
         sum: None,
         scatter: 0.03,
         is_told: true,
+        shared: None,
+    })
+}
+
+/// The block of [`three_feet`] is pushed in so many directions, two to four times in each: what it rubs more or less in a direction is in all of them.
+pub fn three_feet_by_direction(directions: usize) -> Result<Known<3>, Error> {
+    let groups: Vec<usize> = (0..directions).flat_map(|k| vec![k; 2 + k % 3]).collect();
+    let known = three_feet(directions)?;
+    let loads = groups.iter().map(|group| known.loads[*group]).collect();
+    let shared = Some(Shared { groups, scatter: 0.05, is_told: true });
+    Ok(Known {
+        name: "friction and loads of three feet, by direction",
+        loads,
+        scatter: 0.04,
+        shared,
+        ..known
     })
 }
 
@@ -178,5 +234,6 @@ pub fn three_feet(slips: usize) -> Result<Known<3>, Error> {
         sum: Some((14.0, 0.002)),
         scatter: 0.06,
         is_told: false,
+        shared: None,
     })
 }

@@ -1,0 +1,160 @@
+//! Errors of what is found where slips share errors in groups: a sandwich.
+//!
+//! Rows are in standard deviations and along directions of the logarithms in which all of them together tell the same, so that `Σ U_g'U_g = 1`. With e what
+//! rows are off by and `Q_g = U_g'U_g`, a group moves the solution by what it is off by, made up for the solution's leaning on it,
+//!
+//! ```text
+//! w_g = (1 - Q_g)^(-1/2) U_g'e_g
+//! ```
+//!
+//! the correction CR2 of Bell and McCaffrey, in the few directions in place of the many slips: `U'(1 - UU')^(-1/2) = (1 - U'U)^(-1/2) U'`. The variance of
+//! an unknown, c in these directions, is `Σ (c'w_g)²`. Were rows independent, `c'w_g` would have the covariances
+//! `Ω_gh = δ_gh a_g'Q_g a_g - (Q_g a_g)'(Q_h a_h)`, `a_g = (1 - Q_g)^(-1/2) c`, and its degrees of freedom are Satterthwaite's, `(tr Ω)² / tr Ω²`.
+
+use std::collections::BTreeMap;
+
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
+
+/// A direction that one group tells alone, but for this part: the others do not say how far it is off.
+const ALONE: f64 = 1e-9;
+/// So much of a variance may be in such directions.
+const UNSEEN: f64 = 1e-2;
+
+/// What each group does.
+pub(super) struct Grouped {
+    groups: Vec<Group>,
+    /// What rows tell that are known from elsewhere, each with its own scatter.
+    known: DMatrix<f64>,
+}
+
+/// One group.
+struct Group {
+    /// What it tells, Q.
+    tells: DMatrix<f64>,
+    /// What makes up for the solution's leaning on it, (1 - Q)^(-1/2).
+    made_up: DMatrix<f64>,
+    /// What it moves the solution by, w.
+    moves: DVector<f64>,
+}
+
+/// The error of an unknown.
+pub(super) struct GroupedError {
+    /// Of its logarithm.
+    pub(super) variance: f64,
+    /// Of that variance.
+    pub(super) degrees: f64,
+}
+
+impl Grouped {
+    /// From rows along the directions (one of the slips for each number of a group, and behind them what is known), and what they are off by.
+    pub(super) fn of(rows: &DMatrix<f64>, off: &[f64], groups: &[usize]) -> Self {
+        let mut members: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        groups.iter().enumerate().for_each(|(slip, group)| members.entry(*group).or_default().push(slip));
+        let known: Vec<usize> = (groups.len()..rows.nrows()).collect();
+        let square = |those: &[usize]| {
+            let own = rows.select_rows(those);
+            own.tr_mul(&own)
+        };
+        let group = |those: &Vec<usize>| {
+            let tells = square(those);
+            let own = DVector::from_iterator(those.len(), those.iter().map(|row| off[*row]));
+            let made_up = inverse_root_of_rest(&tells);
+            let moves = &made_up * rows.select_rows(those).tr_mul(&own);
+            Group { tells, made_up, moves }
+        };
+        Self { groups: members.values().map(group).collect(), known: square(&known) }
+    }
+
+    /// The error of an unknown that is this in the directions. `None` where one group tells it alone.
+    pub(super) fn of_unknown(&self, unknown: &DVector<f64>) -> Option<GroupedError> {
+        let sure = unknown.dot(&(&self.known * unknown));
+        let variance = sure + self.groups.iter().map(|group| group.moves.dot(unknown).powi(2)).sum::<f64>();
+        let made_up: Vec<_> = self.groups.iter().map(|group| &group.made_up * unknown).collect();
+        let told: Vec<_> = self.groups.iter().zip(&made_up).map(|(group, a)| &group.tells * a).collect();
+        // Covariances of what the groups do, were all rows independent.
+        let covariance = |g: usize, h: usize| {
+            let own = if g == h { made_up[g].dot(&told[g]) } else { 0.0 };
+            own - told[g].dot(&told[h])
+        };
+        let all = || (0..told.len()).flat_map(|g| (0..told.len()).map(move |h| (g, h)));
+        let expected = sure + (0..told.len()).map(|g| covariance(g, g)).sum::<f64>();
+        let squares: f64 = all().map(|(g, h)| covariance(g, h).powi(2)).sum();
+        let is_seen = expected >= (1.0 - UNSEEN) * unknown.norm_squared();
+        is_seen.then(|| GroupedError { variance, degrees: expected * expected / squares })
+    }
+}
+
+/// (1 - Q)^(-1/2), zero along what Q tells alone.
+fn inverse_root_of_rest(tells: &DMatrix<f64>) -> DMatrix<f64> {
+    let parts = SymmetricEigen::new(tells.clone());
+    let root = |part: f64| {
+        let rest = 1.0 - part;
+        if rest > ALONE { rest.sqrt().recip() } else { 0.0 }
+    };
+    let roots = DMatrix::from_diagonal(&parts.eigenvalues.map(root));
+    &parts.eigenvectors * roots * parts.eigenvectors.transpose()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Rows of length one in all directions together.
+    fn in_directions(rows: &DMatrix<f64>) -> DMatrix<f64> {
+        rows.clone().qr().q()
+    }
+
+    /// Of a mean with groups of one size CR2 is the variance of the means of groups, with one degree of freedom less than there are groups.
+    #[test]
+    fn a_mean_of_equal_groups() {
+        let off = [0.3, 0.5, 0.1, -0.2, -0.4, -0.1, 0.2, -0.3, 0.4, -0.7, 0.1, 0.1];
+        let mean = off.iter().sum::<f64>() / 12.0;
+        let off = off.map(|x| x - mean);
+        let groups: Vec<usize> = (0..12).map(|k| k / 3).collect();
+        let rows = DMatrix::from_element(12, 1, 12_f64.sqrt().recip());
+        let found =
+            Grouped::of(&rows, &off, &groups).of_unknown(&DVector::from_element(1, 12_f64.sqrt().recip()));
+        let means: Vec<f64> = off.chunks(3).map(|three| three.iter().sum::<f64>() / 3.0).collect();
+        let expected = means.iter().map(|x| x * x).sum::<f64>() / 3.0 / 4.0;
+        let found = found.expect("four groups tell it");
+        assert!((found.variance / expected - 1.0).abs() < 1e-12, "{} {expected}", found.variance);
+        assert!((found.degrees - 3.0).abs() < 1e-12, "{}", found.degrees);
+    }
+
+    /// A straight line through three uneven groups, beside the definition with matrices of all slips: `V = B X_g'A_g e e'A_g X_g B`,
+    /// `A_g = (1 - H)_gg^(-1/2)`, and Satterthwaite's degrees from the whole of `(1 - H)`.
+    #[test]
+    fn a_line_by_its_definition() {
+        let groups = [0, 0, 0, 1, 1, 2, 2, 2, 2];
+        let design = DMatrix::from_fn(9, 2, |k, j| if j == 0 { 1.0 } else { (k * k) as f64 / 9.0 });
+        let directions = in_directions(&design);
+        let rest = DMatrix::identity(9, 9) - &directions * directions.transpose();
+        let seen = DVector::from_fn(9, |k, _| (1.7 * k as f64).sin());
+        let off = &rest * seen;
+        let unknown = DVector::from_vec(vec![0.4, -0.9]);
+        let (mut variance, mut p) = (0.0, Vec::new());
+        for group in 0..3 {
+            let own: Vec<usize> = (0..9).filter(|k| groups[*k] == group).collect();
+            let block = rest.select_rows(&own).select_columns(&own);
+            let eigen = SymmetricEigen::new(block);
+            let roots = DMatrix::from_diagonal(&eigen.eigenvalues.map(|x| x.sqrt().recip()));
+            let root = &eigen.eigenvectors * roots * eigen.eigenvectors.transpose();
+            let along = root * directions.select_rows(&own) * &unknown;
+            variance += along.dot(&off.select_rows(&own)).powi(2);
+            p.push(rest.select_columns(&own) * along);
+        }
+        let products = DMatrix::from_fn(3, 3, |g, h| p[g].dot(&p[h]));
+        let degrees = products.trace().powi(2) / products.norm_squared();
+        let found = Grouped::of(&directions, off.as_slice(), &groups).of_unknown(&unknown).expect("told");
+        assert!((found.variance / variance - 1.0).abs() < 1e-9, "{} {variance}", found.variance);
+        assert!((found.degrees / degrees - 1.0).abs() < 1e-9, "{} {degrees}", found.degrees);
+    }
+
+    /// What one group tells alone has no error from the others.
+    #[test]
+    fn what_one_group_tells_alone() {
+        let rows = DMatrix::from_fn(4, 2, |k, j| if k / 2 == j { 0.5_f64.sqrt() } else { 0.0 });
+        let grouped = Grouped::of(&rows, &[0.1, -0.1, 0.2, -0.2], &[0, 0, 1, 1]);
+        assert!(grouped.of_unknown(&DVector::from_vec(vec![1.0, 0.0])).is_none());
+    }
+}
