@@ -133,6 +133,25 @@ def test_what_slips_tell_of_a_pinch() -> None:
     assert told.misfit is not None and told.scatter is None
 
 
+def test_slips_that_share_errors() -> None:
+    grasp = pinch(0.5, 8.0)
+    newtons = [4.5, 4.6, 4.7, 4.7, 4.8, 4.9, 5.0, 5.1, 5.2]
+    loads = [[0, -force] for force in newtons]
+    found = grasp.identify(["friction"], loads, group=["monday"] * 3 + ["tuesday"] * 3 + ["friday"] * 3, outliers=1e9)
+    # The mean of three means: s / √3, and Student's quantile with two degrees of freedom.
+    logs = [math.log(force / 16.0) for force in newtons]
+    means = [sum(logs[k : k + 3]) / 3 for k in (0, 3, 6)]
+    error = math.sqrt(sum((x - sum(logs) / 9) ** 2 for x in means) / 2 / 3)
+    (mu,) = found.estimates
+    assert mu.standard_error is not None and mu.interval is not None
+    assert mu.standard_error == pytest.approx(mu.value * error, rel=1e-6)
+    assert mu.degrees_of_freedom == pytest.approx(2)
+    assert mu.interval[0] == pytest.approx(mu.value * math.exp(-4.302653 * error), rel=1e-6)
+    assert found.groups == 3 and "from 9 slips in 3 groups" in str(found)
+    alone = grasp.identify(["friction"], loads)
+    assert alone.groups is None and alone.estimates[0].degrees_of_freedom == 8
+
+
 def test_what_slips_do_not_fix() -> None:
     grasp = pinch(0.5, 8.0)
     loads = [[0, -4.7], [0, -4.9], [0, -4.8]]

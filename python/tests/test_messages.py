@@ -110,6 +110,16 @@ CASES: list[tuple[Callable[[], object], type[Exception], str]] = [
         ValueError,
         "squeeze: 2 given, must be one for all or 1, one a slip",
     ),
+    (
+        lambda: pinch().identify(["friction"], [[0, -4], [0, -5]], group=["a"]),
+        ValueError,
+        "group: 1 given, must be one for all or 2, one a slip",
+    ),
+    (
+        lambda: pinch().identify(["friction"], [[0, -4], [0, -5]], group=[3, 3]),
+        ValueError,
+        "slips: number of groups is 1, must be at least 2: errors of groups are told by how far they are apart",
+    ),
     (lambda: pinch().identify(["friction"], [0, 0]), ValueError, "slip 0: size of the load is 0, must be more than 0"),
     (lambda: pinch().turn(), ValueError, "turn: nothing turns: give weight, or force, or cosine and sine"),
     (lambda: pinch().turn(weight=[0, np.nan]), ValueError, "weight[1] is nan, must be finite"),

@@ -333,6 +333,11 @@ class Estimate(View):
         found = self._tree.get("interval")
         return None if found is None else (number(found[0]), number(found[1]))
 
+    @property
+    def degrees_of_freedom(self) -> float | None:
+        """Those of Student's distribution that the interval is from; None where it is normal, or there is none."""
+        return optional_number(self._tree.get("degrees_of_freedom"))
+
     def __repr__(self) -> str:
         error = "" if self.standard_error is None else f" ± {self.standard_error:.2g}"
         return f"<Estimate: {self.name} {self.value:.6g}{error}>" if self.is_fixed else f"<Estimate: {self.name} not fixed>"
@@ -355,6 +360,12 @@ class Identified(Answer):
     def estimates(self) -> tuple[Estimate, ...]:
         """The numbers, in the order in which they were asked for."""
         return tuple(Estimate(tree) for tree in self._tree["estimates"])
+
+    @property
+    def groups(self) -> int | None:
+        """How many groups of slips may share errors, where they were told."""
+        found = self._tree.get("groups")
+        return None if found is None else int(found)
 
     @property
     def scatter(self) -> float | None:

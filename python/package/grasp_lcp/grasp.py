@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Hashable, Mapping, Sequence
 from typing import Any, TypedDict
 
 import numpy as np
@@ -408,6 +408,7 @@ class Grasp:
         turns: Sequence[Mapping[str, Any]] | None = None,
         squeeze: ArrayLike = 1.0,
         scatter: ArrayLike | None = None,
+        group: Sequence[Hashable] | None = None,
         layouts: Sequence[ArrayLike] | None = None,
         layout: Sequence[int] | None = None,
         known: Sequence[tuple[Sequence[int], float, float]] = (),
@@ -424,6 +425,8 @@ class Grasp:
         :param turns: in place of loads the turns, each up to the angle at which it slid, in the words of :meth:`turn`.
         :param squeeze: how many times the squeeze of the grasp, one for all or one each.
         :param scatter: standard deviation of loads as a part of them, one for all or one each; estimated from the slips if left out.
+        :param group: a name or a number for each slip, the same for slips that may share errors: of one direction, one specimen or one day. Errors
+            are then those between groups, and intervals Student's with what degrees of freedom few groups leave.
         :param layouts: other points of the contacts, each of shape (n, c); ``layout`` then says of each slip which one, 0 for the grasp.
         :param known: numbers of unknowns, what they sum up to, and its standard deviation as a part of it.
         :param outliers: slips that are off by more standard deviations count less; 2 unless said otherwise.
@@ -436,6 +439,9 @@ class Grasp:
                 columns[name] = (
                     (finite(name, given) * np.ones(len(slips))).tolist() if np.ndim(given) == 0 else finite(name, given).tolist()
                 )
+        if group is not None:
+            numbers: dict[Hashable, int] = {}
+            columns["group"] = [numbers.setdefault(name, len(numbers)) for name in listed("group", group, "a name for each slip")]
         if layout is not None:
             columns["layout"] = [int(number) for number in listed("layout", layout, "a number for each slip")]
         for name, column in columns.items():
