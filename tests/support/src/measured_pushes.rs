@@ -44,6 +44,39 @@ pub struct Push {
     pub friction: f64,
 }
 
+/// What pushes are taken together by that may share errors.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Together {
+    /// The direction of their forces, in sectors of so many degrees.
+    Direction(f64),
+    /// The side of the triangle that the finger is at, and whether it slides along that one way, sticks, or slides the other way: 3 times the side, and 0, 1 or 2.
+    SideAndFinger,
+}
+
+/// Inward normals of the sides of the block, degrees.
+const SIDES: [f64; 3] = [0.0, 90.0, -135.0];
+/// A force so many degrees off the normal is that of a finger that slides: its friction is some 23° to 25°, where forces pile up.
+const SLIDES: f64 = 20.0;
+
+impl Together {
+    /// The number of a push's group.
+    pub fn group(self, push: &Push) -> usize {
+        let direction = push.load.y.atan2(push.load.x).to_degrees();
+        match self {
+            Self::Direction(wide) => {
+                // The last sector that begins below it.
+                (0..360).take_while(|k| f64::from(*k) * wide <= direction + 180.0).count()
+            }
+            Self::SideAndFinger => {
+                let off = SIDES.map(|normal| (direction - normal + 540.0) % 360.0 - 180.0);
+                let side = (0..3).min_by(|a: &usize, b| off[*a].abs().total_cmp(&off[*b].abs())).unwrap_or(0);
+                let finger = [off[side] < -SLIDES, off[side].abs() <= SLIDES, true];
+                3 * side + finger.iter().position(|is| *is).unwrap_or(0)
+            }
+        }
+    }
+}
+
 /// What is told of a push at a coefficient of one.
 pub struct Limit {
     /// The part of the measured push at which the block slides.

@@ -1,0 +1,68 @@
+//! What slips tell: how often intervals hold the truth, and what measured pushes say of the supports that they were made on.
+//!
+//! `cargo run --release -p reports --bin identified [draws]`
+//!
+//! Intervals are asked to hold the truth 95 times in 100. Slips of grasps whose numbers are known are drawn with scatter a thousand times, and how often
+//! that is so is counted; with a thousand draws chance alone is off by 0.7 in 100. Some are drawn with scatter that slips of a group share.
+//!
+//! Then friction and loads of supports are found from measured pushes (see [`support::measured_pushes`]), layout by layout, the block weighed, beside what
+//! the supports carry by statics ([`supports`]). It is asked what those pushes have in common ([`in_common`]), and whether another model explains it
+//! ([`other_models`]).
+
+mod in_common;
+mod other_models;
+mod supports;
+
+use std::error::Error;
+use std::time::Instant;
+
+use support::Failure;
+use support::identified::{Known, first_slips, pinch, pinch_in_series, three_feet, three_feet_by_direction};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let draws = std::env::args().nth(1).map_or(Ok(1000), |draws| draws.parse())?;
+    println!("Of {draws} draws so many in 100 have the truth in their interval of 95 %:\n");
+    println!("{:<64}{:>6}{:>9}   unknown by unknown", "", "slips", "scatter");
+    for slips in [3, 5, 10, 30] {
+        covered(&pinch(slips)?, draws)?;
+    }
+    covered(&first_slips()?, draws)?;
+    covered(&three_feet(16)?, draws)?;
+    println!("\nThe same where slips of a group share errors:\n");
+    for series in [3, 6, 12] {
+        covered(&pinch_in_series(series, 5)?, draws)?;
+    }
+    covered(&pinch_in_series(6, 5)?.without_groups(), draws)?;
+    for directions in [8, 16] {
+        covered(&three_feet_by_direction(directions)?, draws)?;
+    }
+    covered(&three_feet_by_direction(16)?.without_groups(), draws)?;
+    supports::of_pushes()?;
+    in_common::by_direction()?;
+    other_models::compared()
+}
+
+fn covered<const C: usize>(known: &Known<C>, draws: usize) -> Result<(), Failure> {
+    let start = Instant::now();
+    let coverage = known.coverage(draws)?;
+    let seconds = start.elapsed().as_secs_f64();
+    let told = |unknown: usize| {
+        let open = draws - coverage.told[unknown];
+        let open = if open > 0 { format!(" ({open} not told)") } else { String::new() };
+        format!("{:.1}{open}", coverage.percent(unknown))
+    };
+    let told: Vec<_> = (0..known.truth.len()).map(told).collect();
+    let told_scatter = if known.is_told { "told" } else { "sought" };
+    let groups = known.shared.as_ref().map_or(String::new(), |shared| {
+        let groups = shared.count();
+        if shared.is_told { format!(" ({groups} groups)") } else { format!(" ({groups} groups, not told)") }
+    });
+    println!(
+        "{:<64}{:>6}{told_scatter:>9}   {}   ({:.1} ms each)",
+        format!("{}{groups}", known.name),
+        known.loads.len(),
+        told.join(" "),
+        1e3 * seconds / draws as f64
+    );
+    Ok(())
+}
