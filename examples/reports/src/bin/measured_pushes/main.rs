@@ -9,11 +9,14 @@
 //! push tells a coefficient, and the median of those of one layout is what the other three are predicted with. Beside it stand an ellipsoid through the same largest
 //! force and moment (Howe and Cutkosky 1996), and μ times the weight, whatever the moment.
 
+mod charts;
+mod repeats;
+
 use std::error::Error;
 use std::path::PathBuf;
 
 use grasp_lcp::nalgebra::Vector3;
-use grasp_lcp::picture::{Chart, Stroke};
+use grasp_lcp::picture::Chart;
 use rayon::prelude::*;
 use support::best_time::timed;
 use support::measured_pushes::{
@@ -45,20 +48,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut worst: f64 = 0.0;
     for surface in SURFACES {
         for from in 0..LAYOUTS.len() {
-            let those = |is_own: bool| {
+            let others = || {
                 let all = pushes.iter().zip(&limits);
-                all.filter(move |(push, _)| push.surface == surface && (push.layout == from) == is_own)
+                all.filter(move |(push, _)| push.surface == surface && push.layout != from)
             };
-            // Each model is given the coefficient with which it is right for its own layout, in the median.
-            let told = |model: &dyn Fn(&Push, &Limit) -> f64| {
-                let mu = quantile(those(true).map(|(push, limit)| 1.0 / model(push, limit)).collect(), 50);
-                let off = those(false).map(|(push, limit)| (mu * model(push, limit) - 1.0).abs());
-                (mu, off.collect::<Vec<_>>())
-            };
-            let (mu, off) = told(&|_, limit| limit.factor);
-            let (_, ellipsoid) = told(&|push, _| on_the_ellipsoid(push));
-            let (_, weight) = told(&|push, _| WEIGHT / push.load.xy().norm());
-            let turned = those(false).map(|(push, limit)| angle_between(&push.motion, &limit.motion));
+            let [(mu, off), (_, ellipsoid), (_, weight)] =
+                MODELS.map(|(_, model)| blind((&pushes, &limits), surface, from, model));
+            let turned = others().map(|(push, limit)| angle_between(&push.motion, &limit.motion));
             let [median, most] = [50, 90].map(|part| 100.0 * quantile(off.clone(), part));
             worst = worst.max(median);
             println!(
@@ -67,19 +63,70 @@ fn main() -> Result<(), Box<dyn Error>> {
                 100.0 * quantile(ellipsoid, 50),
                 100.0 * quantile(weight, 50),
                 quantile(turned.collect(), 50),
-                100.0 * quantile(those(false).map(|(push, _)| push.scatter).collect(), 50),
+                100.0 * quantile(others().map(|(push, _)| push.scatter).collect(), 50),
             );
         }
     }
     println!(
         "\nThe largest of these medians: {worst:.1} %. Scatter: of the force during one push, over its mean, in the median."
     );
+    error_against_time(&pushes, &limits, &blocks)?;
     by_layout(&pushes, &limits);
+    let floors = SURFACES.map(|surface| repeats::scatter(&pushes, &limits, surface));
+    repeats::told(&floors);
     by_direction(&pushes, &limits);
     if let Some(folder) = std::env::args_os().nth(1).map(PathBuf::from) {
         std::fs::create_dir_all(&folder)?;
-        std::fs::write(folder.join("measured_pushes.svg"), Chart::sheet(&charts(&pushes, &limits), 2)?)?;
+        std::fs::write(
+            folder.join("measured_pushes.svg"),
+            Chart::sheet(&charts::of_surfaces(&pushes, &limits, &floors), 2)?,
+        )?;
     }
+    Ok(())
+}
+
+/// What predicts the part of a push at which the block slides, at a coefficient of one.
+type Model = fn(&Push, &Limit) -> f64;
+
+const MODELS: [(&str, Model); 3] = [
+    ("three contacts in space, exact limit", |_, limit| limit.factor),
+    ("ellipsoid", |push, _| on_the_ellipsoid(push)),
+    ("μ times the weight", |push, _| WEIGHT / push.load.xy().norm()),
+];
+
+/// The coefficient with which a model is right for its own layout, in the median, and by what part it is off in all others.
+fn blind((pushes, limits): (&[Push], &[Limit]), surface: &str, from: usize, model: Model) -> (f64, Vec<f64>) {
+    let those = |is_own: bool| {
+        let all = pushes.iter().zip(limits);
+        all.filter(move |(push, _)| push.surface == surface && (push.layout == from) == is_own)
+    };
+    let mu = quantile(those(true).map(|(push, limit)| 1.0 / model(push, limit)).collect(), 50);
+    (mu, those(false).map(|(push, limit)| (mu * model(push, limit) - 1.0).abs()).collect())
+}
+
+/// What each model costs a push on one thread, beside the median error of all blind predictions.
+fn error_against_time(
+    pushes: &[Push],
+    limits: &[Limit],
+    blocks: &[grasp_lcp::spatial::Grasp],
+) -> Result<(), Box<dyn Error>> {
+    let (_, exact) = timed(|| {
+        let limits = pushes.iter().map(|push| limit(blocks, push).map(|limit| limit.factor));
+        limits.sum::<Result<f64, _>>()
+    })?;
+    println!("\nError against run time, on one thread:\n\n{:<38}{:>10}{:>14}", "", "median", "µs a push");
+    for (k, (name, model)) in MODELS.into_iter().enumerate() {
+        let all = SURFACES.iter().flat_map(|surface| (0..LAYOUTS.len()).map(move |from| (surface, from)));
+        let off = all.flat_map(|(surface, from)| blind((pushes, limits), surface, from, model).1);
+        let off = 100.0 * quantile(off.collect(), 50);
+        let seconds = if k == 0 {
+            exact
+        } else {
+            timed(|| Ok(pushes.iter().zip(limits).map(|(push, limit)| model(push, limit)).sum::<f64>()))?.1
+        };
+        println!("{name:<38}{off:>8.1} %{:>14.3}", 1e6 * seconds / pushes.len() as f64);
+    }
+    println!("\nA simulator beside it: python/examples/mujoco_pushes.py.");
     Ok(())
 }
 
@@ -130,29 +177,6 @@ fn by_direction(pushes: &[Push], limits: &[Limit]) {
     println!(
         "millimetre between finger and centre of mass is much. On plywood the second layout rubs 14 % more towards +y than back: one coefficient is not right for both."
     );
-}
-
-/// Predicted against measured, friction from all pushes of the surface.
-fn charts(pushes: &[Push], limits: &[Limit]) -> Vec<Chart> {
-    let of_surface = |surface: &'static str| {
-        let own = || pushes.iter().zip(limits).filter(move |(push, _)| push.surface == surface);
-        let mu = quantile(own().map(|(_, limit)| 1.0 / limit.factor).collect(), 50);
-        let mut chart = Chart::new(
-            format!("Pushes on {surface}, μ = {mu:.3}"),
-            "measured force (N)",
-            "predicted force (N)",
-        );
-        for (layout, (name, _)) in LAYOUTS.iter().enumerate() {
-            let points = own().filter(|(push, _)| push.layout == layout).map(|(push, limit)| {
-                let measured = push.load.xy().norm();
-                (measured, mu * limit.factor * measured)
-            });
-            chart = chart.series(*name, points.collect(), Stroke::Circles);
-        }
-        let most = own().map(|(push, _)| push.load.xy().norm()).fold(0.0, f64::max);
-        chart.series("as measured", vec![(0.0, 0.0), (most, most)], Stroke::Line)
-    };
-    SURFACES.map(of_surface).into()
 }
 
 /// The part of a push at which it reaches the ellipsoid with a coefficient of one: through all of the friction, and all of its moment about the centre.

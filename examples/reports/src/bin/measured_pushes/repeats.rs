@@ -1,0 +1,45 @@
+//! Pushes that repeat others, nearly: what differs between them no model of the load alone can tell.
+
+use support::measured_pushes::{Limit, Push, SURFACES};
+
+use crate::{LENGTH, quantile};
+
+/// Loads that are no farther apart are alike, degrees, moments counted at a length. No push is repeated to the digit.
+const ALIKE: f64 = 8.0;
+/// The median of the sizes of what is normally distributed, in standard deviations.
+const MEDIAN_SIZE: f64 = 0.674_49;
+
+/// What pushes under like loads scatter by, as a part of the force.
+pub(crate) struct Repeats {
+    pub(crate) scatter: f64,
+    pushes: usize,
+}
+
+/// Of each push of a surface the one of the same layout whose load is most like its own.
+pub(crate) fn scatter(pushes: &[Push], limits: &[Limit], surface: &str) -> Repeats {
+    let load =
+        |push: &Push| grasp_lcp::nalgebra::Vector3::new(push.load.x, push.load.y, push.load.z / LENGTH);
+    let own: Vec<_> = pushes.iter().zip(limits).filter(|(push, _)| push.surface == surface).collect();
+    let apart = own.iter().enumerate().filter_map(|(k, (push, limit))| {
+        let others = own.iter().enumerate().filter(|(j, (other, _))| *j != k && other.layout == push.layout);
+        let angles = others.map(|(_, (other, that))| (load(push).angle(&load(other)), that));
+        let (angle, nearest) = angles.min_by(|a, b| a.0.total_cmp(&b.0))?;
+        (angle.to_degrees() <= ALIKE).then(|| (limit.factor / nearest.factor).ln().abs())
+    });
+    let apart: Vec<f64> = apart.collect();
+    let pushes = apart.len();
+    // Two pushes differ by √2 times what one scatters by.
+    Repeats { scatter: quantile(apart, 50) / (2.0_f64.sqrt() * MEDIAN_SIZE), pushes }
+}
+
+/// In a sentence for each surface.
+pub(crate) fn told(floors: &[Repeats; 2]) {
+    println!();
+    for (surface, floor) in SURFACES.iter().zip(floors) {
+        println!(
+            "On {surface} {} of 200 pushes have another one whose load is within {ALIKE:.0}° of their own: the forces of such pushes scatter by {:.1} %.",
+            floor.pushes,
+            100.0 * floor.scatter
+        );
+    }
+}
