@@ -2,6 +2,7 @@
 
 use nalgebra::SVector;
 
+use super::goal::ImproveGoal;
 use crate::grasp::WholeContact;
 use crate::prelude::*;
 #[cfg(feature = "serde")]
@@ -13,10 +14,14 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Improved<const C: usize> {
-    /// The least first slip of the grasp given, as so many times the loads; `None` where something slides at rest or nothing holds.
+    /// What `before` and `after` are.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub goal: ImproveGoal,
+    /// Of the grasp given: its least first slip, as so many times the loads, or its least reserve, N. `None` where something slides at rest or nothing
+    /// holds, and of a reserve where something slides under a load.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub before: Option<f64>,
-    /// That of the best grasp found; `None` where no grasp was found that sticks at rest. Infinite where nothing slides however large the loads are.
+    /// That of the best grasp found; `None` where no grasp was found that sticks at rest, or for a reserve under the loads. Infinite where nothing slides however large the loads are.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub after: Option<f64>,
     /// What one time the loads is, where it is one force: its size, N.
@@ -28,7 +33,7 @@ pub struct Improved<const C: usize> {
     pub in_the_way: Vec<InTheWay>,
     /// How the search ended that found it.
     pub search: SearchEnd,
-    /// What its multipliers leave of zero: the sum of gradients of events and bounds, as a part of the first slip for a step as large as the grasp, or
+    /// What its multipliers leave of zero: the sum of gradients of events and bounds, as a part of the first slip, or of the greatest force, for a step as large as the grasp, or
     /// as the greatest force. `None` where no multipliers were found.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub residual: Option<f64>,
@@ -72,7 +77,7 @@ pub struct Placed<const C: usize> {
     pub normal_force: f64,
 }
 
-/// Something that stands in the way of a later first slip.
+/// Something that stands in the way of a later first slip, or of more in reserve.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -85,7 +90,7 @@ pub struct InTheWay {
     pub binds: Binds,
 }
 
-/// What stands in the way, with its multiplier.
+/// What stands in the way, with its multiplier. What is gained is first slip, as so many times the loads, or reserve, N.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -104,9 +109,18 @@ pub enum Binds {
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         share: f64,
     },
+    /// It has least friction in reserve.
+    Reserve {
+        /// Under which of the loads, from 0; `None` for a force of any direction.
+        #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+        load: Option<usize>,
+        /// Its share, as for the first slip.
+        #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
+        share: f64,
+    },
     /// At rest it presses as hard as it may.
     Force {
-        /// The first slip, as so many times the loads, that one more newton would gain.
+        /// What one more newton would gain.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         per_newton: f64,
     },
@@ -118,19 +132,19 @@ pub enum Binds {
     },
     /// It is told not to press at all.
     NotPressed {
-        /// The first slip that a pull of one newton would gain.
+        /// What a pull of one newton would gain.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         per_newton: f64,
     },
     /// Its surface ends, or the part of it that it is on.
     End {
-        /// The first slip that one more metre would gain.
+        /// What one more metre would gain.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         per_metre: f64,
     },
     /// At rest it stands on the edge of its friction.
     Rest {
-        /// The first slip that one more newton of friction would gain.
+        /// What one more newton of friction would gain.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         per_newton: f64,
     },
@@ -152,7 +166,7 @@ pub enum SearchEnd {
     Unbalanced,
     /// However large the loads are, nothing slides.
     NothingSlides,
-    /// No start sticks at rest and resists the loads.
+    /// No start sticks at rest and resists the loads, or for a reserve none sticks under them.
     NoStart,
 }
 

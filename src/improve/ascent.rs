@@ -4,8 +4,10 @@ use nalgebra::DVector;
 
 use super::answer::SearchEnd;
 use super::curvature::Curvature;
-use super::events::{Constraint, ConstraintKind, Grows, SlipEvent, events};
+use super::events::{Acts, AskedOfForces, Constraint, ConstraintKind, SlipEvent, events};
+use super::goal::ImproveGoal;
 use super::placing::{Choice, DesignKind, Placing};
+use super::question::Improve;
 use super::step::{StepProgram, TrialStep};
 use super::sticking::StickingForces;
 use crate::ask::Grasp;
@@ -17,11 +19,11 @@ use crate::squeeze::{Loads, WeakestDirection};
 
 /// The first box, in units of the variables, the largest, and the least.
 const RADII: [f64; 3] = [0.1, 1.0, 1e-11];
-/// A step is taken if the true first slip grows by this part of what it is to grow by; by this more the box grows, with less than this it shrinks.
+/// A step is taken if the true value grows by this part of what it is to grow by; by this more the box grows, with less than this it shrinks.
 const TAKEN: f64 = 1e-4;
 const GROWS: f64 = 0.75;
 const SHRINKS: f64 = 0.25;
-/// Less is rounding, as a part of the first slip.
+/// Less is rounding, as a part of the scale of values.
 const NOTHING: f64 = 1e-14;
 /// Gradients that cancel up to this part are an optimum to first order; at this one nothing more is sought.
 pub(super) const OPTIMAL: f64 = 1e-6;
@@ -29,37 +31,41 @@ const ARRIVED: f64 = 1e-10;
 /// A force at rest may break its condition by this part of the greatest force: rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// The loads of a question: what acts at rest, and what grows.
+/// The loads of a question, what acts at rest, and what is counted.
 pub(super) struct Loaded<const C: usize> {
     base: Wrench<C>,
     loads: Vec<Wrench<C>>,
-    asked: Grows,
+    asked: AskedOfForces,
     any: Option<([f64; C], f64)>,
 }
 
 impl<const C: usize> Loaded<C> {
-    pub(super) fn of(loads: &Loads<C>, base: &Wrench<C>) -> Self {
+    pub(super) fn of(question: &Improve<C>) -> Self {
+        let Improve { loads, base, goal, .. } = question;
+        let asked = |acts| AskedOfForces { goal: *goal, acts };
         match loads {
-            Loads::Each(list) => Self { base: *base, loads: list.clone(), asked: Grows::Each, any: None },
+            Loads::Each(list) => {
+                Self { base: *base, loads: list.clone(), asked: asked(Acts::Each), any: None }
+            }
             Loads::AnyForce { base: beside, size, point } => {
                 let axis = |axis: usize| {
                     let force = core::array::from_fn(|k| if k == axis { *size } else { 0.0 });
                     Wrench::force_through(&(*point).into(), &force.into())
                 };
-                let loads = (0..C).map(axis).collect();
-                Self { base: *base + *beside, loads, asked: Grows::AnyForce, any: Some((*point, *size)) }
+                let (loads, asked) = ((0..C).map(axis).collect(), asked(Acts::AnyForce));
+                Self { base: *base + *beside, loads, asked, any: Some((*point, *size)) }
             }
-            Loads::Turn(_) => Self { base: *base, loads: Vec::new(), asked: Grows::Each, any: None },
+            Loads::Turn(_) => Self { base: *base, loads: Vec::new(), asked: asked(Acts::Each), any: None },
         }
     }
 
     #[cfg(test)]
-    pub(super) fn asked(&self) -> &Grows {
-        &self.asked
+    pub(super) fn asked(&self) -> AskedOfForces {
+        self.asked
     }
 
     /// The least first slip of a grasp; `None` where something slides at rest, or nothing holds.
-    pub(super) fn first_slip(&self, grasp: &Grasp<C>) -> Result<Option<f64>, Error> {
+    fn first_slip(&self, grasp: &Grasp<C>) -> Result<Option<f64>, Error> {
         if let Some((point, size)) = self.any {
             return Ok(match grasp.weakest_direction(&self.base, point)? {
                 WeakestDirection::Force { size: least, .. } => Some(least / size),
@@ -83,8 +89,10 @@ impl<const C: usize> Loaded<C> {
 pub(super) struct Held<const C: usize> {
     pub(super) placing: Placing<C>,
     pub(super) sticking: StickingForces<C>,
-    /// Its least first slip, as a factor of the loads.
-    pub(super) factor: f64,
+    /// What the goal counts of it: its least first slip, as a factor of the loads, or its least reserve, N.
+    pub(super) value: f64,
+    /// What values and gains are told as a part of: the first slip itself, or of a reserve the greatest force at rest, N.
+    pub(super) scale: f64,
 }
 
 /// Where an ascent has ended.
@@ -126,7 +134,7 @@ impl<const C: usize> Climb<'_, C> {
 
     /// A placing pressed less hard, where it presses harder than it may; `None` where it does not stick at rest.
     pub(super) fn held(&self, mut placing: Placing<C>) -> Result<Option<Held<C>>, Error> {
-        let (Loaded { base, loads, asked, .. }, most) = (self.loaded, self.most());
+        let (Loaded { base, loads, .. }, most) = (self.loaded, self.most());
         let of = |placing: &Placing<C>| StickingForces::of(self.choice, placing, base, loads);
         let Some(mut sticking) = of(&placing)? else { return Ok(None) };
         let mut part = 1.0_f64;
@@ -146,15 +154,49 @@ impl<const C: usize> Climb<'_, C> {
             let Some(again) = of(&placing)? else { return Ok(None) };
             sticking = again;
         }
+        self.counted(placing, sticking, &most)
+    }
+
+    /// What is counted of the grasp given, pressed as it is; `None` where something slides.
+    pub(super) fn before(&self, given: &Placing<C>) -> Result<Option<f64>, Error> {
+        if self.loaded.asked.goal == ImproveGoal::FirstSlip {
+            return Ok(self.loaded.first_slip(self.grasp)?.filter(|factor| *factor > 0.0));
+        }
+        let n = self.choice.given.len();
+        let (spots, presses) = (vec![None; n], vec![None; n]);
+        let placing = Placing { spots, presses, ..given.clone() };
+        let sticking = StickingForces::of(self.choice, &placing, &self.loaded.base, &self.loaded.loads)?;
+        let held = sticking.map(|sticking| self.counted(placing, sticking, &vec![None; n])).transpose()?;
+        Ok(held.flatten().map(|held| held.value).filter(|reserve| *reserve >= 0.0))
+    }
+
+    /// A placing with its value; `None` where it does not stick at rest.
+    fn counted(
+        &self,
+        placing: Placing<C>,
+        sticking: StickingForces<C>,
+        most: &[Option<f64>],
+    ) -> Result<Option<Held<C>>, Error> {
         let contacts = self.choice.contacts(&placing);
-        let (_, bounds) = events(&contacts, asked, &most, &sticking, &[]);
+        let (events, bounds) = events(&contacts, self.loaded.asked, most, &sticking, &[]);
         let size = (0..contacts.len()).map(|i| sticking.at_rest(i).norm()).fold(0.0, f64::max);
         if bounds.iter().any(|bound| bound.left < -ROUNDING * size) {
             return Ok(None);
         }
-        let grasp = Grasp::new(contacts)?.with(self.grasp.settings());
-        let factor = self.loaded.first_slip(&grasp)?;
-        Ok(factor.filter(|factor| *factor > 0.0).map(|factor| Held { placing, sticking, factor }))
+        let (value, scale) = match self.loaded.asked.goal {
+            ImproveGoal::FirstSlip => {
+                let grasp = Grasp::new(contacts)?.with(self.grasp.settings());
+                let factor = self.loaded.first_slip(&grasp)?.filter(|factor| *factor > 0.0);
+                let Some(factor) = factor else { return Ok(None) };
+                (factor, factor)
+            }
+            // Below zero it slides under a load; how far below says where to go.
+            ImproveGoal::Reserve => {
+                let least = events.iter().map(|event| event.value).fold(f64::INFINITY, f64::min);
+                (least, if size > 0.0 { size } else { self.choice.unit_of_force() })
+            }
+        };
+        Ok(Some(Held { placing, sticking, value, scale }))
     }
 
     /// Up from a start.
@@ -164,7 +206,7 @@ impl<const C: usize> Climb<'_, C> {
         let ended = |held, search, steps, last| Ok(Ascent { held, search, steps, last });
         let mut before: Option<LastStep<C>> = None;
         loop {
-            if held.factor.is_infinite() {
+            if held.value.is_infinite() {
                 return ended(held, SearchEnd::NothingSlides, steps, None);
             }
             let Some(derivatives) = held.sticking.derivatives(self.choice, &held.placing) else {
@@ -172,9 +214,9 @@ impl<const C: usize> Climb<'_, C> {
             };
             let contacts = self.choice.contacts(&held.placing);
             let (events, bounds) =
-                events(&contacts, &self.loaded.asked, &self.most(), &held.sticking, &derivatives);
+                events(&contacts, self.loaded.asked, &self.most(), &held.sticking, &derivatives);
             if let Some(old) = before.take() {
-                let fell = fallen(&old, (&events, &bounds), held.factor, self.choice.unit_of_force());
+                let fell = fallen(&old, (&events, &bounds), held.scale, self.choice.unit_of_force());
                 curvature.learn(&old.step.d, &fell);
             }
             let (program, rooms) = self.program(&held, &events, &bounds);
@@ -198,7 +240,7 @@ impl<const C: usize> Climb<'_, C> {
                 }
                 steps += 1;
                 let trial = self.held(self.choice.moved(&held.placing, step.d.as_slice()))?;
-                let gain = trial.as_ref().map_or(-1.0, |trial| trial.factor / held.factor - 1.0);
+                let gain = trial.as_ref().map_or(-1.0, |trial| (trial.value - held.value) / held.scale);
                 let as_told = gain / step.gain;
                 if as_told > GROWS && step.d.amax() >= 0.99 * radius {
                     radius = (2.0 * radius).min(RADII[1]);
@@ -245,8 +287,8 @@ impl<const C: usize> Climb<'_, C> {
             }
         }
         let program = StepProgram {
-            factors: events.iter().map(|event| event.factor / held.factor).collect(),
-            gradients: events.iter().map(|event| &event.gradient / held.factor).collect(),
+            factors: events.iter().map(|event| 1.0 + (event.value - held.value) / held.scale).collect(),
+            gradients: events.iter().map(|event| &event.gradient / held.scale).collect(),
             bounds: rows,
             reach,
         };
@@ -258,7 +300,7 @@ impl<const C: usize> Climb<'_, C> {
 fn fallen<const C: usize>(
     old: &LastStep<C>,
     (events, bounds): (&[SlipEvent<C>], &[Constraint]),
-    factor: f64,
+    scale: f64,
     force: f64,
 ) -> DVector<f64> {
     let step = &old.step;
@@ -266,9 +308,9 @@ fn fallen<const C: usize>(
     for (event, share) in old.events.iter().zip(&step.events).filter(|(_, share)| **share > 0.0) {
         // Of several alike, the one that comes next to the old one.
         let same = events.iter().filter(|other| other.condition.is(&event.condition));
-        let apart = |other: &&SlipEvent<C>| (other.factor - event.factor).abs();
+        let apart = |other: &&SlipEvent<C>| (other.value - event.value).abs();
         if let Some(same) = same.min_by(|a, b| apart(a).total_cmp(&apart(b))) {
-            fell += (&event.gradient - &same.gradient) * (share / factor);
+            fell += (&event.gradient - &same.gradient) * (share / scale);
         }
     }
     let is_force = |bound: &&Constraint| bound.kind == ConstraintKind::Force;

@@ -4,6 +4,7 @@ use nalgebra::DVector;
 
 use super::ascent::{Climb, Loaded};
 use super::events::events;
+use super::goal::ImproveGoal;
 use super::placing::{Choice, DesignVariable, Placing};
 use super::question::Improve;
 use super::surface::Surface;
@@ -29,11 +30,11 @@ fn values<const C: usize>(
     let most = vec![Some(100.0); contacts.len()];
     let (events, bounds) = events(&contacts, climb.loaded.asked(), &most, &held.sticking, &derivatives);
     let of_bounds = bounds.into_iter().map(|bound| (bound.left, bound.gradient));
-    Some(events.into_iter().map(|event| (event.factor, event.gradient)).chain(of_bounds).unzip())
+    Some(events.into_iter().map(|event| (event.value, event.gradient)).chain(of_bounds).unzip())
 }
 
 fn compare<const C: usize>(grasp: &Grasp<C>, question: &Improve<C>, seed: u64) -> usize {
-    let loaded = Loaded::of(&question.loads, &question.base);
+    let loaded = Loaded::of(question);
     let (choice, given) = Choice::of(grasp, question).expect("on its surfaces");
     let climb = Climb { choice: &choice, loaded: &loaded, grasp };
     let mut compared = 0;
@@ -95,7 +96,9 @@ fn in_the_plane() {
         let question =
             Improve::new(loads).on_top_of(planar::Wrench::force([0.1, 0.2])).pressing_at_most(12.0);
         let question = (0..3).fold(question, |q, k| q.along(k, Surface::spline(blob, true)));
-        assert!(compare(&grasp, &question, 1) > 500);
+        for goal in [ImproveGoal::FirstSlip, ImproveGoal::Reserve] {
+            assert!(compare(&grasp, &question.clone().with_goal(goal), 1) > 500);
+        }
     }
 }
 
@@ -118,6 +121,9 @@ fn in_space() {
         let question =
             Improve::new(loads).on_top_of(spatial::Wrench::force([0.1, 0.2, 0.0])).pressing_at_most(12.0);
         let ball = Surface::sphere([0.0; 3], 0.06);
-        assert!(compare(&grasp, &question.along(0, can()).along(1, ball).along(2, can()), 2) > 500);
+        let question = question.along(0, can()).along(1, ball).along(2, can());
+        for goal in [ImproveGoal::FirstSlip, ImproveGoal::Reserve] {
+            assert!(compare(&grasp, &question.clone().with_goal(goal), 2) > 500);
+        }
     }
 }

@@ -1,4 +1,4 @@
-//! When each condition of each contact is broken under each load, and how that changes.
+//! When each condition of each contact is broken under each load, or what is left of it, and how that changes.
 //!
 //! A condition of a force is `a·F >= 0`: of friction `a = (μ, ∓1)` in the plane, `(μ, -cos φ, -sin φ)` at every angle φ in space; without
 //! friction, or with friction without limit, `a = (1, 0…)`.
@@ -7,6 +7,7 @@ use core::f64::consts::{PI, TAU};
 
 use nalgebra::{DVector, SVector};
 
+use super::goal::ImproveGoal;
 use super::sticking::{BySource, FrameForces, StickingForces};
 use crate::grasp::{Contact, Hold};
 use crate::prelude::*;
@@ -37,11 +38,11 @@ impl<const C: usize> ConeRow<C> {
     }
 }
 
-/// A condition, the factor of the loads at which it is broken, and its derivative by each variable.
+/// A condition, what the goal counts of it – the factor of the loads at which it is broken, or what is left, N –, and its derivative by each variable.
 #[derive(Debug, Clone)]
 pub(super) struct SlipEvent<const C: usize> {
     pub(super) condition: ConeRow<C>,
-    pub(super) factor: f64,
+    pub(super) value: f64,
     pub(super) gradient: DVector<f64>,
 }
 
@@ -103,8 +104,15 @@ fn leaves<const C: usize>(mu: f64, force: &SVector<f64, C>, rate: &SVector<f64, 
 }
 
 /// What is asked of the forces.
-pub(super) enum Grows {
-    /// That each load grows.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct AskedOfForces {
+    pub(super) goal: ImproveGoal,
+    pub(super) acts: Acts,
+}
+
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Acts {
+    /// Each load, one at a time.
     Each,
     /// A force of any direction: loads are its parts along the axes.
     AnyForce,
@@ -114,6 +122,7 @@ pub(super) enum Grows {
 struct Pressed<'a, const C: usize> {
     number: usize,
     contact: &'a Contact<C>,
+    goal: ImproveGoal,
     force: SVector<f64, C>,
     derivatives: &'a [BySource<FrameForces<C>>],
 }
@@ -144,56 +153,64 @@ impl<const C: usize> Pressed<'_, C> {
         all
     }
 
-    /// When it leaves as one load grows, of which it has this rate.
-    fn under(&self, load: usize, rate: &SVector<f64, C>) -> Vec<SlipEvent<C>> {
-        let rows = rows(self.contact).unwrap_or_else(|| {
-            let exit = leaves(self.contact.friction, &self.force, rate);
-            exit.map_or(Vec::new(), |exit| worst(self.contact.friction, &(self.force + rate * exit)))
-        });
+    /// An event of each condition, if the load breaks it, which adds so much to what is left; how that changes, for one unit of a variable.
+    fn events(
+        &self,
+        load: Option<usize>,
+        rows: Vec<SVector<f64, C>>,
+        added: &dyn Fn(&SVector<f64, C>) -> f64,
+        added_changes: &dyn Fn(&SVector<f64, C>, &BySource<FrameForces<C>>) -> f64,
+    ) -> Vec<SlipEvent<C>> {
         let event = |(number, row): (usize, SVector<f64, C>)| {
-            let falls = row.dot(rate);
-            (falls < 0.0).then(|| {
-                let factor = -row.dot(&self.force) / falls;
-                let gradient = self.by_variable(&|d| {
-                    -row.dot(&(self.change(d) + d.loads[load][self.number] * factor)) / falls
-                });
-                let condition = ConeRow { load: Some(load), contact: self.number, number, row };
-                SlipEvent { condition, factor, gradient }
-            })
+            let added = added(&row);
+            let value = self.goal.counts(row.dot(&self.force), added)?;
+            let gradient = self.by_variable(&|d| {
+                self.goal.change(value, added, [row.dot(&self.change(d)), added_changes(&row, d)])
+            });
+            let condition = ConeRow { load, contact: self.number, number, row };
+            Some(SlipEvent { condition, value, gradient })
         };
         rows.into_iter().enumerate().filter_map(event).collect()
     }
 
-    /// When it leaves under a force of any direction, whose parts along the axes are these loads.
+    /// Under one load, of which it has this rate.
+    fn under(&self, load: usize, rate: &SVector<f64, C>) -> Vec<SlipEvent<C>> {
+        let rows = rows(self.contact).unwrap_or_else(|| {
+            let mu = self.contact.friction;
+            let at = match self.goal {
+                ImproveGoal::FirstSlip => leaves(mu, &self.force, rate),
+                ImproveGoal::Reserve => Some(1.0),
+            };
+            at.map_or(Vec::new(), |at| worst(mu, &(self.force + rate * at)))
+        });
+        self.events(Some(load), rows, &|row| row.dot(rate), &|row, d| row.dot(&d.loads[load][self.number]))
+    }
+
+    /// Under a force of any direction, whose parts along the axes are these loads.
     fn under_any_force(&self, loads: &[FrameForces<C>]) -> Vec<SlipEvent<C>> {
         let felt = |row: &SVector<f64, C>, loads: &[FrameForces<C>]| {
             SVector::<f64, C>::from_fn(|k, _| row.dot(&loads[k][self.number]))
         };
-        let factor = |row: &SVector<f64, C>| row.dot(&self.force) / felt(row, loads).norm();
+        // In the worst direction it takes all that is felt of it.
+        let added = |row: &SVector<f64, C>| -felt(row, loads).norm();
         let mu = self.contact.friction;
         let rows = rows(self.contact).unwrap_or_else(|| {
-            let angles = worst_angles(&|angle| factor(&round(mu, angle)));
+            let at = |row: SVector<f64, C>| self.goal.counts(row.dot(&self.force), added(&row));
+            let angles = worst_angles(&|angle| at(round(mu, angle)).unwrap_or(f64::INFINITY));
             angles.into_iter().map(|angle| round(mu, angle)).collect()
         });
-        let event = |(number, row): (usize, SVector<f64, C>)| {
-            let (factor, v) = (factor(&row), felt(&row, loads));
-            factor.is_finite().then(|| {
-                let gradient = self.by_variable(&|d| {
-                    let turned = v.dot(&felt(&row, &d.loads)) / v.norm();
-                    (row.dot(&self.change(d)) - factor * turned) / v.norm()
-                });
-                let condition = ConeRow { load: None, contact: self.number, number, row };
-                SlipEvent { condition, factor, gradient }
-            })
-        };
-        rows.into_iter().enumerate().filter_map(event).collect()
+        self.events(None, rows, &added, &|row, d| {
+            let v = felt(row, loads);
+            let size = v.norm();
+            if size > 0.0 { -v.dot(&felt(row, &d.loads)) / size } else { 0.0 }
+        })
     }
 }
 
 /// All events and constraints of a placing; `most` has the greatest normal force of each contact that has one.
 pub(super) fn events<const C: usize>(
     contacts: &[Contact<C>],
-    asked: &Grows,
+    asked: AskedOfForces,
     most: &[Option<f64>],
     sticking: &StickingForces<C>,
     derivatives: &[BySource<FrameForces<C>>],
@@ -201,14 +218,15 @@ pub(super) fn events<const C: usize>(
     let (mut all, mut constraints) = (Vec::new(), Vec::new());
     let loads = &sticking.forces.loads;
     for (number, contact) in contacts.iter().enumerate() {
-        let pressed = Pressed { number, contact, force: sticking.at_rest(number), derivatives };
+        let force = sticking.at_rest(number);
+        let pressed = Pressed { number, contact, goal: asked.goal, force, derivatives };
         constraints.extend(pressed.constraints(most[number]));
-        match asked {
-            Grows::Each => {
+        match asked.acts {
+            Acts::Each => {
                 let each = loads.iter().enumerate();
                 all.extend(each.flat_map(|(load, rates)| pressed.under(load, &rates[number])));
             }
-            Grows::AnyForce => all.extend(pressed.under_any_force(loads)),
+            Acts::AnyForce => all.extend(pressed.under_any_force(loads)),
         }
     }
     (all, constraints)

@@ -3,6 +3,7 @@
 use super::answer::{Binds, Improved, InTheWay, Placed, SearchEnd};
 use super::ascent::{Ascent, Climb, Held, LastStep, Loaded};
 use super::events::ConstraintKind;
+use super::goal::ImproveGoal;
 use super::placing::{Choice, DesignKind};
 use super::question::Improve;
 use crate::ask::Grasp;
@@ -20,7 +21,8 @@ const BETTER: f64 = 1e-9;
 const SEEN: f64 = 1e-7;
 
 impl<const C: usize> Improve<C> {
-    /// Where should the fingers of this grasp be, and how hard should they press, so that the first slip comes as late as possible?
+    /// Where should the fingers of this grasp be, and how hard should they press, so that the first slip comes as late as possible, or most
+    /// friction is left?
     ///
     /// On the round cone in space. The same bits for any number of threads.
     ///
@@ -54,15 +56,15 @@ impl<const C: usize> Improve<C> {
         let mut settings = *grasp.settings();
         settings.round = true;
         let grasp = grasp.with(&settings);
-        let loaded = Loaded::of(&self.loads, &self.base);
+        let loaded = Loaded::of(self);
         let (choice, given) = Choice::of(&grasp, self)?;
         let climb = Climb { choice: &choice, loaded: &loaded, grasp: &grasp };
-        let before = loaded.first_slip(&grasp)?.filter(|factor| *factor > 0.0);
+        let before = climb.before(&given)?;
         let numbers: Vec<u64> = (0..(self.starts * DRAWN_FOR_EACH) as u64).collect();
         let drawn = in_order(&numbers, &|number| {
             let drawn = choice.drawn(&given, &mut Draw::new([self.seed, *number, IMPROVE]));
             // Its forces are not kept: of thousands they would take room.
-            Ok::<_, Error>(climb.held(drawn)?.map(|held| (held.factor, held.placing)))
+            Ok::<_, Error>(climb.held(drawn)?.map(|held| (held.value, held.placing)))
         });
         let mut drawn: Vec<_> =
             drawn.into_iter().collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect();
@@ -76,8 +78,8 @@ impl<const C: usize> Improve<C> {
             ascents.into_iter().collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect();
         let (count, steps) = (ascents.len(), ascents.iter().map(|ascent| ascent.steps).sum());
         let best = ascents.into_iter().reduce(|best, next| {
-            let more = next.held.factor > best.held.factor * (1.0 + BETTER);
-            let proved = next.held.factor >= best.held.factor
+            let more = next.held.value > best.held.value + BETTER * best.held.scale;
+            let proved = next.held.value >= best.held.value
                 && next.search == SearchEnd::Optimum
                 && best.search != SearchEnd::Optimum;
             if more || proved { next } else { best }
@@ -90,6 +92,7 @@ impl<const C: usize> Improve<C> {
             _ => None,
         };
         let mut answer = Improved {
+            goal: self.goal,
             before,
             after: None,
             force,
@@ -100,8 +103,10 @@ impl<const C: usize> Improve<C> {
             starts: count,
             steps,
         };
-        let Some(Ascent { held, search, last, .. }) = best else { return Ok(answer) };
-        (answer.after, answer.search) = (Some(held.factor), search);
+        let Some(Ascent { held, search, last, .. }) = best.filter(|best| best.held.value >= 0.0) else {
+            return Ok(answer);
+        };
+        (answer.after, answer.search) = (Some(held.value), search);
         answer.contacts = placed(&choice, &held);
         if let Some(last) = last {
             answer.residual = Some(last.step.residual);
@@ -162,16 +167,26 @@ fn in_the_way<const C: usize>(choice: &Choice<'_, C>, held: &Held<C>, last: &Las
     for (event, share) in events.iter().zip(&step.events).filter(|(_, share)| **share > SEEN) {
         let (contact, load) = (event.condition.contact, event.condition.load);
         let known = all.iter_mut().find_map(|(of, binds)| match binds {
-            Binds::FirstSlip { load: under, share } if *of == contact && *under == load => Some(share),
+            Binds::FirstSlip { load: under, share } | Binds::Reserve { load: under, share }
+                if *of == contact && *under == load =>
+            {
+                Some(share)
+            }
             _ => None,
         });
         match known {
             Some(known) => *known += share,
-            None => all.push((contact, Binds::FirstSlip { load, share: *share })),
+            None => all.push((
+                contact,
+                match choice.question.goal {
+                    ImproveGoal::FirstSlip => Binds::FirstSlip { load, share: *share },
+                    ImproveGoal::Reserve => Binds::Reserve { load, share: *share },
+                },
+            )),
         }
     }
     let force = choice.unit_of_force();
-    let gain = |multiplier: f64, unit: f64| multiplier * held.factor / unit;
+    let gain = |multiplier: f64, unit: f64| multiplier * held.scale / unit;
     for (bound, multiplier) in bounds.iter().zip(&step.bounds).filter(|(_, y)| **y > SEEN) {
         let per_newton = gain(*multiplier, force);
         all.push((

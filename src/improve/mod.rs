@@ -1,8 +1,9 @@
-//! Where should the fingers be? Positions on given curves or surfaces and squeezes within force limits, such that the first slip comes as late as possible.
+//! Where should the fingers be? Positions on given curves or surfaces and squeezes within force limits, such that the first slip comes as late as possible,
+//! or most friction is left.
 //!
 //! An [`Improve`] says for which loads, which contacts may move along which [`Surface`], and how hard they may press;
-//! [`Improve::answered_by`] a grasp answers with an [`Improved`]: places, squeezes, the first slip before and after, and what stands in the way
-//! of more.
+//! [`Improve::answered_by`] a grasp answers with an [`Improved`]: places, squeezes, what the [`ImproveGoal`] counts before and after, and what
+//! stands in the way of more.
 //!
 //! While everything sticks, forces are linear in the load and in the squeeze, `F = F⁰ + τ F¹`. Each condition `a·F >= 0` of each contact and load
 //! has a factor τ of its own at which it is broken. The first slip is the least of them, piecewise smooth in places and squeezes x:
@@ -11,8 +12,9 @@
 //! τ(x) = min_k τ_k(x),      dτ_k = -a·(dF⁰ + τ dF¹) / a·F¹
 //! ```
 //!
-//! with exact derivatives ([`Sensitivity::of`](crate::ask::Sensitivity::of)). Each step maximises the least of the linearised τ_k within a box, less a
-//! curvature that the steps before have shown; it is taken if the true first slip grows. Its multipliers are the certificate:
+//! What is left of it under the load, in the same way, is the least of `a·F⁰ + a·F¹`. Both come
+//! with exact derivatives ([`Sensitivity::of`](crate::ask::Sensitivity::of)). Each step maximises the least of them, linearised, within a box, less a
+//! curvature that the steps before have shown; it is taken if the true one grows. Its multipliers are the certificate:
 //!
 //! ```text
 //! Σ λ_k ∇τ_k + Σ ν_b ∇b = 0,      λ, ν >= 0,      Σ λ_k = 1
@@ -25,7 +27,7 @@
 //! |---|---|
 //! | `surface`, `spline` | curves and surfaces that contacts may move along |
 //! | `spot`, `places` | a place on one of them: its normal, directions to go, how it bends, how far it goes |
-//! | `question` | what is asked |
+//! | `question`, `goal` | what is asked, and what is to be as large as possible |
 //! | `placing` | a choice of places and squeezes, and the grasp that it makes |
 //! | `sticking` | forces while everything sticks, and their derivatives |
 //! | `events` | when each condition is broken, and how that changes |
@@ -42,6 +44,7 @@ mod curvature;
 #[cfg(test)]
 mod differences;
 mod events;
+mod goal;
 mod improved;
 mod places;
 mod placing;
@@ -54,6 +57,7 @@ mod surface;
 mod words;
 
 pub use answer::{Binds, Improved, InTheWay, Placed, SearchEnd};
+pub use goal::ImproveGoal;
 pub use question::Improve;
 #[cfg(feature = "serde")]
 pub(crate) use surface::Shape;

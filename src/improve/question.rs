@@ -2,6 +2,7 @@
 
 use alloc::collections::BTreeMap;
 
+use super::goal::ImproveGoal;
 use super::surface::Surface;
 use crate::ask::Grasp;
 use crate::error::{Error, Field, MODERATE, is_moderate};
@@ -11,12 +12,13 @@ use crate::squeeze::Loads;
 /// More starts take minutes for what a few tell.
 const MOST_STARTS: usize = 1_000;
 
-/// Which loads are to slide as late as possible, which contacts may move along what, and how hard they may press. Checked when it is asked.
+/// Which loads are to slide as late as possible, or to leave most friction, which contacts may move along what, and how hard they may press. Checked when it is asked.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Improve<const C: usize> {
     pub(super) loads: Loads<C>,
     /// What acts besides, however large the loads are.
     pub(super) base: Wrench<C>,
+    pub(super) goal: ImproveGoal,
     pub(super) surfaces: BTreeMap<usize, Surface<C>>,
     /// The greatest force of contacts that have one of their own, and of all others.
     pub(super) most: BTreeMap<usize, f64>,
@@ -33,6 +35,7 @@ impl<const C: usize> Improve<C> {
         Self {
             loads: loads.into(),
             base: Wrench::ZERO,
+            goal: ImproveGoal::default(),
             surfaces: BTreeMap::new(),
             most: BTreeMap::new(),
             most_of_all: None,
@@ -46,6 +49,29 @@ impl<const C: usize> Improve<C> {
     #[must_use]
     pub fn on_top_of(mut self, base: Wrench<C>) -> Self {
         self.base = base;
+        self
+    }
+
+    /// With another goal than a late first slip.
+    ///
+    /// ```
+    /// use grasp_lcp::improve::{Improve, ImproveGoal, Surface};
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // Two jaws that press with 10 N carry 4 N that hang 10 mm aside. With one jaw 4 mm higher, where the couple of normal forces balances
+    /// // that, each carries 2 N of the 5 N that its friction can do.
+    /// let jaw = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).pressed_with(10.0);
+    /// let gripper = Grasp::new([jaw(-0.03), jaw(0.03)])?;
+    /// let edge = |x: f64| Surface::segment([x, -0.02], [x, 0.02]);
+    /// let question = Improve::new(Wrench::force_at([0.0, -4.0], [0.01, 0.0])).along(0, edge(-0.03)).along(1, edge(0.03));
+    /// let improved = question.with_goal(ImproveGoal::Reserve).answered_by(&gripper)?;
+    /// assert!((improved.after.expect("sticks") - 3.0).abs() < 1e-9);
+    /// assert!(improved.to_string().starts_with("RESERVE of 3 N instead of"), "{improved}");
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[must_use]
+    pub fn with_goal(mut self, goal: ImproveGoal) -> Self {
+        self.goal = goal;
         self
     }
 

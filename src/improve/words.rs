@@ -3,7 +3,7 @@
 use core::fmt;
 
 use super::answer::{Binds, Improved, Placed, SearchEnd};
-use crate::prelude::*;
+use super::goal::ImproveGoal;
 use crate::words::{Words, listed};
 
 /// Less is rounding, as a part of the largest length or force that is told.
@@ -14,23 +14,25 @@ const MANY: usize = 9;
 impl<const C: usize> fmt::Display for Improved<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
+        let is_reserve = self.goal == ImproveGoal::Reserve;
         let Some(after) = self.after else {
-            return write!(
-                f,
-                "NO GRASP on these surfaces was found that sticks at rest and resists the loads"
-            );
+            let does =
+                if is_reserve { "sticks under the loads" } else { "sticks at rest and resists the loads" };
+            return write!(f, "NO GRASP on these surfaces was found that {does}");
         };
-        let unit = if self.force.is_some() { "N" } else { "times the loads" };
-        let much = |factor: f64| words.number(factor * self.force.unwrap_or(1.0));
+        let (what, one) = if is_reserve { ("RESERVE of", None) } else { ("FIRST SLIP at", self.force) };
+        let unit = if is_reserve || one.is_some() { "N" } else { "times the loads" };
+        let much = |value: f64| words.number(value * one.unwrap_or(1.0));
         match self.before {
             _ if after.is_infinite() => write!(f, "NEVER SLIPS, however large the loads are")?,
             Some(before) if after <= before * (1.0 + ALIKE) => {
-                write!(f, "FIRST SLIP at {} {unit}, and nothing better was found", much(after))?;
+                write!(f, "{what} {} {unit}, and nothing better was found", much(after))?;
             }
             Some(before) => {
-                write!(f, "FIRST SLIP at {} {unit} instead of {} {unit}", much(after), much(before))?;
+                write!(f, "{what} {} {unit} instead of {} {unit}", much(after), much(before))?;
             }
-            None => write!(f, "FIRST SLIP at {} {unit} instead of sliding at rest", much(after))?,
+            None if is_reserve => write!(f, "{what} {} {unit} instead of sliding", much(after))?,
+            None => write!(f, "{what} {} {unit} instead of sliding at rest", much(after))?,
         }
         let told = self.told(words);
         if !told.is_empty() {
@@ -90,10 +92,10 @@ impl<const C: usize> Improved<C> {
                 let mut bounds: Vec<String> = Vec::new();
                 for way in &self.in_the_way {
                     let name = way.contact.text();
-                    let list =
-                        if let Binds::FirstSlip { .. } = way.binds { &mut slides } else { &mut bounds };
+                    let comes_first = matches!(way.binds, Binds::FirstSlip { .. } | Binds::Reserve { .. });
+                    let list = if comes_first { &mut slides } else { &mut bounds };
                     let one = match way.binds {
-                        Binds::FirstSlip { .. } => name.into_owned(),
+                        Binds::FirstSlip { .. } | Binds::Reserve { .. } => name.into_owned(),
                         Binds::Force { .. } => format!("the greatest force of {name}"),
                         Binds::Pressed { .. } => format!("the greatest command of {name}"),
                         Binds::NotPressed { .. } => format!("{name}, which cannot pull"),
@@ -104,15 +106,17 @@ impl<const C: usize> Improved<C> {
                         list.push(one);
                     }
                 }
-                let first = if slides.len() == 1 { "leaves" } else { "leave" };
+                let first = match (self.goal, slides.len()) {
+                    (ImproveGoal::FirstSlip, 1) => "leaves first",
+                    (ImproveGoal::FirstSlip, _) => "leave first",
+                    (ImproveGoal::Reserve, 1) => "has least",
+                    (ImproveGoal::Reserve, _) => "have least",
+                };
                 let within = match &bounds[..] {
                     [] => String::new(),
                     bounds => format!(", within {}", listed(bounds)),
                 };
-                format!(
-                    "Nothing nearby is better to first order, as {} {first} first{within}",
-                    listed(&slides)
-                )
+                format!("Nothing nearby is better to first order, as {} {first}{within}", listed(&slides))
             }
             SearchEnd::Stalled => {
                 let residual = self

@@ -231,7 +231,7 @@ fn needed_briefly(needed: &Needed) -> Brief {
     Brief { factor, angle, ..Brief::new("need", outcome) }
 }
 
-/// The first slip of the best grasp, and who slides first there.
+/// The first slip or the reserve of the best grasp, and who slides first there, or has least.
 fn improved_briefly<const C: usize>(improved: &Improved<C>) -> Brief {
     let outcome = match improved.search {
         SearchEnd::Optimum => "optimum",
@@ -242,7 +242,7 @@ fn improved_briefly<const C: usize>(improved: &Improved<C>) -> Brief {
         SearchEnd::NoStart => "no_start",
     };
     let mut ways = improved.in_the_way.iter();
-    let first = ways.find(|way| matches!(way.binds, Binds::FirstSlip { .. }));
+    let first = ways.find(|way| matches!(way.binds, Binds::FirstSlip { .. } | Binds::Reserve { .. }));
     let first = first.map(|way| way.contact.label.clone());
     Brief { factor: improved.after, first, ..Brief::new("improve", outcome) }
 }

@@ -7,7 +7,7 @@ use super::need_asked::loads_given;
 use super::setup::Setup;
 use crate::error::Error;
 use crate::grasp::Wrench;
-use crate::improve::{Improve, Improved};
+use crate::improve::{Improve, ImproveGoal, Improved};
 use crate::serial::AsGiven;
 use crate::words::Words;
 
@@ -56,6 +56,9 @@ pub struct ImproveAsked<const C: usize> {
     #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     #[cfg_attr(feature = "schema", schemars(!default))]
     pub at_most: Option<f64>,
+    /// What is to be as large as possible; the first slip if left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub goal: Option<ImproveGoal>,
     /// Starts beside the grasp of the scene; 8 if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub starts: Option<usize>,
@@ -89,8 +92,9 @@ impl<const C: usize> ImproveAsked<C> {
     /// A question for no loads yet.
     #[must_use]
     pub fn of(base: Option<Wrench<C>>, load: Option<Wrench<C>>) -> Self {
-        let (any_force, at, at_most, starts, steps, seed) = (None, None, None, None, None, None);
-        Self { base, load, loads: Vec::new(), any_force, at, at_most, starts, steps, seed }
+        let (any_force, at, at_most, goal) = (None, None, None, None);
+        let (starts, steps, seed) = (None, None, None);
+        Self { base, load, loads: Vec::new(), any_force, at, at_most, goal, starts, steps, seed }
     }
 }
 
@@ -112,6 +116,7 @@ impl<const C: usize> Setup<C> {
         if let Some(most) = asked.at_most {
             question = question.pressing_at_most(most);
         }
+        question = question.with_goal(asked.goal.unwrap_or_default());
         if let Some(starts) = asked.starts {
             question = question.with_starts(starts);
         }

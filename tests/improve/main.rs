@@ -5,4 +5,5 @@ mod bad_questions;
 mod closed_forms;
 mod in_space;
 mod multipliers;
+mod reserve;
 mod same_bits;

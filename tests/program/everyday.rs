@@ -37,7 +37,7 @@ fn the_first_line_is_the_one_quoted() {
     assert_eq!(answered("everyday", SCENES), (12, 12));
     assert_eq!(answered("loads_that_repeat", "examples/scenes/repeat/"), (7, 4));
     assert_eq!(answered("several_bodies", "examples/scenes/bodies/"), (8, 7));
-    assert_eq!(answered("choosing_fingers", "examples/scenes/improve/"), (3, 3));
+    assert_eq!(answered("choosing_fingers", "examples/scenes/improve/"), (4, 3));
     assert_eq!(answered("kinetic_friction", "examples/scenes/"), (2, 1));
     assert_eq!(answered("slips_that_were_seen", "examples/scenes/slips/"), (3, 1));
 }

@@ -4,8 +4,8 @@ use grasp_lcp::scene::{Answer, Answers, Scene};
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 
-/// Two jaws on the sides of a box, the left one free to move; the hold of both and the load that grows.
-fn answered(hold: &str) -> Result<Answers, Box<dyn std::error::Error>> {
+/// Two jaws on the sides of a box, the left one free to move; the hold of both, and what is asked beside the load.
+fn answered(hold: &str, beside: &str) -> Result<Answers, Box<dyn std::error::Error>> {
     let scene: Scene = serde_json::from_str(&format!(
         r#"{{
             "format": "grasp-lcp/1",
@@ -15,7 +15,7 @@ fn answered(hold: &str) -> Result<Answers, Box<dyn std::error::Error>> {
                        "surface": {{ "segment": [[-0.03, -0.02], [-0.03, 0.02]] }} }},
                     {{ "name": "right", "point": [0.03, 0.01], "normal": [-1, 0], "stiffness": 1e3, {hold} }}
                 ],
-                "questions": [{{ "improve": {{ "load": {{ "force": [0, -1] }} }} }}]
+                "questions": [{{ "improve": {{ "load": {{ "force": [0, -1] }}{beside} }} }}]
             }}
         }}"#
     ))?;
@@ -32,7 +32,7 @@ fn comes_back(answers: &Answers) -> Result<(Option<f64>, Option<f64>), Box<dyn s
 
 #[test]
 fn an_answer_comes_back() -> Tested {
-    let (before, after) = comes_back(&answered(r#""friction": 0.5, "pressed_with": 8"#)?)?;
+    let (before, after) = comes_back(&answered(r#""friction": 0.5, "pressed_with": 8"#, "")?)?;
     let [before, after] = [before, after].map(|factor| factor.expect("sticks at rest"));
     // Level with the other one both carry half of 2 μ N.
     assert!(before < after && (after - 8.0).abs() < 1e-9, "{before} {after}");
@@ -42,6 +42,18 @@ fn an_answer_comes_back() -> Tested {
 #[test]
 fn what_never_slides_is_told_as_infinite() -> Tested {
     let infinite = Some(f64::INFINITY);
-    assert_eq!(comes_back(&answered(r#""hold": "bonded""#)?)?, (infinite, infinite));
+    assert_eq!(comes_back(&answered(r#""hold": "bonded""#, "")?)?, (infinite, infinite));
+    Ok(())
+}
+
+#[test]
+fn a_reserve_is_asked_for_and_told_to_be_one() -> Tested {
+    let answers = answered(r#""friction": 0.5, "pressed_with": 8"#, r#", "goal": "reserve""#)?;
+    // Each carries half of 1 N with the 4 N of its friction.
+    let (before, after) = comes_back(&answers)?;
+    assert!(before < after && (after.expect("sticks") - 3.5).abs() < 1e-9, "{before:?} {after:?}");
+    let told = serde_json::to_value(&answers)?;
+    assert_eq!(told[0]["improve"]["goal"], "reserve");
+    assert_eq!(told[0]["improve"]["in_the_way"][0]["what"], "reserve");
     Ok(())
 }

@@ -72,7 +72,7 @@ pub(crate) enum Command {
         #[command(flatten)]
         wanted: Wanted,
     },
-    /// Where should the fingers be, and how hard should they press, so that the first slip comes as late as possible?
+    /// Where should the fingers be, and how hard should they press, so that the first slip comes as late as possible, or most friction is left?
     ///
     /// Contacts that may move have a `surface` in the scene. The answer says what stands in the way of more, and `draw` shows the grasp before and after.
     Improve {
@@ -87,6 +87,9 @@ pub(crate) enum Command {
         /// Contacts may press with up to this force, N; as they are commanded if left out.
         #[arg(long, allow_hyphen_values = true, value_parser = newtons, value_name = "N")]
         at_most: Option<f64>,
+        /// Keeps most friction in reserve while the load acts in full, in place of a late first slip.
+        #[arg(long)]
+        reserve: bool,
         #[command(flatten)]
         ask: Ask,
     },

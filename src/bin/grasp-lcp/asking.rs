@@ -8,6 +8,7 @@ use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::hold::Holding;
 use grasp_lcp::identify::Ending;
+use grasp_lcp::improve::ImproveGoal;
 use grasp_lcp::load_path::Turn;
 use grasp_lcp::need::Amount;
 use grasp_lcp::scene::{
@@ -39,6 +40,7 @@ pub(crate) enum Asked {
         base: Option<Numbers>,
         any_force: Option<f64>,
         at_most: Option<f64>,
+        reserve: bool,
     },
     Solve(LoadArguments),
     Onset(LoadArguments),
@@ -121,8 +123,8 @@ fn put<const C: usize>(setup: &mut Setup<C>, asked: &Asked, words: &Meaning<C>) 
     let question = match asked {
         Asked::Hold { load, base } => words.hold(load, base.as_ref())?,
         Asked::Need(wanted) => words.need(wanted, setup)?.map(|asked| Question::Need(Box::new(asked))),
-        Asked::Improve { load, base, any_force, at_most } => {
-            words.improve(load, base.as_ref(), *any_force, *at_most)?
+        Asked::Improve { load, base, any_force, at_most, reserve } => {
+            words.improve(load, base.as_ref(), *any_force, *at_most, *reserve)?
         }
         Asked::Everything | Asked::Turn { mass: None, weight: None, at: None, base: None, axis: None } => {
             None
@@ -248,6 +250,7 @@ impl<const C: usize> Meaning<C> {
         base: Option<&Numbers>,
         any_force: Option<f64>,
         at_most: Option<f64>,
+        reserve: bool,
     ) -> Result<Option<Question<C>>, Failure> {
         if !load.together_with.is_empty() {
             let message = "--together-with: given, must be left out where fingers are improved";
@@ -255,7 +258,7 @@ impl<const C: usize> Meaning<C> {
         }
         let wrench = self.wrench(load)?;
         if wrench.is_none() && any_force.is_none() {
-            let given = base.is_some() || at_most.is_some();
+            let given = base.is_some() || at_most.is_some() || reserve;
             let missing =
                 "say which load is to slide late: --mass, --force, --moment or --any-force".to_owned();
             return if given { Err(Failure::Usage(missing)) } else { Ok(None) };
@@ -266,6 +269,7 @@ impl<const C: usize> Meaning<C> {
             any_force,
             at,
             at_most,
+            goal: reserve.then_some(ImproveGoal::Reserve),
             ..ImproveAsked::of(base, wrench)
         }))))
     }

@@ -64,8 +64,8 @@ fn run(command: Command) -> Result<ExitCode, Failure> {
         Command::Ask(ask) => return asking::ask(&ask, &Asked::Everything),
         Command::Hold { load, base, ask } => return asking::ask(&ask, &Asked::Hold { load, base }),
         Command::Need { ask, wanted } => return asking::ask(&ask, &Asked::Need(wanted)),
-        Command::Improve { load, base, any_force, at_most, ask } => {
-            return asking::ask(&ask, &Asked::Improve { load, base, any_force, at_most });
+        Command::Improve { load, base, any_force, at_most, reserve, ask } => {
+            return asking::ask(&ask, &Asked::Improve { load, base, any_force, at_most, reserve });
         }
         Command::Solve { load, ask } => return asking::ask(&ask, &Asked::Solve(load)),
         Command::Onset { load, ask } => return asking::ask(&ask, &Asked::Onset(load)),

@@ -4,6 +4,7 @@ use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::{Equilibrium, Outcome};
 use grasp_lcp::grasp::{Motion, Wrench};
 use grasp_lcp::hold::Verdict;
+use grasp_lcp::improve::ImproveGoal;
 use grasp_lcp::load_path::{Event, Leg, LoadPath, Onset, PathEnd, Ramp};
 use grasp_lcp::need::Amount;
 use grasp_lcp::scene::{ImproveAsked, NeedAsked, Question, Setup};
@@ -152,7 +153,7 @@ fn needed<const C: usize>(
 /// At the first slip itself rounding would decide whether something slides.
 const JUST_BELOW: f64 = 1.0 - 1e-9;
 
-/// The best grasp, and the one before, each at its first slip along the load or else at rest.
+/// The best grasp, and the one before, each at its first slip along the load, under a load that leaves a reserve, or else at rest.
 fn improved<const C: usize>(
     setup: &Setup<C>,
     grasp: &Grasp<C>,
@@ -161,13 +162,16 @@ fn improved<const C: usize>(
     let improved = setup.improve(asked)?.answered_by(grasp)?;
     let says = improved.to_string();
     let base = asked.base.unwrap_or(Wrench::ZERO);
-    let seen = |grasp: &Grasp<C>, label: &str, factor: Option<f64>| {
+    let (times, when): (fn(f64) -> f64, _) = match improved.goal {
+        ImproveGoal::Reserve => (|_| 1.0, "under the load"),
+        _ => (|factor| factor * JUST_BELOW, "at first slip"),
+    };
+    let seen = |grasp: &Grasp<C>, label: &str, value: Option<f64>| {
         let load = asked.load.filter(|_| asked.any_force.is_none());
-        let at = load
-            .zip(factor.filter(|factor| factor.is_finite()))
-            .map(|(load, factor)| base + load * (factor * JUST_BELOW));
+        let at =
+            load.zip(value.filter(|value| value.is_finite())).map(|(load, value)| base + load * times(value));
         let mut shown = solved(grasp, &at.unwrap_or(base))?;
-        shown.label = format!("{label}, {}", if at.is_some() { "at first slip" } else { "at rest" });
+        shown.label = format!("{label}, {}", if at.is_some() { when } else { "at rest" });
         Ok::<_, Failure>(shown)
     };
     let before = seen(grasp, BEFORE, improved.before)?;
