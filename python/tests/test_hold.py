@@ -97,6 +97,16 @@ def test_fingers_are_placed_where_they_slide_late() -> None:
     assert improved.points[0, 1] == pytest.approx(improved.points[1, 1], abs=1e-9)
 
 
+def test_fingers_are_placed_where_most_friction_is_left() -> None:
+    # 4 N hang 10 mm aside: one jaw higher by W e / N, 4 mm, each carries half, and μ N - W / 2 is left.
+    jaws = Grasp.planar([[-0.03, 0], [0.03, 0]], [[1, 0], [-1, 0]], series_stiffness=[1e3, 8e2], friction=0.5, pressed_with=10.0)
+    sides = [{"segment": [[x, -0.02], [x, 0.02]]} for x in (-0.03, 0.03)]
+    improved = jaws.improve({"force": [0, -4], "at": [0.01, 0]}, surfaces=sides, goal="reserve", starts=2, steps=50, seed=1)
+    assert improved.goal == "reserve" and improved.after == pytest.approx(3, rel=1e-10)
+    assert improved.points[1, 1] - improved.points[0, 1] == pytest.approx(0.004, abs=1e-8)
+    assert str(improved).startswith("RESERVE of 3 N instead of")
+
+
 def test_friction_that_is_lower_once_contacts_slide() -> None:
     # Two feet share a pull. The stiff one begins to slide at 7.5 N and keeps 4 N; the other one catches 3.5 N, and slides at 9 N.
     feet = Grasp.planar(

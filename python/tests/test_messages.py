@@ -149,6 +149,8 @@ CASES: list[tuple[Callable[[], object], type[Exception], str]] = [
         ValueError,
         "improve: surface is given of no contact and no greatest force, must be one: nothing may change",
     ),
+    (lambda: pinch().improve([0, -1], at_most=1, goal="grip"), ValueError, "goal: 'grip' given, must be first_slip or reserve"),
+    (lambda: pinch().improve([0, -1], at_most=1, starts=1001), ValueError, "number of starts is 1001, must be at most 1000"),
     (lambda: pinch().improve(at_most=1), ValueError, "improve: load is missing, must be one of load, loads and any_force"),
     (lambda: pinch().quality(budget=-1), ValueError, "budget is -1, must be more than 0 and at most 1e50"),
     (lambda: pinch().load_limit([0, 0]), ValueError, "size of direction is 0, must be more than 0"),

@@ -417,13 +417,18 @@ class Improved(Answer):
         return str(self._tree["says"])
 
     @property
+    def goal(self) -> str:
+        """What ``before`` and ``after`` are: ``"first_slip"``, as a multiple of the loads, or ``"reserve"``, the friction that is left, N."""
+        return str(self._tree["goal"])
+
+    @property
     def before(self) -> float | None:
-        """The first slip of the grasp given, as a multiple of the loads; None where something slides at rest."""
+        """Of the grasp given; None where something slides at rest, or for a reserve under the loads."""
         return optional_number(self._tree.get("before"))
 
     @property
     def after(self) -> float | None:
-        """The first slip of the best grasp; None where none was found that sticks at rest, ``inf`` where nothing slides."""
+        """Of the best grasp; None where none was found that sticks, ``inf`` where nothing slides."""
         return optional_number(self._tree.get("after"))
 
     @property
@@ -433,7 +438,7 @@ class Improved(Answer):
 
     @property
     def residual(self) -> float | None:
-        """What the multipliers leave of zero, as a part of the first slip; None where there are none."""
+        """What the multipliers leave of zero, as a part of the first slip, or of the greatest force; None where there are none."""
         return optional_number(self._tree.get("residual"))
 
     def _placed(self, name: str) -> Array:

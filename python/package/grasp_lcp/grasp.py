@@ -497,13 +497,15 @@ class Grasp:
         loads: Sequence[ArrayLike | Mapping[str, Any]] | None = None,
         any_force: float | None = None,
         at: ArrayLike | None = None,
+        goal: str | None = None,
         starts: int | None = None,
         steps: int | None = None,
         seed: int | None = None,
     ) -> Improved:
-        """Where should the fingers be, and how hard should they press, so that the first slip comes as late as possible?
+        """Where should the fingers be, and how hard should they press, so that the first slip comes as late as possible, or most
+        friction is left?
 
-        :param load: what grows; beside ``any_force`` what acts besides.
+        :param load: what grows, or for a reserve acts in full; beside ``any_force`` what acts besides.
         :param surfaces: what contacts may move along, as scenes write it, one for all or a list of one or None a contact: in the plane ``{"segment":
             [[0, 0], [0, 1]]}``, ``polyline``, ``circle``, ``arc``, ``spline`` or ``closed_spline``, in space ``rectangle``, ``cylinder``,
             ``sphere`` or ``triangles``. Without it those of the scene.
@@ -511,10 +513,13 @@ class Grasp:
         :param base: what is there at rest, however large the loads are.
         :param loads: loads that grow, one at a time, in place of it.
         :param any_force: a force of any direction, of which this size counts as one, N, that acts at ``at``.
+        :param goal: ``"first_slip"``, or ``"reserve"``: the friction that is left while each load acts in full. The first slip without it.
         :param starts: starts beside this grasp, 8 without it.
         :param steps: steps from each start at most, 200 without it.
         :param seed: another number gives other starts.
         """
+        if goal not in (None, "first_slip", "reserve"):
+            raise ValueError(f"goal: {goal!r} given, must be first_slip or reserve")
         held = self if surfaces is None else self._spread(surface=surfaces)
         asked: dict[str, Any] = {}
         for name, wrench_given in (("base", base), ("load", load)):
@@ -525,9 +530,9 @@ class Grasp:
                 wrench_json(f"loads[{k}]", each, self.axes) for k, each in enumerate(listed("loads", loads, "a list of loads"))
             ]
         numbers = (("any_force", any_force), ("at", at), ("at_most", at_most), ("starts", starts), ("steps", steps), ("seed", seed))
-        for name, given in numbers:
+        for name, given in (*numbers, ("goal", goal)):
             if given is not None:
-                asked[name] = plain(name, given)
+                asked[name] = as_written(name, given)
         return Improved(held._held.ask(dumped({"improve": asked})))
 
     def placed_as(self, improved: Improved) -> Grasp:
