@@ -49,7 +49,7 @@ pub(crate) fn has_nan(error: &Error) -> bool {
 }
 
 /// A number for people: one of sixty digits by its exponent.
-fn shown(value: f64) -> String {
+pub(crate) fn shown(value: f64) -> String {
     let plain = value == 0.0 || !value.is_finite() || (1e-5..1e16).contains(&value.abs());
     if plain { value.to_string() } else { format!("{value:e}") }
 }
@@ -79,6 +79,7 @@ fn argument(field: Field) -> &'static str {
 fn named(what: &'static str) -> &'static str {
     match what {
         "load direction" => "direction",
+        "load to come" => "to_come",
         "base load" => "base",
         "command changes" => "command_change",
         "changes of joint commands" => "joint_change",

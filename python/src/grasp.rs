@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use grasp_lcp::Settings;
-use grasp_lcp::grasp::Wrench;
+use grasp_lcp::grasp::{Contact, Wrench};
 use grasp_lcp::load_path::Turn;
 use grasp_lcp::scene::{Answer, Answers, Commands, Question, RampAsked, Scene, Setup, Space};
 use numpy::PyReadonlyArray2;
@@ -17,6 +17,7 @@ use crate::kept::Kept;
 use crate::loads::wrench;
 use crate::pictures::Drawn;
 use crate::quality::Quality;
+use crate::watch::{Watch, Watchable};
 
 /// The plane or space: what differs between them.
 pub(crate) trait Held: Send + Sync {
@@ -28,6 +29,7 @@ pub(crate) trait Held: Send + Sync {
     fn turn(self: Arc<Self>, turn: &str) -> PyResult<Reply>;
     fn ask(&self, py: Python<'_>, question: &str) -> PyResult<String>;
     fn equilibria(&self, py: Python<'_>, load: &Bound<'_, PyAny>) -> PyResult<String>;
+    fn watch(&self) -> PyResult<Watch>;
 }
 
 /// What an onset is asked along, as it was given.
@@ -110,6 +112,7 @@ where
 impl<const C: usize> Held for Kept<C>
 where
     Setup<C>: InSpace<Answer = Answer<C>>,
+    Contact<C>: Watchable,
     Self: Drawn<C>,
 {
     fn json(&self) -> PyResult<String> {
@@ -163,6 +166,10 @@ where
         let all = py.detach(|| grasp.with(&self.setup.settings).equilibria(&load)).map_err(refused)?;
         let told: Result<Vec<_>, _> = all.iter().map(|state| self.setup.tell_equilibrium(state)).collect();
         json(&told.map_err(refused)?)
+    }
+
+    fn watch(&self) -> PyResult<Watch> {
+        Contact::watch(self.without_joints("watch").map_err(refused)?.contacts())
     }
 }
 
@@ -247,6 +254,10 @@ impl Grasp {
 
     fn equilibria(&self, py: Python<'_>, load: &Bound<'_, PyAny>) -> PyResult<String> {
         self.held.equilibria(py, load)
+    }
+
+    fn watch(&self) -> PyResult<Watch> {
+        self.held.watch()
     }
 
     fn closure(&self, friction: bool) -> PyResult<String> {

@@ -18,7 +18,7 @@ mod loads;
 mod onsets;
 mod pictures;
 mod quality;
-mod rows;
+mod watch;
 mod words;
 
 /// The native half of `grasp_lcp`.
@@ -41,6 +41,8 @@ mod _grasp_lcp {
     use super::lcp::solve_lcp;
     #[pymodule_export]
     use super::onsets::onsets_of_rows;
+    #[pymodule_export]
+    use super::watch::Watch;
     #[pymodule_export]
     use super::words::{words_of, words_of_name, words_of_number};
 }

@@ -107,6 +107,20 @@ def test_fingers_are_placed_where_most_friction_is_left() -> None:
     assert str(improved).startswith("RESERVE of 3 N instead of")
 
 
+def test_measured_forces_are_watched() -> None:
+    # Each bears 3 N of the 5 N that it can; of 5 N more they hold four fifths, and with a tenth more squeeze all.
+    jaws = Grasp.planar([[-1, 0], [1, 0]], [[1, 0], [-1, 0]], series_stiffness=[1e3, 8e2], friction=0.5, pressed_with=10.0)
+    watch = jaws.watch()
+    seen = watch([[10, 3], [-10, 3]], [0, -5])
+    assert (seen.margin, seen.first_slip, seen.extra_squeeze) == pytest.approx((2.0, 0.8, 0.1), rel=1e-13)
+    assert (seen.tightest, seen.leaving, seen.status.name) == (0, (0, 1), "LEAVES")
+    # One that slides already has no first slip, and a load that presses no further needs nothing.
+    assert watch([[10, 6], [-10, 0]], [0, -5]).first_slip is None
+    assert watch([[10, 3], [-10, 3]], [0, 0]).extra_squeeze == 0.0
+    with pytest.raises(ValueError, match="2 to 5"):
+        Grasp.planar([[0, 0]], [[0, 1]], series_stiffness=1.0, friction=0.5, pressed_with=1.0).watch()
+
+
 def test_friction_that_is_lower_once_contacts_slide() -> None:
     # Two feet share a pull. The stiff one begins to slide at 7.5 N and keeps 4 N; the other one catches 3.5 N, and slides at 9 N.
     feet = Grasp.planar(

@@ -170,6 +170,17 @@ def test_the_example_runs_and_draws(tmp_path: Path, capsys: pytest.CaptureFixtur
     assert "<svg" in picture.read_text() and picture.stat().st_size > 5000
 
 
+def test_a_jar_that_is_watched_does_not_slip() -> None:
+    watch = _example("mujoco_watch")
+    alone, watched = watch.run(False), watch.run(True)
+    # Three fingers of 4 N and μ = 0.5 hold 6 N; under more the jar slips and is lost.
+    assert alone.holds == pytest.approx(6, rel=1e-9)
+    assert alone.lost and 6 < alone.load < 8
+    # With the watch each presses with a third of the load and a tenth more, over μ.
+    assert watched.slipped is None and not watched.lost and watched.down < 1e-4 and watched.margin > 0
+    assert watched.press == pytest.approx(1.1 * watch.FULL / 3 / 0.5, rel=0.01)
+
+
 def test_drake_s_contacts_slide_where_its_jar_does(capsys: pytest.CaptureFixture[str]) -> None:
     pytest.importorskip("pydrake")
     drake = _example("drake_contacts")

@@ -36,6 +36,7 @@ from .equilibrium import Contact, Drive, Equilibrium, Pad
 from .gradients import OnsetGradients, onset_gradients
 from .grasp import Grasp, Leg, Settings, answers, wrench
 from .quality import Closure, LeastSqueeze, LoadLimit, Quality, WeakestDirection, WrenchBall
+from .watch import Watch, Watched
 
 __all__ = [
     "Answer",
@@ -70,6 +71,8 @@ __all__ = [
     "SolveStatus",
     "TurnOnset",
     "Verdict",
+    "Watch",
+    "Watched",
     "WeakestDirection",
     "WrenchBall",
     "answers",

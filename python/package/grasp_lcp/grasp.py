@@ -15,6 +15,7 @@ from ._columns import as_written, columns, dumped, finite, floats, listed, one_e
 from .answers import Answer, Identified, Improved, Needed, Onset, Path, Shakedown, Shaken, Solution, TurnOnset, Verdict
 from .equilibrium import Equilibrium
 from .quality import Closure, LeastSqueeze, LoadLimit, Quality, WeakestDirection, WrenchBall
+from .watch import Watch
 
 
 class Settings(TypedDict, total=False):
@@ -551,6 +552,10 @@ class Grasp:
             given = {"point": point, "normal": normal, "tangent": tangent, "command": command}
             contact.update({name: row.tolist() for name, row in given.items()})
         return Grasp.from_dict(scene)
+
+    def watch(self) -> Watch:
+        """A watch over measured contact forces, for a control loop: of two to five contacts that are points, without joints."""
+        return Watch(self._held.watch(), self.axes)
 
     def solve(self, load: ArrayLike, *, together_with: Mapping[str, ArrayLike | Mapping[str, Any]] | None = None) -> Solution:
         """The equilibrium under a load, or the proof that there is none.
