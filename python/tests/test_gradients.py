@@ -1,5 +1,6 @@
 """Gradients of batches: differences of factors, numpy's broadcasting, what is told where there is none."""
 
+import importlib.util
 import subprocess
 import sys
 from pathlib import Path
@@ -126,3 +127,24 @@ def test_the_example_climbs_in_time() -> None:
     before, after = [float(line.split("hold ")[1].split(",")[1]) for line in figures[1:3]]
     assert after > 1.5 * before, done.stdout
     assert seconds < 60, done.stdout
+    # From the best of the climb on the same triangles nothing is lost.
+    best, improved = float(figures[3].split()[1]), float(figures[4].split(": ")[1].split()[0])
+    assert improved >= best, done.stdout
+
+
+def test_normals_of_the_example_turn_as_its_derivatives_say() -> None:
+    spec = importlib.util.spec_from_file_location("improve_grasps", EXAMPLE)
+    assert spec is not None and spec.loader is not None
+    example = importlib.util.module_from_spec(spec)
+    sys.modules["improve_grasps"] = example
+    spec.loader.exec_module(example)
+    mesh, rng = example.pear(), np.random.default_rng(4)
+    points, faces = mesh.put(rng.normal(size=(2000, 3)), rng.integers(len(mesh.corners), size=2000))
+    parts = np.einsum("mij,mj->mi", mesh.weights[faces], points)
+    assert parts.min() > -1e-9 and np.allclose(parts.sum(axis=1), 1, atol=1e-9)
+    step = np.cross(mesh.normals[faces], rng.normal(size=(2000, 3)))
+    after, at = mesh.put(points + 6e-3 * step / np.linalg.norm(step, axis=1, keepdims=True), faces)
+    # Over a few triangles flat normals turn by as much in the mean.
+    seen = mesh.normals[at] - mesh.normals[faces]
+    told = np.einsum("mij,mj->mi", mesh.turns[faces] + mesh.turns[at], after - points) / 2
+    assert (seen * told).sum() / (told * told).sum() == pytest.approx(1, abs=0.1)
