@@ -54,5 +54,5 @@
 //! come, or how much more would be left, for one more newton of force, or one more metre of edge.
 //!
 //! In space two point contacts have to lie on one line with the load, and no other place balances it: the search says so. With three fingers, or
-//! four, it is free to move. What moves on an edge of a polyline or on a triangle of a mesh stays on that one, while starts are scattered over all of
-//! them. Loads that turn, hands with joints, several bodies, vacuums and soft fingertips that move are refused by name.
+//! four, it is free to move. From an edge of a polyline, or a triangle of a mesh, fingers go over to the next where that gains; normals jump there, so that
+//! the proof is for the ones that they stand on in the end. Loads that turn, hands with joints, several bodies, vacuums and soft fingertips that move are refused by name.

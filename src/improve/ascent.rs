@@ -99,6 +99,7 @@ pub(super) struct Held<const C: usize> {
 pub(super) struct Ascent<const C: usize> {
     pub(super) held: Held<C>,
     pub(super) search: SearchEnd,
+    /// Those before it included.
     pub(super) steps: usize,
     /// What stands in the way there.
     pub(super) last: Option<LastStep<C>>,
@@ -199,10 +200,10 @@ impl<const C: usize> Climb<'_, C> {
         Ok(Some(Held { placing, sticking, value, scale }))
     }
 
-    /// Up from a start.
-    pub(super) fn up(&self, mut held: Held<C>) -> Result<Ascent<C>, Error> {
+    /// Up from a start on the parts of surfaces that it is on, after so many steps.
+    pub(super) fn up(&self, mut held: Held<C>, mut steps: usize) -> Result<Ascent<C>, Error> {
         let n = self.choice.variables.len();
-        let (mut radius, mut curvature, mut steps) = (RADII[0], Curvature::flat(n), 0);
+        let (mut radius, mut curvature) = (RADII[0], Curvature::flat(n));
         let ended = |held, search, steps, last| Ok(Ascent { held, search, steps, last });
         let mut before: Option<LastStep<C>> = None;
         loop {

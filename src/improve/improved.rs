@@ -72,7 +72,7 @@ impl<const C: usize> Improve<C> {
         let best = drawn.into_iter().take(self.starts).map(|(_, placing)| placing);
         let placings: Vec<_> = core::iter::once(given.clone()).chain(best).collect();
         let ascents = in_order(&placings, &|placing| {
-            climb.held(placing.clone())?.map(|held| climb.up(held)).transpose()
+            climb.held(placing.clone())?.map(|held| climb.over_edges(held)).transpose()
         });
         let ascents: Vec<Ascent<C>> =
             ascents.into_iter().collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect();

@@ -33,7 +33,7 @@
 //! | `events` | when each condition is broken, and how that changes |
 //! | `step` | the program of one step, and its multipliers |
 //! | `curvature` | what steps have shown of how events bend |
-//! | `ascent` | from one start to where it ends |
+//! | `ascent`, `over_edges` | from one start to where it ends, on the parts of surfaces that it is on, and from part to part |
 //! | `improved` | all starts, and the best of them |
 //! | `answer`, `words` | the answer, and its sentence |
 //! | `differences` | derivatives against differences, a test |
@@ -46,6 +46,7 @@ mod differences;
 mod events;
 mod goal;
 mod improved;
+mod over_edges;
 mod places;
 mod placing;
 mod question;

@@ -117,6 +117,14 @@ impl<'q, const C: usize> Choice<'q, C> {
         placing
     }
 
+    /// With one contact elsewhere.
+    pub(super) fn put(&self, from: &Placing<C>, contact: usize, spot: Spot<C>) -> Placing<C> {
+        let mut placing = from.clone();
+        placing.tangents[contact] = self.tangent(contact, &from.tangents[contact], Some(&spot));
+        placing.spots[contact] = Some(spot);
+        placing
+    }
+
     /// Where a step leads, in units of each variable.
     pub(super) fn moved(&self, from: &Placing<C>, step: &[f64]) -> Placing<C> {
         let mut placing = from.clone();

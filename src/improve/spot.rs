@@ -98,6 +98,18 @@ impl<const C: usize> Spot<C> {
         moved
     }
 
+    /// The same place on the other parts that end there, if it is at the end of its own.
+    pub(super) fn beside(&self, surface: &Surface<C>) -> Vec<Self> {
+        let near = MEET * (1.0 + self.point.norm());
+        if surface.parts() == 1 || self.rooms.iter().all(|(_, room)| *room > near) {
+            return Vec::new();
+        }
+        let others = (0..surface.parts()).filter(|part| *part != self.part);
+        let there =
+            others.map(|part| Self::new(surface, part, surface.nearest(part, &self.point), self.side));
+        there.filter(|spot| (spot.point - self.point).norm() <= near).collect()
+    }
+
     /// A place drawn anywhere on the surface, as likely on each part as that is large; on the same side.
     pub(super) fn drawn(&self, surface: &Surface<C>, draw: &mut Draw) -> Self {
         let sizes: Vec<f64> = (0..surface.parts()).map(|part| surface.size(part)).collect();
@@ -115,3 +127,5 @@ impl<const C: usize> Spot<C> {
 
 /// Parts whose distances are this much alike meet, of the size of coordinates.
 const ON_AN_EDGE: f64 = 1e-12;
+/// After some steps, this much.
+const MEET: f64 = 1e-9;

@@ -61,7 +61,7 @@ impl Surface<2> {
         Self(Shape::Segments(vec![[from.into().into(), to.into().into()]]))
     }
 
-    /// Straight edges from point to point, m. A contact stays on the edge that it begins on; starts are scattered over all of them.
+    /// Straight edges from point to point, m. Where it gains a contact goes over from one to the next.
     #[must_use]
     pub fn polyline(points: impl IntoIterator<Item = [f64; 2]>) -> Self {
         Self(Shape::polyline(&points.into_iter().map(SVector::from).collect::<Vec<_>>()))
@@ -105,7 +105,7 @@ impl Surface<3> {
         Self(Shape::Sphere { centre: centre.into().into(), radius })
     }
 
-    /// Triangles, such as those of a mesh, by their corners, m. A contact stays on the triangle that it begins on; starts are scattered over all of them.
+    /// Triangles, such as those of a mesh, by their corners, m, all in one order seen from outside. Where it gains a contact goes over from one to the next.
     #[must_use]
     pub fn triangles(corners: impl IntoIterator<Item = [[f64; 3]; 3]>) -> Self {
         Self(Shape::Triangles(corners.into_iter().map(|corners| corners.map(SVector::from)).collect()))

@@ -37,16 +37,20 @@ fn fingers_on_a_ball_stand_on_a_great_circle() {
     assert!((improved.after.expect("sticks") - exact).abs() < CLOSE, "{improved:.12} for {exact:.12}");
 }
 
-/// A clamp that presses a plate on three pads: on a rectangle, and on the triangles that halve it.
-#[test]
-fn triangles_and_rectangles_agree() {
+/// A clamp that presses a plate on three pads.
+fn clamped(x: f64, y: f64) -> Grasp {
     let pad = |x: f64, y: f64, z: f64| {
         let contact = Contact::new([x, y, z], [0.0, 0.0, -z]).series_stiffness(1e3, 8e2);
         contact.friction(0.4).pressed_with(if z > 0.0 { 10.0 } else { 3.0 })
     };
-    let pads =
-        [pad(-0.03, -0.02, -0.01), pad(0.03, -0.02, -0.01), pad(0.01, 0.02, -0.01), pad(0.01, -0.01, 0.01)];
-    let grasp = Grasp::new(pads).expect("a clamp and three pads");
+    let pads = [pad(-0.03, -0.02, -0.01), pad(0.03, -0.02, -0.01), pad(0.01, 0.02, -0.01), pad(x, y, 0.01)];
+    Grasp::new(pads).expect("a clamp and three pads")
+}
+
+/// A clamp on a plate: on a rectangle, and on the triangles that halve it.
+#[test]
+fn triangles_and_rectangles_agree() {
+    let grasp = clamped(0.01, -0.01);
     let corner = |x: f64, y: f64| [x, y, 0.01];
     let [a, b, c, d] = [corner(-0.04, -0.02), corner(0.04, -0.02), corner(0.04, 0.02), corner(-0.04, 0.02)];
     let rectangle = Surface::rectangle(a, [[0.08, 0.0, 0.0], [0.0, 0.04, 0.0]]);
@@ -64,4 +68,26 @@ fn triangles_and_rectangles_agree() {
     };
     let [one, other] = [best(rectangle), best(halves)];
     assert!((one.0 - other.0).abs() < 1e-9 * one.0, "{one:?} {other:?}");
+}
+
+/// A clamp on a plate of many triangles goes over their edges to where it would be on the whole one, without another start.
+#[test]
+fn fingers_go_over_the_edges_of_a_mesh() {
+    let grasp = clamped(-0.015, -0.013);
+    let corner = |i: i32, k: i32| [0.01 * f64::from(i) - 0.04, 0.01 * f64::from(k) - 0.02, 0.01];
+    let cells = (0..8).flat_map(|i| (0..4).map(move |k| (i, k)));
+    let halves = cells.flat_map(|(i, k)| {
+        let [a, b, c, d] = [corner(i, k), corner(i + 1, k), corner(i + 1, k + 1), corner(i, k + 1)];
+        [[a, b, c], [a, c, d]]
+    });
+    let best = |surface: Surface<3>| {
+        let loads = vec![Wrench::force([1.0, 0.0, 0.0]), Wrench::force([0.5, -1.0, 0.0])];
+        let question = Improve::new(loads).along(3, surface).with_starts(0);
+        let improved = question.answered_by(&grasp).expect("asked well");
+        assert!(improved.contacts[3].moved > 0.015, "no further than its triangle: {improved}");
+        improved.after.expect("sticks")
+    };
+    let plate = best(Surface::rectangle(corner(0, 0), [[0.08, 0.0, 0.0], [0.0, 0.04, 0.0]]));
+    let mesh = best(Surface::triangles(halves));
+    assert!((plate - mesh).abs() < 1e-9 * plate, "{plate} {mesh}");
 }
