@@ -137,6 +137,7 @@ impl<const C: usize> Surface<C> {
     /// What it is called: "edge", "circle", …
     pub(super) fn name(&self) -> &'static str {
         match &self.0 {
+            Shape::Segments(parts) if parts.len() > 1 => "edges",
             Shape::Segments(_) => "edge",
             Shape::Arc { over: None, .. } => "circle",
             Shape::Arc { .. } => "arc",
@@ -144,6 +145,7 @@ impl<const C: usize> Surface<C> {
             Shape::Rectangle { .. } => "rectangle",
             Shape::Cylinder { .. } => "cylinder",
             Shape::Sphere { .. } => "sphere",
+            Shape::Triangles(parts) if parts.len() > 1 => "mesh",
             Shape::Triangles(_) => "triangle",
         }
     }

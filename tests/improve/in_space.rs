@@ -84,7 +84,9 @@ fn fingers_go_over_the_edges_of_a_mesh() {
         let loads = vec![Wrench::force([1.0, 0.0, 0.0]), Wrench::force([0.5, -1.0, 0.0])];
         let question = Improve::new(loads).along(3, surface).with_starts(0);
         let improved = question.answered_by(&grasp).expect("asked well");
-        assert!(improved.contacts[3].moved > 0.015, "no further than its triangle: {improved}");
+        let moved = &improved.contacts[3];
+        assert!(moved.moved > 0.015, "no further than its triangle: {improved}");
+        assert!(["rectangle", "mesh"].contains(&moved.surface.as_deref().expect("has one")), "{moved:?}");
         improved.after.expect("sticks")
     };
     let plate = best(Surface::rectangle(corner(0, 0), [[0.08, 0.0, 0.0], [0.0, 0.04, 0.0]]));
