@@ -4,18 +4,14 @@ use nalgebra::DVector;
 
 use super::answer::SearchEnd;
 use super::curvature::Curvature;
-use super::events::{Acts, AskedOfForces, Constraint, ConstraintKind, SlipEvent, events};
+use super::events::{Constraint, ConstraintKind, SlipEvent, events};
 use super::goal::ImproveGoal;
+use super::loaded::Loaded;
 use super::placing::{Choice, DesignKind, Placing};
-use super::question::Improve;
 use super::step::{StepProgram, TrialStep};
 use super::sticking::StickingForces;
 use crate::ask::Grasp;
 use crate::error::Error;
-use crate::grasp::Wrench;
-use crate::load_path::{Onset, Ramp};
-use crate::prelude::*;
-use crate::squeeze::{Loads, WeakestDirection};
 
 /// The first box, in units of the variables, the largest, and the least.
 const RADII: [f64; 3] = [0.1, 1.0, 1e-11];
@@ -30,59 +26,6 @@ pub(super) const OPTIMAL: f64 = 1e-6;
 const ARRIVED: f64 = 1e-10;
 /// A force at rest may break its condition by this part of the greatest force: rounding.
 const ROUNDING: f64 = 1e-12;
-
-/// The loads of a question, what acts at rest, and what is counted.
-pub(super) struct Loaded<const C: usize> {
-    base: Wrench<C>,
-    loads: Vec<Wrench<C>>,
-    asked: AskedOfForces,
-    any: Option<([f64; C], f64)>,
-}
-
-impl<const C: usize> Loaded<C> {
-    pub(super) fn of(question: &Improve<C>) -> Self {
-        let Improve { loads, base, goal, .. } = question;
-        let asked = |acts| AskedOfForces { goal: *goal, acts };
-        match loads {
-            Loads::Each(list) => {
-                Self { base: *base, loads: list.clone(), asked: asked(Acts::Each), any: None }
-            }
-            Loads::AnyForce { base: beside, size, point } => {
-                let axis = |axis: usize| {
-                    let force = core::array::from_fn(|k| if k == axis { *size } else { 0.0 });
-                    Wrench::force_through(&(*point).into(), &force.into())
-                };
-                let (loads, asked) = ((0..C).map(axis).collect(), asked(Acts::AnyForce));
-                Self { base: *base + *beside, loads, asked, any: Some((*point, *size)) }
-            }
-            Loads::Turn(_) => Self { base: *base, loads: Vec::new(), asked: asked(Acts::Each), any: None },
-        }
-    }
-
-    #[cfg(test)]
-    pub(super) fn asked(&self) -> AskedOfForces {
-        self.asked
-    }
-
-    /// The least first slip of a grasp; `None` where something slides at rest, or nothing holds.
-    fn first_slip(&self, grasp: &Grasp<C>) -> Result<Option<f64>, Error> {
-        if let Some((point, size)) = self.any {
-            return Ok(match grasp.weakest_direction(&self.base, point)? {
-                WeakestDirection::Force { size: least, .. } => Some(least / size),
-                WeakestDirection::Never => Some(f64::INFINITY),
-                _ => None,
-            });
-        }
-        let mut least = f64::INFINITY;
-        for load in &self.loads {
-            let onset = grasp.onset(&Ramp::load(self.base, *load))?;
-            let (Onset::At(_) | Onset::Never | Onset::GivesWay { .. }) = onset else { return Ok(None) };
-            let Some(factor) = onset.factor() else { return Ok(None) };
-            least = least.min(factor);
-        }
-        Ok(Some(least))
-    }
-}
 
 /// A placing that holds at rest, with its forces.
 #[derive(Debug)]

@@ -2,9 +2,10 @@
 
 use nalgebra::DVector;
 
-use super::ascent::{Climb, Loaded};
+use super::ascent::Climb;
 use super::events::events;
 use super::goal::ImproveGoal;
+use super::loaded::Loaded;
 use super::placing::{Choice, DesignVariable, Placing};
 use super::question::Improve;
 use super::surface::Surface;
@@ -28,7 +29,7 @@ fn values<const C: usize>(
     let derivatives = held.sticking.derivatives(climb.choice, &held.placing).expect("balanced");
     let contacts = climb.choice.contacts(&held.placing);
     let most = vec![Some(100.0); contacts.len()];
-    let (events, bounds) = events(&contacts, climb.loaded.asked(), &most, &held.sticking, &derivatives);
+    let (events, bounds) = events(&contacts, climb.loaded.asked, &most, &held.sticking, &derivatives);
     let of_bounds = bounds.into_iter().map(|bound| (bound.left, bound.gradient));
     Some(events.into_iter().map(|event| (event.value, event.gradient)).chain(of_bounds).unzip())
 }

@@ -1,9 +1,10 @@
 //! All starts, and the best of them.
 
 use super::answer::{Binds, Improved, InTheWay, Placed, SearchEnd};
-use super::ascent::{Ascent, Climb, Held, LastStep, Loaded};
+use super::ascent::{Ascent, Climb, Held, LastStep};
 use super::events::ConstraintKind;
 use super::goal::ImproveGoal;
+use super::loaded::Loaded;
 use super::placing::{Choice, DesignKind};
 use super::question::Improve;
 use crate::ask::Grasp;

@@ -28,6 +28,7 @@
 //! | `surface`, `spline` | curves and surfaces that contacts may move along |
 //! | `spot`, `places` | a place on one of them: its normal, directions to go, how it bends, how far it goes |
 //! | `question`, `goal` | what is asked, and what is to be as large as possible |
+//! | `loaded` | its loads, and what they do to the grasp itself |
 //! | `placing` | a choice of places and squeezes, and the grasp that it makes |
 //! | `sticking` | forces while everything sticks, and their derivatives |
 //! | `events` | when each condition is broken, and how that changes |
@@ -46,6 +47,7 @@ mod differences;
 mod events;
 mod goal;
 mod improved;
+mod loaded;
 mod over_edges;
 mod places;
 mod placing;

@@ -1,0 +1,57 @@
+//! The loads of a question, and what they do to the grasp itself.
+
+use super::events::{Acts, AskedOfForces};
+use super::question::Improve;
+use crate::ask::Grasp;
+use crate::error::Error;
+use crate::grasp::Wrench;
+use crate::load_path::{Onset, Ramp};
+use crate::squeeze::{Loads, WeakestDirection};
+
+/// The loads of a question, what acts at rest, and what is counted.
+pub(super) struct Loaded<const C: usize> {
+    pub(super) base: Wrench<C>,
+    pub(super) loads: Vec<Wrench<C>>,
+    pub(super) asked: AskedOfForces,
+    any: Option<([f64; C], f64)>,
+}
+
+impl<const C: usize> Loaded<C> {
+    pub(super) fn of(question: &Improve<C>) -> Self {
+        let Improve { loads, base, goal, .. } = question;
+        let asked = |acts| AskedOfForces { goal: *goal, acts };
+        match loads {
+            Loads::Each(list) => {
+                Self { base: *base, loads: list.clone(), asked: asked(Acts::Each), any: None }
+            }
+            Loads::AnyForce { base: beside, size, point } => {
+                let axis = |axis: usize| {
+                    let force = std::array::from_fn(|k| if k == axis { *size } else { 0.0 });
+                    Wrench::force_through(&(*point).into(), &force.into())
+                };
+                let (loads, asked) = ((0..C).map(axis).collect(), asked(Acts::AnyForce));
+                Self { base: *base + *beside, loads, asked, any: Some((*point, *size)) }
+            }
+            Loads::Turn(_) => Self { base: *base, loads: Vec::new(), asked: asked(Acts::Each), any: None },
+        }
+    }
+
+    /// The least first slip of a grasp; `None` where something slides at rest, or nothing holds.
+    pub(super) fn first_slip(&self, grasp: &Grasp<C>) -> Result<Option<f64>, Error> {
+        if let Some((point, size)) = self.any {
+            return Ok(match grasp.weakest_direction(&self.base, point)? {
+                WeakestDirection::Force { size: least, .. } => Some(least / size),
+                WeakestDirection::Never => Some(f64::INFINITY),
+                _ => None,
+            });
+        }
+        let mut least = f64::INFINITY;
+        for load in &self.loads {
+            let onset = grasp.onset(&Ramp::load(self.base, *load))?;
+            let (Onset::At(_) | Onset::Never | Onset::GivesWay { .. }) = onset else { return Ok(None) };
+            let Some(factor) = onset.factor() else { return Ok(None) };
+            least = least.min(factor);
+        }
+        Ok(Some(least))
+    }
+}
