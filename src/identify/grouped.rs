@@ -11,9 +11,11 @@
 //! an unknown, c in these directions, is `Σ (c'w_g)²`. Were rows independent, `c'w_g` would have the covariances
 //! `Ω_gh = δ_gh a_g'Q_g a_g - (Q_g a_g)'(Q_h a_h)`, `a_g = (1 - Q_g)^(-1/2) c`, and its degrees of freedom are Satterthwaite's, `(tr Ω)² / tr Ω²`.
 
-use std::collections::BTreeMap;
+use alloc::collections::BTreeMap;
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
+
+use crate::prelude::*;
 
 /// A direction that one group tells alone, but for this part: the others do not say how far it is off.
 const ALONE: f64 = 1e-9;

@@ -1,6 +1,6 @@
 //! How well the unknowns are known.
 
-use std::collections::BTreeSet;
+use alloc::collections::BTreeSet;
 
 use nalgebra::DMatrix;
 

@@ -12,6 +12,7 @@ use super::step::{StepProgram, TrialStep};
 use super::sticking::StickingForces;
 use crate::ask::Grasp;
 use crate::error::Error;
+use crate::prelude::*;
 
 /// The first box, in units of the variables, the largest, and the least.
 const RADII: [f64; 3] = [0.1, 1.0, 1e-11];

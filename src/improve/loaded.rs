@@ -6,6 +6,7 @@ use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::load_path::{Onset, Ramp};
+use crate::prelude::*;
 use crate::squeeze::{Loads, WeakestDirection};
 
 /// The loads of a question, what acts at rest, and what is counted.
@@ -26,7 +27,7 @@ impl<const C: usize> Loaded<C> {
             }
             Loads::AnyForce { base: beside, size, point } => {
                 let axis = |axis: usize| {
-                    let force = std::array::from_fn(|k| if k == axis { *size } else { 0.0 });
+                    let force = core::array::from_fn(|k| if k == axis { *size } else { 0.0 });
                     Wrench::force_through(&(*point).into(), &force.into())
                 };
                 let (loads, asked) = ((0..C).map(axis).collect(), asked(Acts::AnyForce));

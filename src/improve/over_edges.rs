@@ -7,6 +7,7 @@ use super::ascent::{Ascent, Climb, Held};
 use super::placing::Placing;
 use super::spot::Spot;
 use crate::error::Error;
+use crate::prelude::*;
 
 /// What is gained has to be this part of the scale of values: rounding would lead to and fro.
 const GAINED: f64 = 1e-9;

@@ -4,6 +4,7 @@ use core::fmt;
 
 use super::answer::{Binds, Improved, Placed, SearchEnd};
 use super::goal::ImproveGoal;
+use crate::prelude::*;
 use crate::words::{Words, listed};
 
 /// Less is rounding, as a part of the largest length or force that is told.

@@ -1,6 +1,6 @@
 //! Student's distribution: how far a mean may be off by chance where the scatter is estimated from the same few numbers.
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use core::f64::consts::{FRAC_PI_2, PI};
 
 use super::normal_tail::normal_tail;
 #[cfg(not(feature = "std"))]
