@@ -18,6 +18,7 @@ mod loads;
 mod onsets;
 mod pictures;
 mod quality;
+mod rows;
 mod watch;
 mod words;
 

@@ -1,7 +1,7 @@
 //! From part to part of a surface where those meet: over the edges of a mesh, and the corners of a polyline.
 //!
 //! Normals jump there, so that no derivative tells what lies beyond. Fingers that stand at the end of their part are put on the parts beside it, one by
-//! one and all at once, and go up from there as far as that leads; they stay if they have gained in the end.
+//! one and all at once, and go up from there as far as that leads. They stay if they have gained in the end.
 
 use super::ascent::{Ascent, Climb, Held};
 use super::placing::Placing;

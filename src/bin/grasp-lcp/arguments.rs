@@ -171,7 +171,8 @@ pub(crate) enum Command {
     /// What do slips that were seen tell of friction, loads of supports, squeeze or stiffness?
     ///
     /// Columns of the table are fx, fy, fz (N) of the load under which it slid, mx, my, mz (in the plane m, N m), at_x, at_y, at_z (m) where the force acted,
-    /// squeeze (times that of the scene), slip (first or gross), scatter_percent and group (a name or a number that slips have in common which may share errors). Numbers come with their errors; what slips do not fix is named.
+    /// squeeze (times that of the scene), slip (first or gross) and scatter_percent. Slips that may share an error have the same name or number in the column
+    /// group. Numbers come with their errors; what slips do not fix is named.
     Identify {
         #[command(flatten)]
         ask: Ask,
