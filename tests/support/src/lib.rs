@@ -18,6 +18,7 @@ pub mod dyadic;
 pub mod ends;
 pub mod exact;
 pub mod exact_lcp;
+pub mod friction_alone;
 pub mod identified;
 pub mod interior_point;
 pub mod kinetic;
