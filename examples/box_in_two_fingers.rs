@@ -1,6 +1,6 @@
 //! How many times its weight do two fingers hold, and what do they carry?
 //!
-//! `cargo run --release -p grasp-lcp --example box_in_two_fingers`
+//! `cargo run --profile quick -p grasp-lcp --example box_in_two_fingers`
 
 use grasp_lcp::planar::{Contact, Grasp, Wrench};
 

@@ -1,6 +1,6 @@
 //! How hard must fingers press so that nothing slides, whatever the load does?
 //!
-//! `cargo run --release -p grasp-lcp --example how_much_squeeze`
+//! `cargo run --profile quick -p grasp-lcp --example how_much_squeeze`
 
 use grasp_lcp::planar::{Contact, Grasp, LeastSqueeze, Loads, Turn, WeakestDirection, Wrench};
 

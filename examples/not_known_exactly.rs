@@ -1,6 +1,6 @@
 //! How far does an onset spread where friction, stiffness, squeeze and places are not known exactly?
 //!
-//! `cargo run --release -p grasp-lcp --example not_known_exactly`
+//! `cargo run --profile quick -p grasp-lcp --example not_known_exactly`
 
 use grasp_lcp::planar::{Bounds, Contact, Grasp, LeastOnset, Ramp, Wrench};
 use grasp_lcp::sweep::Uncertainty;

@@ -1,6 +1,6 @@
 //! What happens when a load grows beyond the onset of sliding and goes back?
 //!
-//! `cargo run --release -p grasp-lcp --example what_comes_after`
+//! `cargo run --profile quick -p grasp-lcp --example what_comes_after`
 
 use grasp_lcp::spatial::{Contact, Grasp, Leg, Wrench};
 
