@@ -58,30 +58,26 @@ pub(crate) trait Watchable: Sized {
 
 impl Watchable for Contact<2> {
     fn watch(contacts: &[Self]) -> PyResult<Watch> {
-        match contacts.len() {
-            2 => fingers::<3, 2, 2>(contacts),
-            3 => fingers::<3, 2, 3>(contacts),
-            4 => fingers::<3, 2, 4>(contacts),
-            _ => fingers::<3, 2, 5>(contacts),
-        }
+        watch_of::<3, 2>(contacts)
     }
 }
 
 impl Watchable for Contact<3> {
     fn watch(contacts: &[Self]) -> PyResult<Watch> {
-        match contacts.len() {
-            2 => fingers::<6, 3, 2>(contacts),
-            3 => fingers::<6, 3, 3>(contacts),
-            4 => fingers::<6, 3, 4>(contacts),
-            _ => fingers::<6, 3, 5>(contacts),
-        }
+        watch_of::<6, 3>(contacts)
     }
 }
 
-fn fingers<const D: usize, const C: usize, const N: usize>(contacts: &[Contact<C>]) -> PyResult<Watch>
-where
-    Fingers<D, C, N>: Watches + 'static,
-{
+fn watch_of<const D: usize, const C: usize>(contacts: &[Contact<C>]) -> PyResult<Watch> {
+    match contacts.len() {
+        2 => fingers::<D, C, 2>(contacts),
+        3 => fingers::<D, C, 3>(contacts),
+        4 => fingers::<D, C, 4>(contacts),
+        _ => fingers::<D, C, 5>(contacts),
+    }
+}
+
+fn fingers<const D: usize, const C: usize, const N: usize>(contacts: &[Contact<C>]) -> PyResult<Watch> {
     let given = contacts.len();
     let contacts = contacts
         .try_into()

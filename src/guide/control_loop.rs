@@ -47,8 +47,7 @@
 //! The whole library is then `no_std`: equilibria, paths, verdicts and complementarity problems as well, on one core. These need an allocator; `onset` and `watch` of
 //! `Fingers` ask it for nothing. What is missing without std stands in the [root](crate#without-the-standard-library).
 //!
-//! A program that asks `Fingers` alone links their kernels alone, for as many fingers as it has. A [`Grasp`](crate::ask::Grasp) brings all of its questions, and with
-//! them megabytes of code.
+//! A program that asks `Fingers` alone links their kernels alone, for as many fingers as it has. A [`Grasp`](crate::ask::Grasp) brings all of its questions.
 //!
 //! Double precision is not in the hardware of a Cortex-M4: a tick there takes as long as software needs for it. A Cortex-M7 may have it. Times have to be
 //! measured on the controller; none are promised here.

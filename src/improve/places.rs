@@ -84,6 +84,16 @@ impl<const C: usize> Surface<C> {
         }
     }
 
+    /// The largest coordinate of a corner at which parts meet, m; places there are rounded as a part of it.
+    pub(super) fn largest(&self) -> f64 {
+        let of = |corners: &[SVector<f64, C>]| corners.iter().map(SVector::amax).fold(0.0, f64::max);
+        match &self.0 {
+            Shape::Segments(parts) => of(parts.as_flattened()),
+            Shape::Triangles(parts) => of(parts.as_flattened()),
+            _ => 0.0,
+        }
+    }
+
     pub(super) fn there(&self, part: usize, at: [f64; 3]) -> There<C> {
         let [a, b, c] = at;
         let between = |axis: usize, at: f64, length: f64| {

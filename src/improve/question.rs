@@ -12,7 +12,8 @@ use crate::squeeze::Loads;
 /// More starts take minutes for what a few tell.
 const MOST_STARTS: usize = 1_000;
 
-/// Which loads are to slide as late as possible, or to leave most friction, which contacts may move along what, and how hard they may press. Checked when it is asked.
+/// Which loads are to slide as late as possible, or to leave most friction, which contacts may move along what, and how hard they may press. Checked when
+/// it is asked.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Improve<const C: usize> {
     pub(super) loads: Loads<C>,

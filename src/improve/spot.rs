@@ -42,10 +42,10 @@ impl<const C: usize> Spot<C> {
         // Where parts meet, the one whose normal it is.
         let off = |spot: &Self| (spot.point - point).norm();
         let turned = |spot: &Self| 1.0 - spot.normal.dot(normal) / normal.norm();
+        let edge = ON_AN_EDGE * surface.largest();
         let mut best: Option<Self> = None;
         for spot in spots {
             let better = best.as_ref().is_none_or(|best| {
-                let edge = ON_AN_EDGE * (1.0 + spot.point.norm());
                 off(&spot) < off(best) - edge
                     || (off(&spot) <= off(best) + edge && turned(&spot) < turned(best))
             });
@@ -100,7 +100,7 @@ impl<const C: usize> Spot<C> {
 
     /// The same place on the other parts that end there, if it is at the end of its own.
     pub(super) fn beside(&self, surface: &Surface<C>) -> Vec<Self> {
-        let near = MEET * (1.0 + self.point.norm());
+        let near = MEET * surface.largest();
         if surface.parts() == 1 || self.rooms.iter().all(|(_, room)| *room > near) {
             return Vec::new();
         }
@@ -125,7 +125,25 @@ impl<const C: usize> Spot<C> {
     }
 }
 
-/// Parts whose distances are this much alike meet, of the size of coordinates.
+/// Parts whose distances are this much alike meet, of the largest coordinate.
 const ON_AN_EDGE: f64 = 1e-12;
 /// After some steps, this much.
 const MEET: f64 = 1e-9;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A corner of two edges, in metres as in parts of a nanometre and in light years.
+    #[test]
+    fn only_an_end_has_parts_beside_it_whatever_the_unit() {
+        for unit in [1e-10, 1.0, 1e16] {
+            let corner = Surface::polyline([[0.0, 0.0], [unit, 0.0], [unit, unit]]);
+            let on_the_first = |part: f64| Spot::new(&corner, 0, [part * unit, 0.0, 0.0], 1.0);
+            assert!(on_the_first(0.5).beside(&corner).is_empty(), "{unit:e}");
+            assert!(on_the_first(0.0).beside(&corner).is_empty(), "{unit:e}");
+            let beside = on_the_first(1.0).beside(&corner);
+            assert_eq!(beside.iter().map(|spot| spot.part).collect::<Vec<_>>(), [1], "{unit:e}");
+        }
+    }
+}

@@ -1,6 +1,7 @@
 //! Grasps without structure, the same on every machine: all of it is additions, products and quotients.
 //!
-//! Loads are so large that some grasps slide and some are lost, and so small that no grasp has several equilibria: the last digits may decide which of them is found.
+//! Loads are so large that some grasps slide, some have several equilibria, and some are lost. Which of several is found may hang on last digits;
+//! at these loads it does not.
 
 use grasp_lcp::grasp::Contact;
 use grasp_lcp::{planar, spatial};

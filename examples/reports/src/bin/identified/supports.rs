@@ -86,10 +86,12 @@ pub(crate) fn of_pushes() -> Result<(), Box<dyn Error>> {
             let own: Vec<_> = pushes.iter().filter(|p| p.surface == surface && p.layout == layout).collect();
             let plain = identified(block, &own, &in_the_plane, None)?;
             for (k, ((together, _), within)) in GROUPINGS.iter().zip(&mut within).enumerate() {
-                let found = identified(block, &own, &in_the_plane, *together)?;
-                within.count(&found, layout, &plain);
+                let grouped = together.map(|together| identified(block, &own, &in_the_plane, Some(together)));
+                let grouped = grouped.transpose()?;
+                let found = grouped.as_ref().unwrap_or(&plain);
+                within.count(found, layout, &plain);
                 if k == 0 {
-                    told(surface, layout, &found);
+                    told(surface, layout, found);
                 }
             }
         }
