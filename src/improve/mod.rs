@@ -37,13 +37,10 @@
 //! | `ascent`, `over_edges` | from one start to where it ends, on the parts of surfaces that it is on, and from part to part |
 //! | `improved` | all starts, and the best of them |
 //! | `answer`, `words` | the answer, and its sentence |
-//! | `differences` | derivatives against differences, a test |
 
 mod answer;
 mod ascent;
 mod curvature;
-#[cfg(test)]
-mod differences;
 mod events;
 mod goal;
 mod improved;

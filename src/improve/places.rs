@@ -57,13 +57,6 @@ fn on_triangle<const C: usize>(corners: &[SVector<f64, C>; 3], [a, b]: [f64; 2])
 }
 
 impl<const C: usize> Surface<C> {
-    /// The place next to a point, and the normal there on the side of another one.
-    #[cfg(test)]
-    pub(super) fn place_of(&self, point: [f64; C], normal: [f64; C]) -> ([f64; C], [f64; C]) {
-        let spot = super::spot::Spot::nearest(self, &point.into(), &normal.into());
-        (spot.point.into(), spot.normal.into())
-    }
-
     pub(super) fn parts(&self) -> usize {
         match &self.0 {
             Shape::Segments(parts) => parts.len(),
@@ -166,7 +159,7 @@ impl<const C: usize> Surface<C> {
     }
 
     /// Coordinates of the place of a part next to a point.
-    pub(super) fn nearest(&self, part: usize, point: &SVector<f64, C>) -> [f64; 3] {
+    pub(super) fn nearest_of(&self, part: usize, point: &SVector<f64, C>) -> [f64; 3] {
         match &self.0 {
             Shape::Segments(parts) => {
                 let [from, to] = &parts[part];

@@ -30,14 +30,6 @@ pub(super) enum DesignKind {
     Press { most: f64 },
 }
 
-#[cfg(test)]
-impl DesignVariable {
-    /// A step that takes a fifth of a squeeze away, and leaves places.
-    pub(super) fn relaxed(&self) -> f64 {
-        if let DesignKind::Press { .. } = self.what { -0.2 } else { 0.0 }
-    }
-}
-
 /// What may change of a grasp, and what stays.
 #[derive(Debug)]
 pub(super) struct Choice<'q, const C: usize> {

@@ -35,7 +35,7 @@ impl<const C: usize> Spot<C> {
     /// The place next to a point, on the side that a normal tells.
     pub(super) fn nearest(surface: &Surface<C>, point: &SVector<f64, C>, normal: &SVector<f64, C>) -> Self {
         let spots = (0..surface.parts()).map(|part| {
-            let spot = Self::new(surface, part, surface.nearest(part, point), 1.0);
+            let spot = Self::new(surface, part, surface.nearest_of(part, point), 1.0);
             let side = if spot.normal.dot(normal) < 0.0 { -1.0 } else { 1.0 };
             if side > 0.0 { spot } else { Self::new(surface, part, spot.at, side) }
         });
@@ -106,7 +106,7 @@ impl<const C: usize> Spot<C> {
         }
         let others = (0..surface.parts()).filter(|part| *part != self.part);
         let there =
-            others.map(|part| Self::new(surface, part, surface.nearest(part, &self.point), self.side));
+            others.map(|part| Self::new(surface, part, surface.nearest_of(part, &self.point), self.side));
         there.filter(|spot| (spot.point - self.point).norm() <= near).collect()
     }
 

@@ -3,6 +3,7 @@
 use nalgebra::SVector;
 
 use super::spline::Spline;
+use super::spot::Spot;
 use crate::error::{ContactLabel, Error, is_moderate};
 use crate::prelude::*;
 
@@ -109,6 +110,24 @@ impl Surface<3> {
     #[must_use]
     pub fn triangles(corners: impl IntoIterator<Item = [[f64; 3]; 3]>) -> Self {
         Self(Shape::Triangles(corners.into_iter().map(|corners| corners.map(SVector::from)).collect()))
+    }
+}
+
+impl<const C: usize> Surface<C> {
+    /// The point of it that is nearest to another one, m, and the normal there, of length 1, that is on the side of another one: where a contact
+    /// has to be, which may then move along it.
+    ///
+    /// ```
+    /// use grasp_lcp::improve::Surface;
+    ///
+    /// let ball = Surface::sphere([0.0, 0.0, 0.0], 0.05);
+    /// let (point, normal) = ball.nearest([0.0, 0.0, 0.06], [0.0, 0.0, -1.0]);
+    /// assert_eq!((point, normal), ([0.0, 0.0, 0.05], [0.0, 0.0, -1.0]));
+    /// ```
+    #[must_use]
+    pub fn nearest(&self, point: impl Into<[f64; C]>, normal: impl Into<[f64; C]>) -> ([f64; C], [f64; C]) {
+        let spot = Spot::nearest(self, &point.into().into(), &normal.into().into());
+        (spot.point.into(), spot.normal.into())
     }
 }
 

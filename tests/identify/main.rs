@@ -6,3 +6,4 @@ mod measured_pushes;
 mod mistakes;
 mod not_fixed;
 mod scattered;
+mod standard_errors;

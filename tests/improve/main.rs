@@ -5,5 +5,6 @@ mod bad_questions;
 mod closed_forms;
 mod in_space;
 mod multipliers;
+mod no_move_is_better;
 mod reserve;
 mod same_bits;
