@@ -111,7 +111,7 @@ macro_rules! questions {
         }
 
         fn with_contacts(&self, contacts: Vec<Contact<C>>) -> Changed<C> {
-            Ok(Arc::new(Engine::with_data(self, contacts, |_| 1.0)?))
+            Ok(Arc::new(Engine::with_data(self, contacts, &|_| 1.0)?))
         }
 
         fn sample(&self, uncertainty: &Uncertainty, number: u64) -> Changed<C> {

@@ -156,8 +156,8 @@ struct AssociatedLaw<'g, D: Size, const C: usize> {
 
 impl<'g, D: Size, const C: usize> AssociatedLaw<'g, D, C> {
     fn new(problem: Problem<'g, D, C>) -> Self {
-        let stuck = axis_springs(problem.sites, |_, _| true);
-        let rows = rows(&problem, &stuck, |local| local.may_open() && local.facets().is_empty(), true);
+        let stuck = axis_springs(problem.sites, &|_, _| true);
+        let rows = rows(&problem, &stuck, &|local| local.may_open() && local.facets().is_empty(), true);
         Self { problem, stuck, rows }
     }
 
@@ -184,7 +184,7 @@ impl<'g, D: Size, const C: usize> AssociatedLaw<'g, D, C> {
     /// or one near that of the pivots where the least would let something slip the wrong way.
     fn on_faces(&self, binding: &[usize], near: &Vector<D>) -> Option<PieceState<D, C>> {
         let problem = &self.problem;
-        let springs = Piece::of_springs(problem.sites, |contact, list| {
+        let springs = Piece::of_springs(problem.sites, &|contact, list| {
             let own = binding.iter().map(|r| &self.rows[*r]).filter(|row| row.contact == contact);
             let springs = &problem.sites[contact].springs;
             let along = face(own.map(|row| &row.normal), springs.axes());

@@ -85,9 +85,9 @@ impl<D: Size, const C: usize> ForceCondition<D, C> {
 /// The springs along the axes that `holds(contact, axis)` says.
 pub(super) fn axis_springs<D: Size, const C: usize>(
     sites: &[Site<D, C>],
-    holds: impl Fn(usize, usize) -> bool,
+    holds: &dyn Fn(usize, usize) -> bool,
 ) -> Piece<D, C> {
-    Piece::of_springs(sites, |contact, list| {
+    Piece::of_springs(sites, &|contact, list| {
         let springs = &sites[contact].springs;
         let held = (0..springs.axes()).filter(|axis| holds(contact, *axis));
         list.extend(held.map(|axis| Spring::along_axis(axis, springs.force_along(axis, 1.0))));
@@ -98,7 +98,7 @@ pub(super) fn axis_springs<D: Size, const C: usize>(
 pub(super) fn rows<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     stuck: &Piece<D, C>,
-    presses: impl Fn(&LocalLaw<'_, C>) -> bool,
+    presses: &dyn Fn(&LocalLaw<'_, C>) -> bool,
     with_facets: bool,
 ) -> Vec<ForceCondition<D, C>> {
     let mut rows = Vec::new();

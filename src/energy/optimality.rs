@@ -65,10 +65,10 @@ pub(super) enum NotOptimal {
 
 impl<'g, D: Size, const C: usize> EnergyProgram<'g, D, C> {
     pub(super) fn new(problem: Problem<'g, D, C>) -> Self {
-        let stuck = axis_springs(problem.sites, |_, _| true);
+        let stuck = axis_springs(problem.sites, &|_, _| true);
         Self {
-            gaps: rows(&problem, &stuck, |local| local.may_open() && !local.never_slides(), false),
-            friction: rows(&problem, &stuck, |local| local.may_open() && local.never_slides(), true),
+            gaps: rows(&problem, &stuck, &|local| local.may_open() && !local.never_slides(), false),
+            friction: rows(&problem, &stuck, &|local| local.may_open() && local.never_slides(), true),
             problem,
             stuck,
         }
@@ -128,7 +128,7 @@ impl<'g, D: Size, const C: usize> EnergyProgram<'g, D, C> {
 
     /// The springs that hold on these faces: an open gap takes out its normal spring.
     pub(super) fn springs(&self, faces: &Faces) -> Piece<D, C> {
-        axis_springs(self.problem.sites, |contact, axis| axis > 0 || !faces.open[contact])
+        axis_springs(self.problem.sites, &|contact, axis| axis > 0 || !faces.open[contact])
     }
 
     /// The point at which everything sticks.

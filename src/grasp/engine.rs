@@ -6,21 +6,21 @@ use super::bodies::{PlacedBodies, refuse_sides};
 use super::contact::Contact;
 use super::hand::{Drive, HandPart, Linkage};
 use super::remembered::Remembered;
-use super::rotation::{assert_plane_or_space, of_the_object};
+use super::rotation::assert_plane_or_space;
 use super::site::Site;
 use super::vacuum::Vacuum;
 #[cfg(feature = "serde")]
 use super::wrench::Wrench;
-use crate::error::{Error, Field, LARGEST, MODERATE, is_moderate};
-use crate::numerics::{Fixed, Size, cleared_for};
+use crate::error::{Error, LARGEST};
+use crate::numerics::{Fixed, Size};
 use crate::prelude::*;
 
 /// A checked list of contacts in D coordinates: those of the object, 3 in the plane and 6 in space, and those of joints behind them.
 #[derive(Debug, Clone)]
 pub(crate) struct Engine<D: Size, const C: usize> {
     size: D,
-    contacts: Vec<Contact<C>>,
-    sites: Vec<Site<D, C>>,
+    pub(super) contacts: Vec<Contact<C>>,
+    pub(super) sites: Vec<Site<D, C>>,
     /// Centroid of the contact points: inside, moments and rotations are taken about it, so that a
     /// far away reference point costs no digits.
     pub(super) origin: SVector<f64, C>,
@@ -41,7 +41,7 @@ impl<const D: usize, const C: usize> Engine<Fixed<D>, C> {
     pub(crate) fn new(contacts: Vec<Contact<C>>) -> Result<Self, Error> {
         const { assert_plane_or_space::<D, C>() };
         refuse_sides(&contacts)?;
-        Self::of(Fixed, contacts, |_| true)
+        Self::of(Fixed, contacts, &|_| true)
     }
 }
 
@@ -50,7 +50,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
     pub(super) fn by_hand(size: D, contacts: Vec<Contact<C>>, linkage: Linkage<D, C>) -> Result<Self, Error> {
         let on_object =
             |i: usize| linkage.bodies.as_ref().map_or(1.0, |bodies| bodies.sign(i, bodies.object));
-        let mut grasp = Self::of(size, contacts, |i| on_object(i) != 0.0)?;
+        let mut grasp = Self::of(size, contacts, &|i| on_object(i) != 0.0)?;
         for (i, (site, motions)) in grasp.sites.iter_mut().zip(&linkage.motions).enumerate() {
             site.move_with(motions, &linkage.lengths, on_object(i));
         }
@@ -64,10 +64,10 @@ impl<D: Size, const C: usize> Engine<D, C> {
     pub(crate) fn with_data(
         &self,
         contacts: Vec<Contact<C>>,
-        stiffer: impl Fn(usize) -> f64,
+        stiffer: &dyn Fn(usize) -> f64,
     ) -> Result<Self, Error> {
         match &self.linkage {
-            None => Self::of(self.size, contacts, |_| true),
+            None => Self::of(self.size, contacts, &|_| true),
             Some(linkage) => {
                 let mut linkage = linkage.stiffened(stiffer);
                 linkage.press_instead(&self.contacts, &contacts);
@@ -105,7 +105,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 
     /// A grasp by contacts, about the middle of those that are meant.
-    fn of(size: D, contacts: Vec<Contact<C>>, is_meant: impl Fn(usize) -> bool) -> Result<Self, Error> {
+    fn of(size: D, contacts: Vec<Contact<C>>, is_meant: &dyn Fn(usize) -> bool) -> Result<Self, Error> {
         if contacts.is_empty() {
             return Err(Error::EmptyGrasp);
         }
@@ -146,54 +146,13 @@ impl<D: Size, const C: usize> Engine<D, C> {
         &self.sites[contact].frame
     }
 
-    /// [`Grasp::with_commands`](crate::ask::Grasp::with_commands).
-    pub(crate) fn with_commands(&self, commands: &[SVector<f64, C>]) -> Result<Self, Error> {
-        self.check_commands(commands, "commands", Field::Command)?;
-        let mut grasp = self.clone();
-        for (contact, command) in grasp.contacts.iter_mut().zip(commands) {
-            contact.command = *command;
-        }
-        Ok(grasp)
-    }
-
-    /// [`Grasp::with_joint_commands`](crate::ask::Grasp::with_joint_commands).
-    pub(crate) fn with_joint_commands(&self, commands: &[f64]) -> Result<Self, Error> {
-        self.check_joint_commands(commands, "joint commands")?;
-        let mut grasp = self.clone();
-        if let Some(linkage) = &mut grasp.linkage {
-            linkage.commands.copy_from_slice(commands);
-        }
-        Ok(grasp)
-    }
-
-    /// [`Grasp::with_joint_torques`](crate::ask::Grasp::with_joint_torques).
-    pub(crate) fn with_joint_torques(&self, torques: &[f64]) -> Result<Self, Error> {
-        let what = "torques on joints";
-        let expected = self.linkage().map_or(0, |linkage| linkage.joints.len());
-        if torques.len() != expected {
-            return Err(Error::JointCommands { what, given: torques.len(), expected });
-        }
-        if let Some(k) = torques.iter().position(|x| !is_moderate(*x)) {
-            let (what, field) = (format!("{what}, number {k}"), "torque");
-            return Err(Error::Hand { what, field, value: torques[k], allowed: MODERATE });
-        }
-        let mut grasp = self.clone();
-        if let Some(linkage) = &mut grasp.linkage {
-            for (k, torque) in torques.iter().enumerate() {
-                let k = of_the_object::<C>() + k;
-                linkage.pulled[k] = torque / linkage.lengths[k];
-            }
-        }
-        Ok(grasp)
-    }
-
     /// [`Grasp::with_friction`](crate::ask::Grasp::with_friction).
     pub(crate) fn with_friction(&self, friction: &dyn Fn(usize, f64) -> f64) -> Result<Self, Error> {
         let mut contacts = self.contacts.clone();
         for (i, contact) in contacts.iter_mut().enumerate() {
             contact.set_friction(friction(i, contact.friction));
         }
-        self.with_data(contacts, |_| 1.0)
+        self.with_data(contacts, &|_| 1.0)
     }
 
     /// This grasp as if everything slid: with friction of sliding from the beginning.
@@ -202,46 +161,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         for contact in &mut contacts {
             contact.friction = contact.kinetic.take().unwrap_or(contact.friction);
         }
-        self.with_data(contacts, |_| 1.0)
-    }
-
-    /// [`Grasp::squeezed`](crate::ask::Grasp::squeezed).
-    pub(crate) fn squeezed(&self, factor: f64) -> Result<Self, Error> {
-        if !is_moderate(factor) {
-            return Err(Error::Argument { what: "factor of the squeeze", value: factor, allowed: MODERATE });
-        }
-        let mut grasp = self.clone();
-        for contact in &mut grasp.contacts {
-            contact.command *= factor;
-            contact.force = contact.force.map(|force| force * factor);
-            contact.suction *= factor;
-        }
-        grasp.vacuum = Vacuum::of(&grasp.contacts, &grasp.sites);
-        if let Some(linkage) = &mut grasp.linkage {
-            linkage.squeeze(factor);
-        }
-        Ok(grasp)
-    }
-
-    pub(crate) fn check_joint_commands(&self, commands: &[f64], what: &'static str) -> Result<(), Error> {
-        let expected = self.joint_commands().len();
-        if commands.len() != expected {
-            return Err(Error::JointCommands { what, given: commands.len(), expected });
-        }
-        match commands.iter().position(|x| !is_moderate(*x)) {
-            Some(k) => Err(Error::Hand {
-                what: format!("{what}, number {k}"),
-                field: "command",
-                value: commands[k],
-                allowed: MODERATE,
-            }),
-            None => Ok(()),
-        }
-    }
-
-    /// [`Grasp::joint_commands`](crate::ask::Grasp::joint_commands).
-    pub(crate) fn joint_commands(&self) -> &[f64] {
-        self.linkage.as_ref().map_or(&[], |linkage| &linkage.commands)
+        self.with_data(contacts, &|_| 1.0)
     }
 
     /// [`Grasp::label_of`](crate::ask::Grasp::label_of).
@@ -295,28 +215,6 @@ impl<D: Size, const C: usize> Engine<D, C> {
         self.linkage.as_deref()
     }
 
-    pub(crate) fn check_commands(
-        &self,
-        commands: &[SVector<f64, C>],
-        what: &'static str,
-        field: Field,
-    ) -> Result<(), Error> {
-        if commands.len() != self.len() {
-            return Err(Error::Size { what, given: commands.len(), expected: self.len() });
-        }
-        for (index, (contact, command)) in self.contacts.iter().zip(commands).enumerate() {
-            if let Some(&value) = command.iter().find(|x| !is_moderate(**x)) {
-                return Err(Error::Contact {
-                    contact: contact.label(index),
-                    field,
-                    value,
-                    allowed: MODERATE,
-                });
-            }
-        }
-        Ok(())
-    }
-
     /// Where the factors of the elastic trial are kept.
     pub(crate) fn remembered_trial(&self) -> &Remembered {
         &self.trial
@@ -324,62 +222,5 @@ impl<D: Size, const C: usize> Engine<D, C> {
 
     pub(crate) fn sites(&self) -> &[Site<D, C>] {
         &self.sites
-    }
-
-    /// What every site is driven by: a_i of the contacts, commands in the contact frames, the normal part less the clearance; then those of
-    /// the drives of a hand.
-    pub(crate) fn drives(&self) -> Vec<SVector<f64, C>> {
-        let mut drives = Vec::new();
-        self.drives_into(&mut drives);
-        drives
-    }
-
-    /// [`Self::drives`] in memory that is there.
-    pub(crate) fn drives_into(&self, drives: &mut Vec<SVector<f64, C>>) {
-        self.driven_by(self.contacts.iter().map(|contact| contact.command), self.joint_commands(), drives);
-    }
-
-    /// The drives with other commands.
-    pub(crate) fn driven_by(
-        &self,
-        commands: impl Iterator<Item = SVector<f64, C>>,
-        of_joints: &[f64],
-        drives: &mut Vec<SVector<f64, C>>,
-    ) {
-        cleared_for(drives, self.sites.len());
-        drives.extend(commands.zip(&self.contacts).map(|(mut a, contact)| {
-            a[0] -= contact.clearance;
-            a
-        }));
-        if let Some(linkage) = self.linkage() {
-            drives.extend(linkage.stretches(of_joints));
-        }
-    }
-
-    /// What the drives change by with these changes of commands; without any they stay.
-    pub(crate) fn drive_changes(
-        &self,
-        commands: Option<&[SVector<f64, C>]>,
-        of_joints: Option<&[f64]>,
-    ) -> Vec<SVector<f64, C>> {
-        let mut changes = Vec::new();
-        self.changed_by(commands.into_iter().flatten().copied(), of_joints, &mut changes);
-        changes
-    }
-
-    /// [`Self::drive_changes`] in memory that is there; commands that are missing stay.
-    pub(crate) fn changed_by(
-        &self,
-        commands: impl Iterator<Item = SVector<f64, C>>,
-        of_joints: Option<&[f64]>,
-        changes: &mut Vec<SVector<f64, C>>,
-    ) {
-        cleared_for(changes, self.sites.len());
-        changes.extend(commands);
-        changes.resize(self.len(), SVector::zeros());
-        match (self.linkage(), of_joints) {
-            (Some(linkage), Some(commands)) => changes.extend(linkage.changes(commands)),
-            _ => changes.resize(self.sites.len(), SVector::zeros()),
-        }
     }
 }

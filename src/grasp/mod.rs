@@ -30,6 +30,7 @@ mod commands;
 mod contact;
 mod contact_springs;
 mod coordinates;
+mod driven;
 mod engine;
 mod fingertip;
 mod frames;

@@ -73,7 +73,7 @@ pub(super) fn others<D: Size, const C: usize>(rates: &Problem<D, C>, found: &Fou
     let ruled_out = |states: &[State<C>]| {
         few.as_ref().is_some_and(|few| few.many && clearly_breaks(&few.form, states, few.largest))
     };
-    for other in search_among(rates, false, |states| !ruled_out(states)).found {
+    for other in search_among(rates, false, &|states| !ruled_out(states)).found {
         let same = |known: &Found<D, C>| {
             let mut apart = &known.twist - &other.twist;
             for v in known.free_motions.iter().chain(&other.free_motions) {

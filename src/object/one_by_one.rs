@@ -69,7 +69,7 @@ where
     }
 
     fn tangent(&mut self) -> Option<TangentFactors<D>> {
-        if let Some(band) = self.problem.tangent_in_a_band(|i| self.contacts[i].state) {
+        if let Some(band) = self.problem.tangent_in_a_band(&|i| self.contacts[i].state) {
             return Some(band);
         }
         let tangent = |i: usize| self.problem.local(i).tangent(&self.contacts[i].state).matrix();

@@ -47,13 +47,13 @@ pub(super) struct OrthogonalPiece<D: Size> {
 
 impl<D: Size, const C: usize> Piece<D, C> {
     pub(crate) fn new(problem: &Problem<D, C>, states: &[State<C>]) -> Self {
-        Self::of_springs(problem.sites, |contact, springs| {
+        Self::of_springs(problem.sites, &|contact, springs| {
             problem.local(contact).for_each_spring(&states[contact], |spring| springs.push(spring));
         })
     }
 
     /// The piece in which every contact has the springs, at most C, that `add` adds to the list for it.
-    pub(crate) fn of_springs(sites: &[Site<D, C>], add: impl Fn(usize, &mut Vec<Spring<C>>)) -> Self {
+    pub(crate) fn of_springs(sites: &[Site<D, C>], add: &dyn Fn(usize, &mut Vec<Spring<C>>)) -> Self {
         let mut springs = Vec::with_capacity(C * sites.len());
         let mut first = Vec::with_capacity(sites.len() + 1);
         first.push(0);

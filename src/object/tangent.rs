@@ -59,7 +59,7 @@ impl<D: Size> TangentFactors<D> {
 
 impl<D: Size, const C: usize> Problem<'_, D, C> {
     /// Factors of T in a band with these states of the contacts, where there are many coordinates.
-    pub(crate) fn tangent_in_a_band(&self, state: impl Fn(usize) -> State<C>) -> Option<TangentFactors<D>> {
+    pub(crate) fn tangent_in_a_band(&self, state: &dyn Fn(usize) -> State<C>) -> Option<TangentFactors<D>> {
         if !are_many(self.size()) {
             return None;
         }

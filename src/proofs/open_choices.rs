@@ -57,7 +57,7 @@ fn springs<const C: usize>(local: &LocalLaw<'_, C>) -> usize {
 fn response<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     open: &[bool],
-    stretch: impl Fn(usize) -> SVector<f64, C>,
+    stretch: &dyn Fn(usize) -> SVector<f64, C>,
     mut wrench: Vector<D>,
 ) -> DVector<f64> {
     let mut w = DVector::zeros(rows(problem));
@@ -81,7 +81,7 @@ fn response<D: Size, const C: usize>(
 
 /// What the drives and the load contribute.
 fn constant<D: Size, const C: usize>(problem: &Problem<D, C>, open: &[bool]) -> DVector<f64> {
-    response(problem, open, |i| problem.drives[i], problem.wrench.clone())
+    response(problem, open, &|i| problem.drives[i], problem.wrench.clone())
 }
 
 /// Unit columns: motions both ways, friction, slacks.
@@ -101,7 +101,7 @@ fn columns<D: Size, const C: usize>(problem: &Problem<D, C>, open: &[bool]) -> V
     for axis in 0..size.count() {
         let along = Vector::unit(size, axis);
         let stretch = |i: usize| -problem.sites[i].map.tr_mul(&along);
-        push(response(problem, open, stretch, Vector::zeros()), true);
+        push(response(problem, open, &stretch, Vector::zeros()), true);
     }
     let mut row = size.count();
     for (i, (site, local)) in problem.sites.iter().zip(problem.locals()).enumerate() {

@@ -90,7 +90,7 @@ struct PushedBack<const C: usize> {
 /// What is left of a load of many coordinates, of length one, after each round until there is next to nothing; `judged` says whether it is a proof, and it is the answer then.
 pub(super) fn left_of_many<D: Size, const C: usize>(
     problem: &Problem<D, C>,
-    judged: impl Fn(&Vector<D>) -> bool,
+    judged: &dyn Fn(&Vector<D>) -> bool,
 ) -> Option<Vector<D>> {
     if !are_many(problem.size()) {
         return None;

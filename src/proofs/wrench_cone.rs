@@ -61,7 +61,7 @@ pub(crate) struct NearestForces<D: Size, const C: usize> {
 pub(crate) fn nearest_forces<D: Size, const C: usize>(
     size: D,
     straight: &[Generator<D, C>],
-    round: impl Fn(&Vector<D>) -> Vec<Generator<D, C>>,
+    round: &dyn Fn(&Vector<D>) -> Vec<Generator<D, C>>,
     target: &Vector<D>,
 ) -> NearestForces<D, C> {
     let mut target = target.clone();
@@ -136,7 +136,7 @@ pub(crate) fn separating_motion<D: Size, const C: usize>(problem: &Problem<D, C>
     let all = LoadAndCones::of(problem)?;
     let target = -&problem.wrench / all.load;
     let NearestForces { motion: v, against, .. } =
-        nearest_forces(problem.size(), &all.straight, |v| round_generators(problem, v).collect(), &target);
+        nearest_forces(problem.size(), &all.straight, &|v| round_generators(problem, v).collect(), &target);
     all.separates(&v, v.norm_squared(), against).then(|| v.normalize())
 }
 
@@ -145,7 +145,7 @@ pub(crate) fn separating_motion_in_a_band<D: Size, const C: usize>(
     problem: &Problem<D, C>,
 ) -> Option<Vector<D>> {
     let all = LoadAndCones::of(problem)?;
-    left_of_many(problem, |v| all.is_proof(v)).map(|v| v.normalize())
+    left_of_many(problem, &|v| all.is_proof(v)).map(|v| v.normalize())
 }
 
 /// The forces of the springs stretched by the commands alone, as wrenches.

@@ -50,7 +50,7 @@ impl<D: Size, const C: usize> Base<D, C> {
             return Some(self);
         }
         *moved = Moved::default();
-        problem.tangent_in_a_band(|i| states[i])?.is_regular().then(|| Self::of(problem, states))?
+        problem.tangent_in_a_band(&|i| states[i])?.is_regular().then(|| Self::of(problem, states))?
     }
 }
 

@@ -44,14 +44,14 @@ pub(crate) struct Enumerated<D: Size, const C: usize> {
 
 /// Tries all combinations, or all until the first that holds.
 pub(crate) fn search<D: Size, const C: usize>(problem: &Problem<D, C>, first_only: bool) -> Enumerated<D, C> {
-    search_among(problem, first_only, |_| true)
+    search_among(problem, first_only, &|_| true)
 }
 
 /// [`search`] among combinations that are not ruled out already.
 pub(crate) fn search_among<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     first_only: bool,
-    may_hold: impl Fn(&[State<C>]) -> bool,
+    may_hold: &dyn Fn(&[State<C>]) -> bool,
 ) -> Enumerated<D, C> {
     let mut search = Enumerated { found: Vec::new(), tried: 0, doubtful: false };
     for_each_combination(problem, &mut |states| {

@@ -23,7 +23,7 @@ pub(super) fn regular<D: Size, const C: usize>(
     mut states: Vec<State<C>>,
 ) -> Option<Vec<State<C>>> {
     for _ in 0..ROUNDS {
-        let loose = problem.tangent_in_a_band(|i| states[i])?.loose_motions();
+        let loose = problem.tangent_in_a_band(&|i| states[i])?.loose_motions();
         if loose.is_empty() {
             return Some(states);
         }

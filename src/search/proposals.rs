@@ -40,11 +40,14 @@ pub(super) fn enumerable<D: Size, const C: usize>(problem: &Problem<D, C>, setti
     combinations(problem) <= settings.most_states as f64
 }
 
+/// Who proposes states of a problem, if it finds some.
+type Propose<'p, D, const C: usize> = dyn Fn(&Problem<D, C>, &mut Log) -> Option<Vec<State<C>>> + 'p;
+
 /// One rung: Lemke proposes states, the piece with these states is solved and checked; on the round cone Newton's method goes on
 /// from there.
 pub(super) fn climb<D: Size, const C: usize>(
     problem: &Problem<D, C>,
-    propose: impl Fn(&Problem<D, C>, &mut Log) -> Option<Vec<State<C>>>,
+    propose: &Propose<'_, D, C>,
     log: &mut Log,
 ) -> Option<Found<D, C>> {
     let proposed = propose(problem, log)?;
@@ -84,7 +87,7 @@ pub(super) fn propose_dense<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     settings: &Settings,
     (form, most_work): (Option<Form>, usize),
-    states: impl Fn(&Problem<D, C>, &Form, &Basis) -> Vec<State<C>>,
+    states: fn(&Problem<D, C>, &Form, &Basis) -> Vec<State<C>>,
     log: &mut Log,
 ) -> Option<Vec<State<C>>> {
     let form = form?;

@@ -40,7 +40,7 @@ pub(super) fn newton_on_answers<D: Size, const C: usize>(
         return Attempt::Nothing;
     }
     let propose = |problem: &Problem<D, C>, _: &mut Log| propose_by_newton(problem);
-    Attempt::by(Rung::Newton, climb(scene.proposing(), propose, log))
+    Attempt::by(Rung::Newton, climb(scene.proposing(), &propose, log))
 }
 
 /// Lemke's method on the kinematic form, on lists of contact states: its cost is that of a few numbers a contact.
@@ -52,9 +52,9 @@ pub(super) fn kinematic_form_on_states<D: Size, const C: usize>(
         return Attempt::Nothing;
     }
     let propose = |problem: &Problem<D, C>, log: &mut Log| propose_structured(scene, problem, log);
-    let found = climb(scene.proposing(), propose, log).or_else(|| {
+    let found = climb(scene.proposing(), &propose, log).or_else(|| {
         let with_edges = scene.with_edges().filter(|_| !dense_is_affordable(scene.proposing(), 1))?;
-        climb(with_edges, propose, log)
+        climb(with_edges, &propose, log)
     });
     Attempt::by(Rung::KinematicForm, found)
 }
@@ -68,7 +68,7 @@ pub(super) fn kinematic_form_of_a_few<D: Size, const C: usize>(
         return Attempt::Nothing;
     }
     let propose = |problem: &Problem<D, C>, log: &mut Log| propose_of_a_few(scene, problem, log);
-    Attempt::by(Rung::KinematicForm, climb(scene.proposing(), propose, log))
+    Attempt::by(Rung::KinematicForm, climb(scene.proposing(), &propose, log))
 }
 
 /// In rates at a limit load everything on an edge slides, and nothing responds to a motion on which the load works.
@@ -120,7 +120,7 @@ pub(super) fn kinematic_form<D: Size, const C: usize>(
         return Attempt::Stop;
     }
     let propose = |problem: &Problem<D, C>, log: &mut Log| propose_kinematic(scene, problem, log);
-    Attempt::by(Rung::KinematicForm, climb(scene.proposing(), propose, log))
+    Attempt::by(Rung::KinematicForm, climb(scene.proposing(), &propose, log))
 }
 
 /// The kinematic form once more, with facets for infinite friction.
@@ -129,7 +129,7 @@ pub(super) fn kinematic_form_with_edges<D: Size, const C: usize>(
     log: &mut Log,
 ) -> Attempt<D, C> {
     let propose = |problem: &Problem<D, C>, log: &mut Log| propose_kinematic(scene, problem, log);
-    let found = scene.with_edges().and_then(|with_edges| climb(with_edges, propose, log));
+    let found = scene.with_edges().and_then(|with_edges| climb(with_edges, &propose, log));
     Attempt::by(Rung::KinematicForm, found)
 }
 
@@ -147,7 +147,7 @@ pub(super) fn force_form<D: Size, const C: usize>(
             log,
         )
     };
-    Attempt::by(Rung::ForceForm, climb(scene.proposing(), propose, log))
+    Attempt::by(Rung::ForceForm, climb(scene.proposing(), &propose, log))
 }
 
 /// A motion that separates the load from all that friction can do.

@@ -68,7 +68,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
                 local.edges().worst(force).is_none_or(|(row, value)| value > CLEARLY_INSIDE * row.norm())
             })
         };
-        let closure = self.closure(&axes, &straight, |v| round_generators(&problem, v).collect(), inside);
+        let closure = self.closure(&axes, &straight, &|v| round_generators(&problem, v).collect(), &inside);
         self.whatever_vacuums_hold(closure, "force_closure")
     }
 
@@ -78,7 +78,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let axes: Vec<_> = (0..self.len()).map(|i| (i, 0)).collect();
         let normals: Vec<_> = self.normals().collect();
         let inside = |forces: &[SVector<f64, C>]| forces.iter().all(|force| force[0] > CLEARLY_INSIDE);
-        let closure = self.closure(&axes, &normals, |_| Vec::new(), inside);
+        let closure = self.closure(&axes, &normals, &|_| Vec::new(), &inside);
         self.whatever_vacuums_hold(closure, "form_closure")
     }
 
@@ -99,8 +99,8 @@ impl<D: Size, const C: usize> Engine<D, C> {
         &self,
         axes: &[(usize, usize)],
         straight: &[Generator<D, C>],
-        round: impl Fn(&Vector<D>) -> Vec<Generator<D, C>>,
-        inside: impl Fn(&[SVector<f64, C>]) -> bool,
+        round: &dyn Fn(&Vector<D>) -> Vec<Generator<D, C>>,
+        inside: &dyn Fn(&[SVector<f64, C>]) -> bool,
     ) -> Closure<C> {
         let sites = self.sites();
         let factor =

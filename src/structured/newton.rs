@@ -156,7 +156,7 @@ impl<D: Size> Sums<D> {
         state: impl Fn(usize) -> State<C>,
     ) -> Option<TangentFactors<D>> {
         if are_many(problem.size()) {
-            return problem.tangent_in_a_band(state);
+            return problem.tangent_in_a_band(&state);
         }
         Some(TangentFactors::Whole(Factors::new(&self.stiffness)))
     }

@@ -59,7 +59,7 @@ impl UncertainDatum {
             }
             *contact = off.applied_to(contact);
         }
-        of.with_data(contacts, |joint| {
+        of.with_data(contacts, &|joint| {
             if matches!(self.what, DatumKind::Joint(j) if j == joint) { factor } else { 1.0 }
         })
     }

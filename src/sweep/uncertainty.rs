@@ -165,7 +165,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             }
             off.applied_to(contact)
         });
-        self.with_data(contacts.collect(), |drive| drawn(self.len() + drive).stiffness)
+        self.with_data(contacts.collect(), &|drive| drawn(self.len() + drive).stiffness)
     }
 
     /// [`Grasp::onset_of_samples`](crate::ask::Grasp::onset_of_samples).

@@ -106,7 +106,7 @@ impl<D: Size, const C: usize> Linkage<D, C> {
     }
 
     /// With own springs of joints and then tendons so many times as stiff.
-    pub(crate) fn stiffened(&self, times: impl Fn(usize) -> f64) -> Self {
+    pub(crate) fn stiffened(&self, times: &dyn Fn(usize) -> f64) -> Self {
         let mut linkage = self.clone();
         let joints = self.joints.len();
         for drive in &mut linkage.drives {

@@ -1,0 +1,171 @@
+//! What contacts and joints are driven by, and the same grasp driven otherwise.
+
+use nalgebra::SVector;
+
+use super::engine::Engine;
+use super::rotation::of_the_object;
+use super::vacuum::Vacuum;
+use crate::error::{Error, Field, MODERATE, is_moderate};
+use crate::numerics::{Size, cleared_for};
+use crate::prelude::*;
+
+impl<D: Size, const C: usize> Engine<D, C> {
+    /// [`Grasp::with_commands`](crate::ask::Grasp::with_commands).
+    pub(crate) fn with_commands(&self, commands: &[SVector<f64, C>]) -> Result<Self, Error> {
+        self.check_commands(commands, "commands", Field::Command)?;
+        let mut grasp = self.clone();
+        for (contact, command) in grasp.contacts.iter_mut().zip(commands) {
+            contact.command = *command;
+        }
+        Ok(grasp)
+    }
+
+    /// [`Grasp::with_joint_commands`](crate::ask::Grasp::with_joint_commands).
+    pub(crate) fn with_joint_commands(&self, commands: &[f64]) -> Result<Self, Error> {
+        self.check_joint_commands(commands, "joint commands")?;
+        let mut grasp = self.clone();
+        if let Some(linkage) = &mut grasp.linkage {
+            linkage.commands.copy_from_slice(commands);
+        }
+        Ok(grasp)
+    }
+
+    /// [`Grasp::with_joint_torques`](crate::ask::Grasp::with_joint_torques).
+    pub(crate) fn with_joint_torques(&self, torques: &[f64]) -> Result<Self, Error> {
+        let what = "torques on joints";
+        let expected = self.linkage().map_or(0, |linkage| linkage.joints.len());
+        if torques.len() != expected {
+            return Err(Error::JointCommands { what, given: torques.len(), expected });
+        }
+        if let Some(k) = torques.iter().position(|x| !is_moderate(*x)) {
+            let (what, field) = (format!("{what}, number {k}"), "torque");
+            return Err(Error::Hand { what, field, value: torques[k], allowed: MODERATE });
+        }
+        let mut grasp = self.clone();
+        if let Some(linkage) = &mut grasp.linkage {
+            for (k, torque) in torques.iter().enumerate() {
+                let k = of_the_object::<C>() + k;
+                linkage.pulled[k] = torque / linkage.lengths[k];
+            }
+        }
+        Ok(grasp)
+    }
+
+    /// [`Grasp::squeezed`](crate::ask::Grasp::squeezed).
+    pub(crate) fn squeezed(&self, factor: f64) -> Result<Self, Error> {
+        if !is_moderate(factor) {
+            return Err(Error::Argument { what: "factor of the squeeze", value: factor, allowed: MODERATE });
+        }
+        let mut grasp = self.clone();
+        for contact in &mut grasp.contacts {
+            contact.command *= factor;
+            contact.force = contact.force.map(|force| force * factor);
+            contact.suction *= factor;
+        }
+        grasp.vacuum = Vacuum::of(&grasp.contacts, &grasp.sites);
+        if let Some(linkage) = &mut grasp.linkage {
+            linkage.squeeze(factor);
+        }
+        Ok(grasp)
+    }
+
+    pub(crate) fn check_commands(
+        &self,
+        commands: &[SVector<f64, C>],
+        what: &'static str,
+        field: Field,
+    ) -> Result<(), Error> {
+        if commands.len() != self.len() {
+            return Err(Error::Size { what, given: commands.len(), expected: self.len() });
+        }
+        for (index, (contact, command)) in self.contacts.iter().zip(commands).enumerate() {
+            if let Some(&value) = command.iter().find(|x| !is_moderate(**x)) {
+                return Err(Error::Contact {
+                    contact: contact.label(index),
+                    field,
+                    value,
+                    allowed: MODERATE,
+                });
+            }
+        }
+        Ok(())
+    }
+
+    pub(crate) fn check_joint_commands(&self, commands: &[f64], what: &'static str) -> Result<(), Error> {
+        let expected = self.joint_commands().len();
+        if commands.len() != expected {
+            return Err(Error::JointCommands { what, given: commands.len(), expected });
+        }
+        match commands.iter().position(|x| !is_moderate(*x)) {
+            Some(k) => Err(Error::Hand {
+                what: format!("{what}, number {k}"),
+                field: "command",
+                value: commands[k],
+                allowed: MODERATE,
+            }),
+            None => Ok(()),
+        }
+    }
+
+    /// [`Grasp::joint_commands`](crate::ask::Grasp::joint_commands).
+    pub(crate) fn joint_commands(&self) -> &[f64] {
+        self.linkage.as_ref().map_or(&[], |linkage| &linkage.commands)
+    }
+
+    /// What every site is driven by: a_i of the contacts, commands in the contact frames, the normal part less the clearance; then those of
+    /// the drives of a hand.
+    pub(crate) fn drives(&self) -> Vec<SVector<f64, C>> {
+        let mut drives = Vec::new();
+        self.drives_into(&mut drives);
+        drives
+    }
+
+    /// [`Self::drives`] in memory that is there.
+    pub(crate) fn drives_into(&self, drives: &mut Vec<SVector<f64, C>>) {
+        self.driven_by(self.contacts.iter().map(|contact| contact.command), self.joint_commands(), drives);
+    }
+
+    /// The drives with other commands.
+    pub(crate) fn driven_by(
+        &self,
+        commands: impl Iterator<Item = SVector<f64, C>>,
+        of_joints: &[f64],
+        drives: &mut Vec<SVector<f64, C>>,
+    ) {
+        cleared_for(drives, self.sites.len());
+        drives.extend(commands.zip(&self.contacts).map(|(mut a, contact)| {
+            a[0] -= contact.clearance;
+            a
+        }));
+        if let Some(linkage) = self.linkage() {
+            drives.extend(linkage.stretches(of_joints));
+        }
+    }
+
+    /// What the drives change by with these changes of commands; without any they stay.
+    pub(crate) fn drive_changes(
+        &self,
+        commands: Option<&[SVector<f64, C>]>,
+        of_joints: Option<&[f64]>,
+    ) -> Vec<SVector<f64, C>> {
+        let mut changes = Vec::new();
+        self.changed_by(commands.into_iter().flatten().copied(), of_joints, &mut changes);
+        changes
+    }
+
+    /// [`Self::drive_changes`] in memory that is there; commands that are missing stay.
+    pub(crate) fn changed_by(
+        &self,
+        commands: impl Iterator<Item = SVector<f64, C>>,
+        of_joints: Option<&[f64]>,
+        changes: &mut Vec<SVector<f64, C>>,
+    ) {
+        cleared_for(changes, self.sites.len());
+        changes.extend(commands);
+        changes.resize(self.len(), SVector::zeros());
+        match (self.linkage(), of_joints) {
+            (Some(linkage), Some(commands)) => changes.extend(linkage.changes(commands)),
+            _ => changes.resize(self.sites.len(), SVector::zeros()),
+        }
+    }
+}
