@@ -1,6 +1,6 @@
 //! What a fingertip carries in shear and torsion together: the limit surface of a round patch, and what it costs to follow it there.
 //!
-//! `cargo run --release -p reports --bin limit_surface` presses a disc of springs on a body that a stiff arm drags and turns, on the round cone.
+//! `cargo run --release -p reports --bin limit_surface [most springs]` presses a disc of springs on a body that a stiff arm drags and turns, on the round cone.
 //!
 //! While everything slides the friction at a point is μp against its velocity, and the velocities are those of a rigid motion about some centre.
 //! Force and moment then lie on a closed surface, nearly an ellipse (Goyal, Ruina & Papadopoulos 1991; Howe & Cutkosky 1996). Under the pressure of
@@ -30,11 +30,12 @@ const DIRECTIONS: usize = 24;
 const REPEATS: usize = 3;
 
 fn main() -> Result<(), Box<dyn Error>> {
+    let most = std::env::args().nth(1).map_or(Ok(10_000), |most| most.parse())?;
     let patch = Patch::new(1_000, 3)?;
     let surface = patch.limit_surface()?;
     patch.torsion()?;
     ring()?;
-    cost(&surface)
+    cost(&surface, most)
 }
 
 /// A disc of springs under a body, and the ends of an arm that is fixed to it.
@@ -234,7 +235,7 @@ fn end(i: usize) -> [f64; 2] {
 }
 
 /// Shear, then torsion beside it, back over the start, and to rest, of the load without an arm: error against run time.
-fn cost(surface: &[(f64, f64)]) -> Result<(), Box<dyn Error>> {
+fn cost(surface: &[(f64, f64)], most: usize) -> Result<(), Box<dyn Error>> {
     let load = |(shear, torsion): (f64, f64)| {
         let most = FRICTION * PRESSED;
         Wrench::new([shear * most, 0.0, -PRESSED], [0.0, 0.0, torsion * most * RADIUS])
@@ -245,7 +246,7 @@ fn cost(surface: &[(f64, f64)]) -> Result<(), Box<dyn Error>> {
     );
     println!("  {:28} {:>8} {:>9} {:>10} {:>10}", "", "steps", "ms", "estimated", "error");
     let mut curves = Vec::new();
-    for count in [1_000, 10_000] {
+    for count in [1_000, 10_000].into_iter().filter(|count| *count <= most) {
         let patch = Patch::new(count, 0)?;
         let follow = |error: f64| {
             let (mut best, mut steps) = (f64::INFINITY, 0);

@@ -8,7 +8,7 @@ use std::error::Error;
 
 use grasp_lcp::nalgebra::{Matrix2, Rotation2, Vector2};
 use grasp_lcp::spatial::{Contact, Grasp, Wrench};
-use support::measured_pushes::{LAYOUTS, Push, SURFACES, blocks, pushes, supports};
+use support::measured_pushes::{Push, SURFACES, blocks, pushes, supports};
 
 use crate::supports::{Within, identified};
 
@@ -32,9 +32,10 @@ fn all_layouts(
     Ok((squares / blocks.len() as f64).sqrt())
 }
 
-/// Models beside each other.
-pub(crate) fn compared() -> Result<(), Box<dyn Error>> {
-    let (blocks, pushes) = (blocks()?, pushes()?);
+/// Models beside each other, asked about so many layouts of each surface, the ellipse of friction turned so many times on its half way around.
+pub(crate) fn compared(turns: u8, layouts: usize) -> Result<(), Box<dyn Error>> {
+    let (mut blocks, pushes) = (blocks()?, pushes()?);
+    blocks.truncate(layouts);
     println!(
         "\nOther models, pushes each for itself: how much is left, and how many loads are within two standard errors:\n"
     );
@@ -53,10 +54,10 @@ pub(crate) fn compared() -> Result<(), Box<dyn Error>> {
     let left = SURFACES.map(|surface| -> Result<f64, Box<dyn Error>> {
         let mut best = (f64::INFINITY, 1.0, 0.0, Within::default());
         for ratio in [1.05_f64, 1.1, 1.15, 1.2] {
-            for angle in [0.0, 22.5, 45.0, 67.5, 90.0, 112.5, 135.0, 157.5] {
+            for angle in (0..turns).map(|k| 180.0 * f64::from(k) / f64::from(turns)) {
                 let mut own = Within::default();
                 let shape = stretched(ratio, angle);
-                let blocks = blocks_stretched(&shape)?;
+                let blocks = blocks_stretched(&shape, layouts)?;
                 let load = |push: &Push| {
                     let force = shape * push.load.xy();
                     Wrench::new([force.x, force.y, 0.0], [0.0, 0.0, push.load.z])
@@ -94,10 +95,10 @@ fn stretched(ratio: f64, degrees: f64) -> Matrix2<f64> {
     turn * scale * turn.inverse()
 }
 
-fn blocks_stretched(shape: &Matrix2<f64>) -> Result<Vec<Grasp>, grasp_lcp::Error> {
+fn blocks_stretched(shape: &Matrix2<f64>, layouts: usize) -> Result<Vec<Grasp>, grasp_lcp::Error> {
     let support = |at: Vector2<f64>| {
         let at = shape * at;
         Contact::new([at.x, at.y, 0.0], [0.0, 0.0, 1.0]).series_stiffness(STIFFNESS, STIFFNESS).friction(1.0)
     };
-    (0..LAYOUTS.len()).map(|layout| Grasp::new(supports(layout).map(support))).collect()
+    (0..layouts).map(|layout| Grasp::new(supports(layout).map(support))).collect()
 }

@@ -3,17 +3,20 @@
 use grasp_lcp::planar::{Bodies, Wrench};
 use support::piles::{books, wall};
 
-use crate::Outcome;
 use crate::report::{Beside, best, row};
+use crate::{Outcome, up_to};
 
 /// Rows are as long as one likes, and the cost of a book stays. In a wall of n bricks a band is as wide as a row of √n bricks, so that factors cost n
 /// for each.
-pub fn rows() -> Outcome {
+pub fn rows(most: usize) -> Outcome {
     let book = |count: usize| (count, books(count), Wrench::force([0.0, -5.0]));
-    grown("book of a row, one pulled: hold, for each book", [10, 100, 1000].map(book))?;
+    grown("book of a row, one pulled: hold, for each book", up_to(most, [10, 100, 1000]).map(book))?;
     let brick =
         |rows: usize| (rows * rows, wall(rows), Wrench::force_at([5.0, 0.0], [0.5, 0.5 * rows as f64 - 0.1]));
-    grown("brick of a wall, pushed at the top: hold, for each brick", [5, 10, 20, 32].map(brick))
+    grown(
+        "brick of a wall, pushed at the top: hold, for each brick",
+        [5, 10, 20, 32].into_iter().filter(|rows| rows * rows <= most).map(brick),
+    )
 }
 
 /// Rows of a family that grows, each beside the one before.

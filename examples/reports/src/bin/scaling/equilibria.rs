@@ -9,10 +9,10 @@ use grasp_lcp::ask::{Search, Workspace};
 use grasp_lcp::forms::Row;
 use grasp_lcp::grasp::Wrench;
 
-use crate::Outcome;
 use crate::limits::{Cores, Limit, Needs};
 use crate::report::{Beside, best, row};
 use crate::today::sticks;
+use crate::{Outcome, up_to};
 use support::patches::{fingers, planar_patch, spatial_patch};
 
 /// Three to five contacts in space, 8 facets, some sliding: one solve in a workspace that has seen the grasp before.
@@ -53,12 +53,12 @@ fn on_the_round_cone(name: &str, grasp: &Grasp<3>, load: &Wrench<3>, runs: usize
 }
 
 /// Patches two thirds of which slide in the plane, half in space: by Lemke's method alone, and with Newton's method as a start.
-pub fn patches() -> Outcome {
-    for n in [100, 1000, 10_000, 100_000] {
+pub fn patches(most: usize) -> Outcome {
+    for n in up_to(most, [100, 1000, 10_000, 100_000]) {
         let (grasp, load) = planar_patch(n)?;
         patch::<3, 2>("in the plane", &grasp, &load, n <= 300)?;
     }
-    for n in [100, 1000, 10_000] {
+    for n in up_to(most, [100, 1000, 10_000]) {
         let (grasp, load) = spatial_patch(n)?;
         patch::<6, 3>("in space", &grasp, &load, n <= 100)?;
         on_the_round_cone(&format!("patch in space, n = {n}"), &grasp, &load, (20_000 / n).clamp(3, 50))?;
@@ -125,8 +125,8 @@ pub fn growth() -> Outcome {
 }
 
 /// From the public question to the answer as physics: building the scene with its validation, and solving it.
-pub fn whole_solve() -> Outcome {
-    for n in [10_000, 100_000] {
+pub fn whole_solve(most: usize) -> Outcome {
+    for n in up_to(most, [10_000, 100_000]) {
         let build = best(3, || {
             black_box(planar_patch(n).is_ok());
         });

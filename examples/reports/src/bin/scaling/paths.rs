@@ -8,24 +8,24 @@ use grasp_lcp::grasp::Wrench;
 use grasp_lcp::load_path::{Leg, PathEnd};
 use nalgebra::SVector;
 
-use crate::Outcome;
 use crate::limits::{Cores, Limit, Needs};
 use crate::report::{Beside, best, row};
+use crate::{Outcome, up_to};
 use grasp_lcp::spatial;
 use support::patches::{planar_patch, spatial_patch, uneven};
 
 /// Whole load paths, pressed to begin with and sheared up to where most of the patch slides, and back: every event exact, from the
 /// public question on, with the equilibrium to start from; beside `Grasp::follow` where that is still affordable.
-pub fn rows() -> Outcome {
-    for n in [100, 1000, 10_000, 100_000] {
+pub fn rows(most: usize) -> Outcome {
+    for n in up_to(most, [100, 1000, 10_000, 100_000]) {
         let (grasp, load) = planar_patch(n)?;
         whole_path::<3, 2>("in the plane", &grasp, &load, n <= 100)?;
     }
-    for n in [100, 1000] {
+    for n in up_to(most, [100, 1000]) {
         let (grasp, load) = spatial_patch(n)?;
         whole_path::<6, 3>("in space", &grasp, &load, n <= 100)?;
     }
-    for n in [30, 100, 300] {
+    for n in up_to(most, [30, 100, 300]) {
         round_a_ball(n)?;
     }
     Ok(())
