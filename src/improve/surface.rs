@@ -4,7 +4,7 @@ use nalgebra::SVector;
 
 use super::spline::Spline;
 use super::spot::Spot;
-use crate::error::{ContactLabel, Error, is_moderate};
+use crate::error::{ContactLabel, Error, MODERATE, is_moderate};
 use crate::prelude::*;
 
 /// A curve in the plane or a surface in space that a contact may move along; the normal of the contact follows. On which side the object lies is told by
@@ -114,21 +114,47 @@ impl Surface<3> {
 }
 
 impl<const C: usize> Surface<C> {
-    /// The point of it that is nearest to another one, m, and the normal there, of length 1, that is on the side of another one: where a contact
-    /// has to be, which may then move along it.
+    /// The point of it that is nearest to another one, m, and the unit normal there that makes no more than a right angle with the one given, of any
+    /// length: where a contact has to be that may then move along it.
     ///
     /// ```
     /// use grasp_lcp::improve::Surface;
     ///
     /// let ball = Surface::sphere([0.0, 0.0, 0.0], 0.05);
-    /// let (point, normal) = ball.nearest([0.0, 0.0, 0.06], [0.0, 0.0, -1.0]);
+    /// let (point, normal) = ball.nearest([0.0, 0.0, 0.06], [0.0, 0.0, -1.0])?;
     /// assert_eq!((point, normal), ([0.0, 0.0, 0.05], [0.0, 0.0, -1.0]));
+    /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
-    #[must_use]
-    pub fn nearest(&self, point: impl Into<[f64; C]>, normal: impl Into<[f64; C]>) -> ([f64; C], [f64; C]) {
-        let spot = Spot::nearest(self, &point.into().into(), &normal.into().into());
-        (spot.point.into(), spot.normal.into())
+    ///
+    /// # Errors
+    /// [`Error::Argument`] for a surface that is none, a coordinate that is not finite or above 1e50 m, or a normal that has no direction.
+    pub fn nearest(
+        &self,
+        point: impl Into<[f64; C]>,
+        normal: impl Into<[f64; C]>,
+    ) -> Result<([f64; C], [f64; C]), Error> {
+        let refused = |what, value, allowed| Err(Error::Argument { what, value, allowed });
+        if let Err(NoSurface { field, value, allowed }) = self.is_one() {
+            return refused(field, value, allowed);
+        }
+        let (point, normal) = (point.into(), SVector::from(normal.into()));
+        if let Some(&value) = point.iter().find(|x| !is_moderate(**x)) {
+            return refused("coordinate of the point", value, MODERATE);
+        }
+        let length = normal.norm();
+        if !(length > 0.0 && is_moderate(length)) {
+            return refused("length of the normal", length, "finite, above 0 and at most 1e50");
+        }
+        let spot = Spot::nearest(self, &point.into(), &normal);
+        Ok((spot.point.into(), spot.normal.into()))
     }
+}
+
+/// Why a surface is none.
+struct NoSurface {
+    field: &'static str,
+    value: f64,
+    allowed: &'static str,
 }
 
 impl<const C: usize> Shape<C> {
@@ -171,8 +197,16 @@ impl<const C: usize> Surface<C> {
 
     /// Refuses what is no curve or surface, and numbers that are not finite.
     pub(super) fn check(&self, contact: &ContactLabel) -> Result<(), Error> {
-        let refused =
-            |field, value, allowed| Err(Error::Surface { contact: contact.clone(), field, value, allowed });
+        self.is_one().map_err(|NoSurface { field, value, allowed }| Error::Surface {
+            contact: contact.clone(),
+            field,
+            value,
+            allowed,
+        })
+    }
+
+    fn is_one(&self) -> Result<(), NoSurface> {
+        let refused = |field, value, allowed| Err(NoSurface { field, value, allowed });
         let wrong = |points: &mut dyn Iterator<Item = &SVector<f64, C>>| {
             points.flat_map(|p| p.iter().copied().collect::<Vec<_>>()).find(|x| !is_moderate(*x))
         };

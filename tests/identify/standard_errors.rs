@@ -31,7 +31,7 @@ fn agree(found: &Identified, values: &[f64], errors: &[f64]) {
     for ((estimate, value), error) in found.estimates.iter().zip(values).zip(errors) {
         assert!((estimate.value / value - 1.0).abs() < 1e-9, "{value}: {found}");
         let told = estimate.standard_error.expect("is fixed") / estimate.value;
-        assert!((told / error - 1.0).abs() < 1e-7, "{told} {error}: {found}");
+        assert!((told / error - 1.0).abs() < 1e-9, "{told} {error}: {found}");
     }
 }
 

@@ -61,3 +61,28 @@ fn messages_name_contact_field_value_and_what_is_allowed() {
         assert_eq!(refusal(&question), message);
     }
 }
+
+#[test]
+fn what_is_nearest_to_nothing_is_refused() {
+    let asked = |surface: Surface<2>, point: [f64; 2], normal: [f64; 2]| {
+        surface.nearest(point, normal).map_or_else(|error| error.to_string(), |there| panic!("{there:?}"))
+    };
+    let disc = || Surface::circle([0.0, 0.0], 0.05);
+    let [point, normal] = [[0.1, 0.0], [-1.0, 0.0]];
+    for (told, expected) in [
+        (asked(Surface::polyline([]), point, normal), "length of an edge of its surface is 0, must be "),
+        (
+            asked(Surface::spline([], true), point, normal),
+            "least distance of points of its spline is 0, must be ",
+        ),
+        (asked(disc(), [f64::NAN, 0.0], normal), "coordinate of the point is NaN, must be "),
+        (asked(disc(), point, [0.0, 0.0]), "length of the normal is 0, must be finite, above 0"),
+        (asked(disc(), point, [f64::INFINITY, 0.0]), "length of the normal is inf, must be finite, above 0"),
+    ] {
+        assert!(told.starts_with(expected), "{told}");
+    }
+    let mesh = Surface::triangles([]).nearest([0.0; 3], [0.0, 0.0, 1.0]);
+    assert!(
+        mesh.is_err_and(|error| error.to_string().starts_with("height of a triangle of its surface is 0"))
+    );
+}

@@ -18,7 +18,7 @@ const STEP: f64 = 4e-4;
 const SIZE: f64 = 0.05;
 const MOST: f64 = 12.0;
 /// What a move of the size of the object may gain to first order, as a part of the goal; an optimum is told up to a millionth.
-const NOTHING: f64 = 1e-5;
+const NOTHING: f64 = 1e-6;
 const ROUNDING: f64 = 1e-9;
 
 const NORMAL: f64 = 1e3;
@@ -42,7 +42,7 @@ fn moved<const C: usize>(
     let mut next = || moves.next().expect("a number for each");
     let contacts = at.iter().zip(surfaces).map(|(at, surface)| {
         let there = at.point + SVector::<f64, C>::from_fn(|_, _| next() * SIZE);
-        let (point, normal) = surface.nearest(there, at.normal);
+        let (point, normal) = surface.nearest(there, at.normal).expect("a surface");
         let across = at.tangent - SVector::from(normal) * at.tangent.dot(&normal.into());
         let press = at.command[0] * NORMAL + next() * MOST;
         is_allowed &= press <= MOST * (1.0 + ROUNDING);
@@ -97,7 +97,7 @@ fn no_move_gains<const C: usize>(
 ) {
     let surfaces = places.each_ref().map(|(_, surface)| surface.clone());
     let given = places.map(|(toward, surface)| {
-        let (point, normal) = surface.nearest(toward, toward.map(|x| -x));
+        let (point, normal) = surface.nearest(toward, toward.map(|x| -x)).expect("a surface");
         contact(point, normal, 9.0)
     });
     let grasp = Grasp::new(given).expect("three fingers");

@@ -57,7 +57,7 @@ pub(crate) fn compared(turns: u8, layouts: usize) -> Result<(), Box<dyn Error>> 
             for angle in (0..turns).map(|k| 180.0 * f64::from(k) / f64::from(turns)) {
                 let mut own = Within::default();
                 let shape = stretched(ratio, angle);
-                let blocks = blocks_stretched(&shape, layouts)?;
+                let blocks = blocks_stretched(&shape, blocks.len())?;
                 let load = |push: &Push| {
                     let force = shape * push.load.xy();
                     Wrench::new([force.x, force.y, 0.0], [0.0, 0.0, push.load.z])
