@@ -16,30 +16,45 @@ pub(super) fn of_contacts<const C: usize>(contacts: Vec<Contact<C>>) -> Made<C> 
     if contacts.iter().any(|contact| contact.force.is_some()) {
         return of_hand(Hand::new(contacts.into_iter().map(Finger::fixed)));
     }
-    in_the_plane_or_in_space(
-        contacts,
-        |contacts: Vec<Contact<2>>| -> Made<2> { Ok(Arc::new(Engine::<Fixed<3>, 2>::new(contacts)?)) },
-        |contacts: Vec<Contact<3>>| -> Made<3> { Ok(Arc::new(Engine::<Fixed<6>, 3>::new(contacts)?)) },
-    )
+    in_the_plane_or_in_space(contacts, planar, spatial)
 }
 
 /// The engine of a grasp by a hand.
 pub(super) fn of_hand<const C: usize>(hand: Hand<C>) -> Made<C> {
-    in_the_plane_or_in_space(hand, by_hand::<2>, by_hand::<3>)
+    in_the_plane_or_in_space(hand, planar_hand, spatial_hand)
 }
 
 /// The engine of several bodies.
 pub(super) fn of_bodies<const C: usize>(bodies: Bodies<C>) -> Made<C> {
-    in_the_plane_or_in_space(bodies, of_several::<2>, of_several::<3>)
+    in_the_plane_or_in_space(bodies, planar_bodies, spatial_bodies)
 }
 
-fn of_several<const C: usize>(bodies: Bodies<C>) -> Made<C> {
+// None of the six has a parameter: one that has is compiled once more, with the engine behind it, by every program of an optimised build.
+
+fn planar(contacts: Vec<Contact<2>>) -> Made<2> {
+    Ok(Arc::new(Engine::<Fixed<3>, 2>::new(contacts)?))
+}
+
+fn spatial(contacts: Vec<Contact<3>>) -> Made<3> {
+    Ok(Arc::new(Engine::<Fixed<6>, 3>::new(contacts)?))
+}
+
+fn planar_hand(hand: Hand<2>) -> Made<2> {
+    Ok(Arc::new(hand.engine(None)?))
+}
+
+fn spatial_hand(hand: Hand<3>) -> Made<3> {
+    Ok(Arc::new(hand.engine(None)?))
+}
+
+fn planar_bodies(bodies: Bodies<2>) -> Made<2> {
     let (hand, bodies) = bodies.checked()?;
     Ok(Arc::new(hand.engine(Some(bodies))?))
 }
 
-fn by_hand<const C: usize>(hand: Hand<C>) -> Made<C> {
-    Ok(Arc::new(hand.engine(None)?))
+fn spatial_bodies(bodies: Bodies<3>) -> Made<3> {
+    let (hand, bodies) = bodies.checked()?;
+    Ok(Arc::new(hand.engine(Some(bodies))?))
 }
 
 /// Does one thing in the plane and another in space, for whoever knows the number of axes only by a parameter of its type. So engines are
