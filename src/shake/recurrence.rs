@@ -76,21 +76,13 @@ impl<'p, D: Size, const C: usize> Recurrence<'p, D, C> {
     /// Where the grasp stands after so many more cycles, and what changes in the one after them.
     pub(super) fn after(&self, cycles: usize) -> (CycleState<D, C>, DVector<f64>) {
         let modes = self.coefficients.len();
-        // Changes to come as combinations of the last ones but the first, which is spent.
-        let unit = |k: usize| DVector::from_fn(modes, |i, _| if i == k { 1.0 } else { 0.0 });
-        let mut window: Vec<DVector<f64>> = (0..modes).map(unit).collect();
-        let next = |window: &[DVector<f64>]| {
-            let parts = window.iter().zip(&self.coefficients);
-            parts.fold(DVector::zeros(modes), |sum, (change, c)| sum + change * *c)
-        };
-        let mut all = DVector::zeros(modes);
-        for _ in 0..cycles {
-            let change = next(&window);
-            all += &change;
-            window.rotate_left(1);
-            window[modes - 1] = change;
-        }
-        let then = next(&window);
+        // Changes to come as combinations of the last ones but the first, which is spent: each moves up, and the last becomes the next.
+        let next = DMatrix::from_fn(modes, modes, |i, j| {
+            if i + 1 == modes { self.coefficients[j] } else { f64::from(u8::from(j == i + 1)) }
+        });
+        let (power, sum) = power_and_sum(&next, cycles);
+        let all = sum.row(modes - 1);
+        let then = next.row(modes - 1) * power;
         let change = then.iter().zip(&self.changes[1..]).map(|(weight, change)| change * *weight).sum();
         let mut weights = vec![0.0; self.places.len()];
         weights[modes + 1] = 1.0;
@@ -119,6 +111,21 @@ impl<'p, D: Size, const C: usize> Recurrence<'p, D, C> {
         }
         sum
     }
+}
+
+/// `Aⁿ` and `A + A² + … + Aⁿ`, by as many products as n has binary digits.
+fn power_and_sum(a: &DMatrix<f64>, n: usize) -> (DMatrix<f64>, DMatrix<f64>) {
+    let size = a.nrows();
+    let (mut power, mut sum) = (DMatrix::identity(size, size), DMatrix::zeros(size, size));
+    for digit in (0..usize::BITS - n.leading_zeros()).rev() {
+        sum += &power * &sum;
+        power = &power * &power;
+        if n >> digit & 1 == 1 {
+            power = a * power;
+            sum = a + a * sum;
+        }
+    }
+    (power, sum)
 }
 
 impl<D: Size, const C: usize> CycleState<D, C> {
