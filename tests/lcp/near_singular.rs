@@ -8,7 +8,8 @@ use grasp_lcp::lcp::{Basis, Lcp, Outcome, Series, Settings};
 use grasp_lcp::{PolygonCone, planar};
 use nalgebra::{DMatrix, DVector};
 use num_rational::BigRational;
-use num_traits::{Signed, Zero};
+use num_traits::Signed;
+use support::elimination::Eliminated;
 use support::numbers::Numbers;
 
 /// Two or three fingers around the origin, stiffnesses over `decades`.
@@ -31,29 +32,13 @@ fn solves_exactly(lcp: &Lcp, basis: &Basis) -> bool {
     let exact = |x: f64| BigRational::from_float(x).expect("finite");
     let (m, q) = (lcp.matrix(), lcp.vector());
     let alpha: Vec<usize> = basis.iter().collect();
-    let k = alpha.len();
-    let mut rows: Vec<Vec<BigRational>> = alpha
-        .iter()
-        .map(|i| alpha.iter().map(|j| exact(m[(*i, *j)])).chain([-exact(q[*i])]).collect())
-        .collect();
-    for c in 0..k {
-        let Some(pivot) = (c..k).find(|r| !rows[*r][c].is_zero()) else { return false };
-        rows.swap(c, pivot);
-        let top: Vec<_> = rows[c].iter().map(|x| x / &rows[c][c]).collect();
-        for (r, row) in rows.iter_mut().enumerate() {
-            if r != c {
-                let factor = row[c].clone();
-                row.iter_mut().zip(&top).for_each(|(x, t)| *x -= &factor * t);
-            }
-        }
-        rows[c] = top;
-    }
+    let row = |i: &usize| alpha.iter().map(|j| exact(m[(*i, *j)])).chain([-exact(q[*i])]).collect();
+    let Some(z) = Eliminated::of(alpha.iter().map(row), alpha.len()).solution() else { return false };
     let slack = |i: usize| {
-        let terms = alpha.iter().zip(&rows).map(|(j, row)| exact(m[(i, *j)]) * &row[k]);
+        let terms = alpha.iter().zip(&z).map(|(j, z)| exact(m[(i, *j)]) * z);
         terms.fold(exact(q[i]), |sum, term| sum + term)
     };
-    rows.iter().all(|row| !row[k].is_negative())
-        && (0..lcp.len()).all(|i| basis.contains(i) || !slack(i).is_negative())
+    !z.iter().any(Signed::is_negative) && (0..lcp.len()).all(|i| basis.contains(i) || !slack(i).is_negative())
 }
 
 #[test]

@@ -11,6 +11,7 @@ use grasp_lcp::screening::ScreeningVerdict;
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
 use proptest::prelude::*;
+use support::elimination::Eliminated;
 use support::random::for_all;
 
 type Rational = BigRational;
@@ -53,7 +54,7 @@ impl Exact {
     }
 }
 
-/// The motion that balances the load, by Cramer's rule.
+/// The motion that balances the load.
 fn motion(contacts: &[Exact], load: [f64; 3], commanded: bool) -> Option<[Rational; 3]> {
     let mut right = load.map(exact);
     let mut t: [[Rational; 3]; 3] = Default::default();
@@ -70,23 +71,8 @@ fn motion(contacts: &[Exact], load: [f64; 3], commanded: bool) -> Option<[Ration
             }
         }
     }
-    let det = |m: &[[Rational; 3]; 3]| {
-        (0..3).fold(Rational::zero(), |sum, k| {
-            let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-            sum + &m[0][k] * (&m[1][i] * &m[2][j] - &m[1][j] * &m[2][i])
-        })
-    };
-    let whole = det(&t);
-    if whole.is_zero() {
-        return None;
-    }
-    Some([0, 1, 2].map(|k| {
-        let mut replaced = t.clone();
-        for row in 0..3 {
-            replaced[row][k] = right[row].clone();
-        }
-        det(&replaced) / &whole
-    }))
+    let beside = |(row, right): (&[Rational; 3], &Rational)| row.iter().chain([right]).cloned().collect();
+    Eliminated::of(t.iter().zip(&right).map(beside), 3).solution()?.try_into().ok()
 }
 
 /// What is exactly true.

@@ -11,6 +11,7 @@ use grasp_lcp::spatial::{Contact, Fingers, Pull, Wrench};
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 use proptest::prelude::*;
+use support::elimination::Eliminated;
 use support::random::for_all;
 
 type Rational = BigRational;
@@ -85,7 +86,7 @@ fn tangent([i, j, k]: [i32; 3]) -> [i32; 3] {
 
 /// Motions under two loads, by elimination.
 fn motions(contacts: &[Exact], loads: &[Vec<Rational>; 2]) -> Option<[Vec<Rational>; 2]> {
-    let mut rows: Vec<Vec<Rational>> = vec![vec![Rational::zero(); 8]; 6];
+    let mut rows: Vec<Vec<Rational>> = vec![vec![Rational::zero(); 6]; 6];
     for column in 0..6 {
         let mut unit = vec![Rational::zero(); 6];
         unit[column] = exact(1.0);
@@ -96,25 +97,11 @@ fn motions(contacts: &[Exact], loads: &[Vec<Rational>; 2]) -> Option<[Vec<Ration
             }
         }
     }
-    for row in 0..6 {
-        for (k, load) in loads.iter().enumerate() {
-            rows[row][6 + k] = load[row].clone();
-        }
-    }
-    for pivot in 0..6 {
-        let found = (pivot..6).find(|&row| !rows[row][pivot].is_zero())?;
-        rows.swap(pivot, found);
-        let lead = rows[pivot].clone();
-        for (row, entries) in rows.iter_mut().enumerate() {
-            if row != pivot && !entries[pivot].is_zero() {
-                let factor = &entries[pivot] / &lead[pivot];
-                for column in pivot..8 {
-                    entries[column] -= &factor * &lead[column];
-                }
-            }
-        }
-    }
-    Some([6, 7].map(|side| (0..6).map(|k| &rows[k][side] / &rows[k][k]).collect()))
+    let beside = |(row, mut entries): (usize, Vec<Rational>)| {
+        entries.extend(loads.iter().map(|load| load[row].clone()));
+        entries
+    };
+    Eliminated::of(rows.into_iter().enumerate().map(beside), 6).solutions()?.try_into().ok()
 }
 
 /// Normal forces and friction of all contacts, at factor zero and their rates.

@@ -1,7 +1,8 @@
 //! Affine functions of the unknowns in rationals, and the elimination that solves systems of them.
 
 use num_rational::BigRational;
-use num_traits::{FromPrimitive, One, Zero};
+use num_traits::{FromPrimitive, Zero};
+use support::elimination::Eliminated;
 
 pub(super) type Q = BigRational;
 
@@ -49,31 +50,14 @@ pub(super) enum Solved {
     Family,
 }
 
-/// Gauss–Jordan elimination.
-pub(super) fn eliminate(mut rows: Vec<Affine>, n: usize) -> Solved {
-    let mut singular = false;
-    let mut done = 0;
-    for k in 0..n {
-        let Some(p) = (done..rows.len()).find(|&i| !rows[i].row[k].is_zero()) else {
-            singular = true;
-            continue;
-        };
-        rows.swap(done, p);
-        let scale = Q::one() / &rows[done].row[k];
-        rows[done] = rows[done].times(&scale);
-        for i in 0..rows.len() {
-            if i != done && !rows[i].row[k].is_zero() {
-                let factor = -rows[i].row[k].clone();
-                let pivot = rows[done].clone();
-                rows[i] = rows[i].clone().plus(&pivot, &factor);
-            }
-        }
-        done += 1;
+pub(super) fn solved(rows: &[Affine], n: usize) -> Solved {
+    let row = |of: &Affine| of.row.iter().cloned().chain([-of.constant.clone()]).collect();
+    let eliminated = Eliminated::of(rows.iter().map(row), n);
+    match eliminated.solution() {
+        Some(point) => Solved::Point(point),
+        None if eliminated.is_free() => Solved::Family,
+        None => Solved::Nothing,
     }
-    if !singular {
-        return Solved::Point(rows.iter().map(|row| -row.constant.clone()).collect());
-    }
-    if rows[done..].iter().all(|row| row.constant.is_zero()) { Solved::Family } else { Solved::Nothing }
 }
 
 pub(super) fn float(x: &Q) -> f64 {

@@ -10,7 +10,7 @@ use grasp_lcp::planar::Grasp;
 use grasp_lcp::planar::hand::{Finger, Hand, Joint, Tendon};
 use num_traits::{One, Signed, Zero};
 
-use super::affine::{Affine, Q, Solved, eliminate, exact, float};
+use super::affine::{Affine, Q, Solved, exact, float, solved};
 
 /// One contact: normal with integer components of integer length.
 pub(super) struct Touch {
@@ -217,7 +217,7 @@ impl Scene {
                 balance[3 + j].constant += exact(*arm) * exact(cable.tension);
             }
         }
-        let x = match eliminate(balance, n) {
+        let x = match solved(&balance, n) {
             Solved::Point(x) => x,
             Solved::Nothing => return None,
             Solved::Family => return Some(None),

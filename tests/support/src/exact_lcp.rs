@@ -3,7 +3,9 @@
 use nalgebra::{DMatrix, DVector};
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::{Signed, Zero};
+
+use super::elimination::Eliminated;
 
 /// M by rows, and q. Each row may have been multiplied by a power of two, which changes no solution z.
 #[derive(Debug, Clone)]
@@ -87,29 +89,12 @@ impl Exact {
         points
     }
 
-    /// The exact point of a regular M_αα, or `None` if it is singular: by elimination without fractions (E. H. Bareiss, Math.
-    /// Comp. 22, 1968).
+    /// The exact point of a regular M_αα, or `None` if it is singular.
     pub fn exact_point(&self, alpha: &[usize]) -> Option<Vec<BigRational>> {
-        let k = alpha.len();
         let row = |i: &usize| alpha.iter().map(|j| self.m[*i][*j].clone()).chain([-&self.q[*i]]).collect();
-        let mut a: Vec<Vec<BigInt>> = alpha.iter().map(row).collect();
-        let mut before = BigInt::one();
-        for c in 0..k {
-            let pivot = (c..k).find(|r| !a[*r][c].is_zero())?;
-            a.swap(c, pivot);
-            let head = a[c].clone();
-            for r in (0..k).filter(|r| *r != c) {
-                let f = a[r][c].clone();
-                for (x, h) in a[r].iter_mut().zip(&head) {
-                    *x = (&head[c] * &*x - &f * h) / &before;
-                }
-            }
-            before.clone_from(&head[c]);
-        }
+        let basic = Eliminated::of_whole(alpha.iter().map(row).collect(), alpha.len()).solution()?;
         let mut z = vec![BigRational::zero(); self.len()];
-        for (c, i) in alpha.iter().enumerate() {
-            z[*i] = BigRational::new(a[c][k].clone(), a[c][c].clone());
-        }
+        alpha.iter().zip(basic).for_each(|(i, basic)| z[*i] = basic);
         Some(z)
     }
 

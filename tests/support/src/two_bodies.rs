@@ -1,9 +1,10 @@
 //! Two planar bodies and every combination of their contact states, those that come near in exact rational arithmetic.
 
+use super::elimination::Eliminated;
 use super::exact_lcp::is_feasible;
 use nalgebra::{DMatrix, DVector, Vector2};
 use num_rational::BigRational;
-use num_traits::{Signed, Zero};
+use num_traits::Signed;
 
 use super::stacks::{Stack, Touch};
 
@@ -97,27 +98,8 @@ fn rational(x: f64) -> BigRational {
 
 /// The solution of the balance in exact arithmetic; `None` if it is not unique.
 fn exactly(conditions: &Conditions) -> Option<Vec<BigRational>> {
-    let mut rows: Vec<Vec<BigRational>> = conditions
-        .balance
-        .iter()
-        .map(|of| of.row.iter().map(|x| rational(*x)).chain([-rational(of.constant)]).collect())
-        .collect();
-    for k in 0..6 {
-        let pivot = (k..6).find(|row| !rows[*row][k].is_zero())?;
-        rows.swap(k, pivot);
-        let lead = rows[k][k].clone();
-        rows[k].iter_mut().for_each(|x| *x /= &lead);
-        for row in 0..6 {
-            let factor = rows[row][k].clone();
-            if row != k && !factor.is_zero() {
-                for column in k..7 {
-                    let step = &factor * &rows[k][column];
-                    rows[row][column] -= step;
-                }
-            }
-        }
-    }
-    Some(rows.into_iter().map(|row| row[6].clone()).collect())
+    let row = |of: &Linear| of.row.iter().map(|x| rational(*x)).chain([-rational(of.constant)]).collect();
+    Eliminated::of(conditions.balance.iter().map(row), 6).solution()
 }
 
 /// A condition over the sizes of its terms.
