@@ -146,3 +146,23 @@ impl<D: Size, const C: usize> CycleState<D, C> {
         there
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of `(a, b) → (b, a + b)` they are Fibonacci's numbers, and their sums are two further on, less one: whole, and without rounding.
+    #[test]
+    fn powers_and_their_sums_are_the_numbers_of_fibonacci() {
+        let step = DMatrix::from_row_slice(2, 2, &[0.0, 1.0, 1.0, 1.0]);
+        let mut numbers = vec![0.0, 1.0];
+        for k in 0..70 {
+            numbers.push(numbers[k] + numbers[k + 1]);
+        }
+        for n in 0..70 {
+            let (power, sum) = power_and_sum(&step, n);
+            assert_eq!([power[(0, 1)], power[(1, 1)]], [numbers[n], numbers[n + 1]], "{n}");
+            assert_eq!(sum[(0, 1)], numbers[n + 2] - 1.0, "{n}");
+        }
+    }
+}

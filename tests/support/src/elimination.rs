@@ -31,11 +31,7 @@ impl Eliminated {
             for (_, row) in rows.iter_mut().enumerate().filter(|(k, _)| *k != rank) {
                 let factor = row[column].clone();
                 for (x, h) in row.iter_mut().zip(&head) {
-                    *x = if factor.is_zero() || h.is_zero() {
-                        &head[column] * &*x / &before
-                    } else {
-                        (&head[column] * &*x - &factor * h) / &before
-                    };
+                    *x = (&head[column] * &*x - &factor * h) / &before;
                 }
             }
             before.clone_from(&head[column]);
