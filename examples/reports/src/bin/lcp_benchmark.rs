@@ -2,7 +2,8 @@
 //!
 //! `cargo run --release -p reports --bin lcp_benchmark` prints, for each family and size, the best time of several solves,
 //! the pivots, the largest scaled residual, and what it costs to verify the solution (a dash where that fails). With a directory as argument it also writes every problem there, as
-//! `family-n.txt`: n, then M row by row, then q, for timing other solvers on the same numbers.
+//! `family-n.txt`: n, then M row by row, then q, for timing other solvers on the same numbers. With `--bits` it times nothing, and prints the bits of all
+//! solutions alone.
 #![allow(clippy::cast_possible_truncation, clippy::doc_markdown)]
 
 use grasp_lcp::lcp::{Lcp, OutcomeView, Series, Settings, Workspace};
@@ -13,12 +14,16 @@ use std::time::Instant;
 use support::splitmix::Random;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let directory = std::env::args().nth(1).map(PathBuf::from);
+    let argument = std::env::args().nth(1);
+    let bits_alone = argument.as_deref() == Some("--bits");
+    let directory = argument.filter(|_| !bits_alone).map(PathBuf::from);
     let mut bits = 0_u64;
-    println!(
-        "{:<26} {:>5} {:>12} {:>7} {:>10} {:>14}",
-        "family", "n", "time (µs)", "pivots", "residual", "verified (µs)"
-    );
+    if !bits_alone {
+        println!(
+            "{:<26} {:>5} {:>12} {:>7} {:>10} {:>14}",
+            "family", "n", "time (µs)", "pivots", "residual", "verified (µs)"
+        );
+    }
     for (family, make) in [
         ("definite", definite as fn(usize, &mut Random) -> Lcp),
         ("definite-uniform", definite_uniform),
@@ -31,35 +36,41 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             if let Some(directory) = &directory {
                 std::fs::write(directory.join(format!("{family}-{n}.txt")), problem.to_string())?;
             }
-            let settings = Settings::default();
             let mut workspace = Workspace::new();
-            let mut pivots = 0;
-            let mut residual = f64::NAN;
-            let time = best_time(|| {
-                if let OutcomeView::Solved(solution) = workspace.solve(black_box(&problem), &settings) {
-                    pivots = solution.pivots;
-                    residual = solution.residuals.max();
-                }
-            });
-            let mut verified = "-".to_string();
-            if let OutcomeView::Solved(solution) = workspace.solve(&problem, &settings) {
-                if problem.verify(solution.basis).is_some() {
-                    let time = best_time(|| {
-                        black_box(problem.verify(solution.basis));
-                    });
-                    verified = format!("{time:.2}");
-                }
+            if !bits_alone {
+                timed(family, &problem, &mut workspace);
+            }
+            if let OutcomeView::Solved(solution) = workspace.solve(&problem, &Settings::default()) {
                 bits = solution.z.iter().fold(bits, |bits, z| bits.rotate_left(7) ^ z.to_bits());
             }
-            println!(
-                "{family:<26} {:>5} {time:>12.2} {pivots:>7} {residual:>10.1e} {verified:>14}",
-                problem.len()
-            );
         }
     }
     // The same with and without the feature `simd`.
     println!("bits of all z: {bits:016x}");
-    neighbours()
+    if bits_alone { Ok(()) } else { neighbours() }
+}
+
+/// Prints how fast and how exact one problem is solved and verified.
+fn timed(family: &str, problem: &Lcp, workspace: &mut Workspace) {
+    let settings = Settings::default();
+    let mut pivots = 0;
+    let mut residual = f64::NAN;
+    let time = best_time(|| {
+        if let OutcomeView::Solved(solution) = workspace.solve(black_box(problem), &settings) {
+            pivots = solution.pivots;
+            residual = solution.residuals.max();
+        }
+    });
+    let mut verified = "-".to_string();
+    if let OutcomeView::Solved(solution) = workspace.solve(problem, &settings)
+        && problem.verify(solution.basis).is_some()
+    {
+        let time = best_time(|| {
+            black_box(problem.verify(solution.basis));
+        });
+        verified = format!("{time:.2}");
+    }
+    println!("{family:<26} {:>5} {time:>12.2} {pivots:>7} {residual:>10.1e} {verified:>14}", problem.len());
 }
 
 /// The series of a definite M whose q moves just far enough to change the basis by one pair.
