@@ -35,7 +35,7 @@ impl Common {
 }
 
 /// Means by side and finger, and correlations in groups.
-pub(crate) fn by_direction() -> Result<(), Box<dyn Error>> {
+pub(crate) fn by_direction(layouts: usize) -> Result<(), Box<dyn Error>> {
     let (blocks, pushes) = (blocks()?, pushes()?);
     println!(
         "\nWhat is left of the pushes, measured over predicted, in percent: the mean by the side that is pushed, and whether the finger slides along it one way, sticks, or slides the other way:\n"
@@ -49,7 +49,7 @@ pub(crate) fn by_direction() -> Result<(), Box<dyn Error>> {
     ];
     let mut common: [Common; 4] = Default::default();
     for surface in SURFACES {
-        for (layout, (name, _)) in LAYOUTS.iter().enumerate() {
+        for (layout, (name, _)) in LAYOUTS.iter().enumerate().take(layouts) {
             let own: Vec<_> = pushes.iter().filter(|p| p.surface == surface && p.layout == layout).collect();
             let found = identified(&blocks[layout], &own, &in_the_plane, None)?;
             let scatter = found.scatter.ok_or("a scatter")?;

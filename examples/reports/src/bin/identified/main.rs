@@ -1,6 +1,6 @@
 //! What slips tell: how often intervals hold the truth, and what measured pushes say of the supports that they were made on.
 //!
-//! `cargo run --release -p reports --bin identified [draws] [turns of the ellipse] [layouts]`
+//! `cargo run --release -p reports --bin identified [draws] [turns of the ellipse] [layouts] [heights of the pusher]`
 //!
 //! Intervals are asked to hold the truth 95 times in 100. Slips of grasps whose numbers are known are drawn with scatter a thousand times, and how often
 //! that is so is counted; with a thousand draws chance alone is off by 0.7 in 100. Some are drawn with scatter that slips of a group share.
@@ -24,6 +24,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let draws = std::env::args().nth(1).map_or(Ok(1000), |draws| draws.parse())?;
     let turns = std::env::args().nth(2).map_or(Ok(8), |turns| turns.parse::<u8>())?;
     let layouts = std::env::args().nth(3).map_or(Ok(LAYOUTS.len()), |layouts| layouts.parse())?;
+    let heights = std::env::args().nth(4).map_or(Ok(4), |heights| heights.parse())?;
     println!("Of {draws} draws so many in 100 have the truth in their interval of 95 %:\n");
     println!("{:<64}{:>6}{:>9}   unknown by unknown", "", "slips", "scatter");
     for slips in [3, 5, 10, 30] {
@@ -40,9 +41,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         covered(&three_feet_by_direction(directions)?, draws)?;
     }
     covered(&three_feet_by_direction(16)?.without_groups(), draws)?;
-    supports::of_pushes()?;
-    in_common::by_direction()?;
-    other_models::compared(turns, layouts)
+    supports::of_pushes(layouts)?;
+    in_common::by_direction(layouts)?;
+    other_models::compared(turns, layouts, heights)
 }
 
 fn covered<const C: usize>(known: &Known<C>, draws: usize) -> Result<(), Failure> {

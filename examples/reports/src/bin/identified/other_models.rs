@@ -32,15 +32,16 @@ fn all_layouts(
     Ok((squares / blocks.len() as f64).sqrt())
 }
 
-/// Models beside each other, asked about so many layouts of each surface, the ellipse of friction turned so many times on its half way around.
-pub(crate) fn compared(turns: u8, layouts: usize) -> Result<(), Box<dyn Error>> {
+/// Models beside each other, asked about so many layouts of each surface, the ellipse of friction turned so many times on its half way around, and the
+/// pusher at so many heights.
+pub(crate) fn compared(turns: u8, layouts: usize, heights: usize) -> Result<(), Box<dyn Error>> {
     let (mut blocks, pushes) = (blocks()?, pushes()?);
     blocks.truncate(layouts);
     println!(
         "\nOther models, pushes each for itself: how much is left, and how many loads are within two standard errors:\n"
     );
     println!("{:<56}{:>12}{:>12}{:>14}", "", "hardboard", "plywood", "within 2 σ");
-    for height in [0.0, 5.0, 10.0, 15.0] {
+    for height in [0.0, 5.0, 10.0, 15.0].into_iter().take(heights) {
         let above = |push: &Push| {
             let (x, y, h) = (push.load.x, push.load.y, 1e-3 * height);
             Wrench::new([x, y, 0.0], [-h * y, h * x, push.load.z])

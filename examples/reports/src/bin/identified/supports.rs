@@ -70,8 +70,8 @@ fn median(mut values: Vec<f64>) -> f64 {
     values[values.len() / 2]
 }
 
-/// All surfaces and layouts.
-pub(crate) fn of_pushes() -> Result<(), Box<dyn Error>> {
+/// All surfaces, and so many layouts of each.
+pub(crate) fn of_pushes(layouts: usize) -> Result<(), Box<dyn Error>> {
     let (blocks, pushes) = (blocks()?, pushes()?);
     println!(
         "\nLoads of supports in N, from 50 measured pushes each, the block weighed, pushes in one direction of 30° as a group; so many standard errors from what statics says:\n"
@@ -82,7 +82,7 @@ pub(crate) fn of_pushes() -> Result<(), Box<dyn Error>> {
     );
     let mut within: [Within; GROUPINGS.len()] = Default::default();
     for surface in SURFACES {
-        for (layout, block) in blocks.iter().enumerate() {
+        for (layout, block) in blocks.iter().enumerate().take(layouts) {
             let own: Vec<_> = pushes.iter().filter(|p| p.surface == surface && p.layout == layout).collect();
             let plain = identified(block, &own, &in_the_plane, None)?;
             for (k, ((together, _), within)) in GROUPINGS.iter().zip(&mut within).enumerate() {
