@@ -24,7 +24,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let draws = std::env::args().nth(1).map_or(Ok(1000), |draws| draws.parse())?;
     let turns = std::env::args().nth(2).map_or(Ok(8), |turns| turns.parse::<u8>())?;
     let layouts = std::env::args().nth(3).map_or(Ok(LAYOUTS.len()), |layouts| layouts.parse())?;
-    let heights = std::env::args().nth(4).map_or(Ok(4), |heights| heights.parse())?;
+    let heights =
+        std::env::args().nth(4).map_or(Ok(other_models::HEIGHTS.len()), |heights| heights.parse())?;
     println!("Of {draws} draws so many in 100 have the truth in their interval of 95 %:\n");
     println!("{:<64}{:>6}{:>9}   unknown by unknown", "", "slips", "scatter");
     for slips in [3, 5, 10, 30] {

@@ -13,6 +13,8 @@ use support::measured_pushes::{Push, SURFACES, blocks, pushes, supports};
 use crate::supports::{Within, identified};
 
 const STIFFNESS: f64 = 1e6; // N/m
+/// Of the pusher above the surface, in mm.
+pub(crate) const HEIGHTS: [f64; 4] = [0.0, 5.0, 10.0, 15.0];
 
 /// Scatter of all layouts of one surface, and loads that are right.
 fn all_layouts(
@@ -41,7 +43,7 @@ pub(crate) fn compared(turns: u8, layouts: usize, heights: usize) -> Result<(), 
         "\nOther models, pushes each for itself: how much is left, and how many loads are within two standard errors:\n"
     );
     println!("{:<56}{:>12}{:>12}{:>14}", "", "hardboard", "plywood", "within 2 σ");
-    for height in [0.0, 5.0, 10.0, 15.0].into_iter().take(heights) {
+    for height in HEIGHTS.into_iter().take(heights) {
         let above = |push: &Push| {
             let (x, y, h) = (push.load.x, push.load.y, 1e-3 * height);
             Wrench::new([x, y, 0.0], [-h * y, h * x, push.load.z])
