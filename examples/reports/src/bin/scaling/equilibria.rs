@@ -75,9 +75,9 @@ fn patch<const D: usize, const C: usize>(
     let runs = (20_000 / grasp.len()).clamp(3, 50);
     let mut workspace = Workspace::default();
     let lemke = best(runs, || {
-        black_box(workspace.solve(grasp, load).is_ok());
+        black_box(workspace.solve_along_one_path(grasp, load).is_ok());
     });
-    let remarks = remark(workspace.solve(grasp, load)?);
+    let remarks = remark(workspace.solve_along_one_path(grasp, load)?);
     let (dense, today) =
         if affordable { (dense(grasp, load, 3), program_once(grasp, load, 2)) } else { (f64::NAN, f64::NAN) };
     let name = format!("equilibrium, patch {place}, n = {}", grasp.len());
@@ -117,7 +117,7 @@ pub fn growth() -> Outcome {
         let (grasp, load) = planar_patch(n)?;
         let mut workspace = Workspace::default();
         times.push(best((20_000 / n).clamp(3, 20), || {
-            black_box(workspace.solve(&grasp, &load).is_ok());
+            black_box(workspace.solve_along_one_path(&grasp, &load).is_ok());
         }));
     }
     println!("growth of Lemke's cost from n = 10³ to 10⁵: n^{:.2}", (times[1] / times[0]).log10() / 2.0);
