@@ -4,12 +4,12 @@
 //! `cargo run --release -p reports --bin dragged_body`
 
 use std::error::Error;
-use std::time::Instant;
 
 use grasp_lcp::Settings;
 use grasp_lcp::picture::{Chart, Stroke};
 use grasp_lcp::spatial::{Grasp, Leg, Wrench};
 use grasp_lcp::{Fit, PolygonCone};
+use support::best_time::timed;
 use support::tractrix::{self, WAY, exact, leash, limit};
 
 const SAMPLES: u32 = 200;
@@ -23,16 +23,12 @@ struct Followed {
 }
 
 fn follow(grasp: &Grasp, legs: &[Leg], settings: &Settings) -> Result<Followed, Box<dyn Error>> {
-    let mut time = f64::INFINITY;
-    let begin = Instant::now();
-    while begin.elapsed().as_secs_f64() < 0.2 {
-        let start = Instant::now();
-        grasp.with(settings).follow(&Wrench::ZERO, legs)?.run();
-        time = time.min(start.elapsed().as_secs_f64());
-    }
     let asked = grasp.with(settings);
-    let mut path = asked.follow(&Wrench::ZERO, legs)?;
-    path.run();
+    let (path, time) = timed(|| {
+        let mut path = asked.follow(&Wrench::ZERO, legs)?;
+        path.run();
+        Ok(path)
+    })?;
     let (mut track, mut error) = (Vec::new(), 0.0_f64);
     for k in 0..=SAMPLES {
         let f = f64::from(k) / f64::from(SAMPLES);

@@ -10,7 +10,7 @@ use grasp_lcp::lcp::{Lcp, OutcomeView, Series, Settings, Workspace};
 use nalgebra::{DMatrix, DVector};
 use std::hint::black_box;
 use std::path::PathBuf;
-use std::time::Instant;
+use support::best_time::best;
 use support::splitmix::Random;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -104,18 +104,9 @@ fn neighbours() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
-/// The best time of one call in microseconds, over about a third of a second.
-fn best_time(mut solve: impl FnMut()) -> f64 {
-    let begin = Instant::now();
-    let mut best = f64::INFINITY;
-    let mut calls = 0;
-    while calls < 5 || begin.elapsed().as_secs_f64() < 0.3 {
-        let start = Instant::now();
-        solve();
-        best = best.min(start.elapsed().as_secs_f64() * 1e6);
-        calls += 1;
-    }
-    best
+/// The best time of one call in microseconds.
+fn best_time(solve: impl FnMut()) -> f64 {
+    1e6 * best(solve)
 }
 
 fn lcp(m: DMatrix<f64>, q: DVector<f64>) -> Lcp {

@@ -15,6 +15,7 @@ use grasp_lcp::nalgebra::SVector;
 use grasp_lcp::picture::{Chart, Stroke};
 use grasp_lcp::spatial::{Beyond, Contact, Grasp, Leg, Outcome, Wrench};
 use grasp_lcp::{Fit, PolygonCone, Settings};
+use support::best_time::repeats;
 
 const RADIUS: f64 = 0.006; // m
 const PRESSED: f64 = 10.0; // N
@@ -27,7 +28,7 @@ const ARM: f64 = 1e6;
 const FAR: f64 = 300.0;
 /// Directions between shear and torsion.
 const DIRECTIONS: usize = 24;
-const REPEATS: usize = 3;
+const REPEATS: u32 = 3;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let most = std::env::args().nth(1).map_or(Ok(10_000), |most| most.parse())?;
@@ -184,7 +185,7 @@ fn ring() -> Result<(), grasp_lcp::Error> {
         let jar = Grasp::new((0..count).map(spring))?;
         let limit = FRICTION * count as f64;
         let (mut best, mut held) = (f64::INFINITY, 0.0);
-        for _ in 0..REPEATS {
+        for _ in 0..repeats(REPEATS) {
             let start = Instant::now();
             let beyond = [Leg::load_to(Wrench::force([0.0, 0.0, -1.25 * limit]))];
             let mut path = jar.follow_in_steps(&Wrench::ZERO, &beyond, 1e-6)?;
@@ -251,7 +252,7 @@ fn cost(surface: &[(f64, f64)], most: usize) -> Result<(), Box<dyn Error>> {
         let follow = |error: f64| {
             let (mut best, mut steps) = (f64::INFINITY, 0);
             let mut path = patch.grasp.follow_in_steps(&Patch::weight(), &legs, error)?;
-            for _ in 0..if error < 1e-5 { 1 } else { REPEATS } {
+            for _ in 0..if error < 1e-5 { 1 } else { repeats(REPEATS) } {
                 let start = Instant::now();
                 path = patch.grasp.follow_in_steps(&Patch::weight(), &legs, error)?;
                 steps = path.by_ref().count();

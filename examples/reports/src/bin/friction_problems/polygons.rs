@@ -4,6 +4,7 @@ use super::{median, timed};
 use grasp_lcp::friction::SpatialContacts;
 use grasp_lcp::lcp::{Outcome, Settings};
 use nalgebra::{DMatrix, DVector};
+use support::best_time::repeats;
 use support::splitmix::Random;
 
 const POLYGONS: [usize; 3] = [8, 16, 32];
@@ -70,6 +71,6 @@ fn problem(random: &mut Random, n: usize, columns: usize, skew: f64) -> SpatialC
 }
 
 fn best_of_three<T>(mut work: impl FnMut() -> T) -> (f64, T) {
-    let runs = [timed(&mut work), timed(&mut work), timed(&mut work)];
-    runs.into_iter().min_by(|a, b| a.0.total_cmp(&b.0)).expect("three")
+    let runs = (0..repeats(3)).map(|_| timed(&mut work));
+    runs.min_by(|a, b| a.0.total_cmp(&b.0)).expect("at least one")
 }

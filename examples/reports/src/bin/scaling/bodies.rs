@@ -3,7 +3,9 @@
 use grasp_lcp::planar::{Bodies, Wrench};
 use support::piles::{books, wall};
 
-use crate::report::{Beside, best, row};
+use support::best_time::best;
+
+use crate::report::{Beside, row};
 use crate::{Outcome, up_to};
 
 /// Rows are as long as one likes, and the cost of a book stays. In a wall of n bricks a band is as wide as a row of √n bricks, so that factors cost n
@@ -25,9 +27,7 @@ fn grown(work: &str, family: impl IntoIterator<Item = (usize, Bodies, Wrench)>) 
     for (count, bodies, load) in family {
         let grasp = bodies.grasp()?;
         let mut holds = None;
-        let runs = if count > 500 { 1 } else { 3 };
-        let time =
-            best(runs, || holds = grasp.hold(load).ok().and_then(|verdict| verdict.holds())) / count as f64;
+        let time = best(|| holds = grasp.hold(load).ok().and_then(|verdict| verdict.holds())) / count as f64;
         let grows = before.map_or_else(String::new, |(fewer, less)| {
             let (more, longer) = (count as f64 / fewer as f64, time / less);
             format!(", {more:.1} times as many: each takes {longer:.1} times as long")

@@ -10,7 +10,9 @@ use grasp_lcp::forms::Row;
 use grasp_lcp::grasp::Wrench;
 
 use crate::limits::{Cores, Limit, Needs};
-use crate::report::{Beside, best, row};
+use support::best_time::best;
+
+use crate::report::{Beside, row};
 use crate::today::sticks;
 use crate::{Outcome, up_to};
 use support::patches::{fingers, planar_patch, spatial_patch};
@@ -20,28 +22,28 @@ pub fn few_contacts() -> Outcome {
     for count in 3..=5 {
         let (grasp, load) = fingers(count)?;
         let mut workspace = Workspace::default();
-        let time = best(2000, || {
+        let time = best(|| {
             black_box(workspace.solve(black_box(&grasp), black_box(&load)).is_ok());
         });
-        let dense = dense(&grasp, &load, 200);
+        let dense = dense(&grasp, &load);
         row(
             &format!("equilibrium, {count} contacts in space, 8 facets"),
             time,
-            Beside { in_general: dense, today: program_once(&grasp, &load, 20), ..Beside::NOTHING },
+            Beside { in_general: dense, today: program_once(&grasp, &load), ..Beside::NOTHING },
             &found(&mut workspace, &grasp, &load)?,
         );
-        on_the_round_cone(&format!("{count} contacts in space"), &grasp, &load, 2000)?;
+        on_the_round_cone(&format!("{count} contacts in space"), &grasp, &load)?;
     }
     Ok(())
 }
 
 /// The same on the round cone, beside `Grasp::solve`.
-fn on_the_round_cone(name: &str, grasp: &Grasp<3>, load: &Wrench<3>, runs: usize) -> Outcome {
+fn on_the_round_cone(name: &str, grasp: &Grasp<3>, load: &Wrench<3>) -> Outcome {
     let mut workspace = Workspace::on_the_round_cone();
-    let time = best(runs, || {
+    let time = best(|| {
         black_box(workspace.solve(black_box(grasp), black_box(load)).is_ok());
     });
-    let in_general = best(runs / 10 + 2, || drop(black_box(grasp.solve(load))));
+    let in_general = best(|| drop(black_box(grasp.solve(load))));
     let remarks = found(&mut workspace, grasp, load)?;
     row(
         &format!("equilibrium, {name}, round cone"),
@@ -61,7 +63,7 @@ pub fn patches(most: usize) -> Outcome {
     for n in up_to(most, [100, 1000, 10_000]) {
         let (grasp, load) = spatial_patch(n)?;
         patch::<6, 3>("in space", &grasp, &load, n <= 100)?;
-        on_the_round_cone(&format!("patch in space, n = {n}"), &grasp, &load, (20_000 / n).clamp(3, 50))?;
+        on_the_round_cone(&format!("patch in space, n = {n}"), &grasp, &load)?;
     }
     Ok(())
 }
@@ -72,18 +74,17 @@ fn patch<const D: usize, const C: usize>(
     load: &Wrench<C>,
     affordable: bool,
 ) -> Outcome {
-    let runs = (20_000 / grasp.len()).clamp(3, 50);
     let mut workspace = Workspace::default();
-    let lemke = best(runs, || {
+    let lemke = best(|| {
         black_box(workspace.solve_along_one_path(grasp, load).is_ok());
     });
     let remarks = remark(workspace.solve_along_one_path(grasp, load)?);
     let (dense, today) =
-        if affordable { (dense(grasp, load, 3), program_once(grasp, load, 2)) } else { (f64::NAN, f64::NAN) };
+        if affordable { (dense(grasp, load), program_once(grasp, load)) } else { (f64::NAN, f64::NAN) };
     let name = format!("equilibrium, patch {place}, n = {}", grasp.len());
     let beside = Beside { in_general: dense, today, ..Beside::NOTHING };
     row(&format!("{name}, Lemke"), lemke, beside, &remarks);
-    let newton = best(runs, || {
+    let newton = best(|| {
         black_box(workspace.solve(grasp, load).is_ok());
     });
     let limit = match workspace.solve(grasp, load)? {
@@ -116,7 +117,7 @@ pub fn growth() -> Outcome {
     for n in [1000, 100_000] {
         let (grasp, load) = planar_patch(n)?;
         let mut workspace = Workspace::default();
-        times.push(best((20_000 / n).clamp(3, 20), || {
+        times.push(best(|| {
             black_box(workspace.solve_along_one_path(&grasp, &load).is_ok());
         }));
     }
@@ -127,12 +128,12 @@ pub fn growth() -> Outcome {
 /// From the public question to the answer as physics: building the scene with its validation, and solving it.
 pub fn whole_solve(most: usize) -> Outcome {
     for n in up_to(most, [10_000, 100_000]) {
-        let build = best(3, || {
+        let build = best(|| {
             black_box(planar_patch(n).is_ok());
         });
         let (grasp, load) = planar_patch(n)?;
         let mut worst = f64::NAN;
-        let solve = best(3, || {
+        let solve = best(|| {
             if let Ok(outcome) = grasp.with(&Settings::default()).solve(&load) {
                 worst = outcome.equilibrium().map_or(f64::NAN, |e| e.residuals.worst());
             }
@@ -145,13 +146,13 @@ pub fn whole_solve(most: usize) -> Outcome {
 }
 
 /// The reduced quadratic program made and solved once by an interior-point method. Its friction law is another one: only the time compares.
-fn program_once<const C: usize>(grasp: &Grasp<C>, load: &Wrench<C>, runs: usize) -> f64 {
-    best(runs, || drop(black_box(sticks(grasp, load))))
+fn program_once<const C: usize>(grasp: &Grasp<C>, load: &Wrench<C>) -> f64 {
+    best(|| drop(black_box(sticks(grasp, load))))
 }
 
 /// The kinematic form made and solved as a dense problem, without check of the answer as physics.
-fn dense<const C: usize>(grasp: &Grasp<C>, load: &Wrench<C>, runs: usize) -> f64 {
-    best(runs, || {
+fn dense<const C: usize>(grasp: &Grasp<C>, load: &Wrench<C>) -> f64 {
+    best(|| {
         if let Ok(Some(form)) = grasp.kinematic_form(load, &PolygonCone::default()) {
             black_box(form.lcp.solve());
         }

@@ -8,7 +8,7 @@ use std::hint::black_box;
 
 use rayon::prelude::*;
 
-use crate::report::best;
+use support::best_time::best;
 
 /// What a piece of work needs.
 pub struct Needs {
@@ -64,12 +64,10 @@ pub fn print_machine() {
 fn bandwidth(among: f64, cores: Cores) -> f64 {
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a length
     let array = vec![1.0_f64; (among / 8.0).max(1024.0) as usize];
-    let runs = (100_000_000 / array.len()).clamp(10, 1000);
-    let mut time = best(runs, || _ = black_box(sum(black_box(&array))));
+    let mut time = best(|| _ = black_box(sum(black_box(&array))));
     if matches!(cores, Cores::All) {
         let part = array.len().div_ceil(4 * rayon::current_num_threads());
-        time =
-            time.min(best(runs, || _ = black_box(black_box(&array).par_chunks(part).map(sum).sum::<f64>())));
+        time = time.min(best(|| _ = black_box(black_box(&array).par_chunks(part).map(sum).sum::<f64>())));
     }
     8.0 * array.len() as f64 / time
 }
@@ -103,10 +101,10 @@ fn peak(cores: Cores) -> f64 {
     };
     let each = (8 * PLACES * ROUNDS) as f64;
     match cores {
-        Cores::One => each / best(100, work),
+        Cores::One => each / best(work),
         Cores::All => {
             let threads = rayon::current_num_threads();
-            each * threads as f64 / best(100, || (0..threads).into_par_iter().for_each(|_| work()))
+            each * threads as f64 / best(|| (0..threads).into_par_iter().for_each(|_| work()))
         }
     }
 }

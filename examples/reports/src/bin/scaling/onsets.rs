@@ -13,7 +13,9 @@ use grasp_lcp::{planar, spatial};
 
 use crate::Outcome;
 use crate::limits::{Cores, Limit, Needs};
-use crate::report::{Beside, best, row};
+use support::best_time::best;
+
+use crate::report::{Beside, row};
 use crate::today::bisected_onset;
 use support::patches::uneven;
 
@@ -44,32 +46,32 @@ fn family<const D: usize, const C: usize, const N: usize>(
 
     let each = 1.0 / GRASPS as f64;
     let ready = each
-        * best(20, || {
+        * best(|| {
             for scene in &scenes {
                 black_box(Fingers::<D, C, N>::new(black_box(scene)).is_ok());
             }
         });
     let alone = each
-        * best(100, || {
+        * best(|| {
             for grasp in &fingers {
                 black_box(black_box(grasp).onset(&pull));
             }
         });
     let mut answers = Vec::new();
-    let together = each * best(200, || batch.onsets_into(black_box(&[pull]), &mut answers));
+    let together = each * best(|| batch.onsets_into(black_box(&[pull]), &mut answers));
     let mut all = Vec::new();
     let mut many = Batch::with_capacity(10 * GRASPS);
     for grasp in (0..10).flat_map(|_| &fingers) {
         many.push(grasp);
     }
     let on_all_cores = each / 10.0
-        * best(100, || {
+        * best(|| {
             onsets_of_batch(&many, black_box(&[pull]), &mut all);
         });
 
     let loads = [pull; 16];
     let of_many_loads = each / 160.0
-        * best(10, || {
+        * best(|| {
             onsets_of_batch(&many, black_box(&loads), &mut all);
         });
 
@@ -80,7 +82,7 @@ fn family<const D: usize, const C: usize, const N: usize>(
     let grasps: Vec<_> =
         few.iter().map(|(scene, _)| Grasp::new(scene.iter().cloned())).collect::<Result<_, _>>()?;
     let mut off = 0.0_f64;
-    let whole = best(5, || {
+    let whole = best(|| {
         for (grasp, (_, factor)) in grasps.iter().zip(&few) {
             if let Ok(onset) = grasp.onset(&ramp) {
                 off = onset.factor().map_or(f64::NAN, |exact| off.max((factor / exact - 1.0).abs()));
@@ -88,7 +90,7 @@ fn family<const D: usize, const C: usize, const N: usize>(
         }
     }) / few.len() as f64;
     let mut found = 0.0;
-    let today = best(3, || found = bisected_onset(&grasps[0], direction).unwrap_or(f64::NAN));
+    let today = best(|| found = bisected_onset(&grasps[0], direction).unwrap_or(f64::NAN));
     let bisected = (found / few[0].1 - 1.0).abs();
 
     row(&format!("making ready {name}, with its validation"), ready, Beside::NOTHING, "");
@@ -147,13 +149,13 @@ fn turns<const D: usize, const C: usize, const N: usize>(
         let turn = Turn::new(Wrench::ZERO, *direction * 0.1, *direction * times);
         let pull = TurningPull::new(&turn)?;
         let mut answers = Vec::new();
-        let together = best(100, || batch.turn_onsets_into(black_box(&[pull]), &mut answers)) / GRASPS as f64;
-        let alone = best(50, || {
+        let together = best(|| batch.turn_onsets_into(black_box(&[pull]), &mut answers)) / GRASPS as f64;
+        let alone = best(|| {
             for grasp in fingers {
                 black_box(black_box(grasp).onset_of_turn(&pull));
             }
         }) / GRASPS as f64;
-        let whole = best(5, || {
+        let whole = best(|| {
             for grasp in grasps {
                 black_box(grasp.onset_of_turn(black_box(&turn)).is_ok());
             }
@@ -179,13 +181,13 @@ fn squeezes<const D: usize, const C: usize, const N: usize>(
     let cases = [LoadCases::new(&loads)?];
     let loads = Loads::Each(loads);
     let mut answers = Vec::new();
-    let together = best(100, || batch.least_squeezes_into(black_box(&cases), &mut answers)) / GRASPS as f64;
-    let alone = best(50, || {
+    let together = best(|| batch.least_squeezes_into(black_box(&cases), &mut answers)) / GRASPS as f64;
+    let alone = best(|| {
         for grasp in fingers {
             black_box(black_box(grasp).least_squeeze(&cases[0]));
         }
     }) / GRASPS as f64;
-    let whole = best(5, || {
+    let whole = best(|| {
         for grasp in grasps {
             black_box(grasp.least_squeeze(black_box(&loads)).is_ok());
         }

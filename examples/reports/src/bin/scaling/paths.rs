@@ -9,7 +9,9 @@ use grasp_lcp::load_path::{Leg, PathEnd};
 use nalgebra::SVector;
 
 use crate::limits::{Cores, Limit, Needs};
-use crate::report::{Beside, best, row};
+use support::best_time::best;
+
+use crate::report::{Beside, row};
 use crate::{Outcome, up_to};
 use grasp_lcp::spatial;
 use support::patches::{planar_patch, spatial_patch, uneven};
@@ -49,7 +51,7 @@ fn round_a_ball(n: usize) -> Outcome {
     let load = spatial::Wrench::new([0.2, 0.1, -1.0], [0.05, 0.1, 0.02]) * n as f64;
     let legs = [Leg::load_to(load * 10.0)];
     let mut remark = String::new();
-    let time = best(if n < 100 { 5 } else { 1 }, || {
+    let time = best(|| {
         let Ok(mut path) = grasp.follow(&Wrench::ZERO, &legs) else { return };
         let events = path.run().len();
         remark = format!("{events} events, {}, error {:.0e}", how(path.end()), path.step_error());
@@ -74,12 +76,12 @@ fn whole_path<const D: usize, const C: usize>(
         let residual = path.state().map_or(f64::NAN, |state| state.residuals.worst());
         let looked = path.contacts_looked_at() as f64 / events as f64;
         let how = how(path.end());
-        let time = best((20_000 / grasp.len()).clamp(5, 50), || {
+        let time = best(|| {
             black_box(grasp.follow_patch(&press, legs).map_or(0, Iterator::count));
         });
         let settings = Settings::default().on_the_polygon();
         let whole = || grasp.with(&settings).follow(&press, legs).map(|mut path| path.run().len());
-        let long = if affordable { best(3, || drop(black_box(whole()))) } else { f64::NAN };
+        let long = if affordable { best(|| drop(black_box(whole()))) } else { f64::NAN };
         let limit = Limit::of(&needs::<D, C>(grasp.len(), events as f64, looked));
         row(
             &format!("load path{name}, patch {place}, n = {}", grasp.len()),

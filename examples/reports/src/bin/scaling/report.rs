@@ -1,25 +1,6 @@
 //! Times, and how they are printed.
 
-use std::time::Instant;
-
 use crate::limits::Limit;
-
-/// After so many seconds, and three runs, there are no more of them.
-const ENOUGH: f64 = 0.5;
-
-/// Best time of several runs, s.
-pub fn best(runs: usize, mut work: impl FnMut()) -> f64 {
-    let (began, mut best) = (Instant::now(), f64::INFINITY);
-    for run in 0..runs {
-        if run >= 3 && began.elapsed().as_secs_f64() > ENOUGH {
-            break;
-        }
-        let start = Instant::now();
-        work();
-        best = best.min(start.elapsed().as_secs_f64());
-    }
-    best
-}
 
 /// Heads of the columns.
 pub fn head() {
