@@ -1,6 +1,6 @@
 //! At which load does a ball slide in a robot hand, and what do springs along the axes of the contacts say of it?
 //!
-//! `cargo run --release -p robot-hand` reads `hand.urdf` – three fingers of four joints, with the efforts of their motors – closes the hand about a
+//! `cargo run --release -p robot-hand [rings of directions above the equator]` reads `hand.urdf` – three fingers of four joints, with the efforts of their motors – closes the hand about a
 //! ball as a pinch and as a power grasp, and finds the onset of sliding in every direction: with the joints, their stiffness and the limits of
 //! their motors, and beside it with a spring along each axis of each contact, the diagonal of the same compliance. Joints that stall are told.
 
@@ -267,7 +267,8 @@ fn draw_map(
         let stalls = onset.event().is_some_and(|event| !event.drives.is_empty());
         Ok::<_, Failure>(onset.factor().map(|factor| (factor, stalls)))
     };
-    let grid = SphereGrid::new(16, 32);
+    let rings: usize = std::env::args().nth(1).map_or(Ok(16), |rings| rings.parse())?;
+    let grid = SphereGrid::new(rings, 2 * rings);
     let directions = grid.directions();
     let (mut values, mut ratios, mut stalls) = (Vec::new(), Vec::new(), 0);
     for direction in &directions {
