@@ -1,8 +1,9 @@
 //! At which load does a ball slide in a robot hand, and what do springs along the axes of the contacts say of it?
 //!
-//! `cargo run --release -p robot-hand [rings of directions above the equator]` reads `hand.urdf` – three fingers of four joints, with the efforts of their motors – closes the hand about a
-//! ball as a pinch and as a power grasp, and finds the onset of sliding in every direction: with the joints, their stiffness and the limits of
-//! their motors, and beside it with a spring along each axis of each contact, the diagonal of the same compliance. Joints that stall are told.
+//! `cargo run --release -p robot-hand [rings of directions above the equator]` reads `hand.urdf` – three fingers of four joints, with the efforts of their
+//! motors – closes the hand about a ball as a pinch and as a power grasp, and finds the onset of sliding in every direction: with the joints, their
+//! stiffness and the limits of their motors, and beside it with a spring along each axis of each contact, the diagonal of the same compliance. Joints
+//! that stall are told.
 
 mod closing;
 mod description;
