@@ -14,14 +14,15 @@
 //! **How.** All of them are positive, so that the search goes in their logarithms x, and so do residuals: a slip at load factor λ that was predicted at
 //! λ(x) is off by `ln λ - ln λ(x)`. Gauss and Newton's steps, damped as Levenberg has it, make the sum of
 //! [Huber's loss](Identify::with_outliers_beyond) of them least. Derivatives are exact: those of an onset are
-//! [known](crate::ask::Sensitivity::onset_gradients). Where normal forces stay as they are at rest until everything slides, the load that is lost
-//! changes with a limit of friction by the rate at which that contact slips, for one unit of the load's power:
+//! [known](crate::ask::Sensitivity::onset_gradients). Where the last motion m opens nothing, a loss is a root of equations of its own, over contacts i that
+//! press:
 //!
 //! ```text
-//! dλ = Σ |v_i| d(μ_i N_i) / (W·q̇)
+//! W₀ + λ W + Σ (nᵢ − μᵢ Tᵢ vᵢ/|vᵢ|) Nᵢ = 0,   vᵢ = Tᵢᵀ m,   nᵢᵀ m = 0,   dNᵢ = −kᵢ nᵢᵀ dy
 //! ```
 //!
-//! Where neither is at hand, as where contacts have closed on the way or normal forces change with the load, derivatives are differences of exact answers.
+//! where what sticks carries any tangential force. Their unknowns λ, m and y, by which normal springs have changed, have derivatives by the implicit
+//! function theorem. Elsewhere, as where the object wedges or friction falls, derivatives are differences of exact answers.
 //!
 //! # Errors
 //!
@@ -50,7 +51,9 @@ mod first;
 mod fit;
 mod gross;
 mod grouped;
+mod leaving;
 mod model;
+mod pressing;
 mod question;
 mod robust;
 mod slip;

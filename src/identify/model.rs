@@ -195,9 +195,23 @@ pub(super) struct SlipToPredict<'a, const C: usize> {
 }
 
 impl<const C: usize> SlipToPredict<'_, C> {
-    /// The load that grows, if it does not turn.
-    pub(super) fn load(&self) -> Option<&Wrench<C>> {
-        if let Grown::Load(load) = &self.slip.grown { Some(load) } else { None }
+    /// All loads at a factor, or an angle.
+    pub(super) fn load_at(&self, at: f64) -> Wrench<C> {
+        match &self.slip.grown {
+            Grown::Load(load) => self.base + *load * at,
+            Grown::Turn(turn) => self.base + turn.load_at(at),
+        }
+    }
+
+    /// How they change with it.
+    pub(super) fn load_rate(&self, at: f64) -> Wrench<C> {
+        match &self.slip.grown {
+            Grown::Load(load) => *load,
+            Grown::Turn(turn) => {
+                let ([_, cosine, sine], (sin, cos)) = (turn.parts(), at.sin_cos());
+                sine * cos - cosine * sin
+            }
+        }
     }
 
     /// Contacts that an unknown is one of.

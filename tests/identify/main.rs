@@ -2,6 +2,7 @@
 
 mod closed_forms;
 mod coverage;
+mod derivatives;
 mod measured_pushes;
 mod mistakes;
 mod not_fixed;

@@ -1,4 +1,4 @@
-//! Standard errors of many unknowns at once: those of derivatives that are differences of what the grasp itself answers.
+//! Standard errors of many unknowns at once: those of derivatives that are differences of what the grasp itself answers, or known by hand.
 
 use grasp_lcp::identify::{Identified, Identify, Slip, Unknown};
 use grasp_lcp::{planar, spatial};
@@ -77,11 +77,11 @@ fn of_first_slips() -> Result<(), grasp_lcp::Error> {
     Ok(())
 }
 
-/// Four feet, one more than statics can tell the loads of, pushed about: gross slips by what each carries and by two coefficients of friction,
-/// beside what two of them carry together.
-#[test]
-fn of_gross_slips() -> Result<(), grasp_lcp::Error> {
-    const AT: [[f64; 2]; 4] = [[0.1, 0.08], [-0.1, 0.11], [-0.09, -0.1], [0.12, -0.1]];
+const AT: [[f64; 2]; 4] = [[0.1, 0.08], [-0.1, 0.11], [-0.09, -0.1], [0.12, -0.1]];
+
+/// Four feet, one more than statics can tell the loads of, pushed about in their plane or at a height: gross slips by what each carries and by two coefficients
+/// of friction, beside what two of them carry together.
+fn of_pushes(height: f64) -> Result<(), grasp_lcp::Error> {
     let grasp = |values: &[f64]| {
         let foot = |k: usize| {
             spatial::Contact::new([AT[k][0], AT[k][1], 0.0], [0.0, 0.0, 1.0])
@@ -101,7 +101,8 @@ fn of_gross_slips() -> Result<(), grasp_lcp::Error> {
         [-0.5, 0.6, 0.05],
         [0.8, -0.7, 0.04],
     ];
-    let pushes = pushes.map(|[x, y, turn]| spatial::Wrench::new([x, y, 0.0], [0.0, 0.0, turn]));
+    let pushes =
+        pushes.map(|[x, y, turn]| spatial::Wrench::new([x, y, 0.0], [-y * height, x * height, turn]));
     let slips = |values: &[f64]| {
         let weight =
             (0..4).map(|k| spatial::Wrench::force_at([0.0, 0.0, -values[k]], [AT[k][0], AT[k][1], 0.0]));
@@ -124,5 +125,30 @@ fn of_gross_slips() -> Result<(), grasp_lcp::Error> {
         asked.knowing([0, 1], values[0] + values[1], SCATTER).knowing([2, 3], values[2] + values[3], SCATTER);
     let found = asked.answered_by(&grasp(&[3.0, 3.0, 3.0, 3.0, 0.4, 0.4]))?;
     agree(&found, &values, &from_differences(&slips, &values));
+    Ok(())
+}
+
+#[test]
+fn of_gross_slips() -> Result<(), grasp_lcp::Error> {
+    of_pushes(0.0)
+}
+
+/// A pusher above the surface loads some feet more and others less, as their springs have it.
+#[test]
+fn of_gross_slips_that_tilt() -> Result<(), grasp_lcp::Error> {
+    of_pushes(0.1)
+}
+
+/// A block on an incline is lost at atan μ: `d ln θ / d ln μ = μ / ((1 + μ²) θ)`.
+#[test]
+fn of_an_angle() -> Result<(), grasp_lcp::Error> {
+    let mu = 0.4_f64;
+    let foot = |x: f64| planar::Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(1e5, 1e5).friction(0.3);
+    let block = planar::Grasp::new([foot(-0.1), foot(0.1)])?;
+    let turn = planar::Turn::tilting([0.0, -5.0], [0.0, 0.03]).up_to(mu.atan());
+    let slip = Slip::gross_on_turn(turn).scattering_by(SCATTER);
+    let asked = Identify::new([Unknown::friction()], [slip]).with_outliers_beyond(f64::INFINITY);
+    let found = asked.answered_by(&block)?;
+    agree(&found, &[mu], &[SCATTER * (1.0 + mu * mu) * mu.atan() / mu]);
     Ok(())
 }

@@ -1,0 +1,244 @@
+//! How the object leaves at gross slip, and how the load of that changes with the grasp.
+//!
+//! Where the last motion m opens nothing, normal forces stay while the object leaves, and what slides rubs against its velocity. So a loss is a root of
+//!
+//! ```text
+//! W₀ + λ W + Σ (nᵢ − μᵢ Tᵢ vᵢ/|vᵢ|) Nᵢ + Σ Tⱼ fⱼ = 0,   vᵢ = Tᵢᵀ m,   nᵢᵀ m = 0,   Tⱼᵀ m = 0
+//! ```
+//!
+//! over contacts i that press and contacts j that stick, whose vⱼ is none. Unknown are λ, the direction of m, the forces fⱼ, and the displacement y by which
+//! normal springs have changed: dNᵢ = −kᵢ nᵢᵀ dy. There are as many equations. Newton's method ends on the root what the path has found, and derivatives of the
+//! root are exact. How the object came there does not matter, and so tangential springs and commands do not, either.
+
+use nalgebra::{DMatrix, DVector, Matrix, SVector};
+
+use super::model::SlipToPredict;
+use super::pressing::{Pressing, at_length, pressing};
+use super::unknown::{UnknownKind, carried_by};
+use crate::grasp::{Twist, Wrench};
+use crate::prelude::*;
+
+/// What is this small beside the largest, a force or a velocity, is none; a root whose load is off by more is another one.
+const NONE: f64 = 1e-6;
+/// A direction that others have but for so much is none of its own.
+const DEPENDENT: f64 = 1e-9;
+/// A root leaves at most this part of the forces.
+const BALANCED: f64 = 1e-12;
+/// Steps of Newton's method, which begins near and doubles its digits with each.
+const STEPS: usize = 5;
+
+/// The object as it leaves. Moments count as forces at one length, and turns as displacements.
+pub(super) struct Leaving<'a, 's, const C: usize> {
+    seen: &'a SlipToPredict<'s, C>,
+    /// That length, m.
+    length: f64,
+    /// Factor of the load, or angle.
+    at: f64,
+    motion: DVector<f64>,
+    pressing: Vec<Pressing>,
+}
+
+impl<'a, 's, const C: usize> Leaving<'a, 's, C> {
+    /// From where a path has ended. `None` where something opens as the object leaves, or another law than this one holds.
+    pub(super) fn from_end(
+        seen: &'a SlipToPredict<'s, C>,
+        at: f64,
+        motion: &Twist<C>,
+        forces: &[SVector<f64, C>],
+    ) -> Option<Self> {
+        let contacts = seen.grasp.contacts();
+        let is_round = C == 2 || seen.grasp.settings().round;
+        if !is_round || !seen.is_pressed_by_commands() || forces.len() != contacts.len() {
+            return None;
+        }
+        let farthest = contacts.iter().map(|contact| contact.point.norm()).fold(0.0, f64::max);
+        let length = if farthest > 0.0 { farthest } else { 1.0 };
+        let motion = at_length::<C>(motion.components(), length);
+        let mut pressing = pressing(seen, forces, length);
+        let fastest = pressing.iter().map(|contact| contact.velocity(&motion).norm()).fold(0.0, f64::max);
+        for contact in &mut pressing {
+            let opens = contact.normal.dot(&motion).abs() > NONE * fastest;
+            if opens {
+                return None;
+            }
+            contact.sticks |= contact.friction > 0.0 && contact.velocity(&motion).norm() <= NONE * fastest;
+        }
+        Self { seen, length, at, motion, pressing }.at_root()
+    }
+
+    /// Newton's method from here. `None` unless it ends beside where it begins.
+    fn at_root(mut self) -> Option<Self> {
+        let began_at = self.at;
+        let (_, free) = spaces(&self.kept(), self.motion.len());
+        self.motion = (&free * free.tr_mul(&self.motion)).normalize();
+        for _ in 0..STEPS {
+            if self.is_root() {
+                break;
+            }
+            let equations = Equations::of(&self)?;
+            let step = equations.solved(&-self.left_over());
+            self.go(&equations, &step);
+        }
+        let presses =
+            |contact: &Pressing| contact.normal_force > 0.0 || (contact.is_kept && !contact.slides());
+        let is_here = (self.at - began_at).abs() <= NONE * began_at && self.pressing.iter().all(presses);
+        (self.is_root() && is_here).then_some(self)
+    }
+
+    fn is_root(&self) -> bool {
+        let forces: f64 = self.pressing.iter().map(|contact| contact.normal_force.abs()).sum();
+        self.left_over().norm() <= BALANCED * forces
+    }
+
+    /// Directions in which the object does not move as it leaves.
+    fn kept(&self) -> Vec<DVector<f64>> {
+        let of = |contact: &Pressing| {
+            let stuck = if contact.sticks { C - 1 } else { 0 };
+            let tangents = contact.tangents.column_iter().take(stuck).map(Matrix::into_owned);
+            core::iter::once(contact.normal.clone()).chain(tangents).collect::<Vec<_>>()
+        };
+        self.pressing.iter().flat_map(of).collect()
+    }
+
+    fn stuck(&mut self) -> impl Iterator<Item = &mut Pressing> {
+        self.pressing.iter_mut().filter(|contact| contact.sticks)
+    }
+
+    /// What nothing balances.
+    fn left_over(&self) -> DVector<f64> {
+        let mut sum = self.one_length(&self.seen.load_at(self.at));
+        for contact in &self.pressing {
+            sum += contact.by_newton(&self.motion) * contact.normal_force;
+            if contact.sticks {
+                sum += &contact.tangents * &contact.held;
+            }
+        }
+        sum
+    }
+
+    fn one_length(&self, load: &Wrench<C>) -> DVector<f64> {
+        at_length::<C>(load.components(), self.length.recip())
+    }
+
+    /// A step of all unknowns.
+    fn go(&mut self, equations: &Equations, step: &DVector<f64>) {
+        let (springs, turns) = (equations.springs.ncols(), equations.turns.ncols());
+        let y = &equations.springs * step.rows(0, springs);
+        for contact in &mut self.pressing {
+            contact.normal_force -= contact.stiffness * contact.normal.dot(&y);
+        }
+        self.motion += &equations.turns * step.rows(springs, turns);
+        self.motion.normalize_mut();
+        for (j, contact) in self.stuck().enumerate() {
+            contact.held += step.rows(springs + turns + j * (C - 1), C - 1);
+        }
+        self.at += step[step.len() - 1];
+    }
+
+    /// Of the logarithm of the factor or the angle, by the logarithms of the unknowns. `None` where they are on an edge.
+    pub(super) fn derivatives(&self) -> Option<Vec<f64>> {
+        let equations = Equations::of(self)?;
+        self.seen.by_unknowns(|kind, unknown, value| {
+            let change = self.change(kind, unknown, value);
+            let step = equations.solved(&-&change);
+            let misses = (&equations.matrix * equations.scaled(&step) + &change).norm();
+            (misses <= NONE * change.norm()).then(|| step[step.len() - 1] / self.at)
+        })
+    }
+
+    /// How what nothing balances changes with the logarithm of an unknown.
+    fn change(&self, kind: UnknownKind, unknown: usize, value: f64) -> DVector<f64> {
+        let mut sum = DVector::zeros(self.motion.len());
+        let contacts = self.seen.grasp.contacts();
+        let carried = self.seen.contacts_of(unknown).filter(|_| kind == UnknownKind::Carried);
+        for i in carried {
+            sum += self.one_length(&carried_by(&contacts[i], value));
+        }
+        let is_meant = |i: usize| self.seen.contacts_of(unknown).any(|j| j == i);
+        for pressing in self.pressing.iter().filter(|pressing| is_meant(pressing.contact)) {
+            let contact = &contacts[pressing.contact];
+            let pressed = pressing.stiffness
+                * match kind {
+                    UnknownKind::Carried => value / pressing.stiffness,
+                    UnknownKind::Squeeze => contact.command[0],
+                    UnknownKind::Friction | UnknownKind::Stiffness => 0.0,
+                };
+            sum += pressing.by_newton(&self.motion) * pressed;
+            if kind == UnknownKind::Friction && pressing.slides() {
+                sum += pressing.rubbing(&self.motion) * pressing.normal_force;
+            }
+        }
+        sum
+    }
+}
+
+/// The equations to first order, by changes of y, of the motion, of the forces of what sticks, and of the load.
+struct Equations {
+    /// Bases of the displacements that change normal forces, and of the motions that may be added.
+    springs: DMatrix<f64>,
+    turns: DMatrix<f64>,
+    /// Columns of length one, what each was multiplied by for that, and the inverse.
+    matrix: DMatrix<f64>,
+    scales: DVector<f64>,
+    inverse: DMatrix<f64>,
+}
+
+impl Equations {
+    /// `None` where they do not tell the load.
+    fn of<const C: usize>(leaving: &Leaving<'_, '_, C>) -> Option<Self> {
+        let (size, motion, pressing) = (leaving.motion.len(), &leaving.motion, &leaving.pressing);
+        let normals: Vec<_> = pressing.iter().map(|contact| contact.normal.clone()).collect();
+        let (springs, _) = spaces(&normals, size);
+        let mut kept = leaving.kept();
+        kept.push(motion.clone());
+        let (_, turns) = spaces(&kept, size);
+        let by_spring = |y: DVector<f64>| {
+            let part = |contact: &Pressing| {
+                contact.by_newton(motion) * (-contact.stiffness * contact.normal.dot(&y))
+            };
+            pressing.iter().map(part).fold(DVector::zeros(size), |sum, part| sum + part)
+        };
+        let by_turn = |by: DVector<f64>| {
+            let sliding = pressing.iter().filter(|contact| contact.slides());
+            sliding
+                .map(|contact| contact.turning(motion, &by))
+                .fold(DVector::zeros(size), |sum, part| sum + part)
+        };
+        let stuck = pressing.iter().filter(|contact| contact.sticks);
+        let mut columns: Vec<DVector<f64>> = Vec::new();
+        columns.extend(springs.column_iter().map(|y| by_spring(y.into_owned())));
+        columns.extend(turns.column_iter().map(|by| by_turn(by.into_owned())));
+        columns.extend(stuck.flat_map(|contact| contact.tangents.column_iter().map(Matrix::into_owned)));
+        columns.push(leaving.one_length(&leaving.seen.load_rate(leaving.at)));
+        let scale = |column: &DVector<f64>| if column.norm() > 0.0 { column.norm().recip() } else { 0.0 };
+        let scales = DVector::from_iterator(columns.len(), columns.iter().map(scale));
+        let mut matrix = DMatrix::from_columns(&columns);
+        matrix.column_iter_mut().zip(&scales).for_each(|(mut column, scale)| column *= *scale);
+        let inverse = matrix.clone().svd(true, true).pseudo_inverse(DEPENDENT).ok()?;
+        let last = columns.len() - 1;
+        let told = inverse.row(last).dot(&matrix.column(last).transpose());
+        ((told - 1.0).abs() <= NONE).then_some(Self { springs, turns, matrix, scales, inverse })
+    }
+
+    /// The least changes that do this.
+    fn solved(&self, change: &DVector<f64>) -> DVector<f64> {
+        (&self.inverse * change).component_mul(&self.scales)
+    }
+
+    /// Changes by columns of length one.
+    fn scaled(&self, step: &DVector<f64>) -> DVector<f64> {
+        step.zip_map(&self.scales, |x, scale| if scale > 0.0 { x / scale } else { 0.0 })
+    }
+}
+
+/// Orthonormal bases of what these directions span, and of all that is normal to them.
+fn spaces(directions: &[DVector<f64>], size: usize) -> (DMatrix<f64>, DMatrix<f64>) {
+    // With rows of zeros as many as there are columns: then every direction of the space is among those of the decomposition.
+    let rows = directions.len().max(size);
+    let matrix = DMatrix::from_fn(rows, size, |i, j| directions.get(i).map_or(0.0, |row| row[j]));
+    let svd = matrix.svd(false, true);
+    let all = svd.v_t.map_or_else(|| DMatrix::identity(size, size), |v| v.transpose());
+    let most = svd.singular_values.max();
+    let spanned = svd.singular_values.iter().filter(|value| **value > DEPENDENT * most).count();
+    (all.columns(0, spanned).into_owned(), all.columns(spanned, size - spanned).into_owned())
+}

@@ -1,0 +1,90 @@
+//! What each contact that presses does to an object that leaves.
+
+use nalgebra::{DMatrix, DVector, SMatrix, SVector};
+
+use super::model::SlipToPredict;
+use crate::grasp::{Contact, Hold, Wrench};
+use crate::prelude::*;
+
+/// Beside the largest normal force, one that is this small is none.
+const NONE: f64 = 1e-6;
+
+/// A contact that presses while the object leaves.
+pub(super) struct Pressing {
+    pub(super) contact: usize,
+    /// What one newton along the normal and along each tangent does.
+    pub(super) normal: DVector<f64>,
+    pub(super) tangents: DMatrix<f64>,
+    /// Of the normal spring, N/m.
+    pub(super) stiffness: f64,
+    pub(super) friction: f64,
+    pub(super) normal_force: f64,
+    /// Along the tangents, where it sticks.
+    pub(super) held: DVector<f64>,
+    pub(super) sticks: bool,
+    pub(super) is_kept: bool,
+}
+
+impl Pressing {
+    pub(super) fn slides(&self) -> bool {
+        !self.sticks && self.friction > 0.0
+    }
+
+    pub(super) fn velocity(&self, motion: &DVector<f64>) -> DVector<f64> {
+        self.tangents.tr_mul(motion)
+    }
+
+    /// What one newton of the normal force does, together with the friction of what slides.
+    pub(super) fn by_newton(&self, motion: &DVector<f64>) -> DVector<f64> {
+        if self.slides() { &self.normal + self.rubbing(motion) } else { self.normal.clone() }
+    }
+
+    /// What friction of one newton of the normal force does.
+    pub(super) fn rubbing(&self, motion: &DVector<f64>) -> DVector<f64> {
+        &self.tangents * self.velocity(motion).normalize() * -self.friction
+    }
+
+    /// How the force of what slides turns as the motion changes by this.
+    pub(super) fn turning(&self, motion: &DVector<f64>, by: &DVector<f64>) -> DVector<f64> {
+        let (v, change) = (self.velocity(motion), self.velocity(by));
+        let aside = &change - &v * (v.dot(&change) / v.norm_squared());
+        &self.tangents * aside * (-self.friction * self.normal_force / v.norm())
+    }
+}
+
+/// The contacts that press, by the forces there.
+pub(super) fn pressing<const C: usize>(
+    seen: &SlipToPredict<'_, C>,
+    forces: &[SVector<f64, C>],
+    length: f64,
+) -> Vec<Pressing> {
+    let contacts = seen.grasp.contacts();
+    let largest = forces.iter().map(|force| force[0].abs()).fold(0.0, f64::max);
+    let is_kept = |contact: &Contact<C>| contact.hold != Hold::Unilateral;
+    let of = |(contact, (data, frame)): (usize, (&Contact<C>, &SMatrix<f64, C, C>))| {
+        let along = |axis: usize| {
+            let unit = Wrench::force_through(&data.point, &frame.column(axis).into_owned());
+            at_length::<C>(unit.components(), length.recip())
+        };
+        let tangents: Vec<_> = (1..C).map(along).collect();
+        Pressing {
+            contact,
+            normal: along(0),
+            tangents: DMatrix::from_columns(&tangents),
+            stiffness: data.stiffness.series()[0],
+            friction: data.friction,
+            normal_force: forces[contact][0],
+            held: DVector::from_iterator(C - 1, forces[contact].iter().skip(1).copied()),
+            sticks: data.hold == Hold::Bonded,
+            is_kept: is_kept(data),
+        }
+    };
+    let all = contacts.iter().zip(seen.grasp.frames()).enumerate();
+    all.filter(|(i, (data, _))| is_kept(data) || forces[*i][0] > NONE * largest).map(of).collect()
+}
+
+/// Components with those of moments or turns times a factor.
+pub(super) fn at_length<const C: usize>(components: &[f64], factor: f64) -> DVector<f64> {
+    let scaled = components.iter().enumerate().map(|(k, x)| if k < C { *x } else { x * factor });
+    DVector::from_iterator(components.len(), scaled)
+}
