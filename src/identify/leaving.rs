@@ -70,7 +70,7 @@ impl<'a, 's, const C: usize> Leaving<'a, 's, C> {
     fn at_root(mut self) -> Option<Self> {
         let began_at = self.at;
         let (_, free) = spaces(&self.kept(), self.motion.len());
-        self.motion = (&free * free.tr_mul(&self.motion)).normalize();
+        self.motion = (&free * free.tr_mul(&self.motion)).try_normalize(0.0)?;
         for _ in 0..STEPS {
             if self.is_root() {
                 break;
@@ -80,7 +80,7 @@ impl<'a, 's, const C: usize> Leaving<'a, 's, C> {
             self.go(&equations, &step);
         }
         let presses =
-            |contact: &Pressing| contact.normal_force > 0.0 || (contact.is_kept && !contact.slides());
+            |contact: &Pressing| contact.normal_force > 0.0 || (contact.may_pull && !contact.slides());
         let is_here = (self.at - began_at).abs() <= NONE * began_at && self.pressing.iter().all(presses);
         (self.is_root() && is_here).then_some(self)
     }
@@ -156,13 +156,11 @@ impl<'a, 's, const C: usize> Leaving<'a, 's, C> {
         }
         let is_meant = |i: usize| self.seen.contacts_of(unknown).any(|j| j == i);
         for pressing in self.pressing.iter().filter(|pressing| is_meant(pressing.contact)) {
-            let contact = &contacts[pressing.contact];
-            let pressed = pressing.stiffness
-                * match kind {
-                    UnknownKind::Carried => value / pressing.stiffness,
-                    UnknownKind::Squeeze => contact.command[0],
-                    UnknownKind::Friction | UnknownKind::Stiffness => 0.0,
-                };
+            let pressed = match kind {
+                UnknownKind::Carried => value,
+                UnknownKind::Squeeze => pressing.stiffness * contacts[pressing.contact].command[0],
+                UnknownKind::Friction | UnknownKind::Stiffness => 0.0,
+            };
             sum += pressing.by_newton(&self.motion) * pressed;
             if kind == UnknownKind::Friction && pressing.slides() {
                 sum += pressing.rubbing(&self.motion) * pressing.normal_force;
@@ -214,6 +212,10 @@ impl Equations {
         let scales = DVector::from_iterator(columns.len(), columns.iter().map(scale));
         let mut matrix = DMatrix::from_columns(&columns);
         matrix.column_iter_mut().zip(&scales).for_each(|(mut column, scale)| column *= *scale);
+        // A matrix that is not finite would be decomposed for ever.
+        if !matrix.iter().all(|x| x.is_finite()) {
+            return None;
+        }
         let inverse = matrix.clone().svd(true, true).pseudo_inverse(DEPENDENT).ok()?;
         let last = columns.len() - 1;
         let told = inverse.row(last).dot(&matrix.column(last).transpose());

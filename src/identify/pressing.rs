@@ -22,7 +22,8 @@ pub(super) struct Pressing {
     /// Along the tangents, where it sticks.
     pub(super) held: DVector<f64>,
     pub(super) sticks: bool,
-    pub(super) is_kept: bool,
+    /// Whether it is never let go, so that its normal force may pull.
+    pub(super) may_pull: bool,
 }
 
 impl Pressing {
@@ -60,7 +61,7 @@ pub(super) fn pressing<const C: usize>(
 ) -> Vec<Pressing> {
     let contacts = seen.grasp.contacts();
     let largest = forces.iter().map(|force| force[0].abs()).fold(0.0, f64::max);
-    let is_kept = |contact: &Contact<C>| contact.hold != Hold::Unilateral;
+    let may_pull = |contact: &Contact<C>| contact.hold != Hold::Unilateral;
     let of = |(contact, (data, frame)): (usize, (&Contact<C>, &SMatrix<f64, C, C>))| {
         let along = |axis: usize| {
             let unit = Wrench::force_through(&data.point, &frame.column(axis).into_owned());
@@ -76,11 +77,11 @@ pub(super) fn pressing<const C: usize>(
             normal_force: forces[contact][0],
             held: DVector::from_iterator(C - 1, forces[contact].iter().skip(1).copied()),
             sticks: data.hold == Hold::Bonded,
-            is_kept: is_kept(data),
+            may_pull: may_pull(data),
         }
     };
     let all = contacts.iter().zip(seen.grasp.frames()).enumerate();
-    all.filter(|(i, (data, _))| is_kept(data) || forces[*i][0] > NONE * largest).map(of).collect()
+    all.filter(|(i, (data, _))| may_pull(data) || forces[*i][0] > NONE * largest).map(of).collect()
 }
 
 /// Components with those of moments or turns times a factor.
