@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use super::leaving::Leaving;
+use super::leaving::GrossSlip;
 use super::model::{NoSlip, Predicted, SlipToPredict};
 use super::slip::Grown;
 use crate::error::Error;
@@ -33,7 +33,7 @@ pub(super) fn predicted<const C: usize>(
             let is_steady = seen.derivatives && loss.drives.is_empty() && loss.jumped.is_empty();
             let motion = loss.motion.as_ref().filter(|_| is_steady).filter(is_one_object);
             let leaving =
-                motion.and_then(|motion| Leaving::from_end(seen, at, &motion.object, &path.forces()));
+                motion.and_then(|motion| GrossSlip::from_end(seen, at, &motion.object, &path.forces()));
             Ok(Predicted { at, exact: leaving.and_then(|leaving| leaving.derivatives()) })
         }
         Some(PathEnd::Completed) => Err("it is not lost as far as it was followed"),

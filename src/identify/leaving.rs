@@ -28,7 +28,7 @@ const BALANCED: f64 = 1e-12;
 const STEPS: usize = 5;
 
 /// The object as it leaves. Moments count as forces at one length, and turns as displacements.
-pub(super) struct Leaving<'a, 's, const C: usize> {
+pub(super) struct GrossSlip<'a, 's, const C: usize> {
     seen: &'a SlipToPredict<'s, C>,
     /// That length, m.
     length: f64,
@@ -38,7 +38,7 @@ pub(super) struct Leaving<'a, 's, const C: usize> {
     pressing: Vec<Pressing>,
 }
 
-impl<'a, 's, const C: usize> Leaving<'a, 's, C> {
+impl<'a, 's, const C: usize> GrossSlip<'a, 's, C> {
     /// From where a path has ended. `None` where something opens as the object leaves, or another law than this one holds.
     pub(super) fn from_end(
         seen: &'a SlipToPredict<'s, C>,
@@ -183,7 +183,7 @@ struct Equations {
 
 impl Equations {
     /// `None` where they do not tell the load.
-    fn of<const C: usize>(leaving: &Leaving<'_, '_, C>) -> Option<Self> {
+    fn of<const C: usize>(leaving: &GrossSlip<'_, '_, C>) -> Option<Self> {
         let (size, motion, pressing) = (leaving.motion.len(), &leaving.motion, &leaving.pressing);
         let normals: Vec<_> = pressing.iter().map(|contact| contact.normal.clone()).collect();
         let (springs, _) = spaces(&normals, size);
