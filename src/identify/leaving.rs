@@ -13,13 +13,11 @@
 use nalgebra::{DMatrix, DVector, Matrix, SVector};
 
 use super::model::SlipToPredict;
-use super::pressing::{Pressing, at_length, pressing};
+use super::pressing::{NONE, Pressing, at_length, pressing};
 use super::unknown::{UnknownKind, carried_by};
 use crate::grasp::{Twist, Wrench};
 use crate::prelude::*;
 
-/// What is this small beside the largest, a force or a velocity, is none; a root whose load is off by more is another one.
-const NONE: f64 = 1e-6;
 /// A direction that others have but for so much is none of its own.
 const DEPENDENT: f64 = 1e-9;
 /// A root leaves at most this part of the forces.

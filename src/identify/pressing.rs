@@ -6,8 +6,8 @@ use super::model::SlipToPredict;
 use crate::grasp::{Contact, Hold, Wrench};
 use crate::prelude::*;
 
-/// Beside the largest normal force, one that is this small is none.
-const NONE: f64 = 1e-6;
+/// What is this small beside the largest, a force or a velocity, is none; a root whose load is off by more is another one.
+pub(super) const NONE: f64 = 1e-6;
 
 /// A contact that presses while the object leaves.
 pub(super) struct Pressing {
