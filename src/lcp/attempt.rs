@@ -1,7 +1,6 @@
 //! One attempt: a path from the slacks to its end, and the check of the point there.
 //!
-//! An attempt answers `None` where the workspace then holds a solution, and otherwise says how it
-//! failed.
+//! An attempt returns `None` if the workspace then holds a solution. Otherwise it returns the way in which it failed.
 
 use super::certificate;
 use super::dictionary::LemkeVariable;
@@ -13,17 +12,16 @@ use super::tolerances::{VALUE_ROUNDING, residual_rounding};
 use super::workspace::Workspace;
 use crate::prelude::*;
 
-/// So many times a path is taken up again where rounding has led it to a basis that is not
-/// feasible.
+/// The number of times a path is resumed after rounding has led it to a basis that is not feasible.
 ///
-/// Each time costs one elimination. A path that misses thrice has met a basis too close to
+/// Each time costs one elimination. A path that misses three times has met a basis too close to
 /// singular.
 const RESUMPTIONS: usize = 3;
-/// So many pivots take near-ties apart, or nothing does: in large degenerate problems such a path would go on for long.
+/// The number of pivots allowed for separating near-ties. A separation that succeeds takes few; large degenerate problems would otherwise run for long.
 const SHARPENING: usize = 16;
 
 impl Workspace {
-    /// Balances a problem in the place of the one before.
+    /// Balances the problem and clears the results of the problem before.
     pub(super) fn prepare(&mut self, lcp: &Lcp) {
         self.residuals = None;
         self.path.prepare(lcp.m.as_slice(), lcp.q.as_slice());
@@ -36,14 +34,14 @@ impl Workspace {
         self.follow(lcp, settings, settings.pivot_limit(lcp.len()))
     }
 
-    /// Where the settings do not fit the problem: the end of the solve before it begins.
+    /// Returns the breakdown that ends the solve before it begins, if the settings do not fit the problem.
     pub(super) fn refuse(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         self.residuals = None;
         self.path.pivots = 0;
         settings.check(&lcp.q).err().map(|cause| Outcome::Breakdown { pivots: 0, cause })
     }
 
-    /// Puts the covering vector, in balanced rows, into the path.
+    /// Writes the covering vector d, in balanced rows, into the path.
     fn cover(&mut self, settings: &Settings) {
         let path = &mut self.path;
         match &settings.covering {
@@ -74,7 +72,7 @@ impl Workspace {
     }
 
     /// Checks the end of a path. Where rounding has led the path to a basis that is not feasible,
-    /// the path is taken up again from there.
+    /// the path is resumed from that basis.
     pub(super) fn finish_or_resume(
         &mut self,
         lcp: &Lcp,
@@ -94,9 +92,8 @@ impl Workspace {
         self.finish(lcp, settings)
     }
 
-    /// Goes on from a solution whose signs are wrong by more than rounding: rows that nearly tie were taken for ties there, or
-    /// small values for noise. Neither is done again, and the better of the two points is kept. That is another path, which is
-    /// not followed where one path only is asked for.
+    /// Continues from a solution whose w is negative by more than rounding. Rows that nearly tie were taken for ties there, or small values for
+    /// noise. The continuation does neither, and the better of the two points is kept. It is a second path, so settings without retries skip it.
     fn sharpen(&mut self, lcp: &Lcp, settings: &Settings, limit: usize) {
         let coarse = match self.residuals {
             Some(r) if r.negative_w > residual_rounding(lcp.len()) && settings.retries > 0 => r,

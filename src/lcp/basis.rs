@@ -5,7 +5,7 @@ use crate::prelude::*;
 /// A complementary basis: from every pair (w_i, z_i) one variable is basic, the other is zero.
 ///
 /// Write α for the set of i with z_i basic. The basis is regular when the principal block M_αα is
-/// regular. It then stands for the point z_α = −M_αα⁻¹ q_α, z = 0 elsewhere, w = M z + q. Source:
+/// regular. Its point is then z_α = −M_αα⁻¹ q_α, z = 0 elsewhere, w = M z + q. Source:
 /// Cottle, Pang & Stone, *The Linear Complementarity Problem*, 1992.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, Default)]
 pub struct Basis {
@@ -46,7 +46,7 @@ impl Basis {
         self.basic_z[i] = !self.basic_z[i];
     }
 
-    /// Whether z_i is basic, i counted from 0. No z_i with i of n or more is.
+    /// Whether z_i is basic, i counted from 0; false for i ≥ n.
     #[must_use]
     pub fn contains(&self, i: usize) -> bool {
         self.basic_z.get(i).copied().unwrap_or(false)
@@ -57,7 +57,7 @@ impl Basis {
         self.basic_z.iter().enumerate().filter(|(_, basic)| **basic).map(|(i, _)| i)
     }
 
-    /// How many z_i are basic.
+    /// The number of basic z_i.
     #[must_use]
     pub fn count(&self) -> usize {
         self.basic_z.iter().filter(|basic| **basic).count()
@@ -69,7 +69,7 @@ impl Basis {
         self.basic_z.len()
     }
 
-    /// Whether there is no pair at all.
+    /// Whether n = 0.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.basic_z.is_empty()

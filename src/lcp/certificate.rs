@@ -1,4 +1,4 @@
-//! The ray on which a path ends, and the proof that it contains.
+//! The secondary ray on which a path ends, and the infeasibility proof that it may contain.
 //!
 //! If M is copositive-plus, the direction ẑ of a secondary ray has ẑᵀMẑ = 0, hence (M + Mᵀ)ẑ = 0.
 //! Then Mᵀẑ = −Mẑ ≤ 0 and qᵀẑ < 0 (Cottle, Pang & Stone, proof of theorem 4.4.12), so ẑ is itself a
@@ -11,8 +11,8 @@ use super::problem::Lcp;
 use super::tolerances::RAY_NOISE;
 use nalgebra::DVector;
 
-/// What the ray says along which the entering variable grows for ever. It is in the caller's units and with largest entry 1.
-/// `None` if the ray leaves the range of double precision there.
+/// The outcome of a path that ends with the entering variable growing without bound: a Farkas proof if the ray is one, otherwise the ray,
+/// in the caller's units and with largest entry 1. `None` if the ray leaves the range of double precision in these units.
 pub(super) fn ray(lcp: &Lcp, path: &Path, entering: LemkeVariable) -> Option<Unsolved> {
     let mut rates = DVector::zeros(lcp.len());
     let mut covering_rate = 0.0;

@@ -12,15 +12,15 @@ use super::tolerances::{SOUND, ZERO, residual_rounding};
 use super::workspace::Workspace;
 use crate::prelude::*;
 
-/// A point is refined in so many steps at most: each costs O(n²), and a third that still gains is
+/// The largest number of refinement steps for a point. Each costs O(n²), and a third that still gains is
 /// rare.
 const REFINEMENTS: usize = 3;
-/// A step of refinement that leaves more than this part of the residuals is the last one. Rounding
+/// A refinement step that leaves more than this part of the largest residual is the last one. Rounding
 /// has then been reached.
 const WORTHWHILE: f64 = 0.5;
 
 impl Workspace {
-    /// Takes the point z = 0 of a problem with q ≥ 0.
+    /// Checks the point z = 0 of a problem with q ≥ 0.
     pub(super) fn accept_slack_basis(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         let n = lcp.len();
         self.basis.clear(n);
@@ -30,7 +30,7 @@ impl Workspace {
         self.conclude(lcp, residuals, settings)
     }
 
-    /// Takes the point of the complementary basis in the dictionary, refined against the M and q
+    /// Checks the point of the complementary basis in the dictionary, refined against the M and q
     /// given. `None` if that point solves the problem.
     pub(super) fn finish(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         self.mark_vanishing(lcp);
@@ -38,7 +38,7 @@ impl Workspace {
         self.finish_basis(lcp, settings)
     }
 
-    /// Takes that point with all its variables, however small.
+    /// [`Self::finish`] with all basic variables kept, however small.
     pub(super) fn finish_as_it_is(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         refill(&mut self.vanishing, lcp.len(), false);
         self.finish_basis(lcp, settings)
@@ -55,7 +55,7 @@ impl Workspace {
         self.path.read_point(&mut self.point.z);
         let residuals = self.point.evaluate(lcp);
         let mut residuals = self.refine(lcp, residuals);
-        // A basic variable which is zero in exact arithmetic comes out as noise. It is left out if
+        // A basic variable which is zero in exact arithmetic is computed as noise. It is left out if
         // the point without it is as good.
         if (0..n).any(|j| self.vanishing[j] && self.point.z[j] > 0.0) {
             let kept = self.point.z.iter().zip(&self.vanishing).map(|(z, out)| if *out { 0.0 } else { *z });
@@ -73,7 +73,7 @@ impl Workspace {
         self.conclude(lcp, residuals, settings)
     }
 
-    /// Takes the spare point in place of the point if the largest of its residuals is accepted.
+    /// Replaces the point by the spare point if `accept` holds for the spare's largest residual.
     fn take_spare(&mut self, lcp: &Lcp, residuals: &mut Residuals, accept: impl Fn(f64) -> bool) {
         let spare = self.spare.evaluate(lcp);
         if accept(spare.max()) {
@@ -85,9 +85,8 @@ impl Workspace {
     /// Marks the basic z's that are zero but for rounding.
     ///
     /// Such a z is small against the terms it was computed from. It may also be small against the
-    /// largest z, if the point without all those is as good: terms do not show the noise of a z
+    /// largest z, if the point without all such z is as good: terms do not show the noise of a z
     /// whose terms all vanish.
-    ///
     fn mark_vanishing(&mut self, lcp: &Lcp) {
         let n = lcp.len();
         refill(&mut self.vanishing, n, false);
@@ -116,9 +115,9 @@ impl Workspace {
         }
     }
 
-    /// Lets w_j take the place of each vanishing z_j where it can.
+    /// Exchanges each vanishing z_j with w_j where the pivot allows it.
     ///
-    /// The point is then that of a smaller block, in whose rows the noise of z_j has no part.
+    /// The point is then that of a smaller block, and the noise of z_j has no part in its rows.
     /// Variables are taken by index, since the order of rows depends on rounding.
     fn retire_vanishing(&mut self, lcp: &Lcp) {
         let Path { dictionary, scaling, .. } = &mut self.path;
@@ -148,8 +147,8 @@ impl Workspace {
         residuals
     }
 
-    /// Adds to the values the effect of the defect that the point leaves in the rows that should
-    /// vanish.
+    /// Adds to the basic values the effect of the defect w_i that the point leaves in the active rows,
+    /// where w_i should vanish.
     fn correct_values(&mut self) {
         let path = &mut self.path;
         self.defect.clear();
@@ -167,7 +166,7 @@ impl Workspace {
     }
 
     /// Sets z_i to zero where z_i is basic and w_i is not zero although the residuals are small.
-    /// Such a z_i has no share in any row that could be seen. Returns whether there was one.
+    /// Such a z_i is lost in the rounding of every row. Returns whether any z_i was set.
     fn settle_pairs(&mut self, settings: &Settings) -> bool {
         let mut changed = false;
         for i in 0..self.point.z.len() {
@@ -180,7 +179,7 @@ impl Workspace {
         changed
     }
 
-    /// Takes the point of the basis by a fresh factorisation, without or with its vanishing
+    /// Replaces the point by that of a fresh factorisation of the basis, without or with its vanishing
     /// variables, if that point is better.
     fn finish_by_factorisation(&mut self, lcp: &Lcp, best: &mut Residuals) {
         let alpha: Vec<usize> = self.basis.iter().collect();
@@ -200,7 +199,7 @@ impl Workspace {
         }
     }
 
-    /// Says "solved" (`None`) only if the residuals say so.
+    /// Returns "solved" (`None`) only if the residuals are within tolerance and the point depends on q.
     fn conclude(&mut self, lcp: &Lcp, residuals: Residuals, settings: &Settings) -> Option<Unsolved> {
         let cause = if residuals == Residuals::UNUSABLE {
             BreakdownCause::Overflow

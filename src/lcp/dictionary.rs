@@ -56,15 +56,15 @@ pub(super) struct Dictionary {
     pub(super) basic: Vec<LemkeVariable>,
     /// The i of the nonbasic slack w_i kept in each stored column.
     kept: Vec<usize>,
-    /// In which stored column w_i is kept, if w_i is nonbasic.
+    /// The stored column of each w_i, if w_i is nonbasic.
     slot: Vec<Option<usize>>,
     /// The stored columns, one after the other.
     columns: Vec<f64>,
     /// Values of the basic variables.
     pub(super) x: Vec<f64>,
-    /// The perturbation column: the effect of adding p to q, used to break ties.
+    /// The perturbation column: the effect on the basic variables of adding p to q, used to break ties.
     pub(super) p: Vec<f64>,
-    /// For each row, the size of the largest term that has gone into its value.
+    /// For each row, the size of the largest term that has entered its value.
     pub(super) level: Vec<f64>,
     /// The entering column.
     pub(super) u: Vec<f64>,
@@ -75,8 +75,8 @@ pub(super) struct Dictionary {
     /// For each row, the i of its basic variable w_i; n where no slack is basic.
     slack: Vec<usize>,
     next: Vec<f64>,
-    /// For each stored column, its multiple of u in the update, and its multiple in the next
-    /// entering column.
+    /// For each stored column, its multiple of u in the update (g), and its multiple in the next
+    /// entering column (c).
     g: Vec<f64>,
     c: Vec<f64>,
 }
@@ -116,7 +116,7 @@ impl Dictionary {
         self.slot[i].is_some()
     }
 
-    /// Where the column of a variable is kept, if the variable is a nonbasic slack.
+    /// The stored column of a variable, if the variable is a nonbasic slack.
     fn slot_of(&self, variable: LemkeVariable) -> Option<usize> {
         if let LemkeVariable::W(i) = variable { self.slot[i] } else { None }
     }
@@ -146,7 +146,7 @@ impl Dictionary {
         self.eliminate(effect);
     }
 
-    /// Puts the right-hand side of (1) into y; its first term is in `next`, its factors are in `c`.
+    /// Writes the right-hand side of (1) into y; its first term is in `next`, its factors are in `c`.
     fn eliminate(&self, y: &mut [f64]) {
         y.copy_from_slice(&self.next);
         wide(Combine::<false> { columns: &self.columns, n: self.n, c: &self.c, y });
@@ -163,10 +163,10 @@ impl Dictionary {
         wide(Combine::<true> { columns: &self.columns, n: self.n, c: &self.c, y: &mut self.level });
     }
 
-    /// Sets entries of the entering column to zero that are noise.
+    /// Sets those entries of the entering column to zero that are noise.
     ///
     /// An entry is noise below `tolerance` times the terms from which (1) sums it. The column of a
-    /// slack is not summed; there, entries below the rounding of the largest are noise.
+    /// slack is not summed; its entries are noise below [`STORED_ROUNDING`] times the largest.
     pub(super) fn clear_noise(&mut self, entering: LemkeVariable, tolerance: f64) {
         if let LemkeVariable::W(_) = entering {
             let rounding = STORED_ROUNDING * largest(&self.u);
@@ -187,7 +187,7 @@ impl Dictionary {
         }
     }
 
-    /// Loads column e of the balanced M, or d, with what (1) needs of it for the present basis.
+    /// Loads column e of the balanced M, or d, and the two parts of (1) that depend on the present basis.
     fn load(&mut self, variable: LemkeVariable, m: &[f64], scaling: &Scaling) {
         if let LemkeVariable::Z(e) = variable {
             let column = &m[e * self.n..(e + 1) * self.n];
@@ -201,7 +201,7 @@ impl Dictionary {
         self.spread();
     }
 
-    /// Puts the first term of (1) into `next` and the factors of the second into `c`.
+    /// Writes the first term of (1) into `next` and the factors of the second into `c`.
     fn spread(&mut self) {
         for (to, i) in self.next.iter_mut().zip(&self.slack) {
             *to = self.entering[*i];
@@ -211,7 +211,7 @@ impl Dictionary {
     }
 
     /// Exchanges the entering variable, whose column is in `u`, with the basic variable of row r,
-    /// which is returned. Then puts the column of the leaving variable's complement into `u`,
+    /// which is returned. Then writes the column of the leaving variable's complement into `u`,
     /// unless z₀ left.
     pub(super) fn pivot(
         &mut self,
@@ -241,7 +241,7 @@ impl Dictionary {
         leaving
     }
 
-    /// Makes that exchange without a look ahead: `u` is left as it is.
+    /// Makes the exchange of [`Self::pivot`] without loading the next entering column into `u`.
     pub(super) fn exchange(&mut self, entering: LemkeVariable, r: usize) {
         self.rearrange(entering, r);
         wide(Update { columns: &mut self.columns, n: self.n, g: &self.g, u: &self.u });
@@ -303,7 +303,7 @@ impl Dictionary {
         leaving
     }
 
-    /// Moves to the values at which the entering variable has grown until row r is zero.
+    /// Lets the entering variable grow until row r is zero, and updates values and levels.
     fn step(&mut self, r: usize, pivot: f64) {
         let step = -self.x[r] / pivot;
         let level = self.level[r] / pivot.abs();
@@ -331,7 +331,7 @@ impl Dictionary {
     }
 }
 
-/// max_i |v_i|; entries that are not numbers are passed over. Eight independent maxima keep the
+/// max_i |v_i|; NaN entries are ignored. Eight independent maxima keep the
 /// processor busy.
 pub(super) fn largest(v: &[f64]) -> f64 {
     let mut lanes = [0.0_f64; 8];

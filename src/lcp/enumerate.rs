@@ -24,7 +24,7 @@ pub struct AllSolutions {
     /// One entry for each solution point. Points of regular bases come first, in the order of the
     /// bases read as binary numbers with z_0 as the lowest bit.
     ///
-    /// A point for which several bases stand is listed once, with `degenerate` set. `pivots` is 0.
+    /// A point of several bases is listed once, with `degenerate` set. `pivots` is 0.
     pub solutions: Vec<Solution>,
     /// The singular bases whose piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } is not empty.
     /// Such a piece may be a whole face of solutions; one point of it is among the solutions.
@@ -54,7 +54,7 @@ impl Lcp {
         self.all_solutions_with(&Settings::default())
     }
 
-    /// [`Self::all_solutions`] with other [`Settings`], of which only the tolerances count.
+    /// [`Self::all_solutions`] with other [`Settings`], of which only the tolerances are used.
     #[must_use]
     pub fn all_solutions_with(&self, settings: &Settings) -> Option<AllSolutions> {
         (self.len() <= LARGEST).then(|| all_solutions(self, settings))
@@ -89,7 +89,8 @@ pub(super) fn all_solutions(lcp: &Lcp, settings: &Settings) -> AllSolutions {
     search.found
 }
 
-/// A solution at a corner of some piece whose block is singular, where linear programming has found none; n is at most [`vertices::MOST_ROWS`].
+/// A solution at a corner of some piece with a singular block, for problems where linear programming has found none; n is at most
+/// [`vertices::MOST_ROWS`].
 pub(super) fn at_corner(lcp: &Lcp, settings: &Settings) -> Option<Solution> {
     let n = lcp.len();
     let mut scaling = Scaling::default();
@@ -104,7 +105,7 @@ pub(super) fn at_corner(lcp: &Lcp, settings: &Settings) -> Option<Solution> {
     })
 }
 
-/// A problem, its balance, and the solutions found so far.
+/// The search over the bases of one problem: its balance and the solutions found so far.
 struct Search<'a> {
     lcp: &'a Lcp,
     settings: &'a Settings,
@@ -130,15 +131,15 @@ impl Search<'_> {
 
     /// The point without values that are zero but for rounding.
     ///
-    /// The sign of such noise would decide in rows whose other terms are all zero. Where it was not
-    /// noise, the rows show it.
+    /// The sign of such noise would decide in rows whose other terms are all zero. If it was not
+    /// noise, the residuals of the point without it show that.
     fn without_noise(&self, alpha: &[usize], basic: &DVector<f64>) -> DVector<f64> {
         let size = |j: usize| basic[j].abs() / self.scaling.column[alpha[j]];
         let largest = (0..alpha.len()).map(size).fold(0.0, f64::max);
         DVector::from_fn(alpha.len(), |j, _| if size(j) <= ZERO * largest { 0.0 } else { basic[j] })
     }
 
-    /// The solution with these basic values, if they are one.
+    /// The solution with these basic values, if they solve the problem.
     fn solution_at(&self, alpha: &[usize], basic: &DVector<f64>) -> Option<Solution> {
         let (lcp, tolerance) = (self.lcp, self.settings.residual_tolerance);
         let mut z = vec![0.0; lcp.len()];
@@ -146,7 +147,7 @@ impl Search<'_> {
             z[*i] = *value;
         }
         let mut point = LcpPoint::new(z, lcp);
-        // The negative entries take part first: those that are more than noise must not be cut off.
+        // Negative entries are checked before they are cut off: those larger than noise must fail here.
         if !point.residuals(lcp).within(tolerance) {
             return None;
         }
@@ -166,11 +167,10 @@ impl Search<'_> {
         Some(Solution { z, w, basis, residuals, pivots: 0, degenerate })
     }
 
-    /// A point of the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 }. It comes from linear
+    /// A point of the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 }. It is found by linear
     /// programming on balanced data; the caller checks it.
     ///
-    /// The balance is exact here, not rounded to powers of two, so no unit moves the point on a
-    /// face.
+    /// The balance is exact here, not rounded to powers of two. So the point found on a face does not depend on units.
     fn point_of_singular_piece(&self, alpha: &[usize]) -> Option<DVector<f64>> {
         let Self { lcp, scaling, .. } = self;
         let n = lcp.len();
@@ -183,7 +183,7 @@ impl Search<'_> {
     }
 }
 
-/// Whether two points differ by no more than rounding, entry by entry or measured by the largest
+/// Whether two points differ by no more than rounding, entry by entry or relative to the largest
 /// entry.
 fn is_one_point(a: &DVector<f64>, b: &DVector<f64>) -> bool {
     let size = a.amax().max(b.amax());

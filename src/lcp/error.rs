@@ -41,28 +41,28 @@ pub enum LcpError {
         /// Rows and columns of the matrix.
         size: usize,
     },
-    /// A word of a text is not what belongs there.
+    /// A word of a text is no number, or not the number of pairs in the first place.
     #[error("word {at} is `{word}`, but must be {allowed}")]
     Word {
-        /// How many words come before it.
+        /// The number of words before it.
         at: usize,
         /// The word.
         word: String,
-        /// What belongs there.
+        /// The kind of word that must be there.
         allowed: &'static str,
     },
     /// A text has too few or too many numbers.
     #[error("the text has {given} numbers, but must have {needed}: n, n rows of M and q")]
     Count {
-        /// How many it has.
+        /// The number of numbers in the text.
         given: usize,
-        /// How many it must have.
+        /// The number of numbers required, 1 + n² + n.
         needed: usize,
     },
     /// A vector must have one entry per row of M.
     #[error("{what} has {given} entries, but the problem has {needed} rows")]
     Length {
-        /// Which vector.
+        /// The name of the vector.
         what: &'static str,
         /// Its length.
         given: usize,
@@ -74,7 +74,7 @@ pub enum LcpError {
         "block {what} has {rows} rows and {columns} columns, but must have {needed_rows} and {needed_columns}"
     )]
     BlockShape {
-        /// Which block.
+        /// The name of the block.
         what: &'static str,
         /// Its rows.
         rows: usize,
@@ -88,7 +88,7 @@ pub enum LcpError {
     /// An entry of a matrix is infinite or not a number.
     #[error("entry ({row}, {column}) of {what} is {value}, not a finite number")]
     MatrixEntry {
-        /// Which matrix.
+        /// The name of the matrix.
         what: &'static str,
         /// Row of the entry, counted from 0.
         row: usize,
@@ -100,7 +100,7 @@ pub enum LcpError {
     /// An entry of a vector is infinite or not a number.
     #[error("entry {row} of {what} is {value}, not a finite number")]
     VectorEntry {
-        /// Which vector.
+        /// The name of the vector.
         what: &'static str,
         /// Row of the entry, counted from 0.
         row: usize,
@@ -110,7 +110,7 @@ pub enum LcpError {
 }
 
 impl LcpError {
-    /// Refuses a matrix that is not square or has an entry that is not finite.
+    /// Checks that a matrix is square and has finite entries only.
     pub(super) fn check_square(what: &'static str, m: &DMatrix<f64>) -> Result<(), Self> {
         let (rows, columns) = m.shape();
         if rows != columns {
@@ -119,7 +119,7 @@ impl LcpError {
         Self::check_entries(what, m)
     }
 
-    /// Refuses a block of another shape than (rows, columns), or with an entry that is not finite.
+    /// Checks that a block has the shape (rows, columns) and finite entries only.
     pub(crate) fn check_block(
         what: &'static str,
         block: &DMatrix<f64>,
@@ -132,7 +132,7 @@ impl LcpError {
         Self::check_entries(what, block)
     }
 
-    /// Refuses a vector that has not `needed` entries, or one that is not finite.
+    /// Checks that a vector has `needed` entries, all of them finite.
     pub(crate) fn check_vector(what: &'static str, v: &DVector<f64>, needed: usize) -> Result<(), Self> {
         if v.len() != needed {
             return Err(Self::Length { what, given: v.len(), needed });

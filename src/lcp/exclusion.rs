@@ -1,14 +1,14 @@
-//! Which complementary bases can have no solution, without rounding.
+//! Exclusion of complementary bases that have no solution, without rounding.
 //!
-//! A basis α stands for the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 }. By Farkas' lemma it is empty if there is a v with
+//! The points of a basis α are the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 }. By Farkas' lemma the piece is empty if there is a v with
 //!
 //! ```text
 //! v_ᾱ ≥ 0,     (Mᵀv)_α ≤ 0,     qᵀv < 0
 //! ```
 //!
-//! A regular block has one where its point breaks a condition: a row of the inverse. The sums (Mᵀv)_j that would vanish are pushed
-//! a little below zero, so that rounding does not matter. Of singular blocks v comes from a linear program. Whatever v is, it is checked
-//! by sums without rounding: a basis that cannot be judged is not excluded.
+//! For a regular block whose point breaks a condition, v is a row of the inverse. The sums (Mᵀv)_α, which would vanish, are pushed
+//! a little below zero, so that rounding does not matter. For singular blocks v comes from a linear program. Every v is checked
+//! by sums without rounding: a basis without a v that passes is not excluded.
 
 use super::farkas::{Domain, cleaned};
 use super::linear_program::{self, MARGINS};
@@ -18,12 +18,13 @@ use super::settings::Settings;
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
-/// So many of the conditions that a point breaks are tried, the most broken first.
+/// The number of broken conditions that are tried for each basis, the most broken first.
 const TRIED: usize = 3;
-/// Sums are pushed below zero until this part of what is broken is used up.
+/// The part of the violation |z_j| or |w_i| that pushing (Mᵀv)_α below zero may use up; the rest keeps qᵀv negative. Near 0 or near 1,
+/// rounding decides one of the two signs.
 const USED_UP: f64 = 0.25;
 
-/// Whether no complementary basis has a solution, beyond any rounding; n is small.
+/// Whether every complementary basis is proved to have no solution; tries 2ⁿ bases, so n must be small.
 pub(super) fn every_basis(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> bool {
     let n = lcp.len();
     let (m, q) = scaling.balanced(&lcp.m, &lcp.q);
@@ -48,13 +49,14 @@ impl Judge<'_> {
         self.by_one_row(alpha) || self.by_broken_conditions(alpha) || self.by_linear_program(alpha)
     }
 
-    /// A row that no z of the piece can make what it must be: q_i < 0 without a positive entry, or of α the other way round.
+    /// Whether one row contradicts itself: q_i < 0 and row i has no positive entry in the columns α, or, for i in α, the same with both signs
+    /// changed.
     fn by_one_row(&self, alpha: &[usize]) -> bool {
         let hopeless = |i: usize, sign: f64| self.lcp.is_hopeless(i, sign, alpha.iter().copied());
         (0..self.q.len()).any(|i| hopeless(i, 1.0)) || alpha.iter().any(|i| hopeless(*i, -1.0))
     }
 
-    /// Rows of the inverse of a block, for the conditions that its point breaks most.
+    /// Tries rows of the inverse of a regular block, for the [`TRIED`] conditions that its point breaks most.
     fn by_broken_conditions(&self, alpha: &[usize]) -> bool {
         let (n, size) = (self.q.len(), alpha.len());
         let block = DMatrix::from_fn(size, size, |i, j| self.m[(alpha[i], alpha[j])]);
@@ -87,13 +89,13 @@ impl Judge<'_> {
         })
     }
 
-    /// The dual of { min t : the piece violated by at most t }.
+    /// Tries the dual solutions of { min t : the piece violated by at most t }, one for each margin.
     fn by_linear_program(&self, alpha: &[usize]) -> bool {
         let program = |margin| linear_program::of_piece((&self.m, &self.q), alpha, margin, self.settings);
         MARGINS.into_iter().filter_map(program).any(|program| self.proves(alpha, &program.y))
     }
 
-    /// Whether a v in balanced rows excludes a basis, by itself or cleaned.
+    /// Whether a v in balanced rows excludes a basis, as computed or [`cleaned`].
     fn proves(&self, alpha: &[usize], v: &DVector<f64>) -> bool {
         let y = DVector::from_fn(v.len(), |i, _| v[i] * self.scaling.row[i]);
         let basic = |i: usize| alpha.contains(&i);
@@ -102,14 +104,14 @@ impl Judge<'_> {
     }
 }
 
-/// The solution of a square system, if it is regular; of none the empty one.
+/// The solution of a square system, if its matrix is regular; an empty system has the empty solution.
 fn solved(block: &DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {
     if rhs.is_empty() { Some(rhs.clone()) } else { block.clone().full_piv_lu().solve(rhs) }
 }
 
 /// A condition of a basis that its point breaks.
 enum Broken {
-    /// z_α ≥ 0, by its place in α.
+    /// z_j ≥ 0 for an entry of α, by its position j in α.
     Domain(usize),
     /// w_i ≥ 0.
     Slack(usize),

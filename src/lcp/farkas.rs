@@ -1,8 +1,8 @@
 //! Proofs that no z ≥ 0 has M z + q ≥ 0, by Farkas' lemma, without rounding.
 //!
-//! A vector y ≥ 0 with Mᵀy ≤ 0 and qᵀy < 0 is such a proof: z ≥ 0 and M z + q ≥ 0 would imply yᵀ(M z + q) ≥ 0. A path or a linear program
-//! ends in a y with rounding, and where (Mᵀy)_j must vanish, rounding spoils it. Its ratios are then those of small whole numbers as a rule,
-//! which are tried in its place. Where (Mᵀy)_j may be negative, a linear program with a margin keeps it so.
+//! A vector y ≥ 0 with Mᵀy ≤ 0 and qᵀy < 0 is such a proof: z ≥ 0 and M z + q ≥ 0 would imply yᵀ(M z + q) ≥ 0. The y at the end of a path
+//! or of a linear program carries rounding, which spoils it where (Mᵀy)_j must vanish. The exact y usually has the ratios of small whole numbers,
+//! and these are tried in its place. Where (Mᵀy)_j may be negative, a linear program with a margin keeps it so.
 
 use core::cmp::Ordering;
 
@@ -14,14 +14,14 @@ use crate::numerics::{ExactSum, times_power_of_two};
 use crate::prelude::*;
 use nalgebra::DVector;
 
-/// Whole numbers beyond this, 2⁵³, are no longer all doubles.
+/// 2⁵³, the largest denominator tried: not all whole numbers beyond it are doubles.
 const LARGEST_WHOLE: f64 = 9_007_199_254_740_992.0;
-/// A number is whole if it differs from a whole one by such a part of itself, the rounding of the path that it comes from.
-/// That rounding is not known beforehand: the least that leads to a proof is taken.
+/// Relative distances from a whole number within which a number counts as whole: the rounding of the path that it comes from.
+/// That rounding is not known beforehand, so the smallest that leads to a proof is used.
 const WHOLE: [f64; 3] = [1e-14, 1e-11, 1e-8];
-/// The first so many of the cleaned vectors are those that were computed.
+/// The number of vectors at the head of [`cleaned`] that keep the computed entries; the others are rounded to whole numbers.
 const AS_COMPUTED: usize = 2;
-/// Bounds are drawn in by this part, for the rounding with which they are written down.
+/// Bounds are reduced by this part of themselves, more than the rounding with which they are computed.
 const ROUNDED: f64 = 1e-14;
 
 impl Lcp {
@@ -37,7 +37,7 @@ impl Lcp {
     }
 
     /// Whether y proves that some constraints contradict each other: rows of M z + q that vanish or are not negative, and unknowns
-    /// of three kinds. Then y_i ≥ 0 in rows of the second kind, (Mᵀy)_j ≤ 0 or = 0 as the unknown has it, and qᵀy < 0.
+    /// of the three kinds of [`Domain`]. Then y_i ≥ 0 in rows that are not negative, (Mᵀy)_j ≤ 0 for z_j ≥ 0, (Mᵀy)_j = 0 for free z_j, and qᵀy < 0.
     pub(super) fn contradicts(
         &self,
         y: &DVector<f64>,
@@ -54,13 +54,13 @@ impl Lcp {
             })
     }
 
-    /// How large the entries of every z ≥ 0 with M z + q ≥ 0 are together at least, as y shows:
+    /// A lower bound on Σ z_j for every z ≥ 0 with M z + q ≥ 0, from y ≥ 0 with qᵀy < 0:
     ///
     /// ```text
     /// Σ z_j ≥ −qᵀy / max_j (Mᵀy)_j
     /// ```
     ///
-    /// Infinite where y proves that there is no such z, zero where it shows nothing. All sums are made without rounding; the bound is
+    /// Infinite if y proves that there is no such z, zero if y proves nothing. All sums are made without rounding; the bound is
     /// rounded downwards.
     ///
     /// ```
@@ -88,7 +88,7 @@ impl Lcp {
         self.columns().map(against).fold(f64::INFINITY, f64::min) * (1.0 - ROUNDED)
     }
 
-    /// What a vector proves that rounding may have touched, by itself or [cleaned](cleaned).
+    /// The proof that a vector with rounding contains, as computed or [`cleaned`]: exact, or else but for rounding.
     pub(super) fn farkas_proof(&self, y: &DVector<f64>) -> Option<Unsolved> {
         let certificate = |y| Certificate { y, pivots: 0 };
         if let Some(y) = cleaned(y).find(|y| self.proves_infeasible(y)) {
@@ -105,7 +105,7 @@ impl Lcp {
             let mut sums = (0.0, 0.0, true);
             for (m, y) in column.iter().zip(y) {
                 let term: f64 = m * y;
-                // A product that underflows has lost more than rounding.
+                // A product that underflows has lost more than relative rounding.
                 let kept = *m == 0.0 || *y == 0.0 || term.is_normal();
                 sums = (sums.0 + term, sums.1 + term.abs(), sums.2 && kept);
             }
@@ -122,8 +122,8 @@ impl Lcp {
             })
     }
 
-    /// Whether no z with entries in these columns alone keeps a row from being negative (or, with sign -1, positive): q_i has
-    /// that sign, and no entry of the row the other one.
+    /// Whether no z whose entries lie in these columns alone keeps row i from being negative (sign 1) or positive (sign −1): q_i has
+    /// that sign, and no entry of the row has the other.
     pub(super) fn is_hopeless(
         &self,
         row: usize,
@@ -146,7 +146,7 @@ impl Lcp {
     }
 }
 
-/// Where an unknown may lie.
+/// The values allowed for an unknown.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Domain {
     /// Anywhere.
@@ -161,8 +161,8 @@ fn times(column: &[f64], y: &DVector<f64>) -> ExactSum {
     ExactSum::of_products(column.iter().copied().zip(y.iter().copied()))
 }
 
-/// A vector as it was computed; without the entries that are noise beside the largest; and the vectors of whole numbers that have its ratios but for
-/// more and more rounding.
+/// A vector as computed; then without the entries that are noise beside the largest; then the vectors of whole numbers with its ratios, for
+/// larger and larger rounding.
 pub(super) fn cleaned(y: &DVector<f64>) -> impl Iterator<Item = DVector<f64>> {
     let noise = ZERO * y.amax();
     let without_noise = y.map(|y| if y.abs() <= noise { 0.0 } else { y });
@@ -170,8 +170,8 @@ pub(super) fn cleaned(y: &DVector<f64>) -> impl Iterator<Item = DVector<f64>> {
     [y.clone(), without_noise].into_iter().chain(whole)
 }
 
-/// The vector of whole numbers with these ratios, if there is one: entries are made whole one after the other, by the least
-/// common denominator so far.
+/// The vector of whole numbers with these ratios, if there is one. Entries are made whole one after the other, each by the least
+/// denominator beyond that of the entries before.
 fn whole_within(y: &DVector<f64>, rounding: f64) -> Option<DVector<f64>> {
     let largest = y.amax();
     let mut denominator = 1.0;
@@ -184,7 +184,7 @@ fn whole_within(y: &DVector<f64>, rounding: f64) -> Option<DVector<f64>> {
     Some(y.map(|y| (y / largest * denominator).round()))
 }
 
-/// The denominator of the fraction, in lowest terms, that a number is but for rounding: by its continued fraction.
+/// The denominator, in lowest terms, of the fraction that equals x within `rounding`: by its continued fraction.
 fn denominator_of(x: f64, rounding: f64) -> Option<f64> {
     let (mut rest, mut before, mut denominator) = (x, 0.0, 1.0);
     while denominator <= LARGEST_WHOLE {

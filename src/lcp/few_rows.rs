@@ -1,19 +1,19 @@
 //! Farkas vectors that a reader can follow: few rows, small entries.
 //!
-//! A path or a linear program ends in some vector that proves a contradiction, as a rule one of many. Where a row contradicts itself, or two contradict
-//! each other, that says more, and does not hang on the last digit of an entry.
+//! A path or a linear program ends in some vector that proves a contradiction, usually one of many. A row that contradicts itself, or two that
+//! contradict each other, explain more, and their proof does not depend on the last digit of an entry.
 
 use super::problem::Lcp;
 use crate::prelude::*;
 use nalgebra::DVector;
 
-/// Pairs of rows are gone through in problems of up to so many rows, vectors made plainer in those of up to so many: n² checks of n² sums.
+/// The largest number of rows for which pairs of rows are tried and vectors simplified: n² checks of n² products.
 const MOST_ROWS: usize = 48;
-/// Entries are rounded to so many binary digits, the fewest first.
+/// The numbers of binary digits to which entries are rounded, the fewest first.
 const DIGITS: [i32; 4] = [1, 3, 8, 20];
 
 impl Lcp {
-    /// A Farkas vector of one row, or of two.
+    /// A Farkas vector with one entry or two that are not zero.
     pub(super) fn few_rows(&self) -> Option<DVector<f64>> {
         let n = self.len();
         if let Some(row) = (0..n).find(|row| self.is_hopeless(*row, 1.0, 0..n)) {
@@ -22,16 +22,16 @@ impl Lcp {
         if n > MOST_ROWS {
             return None;
         }
-        // One of the two must be negative.
+        // At least one of the two rows has q < 0.
         let negative = (0..n).filter(|i| self.q[*i] < 0.0);
         let mut pairs = negative.flat_map(|i| (0..n).filter(move |k| *k != i).map(move |k| (i, k)));
         pairs.find_map(|(i, k)| self.two_rows(i, k))
     }
 
-    /// A Farkas vector of these two rows: y_k over y_i lies between bounds, one from each column and from q.
+    /// A Farkas vector of the rows i and k: y_k / y_i lies between bounds, one from each column and from q.
     fn two_rows(&self, i: usize, k: usize) -> Option<DVector<f64>> {
         let n = self.len();
-        // A bound as y_i and y_k, so that their products cancel without rounding.
+        // Each bound is kept as (y_i, y_k), so that their products cancel without rounding.
         let (mut least, mut most) = ((1.0, 0.0), (0.0, 1.0));
         let ratio = |(y_i, y_k): (f64, f64)| y_k / y_i;
         for j in 0..=n {
@@ -67,7 +67,7 @@ impl Lcp {
         tried.find(|y| self.proves_infeasible(y))
     }
 
-    /// A Farkas vector made plainer: without the entries that it does not need, the others with as few digits as do.
+    /// A simpler Farkas vector: without the entries that the proof does not need, and the others with as few digits as suffice.
     pub(super) fn plainer(&self, mut y: DVector<f64>) -> DVector<f64> {
         if self.len() > MOST_ROWS {
             return y;
@@ -85,7 +85,7 @@ impl Lcp {
     }
 }
 
-/// A number with so many binary digits: what is added and taken away again leaves no others.
+/// x rounded to this number of binary digits: adding and subtracting a number 2^(53 − digits) times as large drops the others.
 fn rounded(x: f64, digits: i32) -> f64 {
     let far = x * 2.0_f64.powi(53 - digits);
     let rounded = (x + far) - far;

@@ -1,4 +1,4 @@
-//! Problems as people have them: rows, places of a sparse matrix, text.
+//! Problems from rows, from the places of a sparse matrix, and from text.
 
 use super::error::LcpError;
 use super::problem::Lcp;
@@ -20,7 +20,7 @@ impl Lcp {
     ///
     /// # Errors
     ///
-    /// [`LcpError::RowLength`] for a row that has not as many entries as there are rows. Otherwise as for [`Lcp::new`].
+    /// [`LcpError::RowLength`] for a row whose length differs from the number of rows. Otherwise as for [`Lcp::new`].
     pub fn from_rows<R: AsRef<[f64]>>(rows: &[R], q: &[f64]) -> Result<Self, LcpError> {
         let n = rows.len();
         if let Some(row) = rows.iter().position(|row| row.as_ref().len() != n) {
@@ -29,7 +29,7 @@ impl Lcp {
         Self::new(DMatrix::from_fn(n, n, |i, j| rows[i].as_ref()[j]), DVector::from_column_slice(q))
     }
 
-    /// The problem with the entries (row, column, value) of a sparse M, counted from 0, and q. What is not named is zero;
+    /// The problem with the entries (row, column, value) of a sparse M, counted from 0, and q. Places without an entry are zero;
     /// entries at one place are added.
     ///
     /// ```
@@ -60,7 +60,7 @@ impl Lcp {
     }
 }
 
-/// The problem as numbers separated by blanks or ends of lines: n, the rows of M, and q. What follows a `#` in a line is a remark.
+/// The problem as numbers separated by blanks or ends of lines: n, the rows of M, and q. The rest of a line after `#` is a remark.
 ///
 /// ```
 /// use grasp_lcp::lcp::Lcp;
@@ -71,7 +71,7 @@ impl Lcp {
 /// # Ok::<(), grasp_lcp::lcp::LcpError>(())
 /// ```
 ///
-/// [`LcpError::Word`] for what is no number, [`LcpError::Count`] if there are not 1 + n² + n of them.
+/// [`LcpError::Word`] for a word that is no number, [`LcpError::Count`] if there are not 1 + n² + n numbers.
 impl FromStr for Lcp {
     type Err = LcpError;
 
@@ -93,7 +93,7 @@ impl FromStr for Lcp {
     }
 }
 
-/// The text that [`Lcp::from_str`] reads back, every bit of it.
+/// The text that [`Lcp::from_str`] reads back bit by bit.
 impl fmt::Display for Lcp {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "{}", self.len())?;

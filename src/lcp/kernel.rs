@@ -1,9 +1,9 @@
 //! The inner loops of a pivot, written so that the compiler turns them into vector instructions
-//! (see [`crate::wide`]).
+//! (see [`crate::numerics::wide`]).
 
 use crate::numerics::Loop;
 
-/// Four columns at once: a_j += g_j u and y −= Σ_j c_j a_j, in one pass over memory.
+/// The update a_j += g_j u and the next entering column y −= Σ_j c_j a_j, four columns at once, in one pass over memory.
 pub(super) struct UpdateAndCombine<'a> {
     pub(super) columns: &'a mut [f64],
     pub(super) n: usize,
@@ -147,7 +147,7 @@ fn update4(a: &mut [f64], b: &mut [f64], d: &mut [f64], e: &mut [f64], g: [f64; 
     }
 }
 
-#[allow(clippy::too_many_arguments)] // separate slices are what lets the loop be vectorised
+#[allow(clippy::too_many_arguments)] // separate slices allow the loop to be vectorised
 #[inline(always)]
 fn both4(
     a: &mut [f64],

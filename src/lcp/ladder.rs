@@ -1,7 +1,7 @@
 //! The ladder from one attempt to the next.
 //!
 //! The rungs are: Lemke's path; a proof from its ray; a proof by linear programming; other paths;
-//! all complementary bases. [`Lcp::solve_with`] says when each is climbed.
+//! all complementary bases. [`Lcp::solve_with`] states when each is tried.
 
 use super::enumerate;
 use super::exclusion;
@@ -17,17 +17,16 @@ use crate::numerics::generic;
 use crate::prelude::*;
 use nalgebra::DVector;
 
-/// The covering vectors of other paths have entries 2^e of the balanced unit with e between −3 and
-/// 3, a range of so many octaves.
+/// The range, in octaves, of the entries of other covering vectors: 2^e of the balanced unit with e between −3 and 3.
 ///
-/// Less of it leaves the paths close to the first one; more of it makes badly scaled problems.
+/// Smaller, the paths stay close to the first one; larger, the problems are badly scaled.
 const OCTAVES: f64 = 6.0;
-/// Attempt k draws its covering vector from entry k times this on. No two attempts draw alike,
-/// since no dense problem has so many rows.
+/// Attempt k draws its covering vector from entry k times this of the generic numbers. No two attempts share
+/// entries, since no dense problem has as many rows.
 const ENTRIES_APART: usize = 1_000_003;
 
 impl Workspace {
-    /// Climbs the ladder for a prepared problem, until it is solved (`None`) or settled otherwise.
+    /// Runs through the rungs for a prepared problem, until it is solved (`None`) or settled otherwise.
     pub(super) fn climb(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         let first = self.first_path(lcp, settings)?;
         match first {
@@ -67,20 +66,20 @@ impl Workspace {
         Some(first.after(self.path.pivots))
     }
 
-    /// Infeasible, as few rows show, or else this vector.
+    /// `Infeasible` by the certificate of one or two rows if there is one, otherwise by a simplified y.
     fn infeasible(&self, lcp: &Lcp, y: DVector<f64>) -> Unsolved {
         self.few_rows(lcp).unwrap_or_else(|| {
             Outcome::Infeasible(Certificate { y: lcp.plainer(y), pivots: self.path.pivots })
         })
     }
 
-    /// Infeasible, as few rows show.
+    /// `Infeasible` by the certificate of one or two rows, if there is one.
     fn few_rows(&self, lcp: &Lcp) -> Option<Unsolved> {
         let y = lcp.few_rows()?;
         Some(Outcome::Infeasible(Certificate { y, pivots: self.path.pivots }))
     }
 
-    /// Follows a path with another covering vector, then one from a basis of one or two z's.
+    /// Follows a path with another covering vector, then a path from a basis of one or two z's.
     fn retry(&mut self, lcp: &Lcp, settings: &Settings, attempt: usize) -> Option<Unsolved> {
         let units = self.path.scaling.row_unit.iter().enumerate();
         self.path.d.clear();
@@ -97,7 +96,7 @@ impl Workspace {
         Some(failure)
     }
 
-    /// Takes the first of all solutions; `Some(())` if there is none.
+    /// Stores the first solution of the enumeration; `Some(())` if there is none.
     fn take_enumerated(&mut self, lcp: &Lcp, settings: &Settings) -> Option<()> {
         let all = enumerate::all_solutions(lcp, settings);
         let Some(solution) = all.solutions.into_iter().next() else { return Some(()) };

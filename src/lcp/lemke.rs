@@ -1,7 +1,7 @@
 //! Lemke's method.
 //!
 //! The augmented problem w = q + M z + d z₀ has a path of points with w_i z_i = 0 for all i. It is
-//! followed from z = 0 with large z₀ to z₀ = 0. The variable driven next is always the complement
+//! followed from z = 0 with large z₀ to z₀ = 0. The next entering variable is always the complement
 //! of the one that left last (Cottle, Pang & Stone, algorithm 4.4.5).
 
 use super::dictionary::{LemkeVariable, largest};
@@ -16,15 +16,15 @@ use super::tolerances::{COLUMN_NOISE, DOUBTFUL_PIVOT, DRIFT, ZERO};
 pub(super) enum LemkeEnd {
     /// z₀ left: the basis is a complementary one.
     Complementary,
-    /// This variable grows for ever; its column is in the dictionary.
+    /// This variable grows without bound; its column is in the dictionary.
     Ray(LemkeVariable),
     PivotLimit,
     Breakdown(BreakdownCause),
 }
 
-/// The values are compared with the data after so many pivots.
+/// The number of pivots after which the values are compared with the data.
 ///
-/// The comparison costs a pivot or two. Rarer, drift is found late; more often, it costs time.
+/// The comparison costs a pivot or two. Larger, drift is found late; smaller, time is wasted.
 const CHECK_EVERY: usize = 32;
 impl Path {
     /// Lets z₀, whose column is in the dictionary, enter an infeasible basis, and follows the path
@@ -61,7 +61,7 @@ impl Path {
             && self.cover_and_run(m, settings, limit) == LemkeEnd::Complementary
     }
 
-    /// Follows the path from the entering variable on, whose column is in the dictionary.
+    /// Follows the path on which `entering` grows next; its column is in the dictionary.
     fn run(&mut self, mut entering: LemkeVariable, m: &[f64], settings: &Settings, limit: usize) -> LemkeEnd {
         loop {
             if self.pivots >= limit {
@@ -90,8 +90,8 @@ impl Path {
 
     /// The blocking row for the entering variable, from a dictionary that can be trusted.
     ///
-    /// A dictionary that has drifted from the data, or that offers no pivot, is computed anew first. So is one that offers only a
-    /// doubtful pivot, unless a step of refinement leaves the column as it is.
+    /// A dictionary that has drifted from the data, whose column has overflowed, or that offers no pivot, is computed anew first. So is one that
+    /// offers only a doubtful pivot, unless one step of refinement changes its column by at most [`DRIFT`].
     pub(super) fn blocking_row(
         &mut self,
         entering: LemkeVariable,

@@ -11,7 +11,7 @@ use super::settings::Settings;
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
-/// A proof that the constraints cannot be met: one row of them, or the dual solution of the linear program.
+/// A proof that the constraints contradict each other: one row of them, or the dual solution of the linear program.
 pub(super) fn proof(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> Option<Unsolved> {
     let n = lcp.len();
     if let Some(row) = (0..n).find(|row| lcp.is_hopeless(*row, 1.0, 0..n)) {
@@ -19,7 +19,7 @@ pub(super) fn proof(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> Option
         return Some(Outcome::Infeasible(Certificate { y, pivots: 0 }));
     }
     let (a, b) = scaling.balanced(&lcp.m, &lcp.q);
-    // What is infeasible but for rounding is told so where an exact proof would cost several large programs more.
+    // Large problems get one program only and end as nearly infeasible if rounding spoils it: an exact proof would cost several large programs more.
     let margins = if n <= EXACT_UP_TO { &MARGINS[..] } else { &MARGINS[..1] };
     let mut nearly = None;
     for y in contradictions(&a, &b, margins, settings) {
@@ -32,7 +32,7 @@ pub(super) fn proof(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> Option
     nearly
 }
 
-/// Dual solutions y ≥ 0 with bᵀy < 0, which may prove that no x ≥ 0 has A x + b ≥ 0: one for each margin, until a program has none.
+/// Dual solutions y ≥ 0 with bᵀy < 0, which may prove that no x ≥ 0 has A x + b ≥ 0: one for each margin, up to the first program without one.
 fn contradictions<'a>(
     a: &'a DMatrix<f64>,
     b: &'a DVector<f64>,
@@ -47,7 +47,7 @@ fn contradictions<'a>(
 }
 
 impl Lcp {
-    /// Such vectors for numbers that are near one, by themselves and cleaned of rounding.
+    /// Candidate Farkas vectors of A x + b ≥ 0, x ≥ 0 with entries near one: dual solutions for each margin, as computed and [`cleaned`].
     pub(crate) fn contradictions<'a>(
         a: &'a DMatrix<f64>,
         b: &'a DVector<f64>,
@@ -57,9 +57,11 @@ impl Lcp {
     }
 }
 
-/// Problems of more rows are not tried with margins: each is a program of twice as many, and data of that size are computed as a rule.
+/// The largest number of rows for which margins are tried. Each margin costs one more path on 2 n + 1 rows, and larger data usually carry rounding
+/// themselves.
 const EXACT_UP_TO: usize = 64;
-/// A vertex of the dual program lies on its constraints, and rounding may put it beyond them. By a margin it is kept inside, where there is room.
+/// The margins δ of the linear programs. A vertex of the dual program lies on its constraints, and rounding may put it outside; a margin keeps it
+/// inside where there is room.
 pub(super) const MARGINS: [f64; 4] = [0.0, 1e-3, 1e-6, 1e-9];
 
 /// The program of the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } of a balanced problem. Its x are the z_α, and its y
@@ -71,7 +73,7 @@ pub(super) fn of_piece(
     settings: &Settings,
 ) -> Option<LinearProgram> {
     let (n, k) = (q.len(), alpha.len());
-    // Rows that must vanish are there a second time, with the other sign.
+    // Each row that must vanish appears a second time with the opposite sign.
     let row = |i: usize| if i < n { (i, 1.0) } else { (alpha[i - n], -1.0) };
     let a = DMatrix::from_fn(n + k, k, |i, j| row(i).1 * m[(row(i).0, alpha[j])]);
     let load = q.amax();
@@ -109,7 +111,7 @@ fn least_violation(
     let a = a.clone().insert_column(columns, 1.0);
     m.view_mut((columns + 1, 0), a.shape()).copy_from(&a);
     m.view_mut((0, columns + 1), (columns + 1, rows)).copy_from(&-a.transpose());
-    // A column of zeros leaves no room.
+    // For a column of zeros no margin is possible.
     for (q, column) in q.iter_mut().zip(a.column_iter()).take(columns) {
         *q = if column.iter().all(|a| *a == 0.0) { 0.0 } else { -margin };
     }

@@ -5,9 +5,9 @@ use super::memory::refill;
 use super::pattern::counts;
 use crate::prelude::*;
 
-/// So many mantissas, each below 2, are multiplied before their product is put away.
+/// The number of mantissas, each below 2, that are multiplied before the logarithm of their product is taken.
 ///
-/// More than 1023 could overflow; fewer take more logarithms.
+/// Above 1023 the product could overflow; smaller, more logarithms are taken.
 const PRODUCT: usize = 512;
 const MANTISSA: u64 = (1 << 52) - 1;
 const ONE: u64 = 1023 << 52;
@@ -48,7 +48,7 @@ impl Logarithms {
         columns.finish();
     }
 
-    /// Takes q in as one more column.
+    /// Adds q as one more column.
     pub(super) fn append(q: &[f64], rows: &mut Self, columns: &mut Self) {
         let (mut sum, mut count) = (0.0, 0.0);
         for (i, q) in q.iter().enumerate().filter(|(_, q)| counts(**q)) {
@@ -69,7 +69,7 @@ impl Logarithms {
         refill(&mut self.count, n, 0.0);
     }
 
-    /// Turns a product of mantissas into its logarithm before it overflows.
+    /// Adds the logarithm of a product of mantissas to the sum, before the product overflows.
     fn put_away(&mut self, i: usize) {
         self.sum[i] += self.mantissas[i].log2();
         self.mantissas[i] = 1.0;
@@ -85,7 +85,7 @@ impl Logarithms {
     }
 }
 
-/// Adds the exponents and multiplies the mantissas of a column to those of its rows. Returns the
+/// Adds the exponents of a column's entries to those of their rows and multiplies the mantissas likewise. Returns the
 /// sum and the product over the column.
 fn accumulate(column: &[f64], exponents: &mut [u64], mantissas: &mut [f64]) -> (u64, f64) {
     let mut sum = [0_u64; 4];

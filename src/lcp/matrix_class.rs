@@ -1,4 +1,4 @@
-//! The classes to which a matrix belongs, and what they guarantee.
+//! The classes of a matrix, and the guarantees that follow.
 
 use super::error::LcpError;
 use super::tolerances::{OFF_DIAGONAL, POSITIVE_MINOR, elimination_rounding};
@@ -6,11 +6,11 @@ use super::tolerances::{OFF_DIAGONAL, POSITIVE_MINOR, elimination_rounding};
 use crate::prelude::*;
 use nalgebra::DMatrix;
 
-/// For n up to this all principal minors are looked at when nothing else decides whether M is a
+/// The largest n for which all principal minors are computed when nothing else decides whether M is a
 /// P-matrix. Each further row doubles the work.
 const MINORS: usize = 12;
 
-/// What could be found out about a matrix M (n × n), by [`MatrixClass::of`].
+/// The classes to which a matrix M (n × n) belongs, as found by [`MatrixClass::of`].
 ///
 /// The tests are exact up to rounding. A matrix very close to the boundary of a class may be put on
 /// either side: closer than 32 n ε (ε = 2⁻⁵²) or 1e-14 of its diagonal.
@@ -40,7 +40,7 @@ pub enum Definiteness {
     Indefinite,
 }
 
-/// The sign of zᵀMz for z ≥ 0, as far as the structure shows it. Deciding it in general is as hard
+/// The sign of zᵀMz for z ≥ 0, as far as the structure of M shows it. Deciding it in general is as hard
 /// as the problem itself.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Copositivity {
@@ -74,7 +74,7 @@ pub enum Guarantee {
 }
 
 impl MatrixClass {
-    /// Looks at M (n × n), at the cost of up to three eliminations of about 2n³/3 flops each.
+    /// Classifies M (n × n), at the cost of up to three eliminations of about 2n³/3 flops each.
     ///
     /// Definiteness, diagonal dominance or signs mostly decide whether M is a P-matrix. Where they
     /// do not, and n ≤ 12, up to 2ⁿ Schur complements come on top (M. J. Tsatsomeros and L. Li, *A
@@ -132,7 +132,7 @@ fn symmetric_part(m: &DMatrix<f64>) -> DMatrix<f64> {
     DMatrix::from_fn(m.nrows(), m.nrows(), |i, j| 0.5 * m[(i, j)] + 0.5 * m[(j, i)])
 }
 
-/// Decides by Cholesky's factorisation with diagonal pivoting, of s scaled to a diagonal of ones
+/// Decides by Cholesky's factorisation with diagonal pivoting, after scaling s to a diagonal of ones
 /// and zeros.
 fn definiteness(s: &DMatrix<f64>) -> Definiteness {
     let n = s.nrows();
@@ -185,7 +185,7 @@ fn copositivity(
     if !diagonal(&|x| x >= 0.0) {
         return Copositivity::Not;
     }
-    // Where s without its positive off-diagonal entries is semidefinite, they keep zᵀMz ≥ 0.
+    // If s without its positive off-diagonal entries is semidefinite, s is the sum of that and of a matrix without negative entries.
     let mut rest = symmetric_part(m);
     for j in 0..n {
         for i in 0..n {
@@ -235,10 +235,10 @@ fn eliminate(a: &mut DMatrix<f64>, k: usize) {
 
 /// Whether a is a P-matrix.
 ///
-/// Its first entry must be positive. P-matrices must also be a without its first row and column, and the Schur complement of that
-/// entry.
+/// The first entry of a must be positive. Two smaller matrices must be P-matrices: a without its first row and column, and the Schur
+/// complement of the first entry.
 ///
-/// m holds the diagonal given, in the order of a, as a measure.
+/// m holds the diagonal given, in the order of a, as the measure of a pivot.
 fn minors_are_positive(a: DMatrix<f64>, m: &DMatrix<f64>) -> bool {
     let n = a.nrows();
     if n == 0 {

@@ -69,12 +69,12 @@ pub struct MixedSolution {
     pub basis: Basis,
     /// The violations, recomputed from the data given.
     pub residuals: Residuals,
-    /// Free variables which nothing determines (a singular block), counted from 0. They are 0 here,
-    /// and could be moved along.
+    /// Free variables that no row determines (a singular block), counted from 0. They are 0 here;
+    /// each may take any other value if the other free variables follow.
     pub undetermined: Vec<usize>,
     /// Equality rows which follow from the others, counted from 0.
     pub dependent: Vec<usize>,
-    /// Pivots of Lemke's method on the problem that led here, the reduced or the split one.
+    /// Pivots of Lemke's method on the problem that gave the solution, the reduced or the split one.
     pub pivots: usize,
 }
 
@@ -137,7 +137,7 @@ impl MixedLcp {
         self.whole.len() - self.free
     }
 
-    /// Whether there is no pair.
+    /// Whether n = 0.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
@@ -219,7 +219,7 @@ impl MixedLcp {
         self.whole.contradicts(y, free, domain)
     }
 
-    /// The certificate that one of the split problem is for this one: its entries of the two halves of an equality are joined.
+    /// The certificate of this problem that follows from one of the split problem: the two entries of each equality are subtracted.
     fn joined(&self, of_split: &Certificate) -> Unsolved {
         let (y, m) = (&of_split.y, self.free);
         let y = DVector::from_fn(self.whole.len(), |i, _| if i < m { y[i] - y[m + i] } else { y[m + i] });
@@ -231,8 +231,8 @@ impl MixedLcp {
         }
     }
 
-    /// The better of the point (u, z) given and the point of its basis computed from the data, if
-    /// that better one is good enough.
+    /// The better of two points: the (u, z) given, and the point of its basis computed from the data. An error if
+    /// it misses the tolerance or its basis is singular.
     fn conclude(
         &self,
         point: Vec<f64>,

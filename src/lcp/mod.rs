@@ -42,10 +42,9 @@
 //!
 //! [`Outcome`] says which of these happened. It says "solved" only after the residuals have been
 //! recomputed from the M and q given. A ray that proves nothing is not the end: [`Lcp::solve_with`]
-//! tells what is tried next.
+//! lists the attempts that follow it.
 //!
-//! Proofs that there is no solution are checked without rounding. That a solution exists where a basis says is proved on request, with bounds:
-//! [`Lcp::verify`].
+//! Proofs that there is no solution are checked without rounding. [`Lcp::verify`] proves on request, with bounds, that a basis has an exact solution.
 //!
 //! # Units, ties, cost
 //!
@@ -61,12 +60,12 @@
 //! [`Series`] keeps.
 
 // From the ground up: `tolerances` holds every number that a value is compared with.
-// `problem` is checked input, `scaling` balances it, and a `dictionary` stands for one basis of it.
+// `problem` is checked input, `scaling` balances it, and a `dictionary` represents one basis of it.
 // `path`, `lemke` and `refactor` walk through dictionaries and compute them afresh.
 // `point` and `conclusion` check the end of a path against the data.
 // `farkas` and `exclusion` prove without rounding that there is no solution, `verified` that there is one.
 // One `attempt` is one path with its end; the `ladder` goes from one attempt to the next.
-// The questions stand on top: `solve`, `enumerate`, `series`, `parametric`, `mixed`.
+// The entry points come last: `solve`, `enumerate`, `series`, `parametric`, `mixed`.
 
 mod attempt;
 mod basis;

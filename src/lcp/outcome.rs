@@ -1,4 +1,4 @@
-//! How a solve can end.
+//! The ways in which a solve can end.
 
 use super::residuals::Residuals;
 use super::solution::{Solution, SolutionView};
@@ -7,10 +7,10 @@ use core::fmt;
 use nalgebra::DVector;
 use thiserror::Error;
 
-/// What is known when a solve ends: of a problem, of one with free variables
+/// The end of a solve, and the conclusion that it allows. S is the type of a solution: of an [`Lcp`](super::Lcp), of a problem with free variables
 /// ([`MixedSolution`](super::MixedSolution)), or in the memory of a solver ([`OutcomeView`]).
 ///
-/// The first four say something about the problem; the last three say that nothing is known. Its `Display` is one line.
+/// The first four state a fact about the problem; the last three leave it open. Its `Display` is one line.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 #[non_exhaustive]
@@ -21,17 +21,17 @@ pub enum Outcome<S = Solution> {
     Infeasible(Certificate),
     /// Data that differ from those given by rounding are infeasible, as the [`Certificate`] shows.
     ///
-    /// Those given may have a z ≥ 0 with M z + q ≥ 0, but none that is small:
-    /// [`Lcp::least_feasible`](super::Lcp::least_feasible) bounds it from below. Data that were computed say no more as a rule.
+    /// The data given may have a z ≥ 0 with M z + q ≥ 0, but none that is small:
+    /// [`Lcp::least_feasible`](super::Lcp::least_feasible) bounds it from below. Computed data usually allow no stronger conclusion.
     NearlyInfeasible(Certificate),
-    /// None of the 2ⁿ complementary bases stands for a solution, for the M and q given: each was excluded by a vector that
-    /// was checked without rounding. No certificate of the whole was found, so z ≥ 0 with M z + q ≥ 0 should exist.
+    /// None of the 2ⁿ complementary bases has a solution, for the M and q given: each was excluded by a vector that
+    /// was checked without rounding. No Farkas certificate was found, so z ≥ 0 with M z + q ≥ 0 should exist.
     NoBasis {
         /// Pivots made.
         pivots: usize,
     },
-    /// The path ended in a secondary ray, along which z₀ never reaches zero. The ray proves nothing, and every way of going on
-    /// that the [`Settings`](super::Settings) allow has been tried.
+    /// The path ended in a secondary ray, along which z₀ never reaches zero. The ray proves nothing, and every further attempt
+    /// that the [`Settings`](super::Settings) allow has failed.
     Ray(Ray),
     /// The pivot limit was reached first.
     PivotLimit {
@@ -42,7 +42,7 @@ pub enum Outcome<S = Solution> {
     Breakdown {
         /// Pivots made until then.
         pivots: usize,
-        /// What went wrong.
+        /// The reason.
         cause: BreakdownCause,
     },
 }
@@ -60,13 +60,13 @@ impl<S> Outcome<S> {
         if let Self::Solved(solution) = self { Some(solution) } else { None }
     }
 
-    /// Whether the constraints are known to contradict each other, be it but for rounding.
+    /// Whether the constraints are shown to contradict each other, exactly or but for rounding.
     #[must_use]
     pub fn is_infeasible(&self) -> bool {
         matches!(self, Self::Infeasible(_) | Self::NearlyInfeasible(_))
     }
 
-    /// This outcome, or what is made of its solution.
+    /// Applies `next` to a solution and passes every other outcome on.
     #[must_use]
     pub fn and_then<T>(self, next: impl FnOnce(S) -> Outcome<T>) -> Outcome<T> {
         match self {
@@ -80,7 +80,7 @@ impl<S> Outcome<S> {
         }
     }
 
-    /// This outcome with so many pivots; those of a solution stay.
+    /// This outcome with its number of pivots set to `made`; the pivots of a solution are left.
     pub(super) fn after(mut self, made: usize) -> Self {
         match &mut self {
             Self::Solved(_) => {}
@@ -96,7 +96,7 @@ impl<S> Outcome<S> {
 }
 
 impl Unsolved {
-    /// As an outcome that might have been a solution.
+    /// The same outcome, with any type of solution.
     pub(super) fn into<S>(self) -> Outcome<S> {
         self.and_then(|never| match never {})
     }

@@ -12,14 +12,14 @@ use super::workspace::Workspace;
 use crate::prelude::*;
 use nalgebra::DVector;
 
-/// The way τ goes on a piece of the path.
+/// The direction of τ along a piece of the path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Trend {
     /// τ grows.
     Forward,
     /// τ falls: the path has turned back. Near it there are no solutions for larger τ.
     Backward,
-    /// τ stands still while the solution moves: all points of the piece solve the problem at this
+    /// τ is constant while the solution moves: all points of the piece solve the problem at this
     /// τ.
     Still,
 }
@@ -38,9 +38,9 @@ pub struct Breakpoint {
     pub entering: Variable,
     /// The complementary basis of the next piece.
     pub basis: Basis,
-    /// The way τ goes on the next piece.
+    /// The direction of τ on the next piece.
     pub trend: Trend,
-    /// dz/dτ on the next piece (n entries), whichever way τ goes there; zero if τ stands still.
+    /// dz/dτ on the next piece (n entries), in either direction of τ; zero if τ is constant.
     pub rate: DVector<f64>,
 }
 
@@ -48,19 +48,19 @@ pub struct Breakpoint {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum PathEnd {
-    /// The last piece goes on for ever, with τ → ∞ (forward), τ → −∞ (backward), or at one τ
+    /// The last piece has no end: τ → ∞ (forward), τ → −∞ (backward), or τ is constant
     /// (still).
     Unbounded(Trend),
-    /// The path has come back to a piece on which it was: it is a closed loop, and would go round for ever. The last
-    /// breakpoint is the one that leads back, to the first piece as a rule.
+    /// The path has come back to an earlier piece: it is a closed loop and never ends. The last
+    /// breakpoint leads back to that piece, usually the first.
     ///
     /// The loop has solutions up to the largest τ of its breakpoints. Beyond it there may be others, on other paths.
     Loop,
-    /// There were as many breakpoints as the settings allow pivots.
+    /// The number of breakpoints has reached the pivot limit of the settings.
     PivotLimit,
     /// The path could not be followed further in double precision.
     Breakdown(BreakdownCause),
-    /// The problem at τ = 0 was not solved, so there was no path.
+    /// The problem at τ = 0 has no known solution from which a path could start.
     NoStart,
 }
 
@@ -100,10 +100,10 @@ pub struct Parametric<'a> {
     entering: LemkeVariable,
     trend: Trend,
     breakpoints: usize,
-    /// The basis of one of the last pieces, exchanged after 1, 2, 4, 8, … breakpoints: every loop comes back to it in the end (R. P. Brent, BIT
+    /// The basis of an earlier piece, replaced after 1, 2, 4, 8, … breakpoints: every loop comes back to it in the end (R. P. Brent, BIT
     /// 20, 1980).
     remembered: Basis,
-    /// Whether the path is back on a piece on which it was.
+    /// Whether the path is back on an earlier piece.
     closed: bool,
     end: Option<PathEnd>,
 }
@@ -120,7 +120,7 @@ impl<'a> Parametric<'a> {
         Self::from_basis(lcp, &Basis::slack(lcp.len()), dq, settings)
     }
 
-    /// That path from the solution that [`Lcp::solve_from`] finds instead, so one of several
+    /// [`Parametric::new`] from the solution that [`Lcp::solve_from`] finds, so that a chosen one of several
     /// solutions can be followed.
     ///
     /// # Errors
@@ -157,7 +157,7 @@ impl<'a> Parametric<'a> {
         Ok(path)
     }
 
-    /// Puts the dictionary of the solution at τ = 0 and the column of τ into the workspace.
+    /// Prepares the dictionary of the solution at τ = 0, with the column of τ as the entering one.
     fn begin(&mut self, dq: &DVector<f64>) -> Result<(), PathEnd> {
         self.basis = self.start.solution().ok_or(PathEnd::NoStart)?.basis.clone();
         self.remembered.clone_from(&self.basis);
@@ -171,20 +171,20 @@ impl<'a> Parametric<'a> {
         Ok(())
     }
 
-    /// The solution at τ = 0, or why there is none.
+    /// The solution at τ = 0, or the outcome that left none.
     #[must_use]
     pub fn start(&self) -> &Outcome {
         &self.start
     }
 
-    /// The way τ goes on the present piece, the one after the last breakpoint; forward before the
+    /// The direction of τ on the present piece, the one after the last breakpoint; forward before the
     /// first.
     #[must_use]
     pub fn trend(&self) -> Trend {
         self.trend
     }
 
-    /// Why there are no further breakpoints, once there are none.
+    /// The reason why there are no further breakpoints, once the iterator is exhausted.
     #[must_use]
     pub fn end(&self) -> Option<&PathEnd> {
         self.end.as_ref()
@@ -223,7 +223,7 @@ impl<'a> Parametric<'a> {
         match leaving {
             LemkeVariable::W(i) => Ok(self.breakpoint(Variable::W(i))),
             LemkeVariable::Z(i) => Ok(self.breakpoint(Variable::Z(i))),
-            // The parameter has no row to leave.
+            // The parameter is exempt from the ratio test, so it leaves no row.
             LemkeVariable::Covering => Err(PathEnd::Breakdown(BreakdownCause::SingularBasis)),
         }
     }
@@ -241,7 +241,7 @@ impl<'a> Parametric<'a> {
             rate /= tau_rate;
         }
         self.basis.toggle(leaving.index());
-        // A basis stands for one piece of the path, and no path runs into itself but where it began. Rounding, and a start where
+        // Each basis has one piece of the path, and an exact path meets itself only at its start. Rounding, or a start where
         // variables are zero, may lead into a loop from outside.
         let begun = self.start.solution().is_some_and(|start| start.basis == self.basis);
         self.closed = begun || self.remembered == self.basis;

@@ -37,8 +37,8 @@ impl Path {
         self.reserve(q.len());
     }
 
-    /// Makes room for steps that only some problems need, so no later problem of this size has to
-    /// allocate.
+    /// Makes room for steps that only some problems need, so no later problem of this size
+    /// allocates.
     fn reserve(&mut self, n: usize) {
         for list in [&mut self.d, &mut self.defect, &mut self.terms] {
             make_room(list, n);
@@ -59,8 +59,8 @@ impl Path {
         self.age = 0;
     }
 
-    /// Reads z in the caller's units, and z₀ where it is basic, from one number for the basic
-    /// variable of each row.
+    /// Converts one number per row, that of its basic variable, into z in the caller's units. Returns the number of z₀ if z₀
+    /// is basic.
     pub(super) fn unknowns(&self, rows: &[f64], z: &mut Vec<f64>) -> Option<f64> {
         refill(z, self.q.len(), 0.0);
         let mut covering = None;
@@ -74,7 +74,7 @@ impl Path {
         covering
     }
 
-    /// Reads the present z and z₀; noise below zero in z is cut off.
+    /// Reads the present z and z₀; negative entries of z, which are noise, are set to zero.
     pub(super) fn read_point(&self, z: &mut Vec<f64>) -> Option<f64> {
         let covering = self.unknowns(&self.dictionary.x, z);
         for z in z.iter_mut() {

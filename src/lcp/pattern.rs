@@ -2,7 +2,7 @@
 
 use crate::prelude::*;
 
-/// Where the entries that take part are found.
+/// The entries of [M, q] that take part, in all columns.
 pub(super) enum Pattern<'a> {
     Listed(&'a [u32]),
     InPlace { n: usize, m: &'a [f64], q: &'a [f64] },
@@ -15,9 +15,9 @@ pub(super) enum Column<'a> {
 }
 
 impl<'a> Pattern<'a> {
-    /// The entries of [M, q], n rows stored by columns, of which so many take part in each column.
+    /// The entries of [M, q], n rows stored by columns; `counted` is the number that takes part in each column.
     ///
-    /// Few entries are listed; many are faster to look at in place than to look up.
+    /// Few entries are listed; many are faster to test in place than to find through a list.
     pub(super) fn of(n: usize, m: &'a [f64], q: &'a [f64], counted: &[f64], list: &'a mut Vec<u32>) -> Self {
         let total: f64 = counted.iter().sum();
         if 4.0 * total >= (n * n) as f64 {

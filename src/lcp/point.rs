@@ -1,4 +1,4 @@
-//! A point z with its slacks, and how well it solves a problem.
+//! A point z with its slacks, and its residuals.
 
 use super::basis::Basis;
 use super::principal;
@@ -43,21 +43,21 @@ impl LcpPoint {
         self.residuals(lcp)
     }
 
-    /// Whether w_i is more than its tolerance although z_i is basic.
+    /// Whether w_i exceeds its tolerance; called where z_i is basic, so w_i should vanish.
     pub(super) fn has_slack(&self, i: usize, tolerance: f64) -> bool {
         self.w[i] > tolerance * self.terms[i]
     }
 
-    /// Whether the basis of this point is singular, as far as q can tell: a q_i that is not zero is lost in a row that must
+    /// Whether the basis of this point is singular, judged by q: a q_i ≠ 0 is lost in the terms of a row that must
     /// vanish, and a factorisation of the block finds no inverse.
     ///
-    /// The numbers of such a point are the quotients of noise by noise, however small its residuals.
+    /// The entries of such a point are quotients of noise by noise, however small its residuals.
     pub(super) fn is_noise(&self, lcp: &Lcp, basic: impl Iterator<Item = usize> + Clone) -> bool {
         let lost = |i: usize| lcp.q[i] != 0.0 && is_lost(lcp.q[i], self.terms[i]);
         basic.clone().any(lost) && principal::solve(lcp, &basic.collect::<Vec<_>>()).is_none()
     }
 
-    /// Sets w_i = 0 where z_i is basic, and cuts noise below zero off elsewhere. Returns whether a
+    /// Sets w_i = 0 where z_i is basic, and negative w_i to zero elsewhere. Returns whether a
     /// basic variable is zero.
     pub(super) fn settle_slacks(&mut self, basis: &Basis) -> bool {
         let mut degenerate = false;
@@ -75,7 +75,7 @@ impl LcpPoint {
 }
 
 impl Lcp {
-    /// Measures how well z (n entries) solves the problem, see [`Residuals`].
+    /// The violations of the problem at z (n entries), see [`Residuals`].
     ///
     /// A z of another length, or with entries that are not finite, solves nothing: its residuals
     /// are infinite.

@@ -5,13 +5,13 @@ use super::scaling::Scaling;
 use super::tolerances::SINGULAR_BLOCK;
 use nalgebra::{DMatrix, DVector};
 
-/// Up to this size pivoting is complete, which tells singular blocks apart more surely.
+/// The largest block for which pivoting is complete, which identifies singular blocks more reliably.
 ///
-/// Beyond this size pivoting is partial, which is several times faster.
+/// Larger blocks are pivoted by rows only, which is several times faster.
 const COMPLETE: usize = 32;
 /// Steps of iterative refinement.
 ///
-/// The first takes away the error of the factors, the second the rest of it in badly conditioned
+/// The first removes the error of the factors, the second its rest in badly conditioned
 /// blocks.
 const REFINEMENTS: usize = 2;
 
@@ -23,14 +23,14 @@ pub(super) fn solve(lcp: &Lcp, alpha: &[usize]) -> Option<DVector<f64>> {
     solve_block(block, &DVector::from_fn(size, |i, _| -lcp.q[alpha[i]]))
 }
 
-/// Solves a square system in the same way.
+/// Solves a square system by LU with pivoting of the balanced matrix, and refinement. `None` if the matrix is singular to working precision.
 pub(super) fn solve_block(mut block: DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {
     let size = rhs.len();
     if size == 0 {
         return Some(DVector::zeros(0));
     }
     let mut scaling = Scaling::default();
-    // By itself: where the right-hand side took part its zeros and small entries would pull regular blocks away from one.
+    // The right-hand side takes no part in the balance: its zeros and small entries would move the entries of regular blocks away from one.
     scaling.balance(size, block.as_slice(), &vec![0.0; size]);
     for j in 0..size {
         for i in 0..size {

@@ -1,4 +1,4 @@
-//! The problem itself.
+//! The linear complementarity problem.
 
 use super::error::LcpError;
 use nalgebra::{DMatrix, DVector};

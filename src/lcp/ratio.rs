@@ -1,11 +1,11 @@
-//! The basic variable that blocks the entering one, and the one that leaves when several do.
+//! The ratio test: the basic variable that blocks the entering one, and the choice among several.
 //!
 //! **Ties.** Symmetric problems tie all the time, and breaking ties by index or size can cycle. The
 //! rule here is the lexicographic one (Cottle, Pang & Stone, section 4.9) with a single generic
 //! vector p: think of q + ε p with ε → 0+. The perturbed problem has no ties. Its path is found by
 //! comparing, among rows that tie, the column of p next; nothing is added to the data.
 //!
-//! If z₀ is among the tied it leaves, always: then z₀ = 0, and the point solves the problem.
+//! If z₀ is among the tied variables, z₀ leaves: then z₀ = 0, and the point solves the problem.
 
 use super::dictionary::{Dictionary, LemkeVariable, largest};
 use super::settings::Settings;
@@ -21,7 +21,7 @@ pub(super) enum Covering {
     Parameter,
 }
 
-/// The row in which a basic variable reaches zero first as the entering one grows; `None` if none
+/// The row in which a basic variable reaches zero first as the entering one grows; `None` if no variable
 /// ever does.
 ///
 /// Only rows with u_i < −`noise` count. Among rows that tie, those with u_i < −`certain` are
@@ -34,7 +34,7 @@ pub(super) fn blocking_row(
     settings: &Settings,
 ) -> Option<usize> {
     let least = -noise;
-    // The parameter of a family is no candidate: an infinite value never reaches zero.
+    // The parameter of a family is exempt: its value may have any sign.
     let exempt = if role == Covering::Parameter {
         dictionary.basic.iter().position(|basic| *basic == LemkeVariable::Covering)
     } else {
@@ -55,7 +55,7 @@ pub(super) fn blocking_row(
         let margin = settings.tie_tolerance * (u.abs() * step) + VALUE_ROUNDING * level;
         (u < least) & (if x > 0.0 { x } else { 0.0 } + u * step <= margin)
     };
-    // Blocking rows are rare: eight rows at a time are first asked together, without a branch for
+    // Blocking rows are rare: eight rows are tested together first, without a branch for
     // each.
     let n = dictionary.u.len();
     let (x, u, level) = (&dictionary.x[..n], &dictionary.u[..n], &dictionary.level[..n]);
@@ -91,7 +91,7 @@ pub(super) fn blocking_row(
 /// Whether the step to the row `firm` breaks a doubtful row, one with −`certain` ≤ u_i < 0.
 ///
 /// A row is broken if it falls below zero by more than the rounding error of its value, or of the
-/// largest one. If none is, it makes no difference whether a doubtful row blocks first: its u_i may
+/// largest one. If no row is, it makes no difference whether a doubtful row blocks first: its u_i may
 /// be noise.
 pub(super) fn doubtful_row_breaks(
     dictionary: &Dictionary,
@@ -111,7 +111,7 @@ pub(super) fn doubtful_row_breaks(
 
 /// min x_i / −u_i over the rows with u_i < least, x_i < 0 counting as 0.
 ///
-/// There are no branches, since half of them would be mispredicted.
+/// The loop has no branches, since half of them would be mispredicted.
 struct ShortestStep<'a> {
     x: &'a [f64],
     u: &'a [f64],
@@ -143,7 +143,7 @@ impl Loop for ShortestStep<'_> {
     }
 }
 
-/// The row of the smallest (x_i + ε p_i) / u_i with x_i < 0: there a variable leaves when z₀ enters
+/// The row of the smallest (x_i + ε p_i) / u_i with x_i < 0: its variable leaves when z₀ enters
 /// an infeasible basis.
 ///
 /// `Err(row)` if x_i < 0 but u_i is not positive, so that no z₀ makes that row feasible.

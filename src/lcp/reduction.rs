@@ -7,12 +7,12 @@ use super::tolerances::{DEPENDENT, FREE_PIVOT};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
-/// The tableau after all free variables that can be were made basic.
+/// The tableau after every free variable with a pivot was made basic.
 pub(super) struct Reduction {
-    /// The complementarity problem that is left, in balanced units. `None` if its numbers are not
-    /// finite or an equality that depends on the others is not satisfied.
+    /// The remaining complementarity problem, in balanced units. `None` if its numbers are not
+    /// finite, a dependent equality is not satisfied, or a free variable without a pivot still acts on some w_i.
     pub(super) problem: Option<Lcp>,
-    /// The pairs that changed their roles: there the problem's unknown is w_i.
+    /// The pairs that changed their roles: the remaining problem's unknown is w_i.
     pub(super) swapped: Vec<bool>,
     /// Free variables without a pivot.
     pub(super) undetermined: Vec<usize>,
@@ -74,12 +74,12 @@ impl Reduction {
         out
     }
 
-    /// What balances the rows.
+    /// The powers of two that balance the rows.
     pub(super) fn row_factors(&self) -> &[f64] {
         &self.scaling.row
     }
 
-    /// A free variable takes the place of an equality row.
+    /// Makes a free variable basic in an equality row. Returns whether a pivot was found.
     fn pivot_direct(&mut self, rows: &mut Vec<usize>, columns: &mut Vec<usize>) -> bool {
         let places = (0..rows.len()).flat_map(|a| (0..columns.len()).map(move |b| (a, b)));
         let sizes = places.map(|(a, b)| ((a, b), self.tableau[(rows[a], columns[b])].abs()));
@@ -91,7 +91,7 @@ impl Reduction {
         true
     }
 
-    /// A free variable takes the place of w_i, and z_i that of an equality row.
+    /// Makes a free variable basic in the row of w_i, and z_i in an equality row. Returns whether both pivots were found.
     fn pivot_pair(&mut self, rows: &mut Vec<usize>, columns: &mut Vec<usize>) -> bool {
         let (height, width) = (rows.len(), columns.len());
         let pairs = 0..self.swapped.len();
@@ -141,7 +141,7 @@ impl Reduction {
         self.tableau[(r, c)] = inverse;
     }
 
-    /// (u, z) in the caller's units from a solution of the problem that is left.
+    /// (u, z) in the caller's units from a solution of the remaining problem.
     pub(super) fn point(&self, solution: &Solution) -> Vec<f64> {
         let n = self.swapped.len();
         let mut point = vec![0.0; self.free + n];
@@ -160,7 +160,7 @@ impl Reduction {
     }
 }
 
-/// The first place of the largest size, if that is a pivot.
+/// The first place of the largest size, if that size exceeds [`FREE_PIVOT`].
 fn largest_pivot<P>(sizes: impl Iterator<Item = (P, f64)>) -> Option<P> {
     let mut best = (None, FREE_PIVOT);
     for (place, size) in sizes {

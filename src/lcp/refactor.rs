@@ -1,5 +1,5 @@
-//! Dictionaries computed from the data: measuring how far the pivots have drifted, starting afresh,
-//! starting elsewhere.
+//! Dictionaries computed from the data: their drift over many pivots, a fresh start in the same basis,
+//! and a start in another.
 
 use super::dictionary::{LemkeVariable, largest};
 use super::memory::refill;
@@ -10,8 +10,8 @@ use super::tolerances::{DRIFT_FLOOR, SINGULAR_BASIS};
 use crate::numerics::generic;
 
 impl Path {
-    /// How far the basic values miss w = q + M z + d z₀, as a part of the terms of a row.
-    /// [`DRIFT_FLOOR`] of the largest q_i is counted with the terms.
+    /// The largest violation of w = q + M z + d z₀ by the basic values, relative to the terms of its row.
+    /// [`DRIFT_FLOOR`] of the largest q_i is added to the terms.
     pub(super) fn drift(&mut self, m: &[f64]) -> f64 {
         self.compute_defect(m);
         let floor = DRIFT_FLOOR * largest(&self.q);
@@ -33,7 +33,7 @@ impl Path {
     /// Corrects the entering column u by the effect of its defect A_e + Σ A_v u_v over the basic variables v, where A_v is the column
     /// of v in q + M z + d z₀ − w.
     ///
-    /// Returns the larger of two parts: of the correction in this row to u there, and of the largest correction to the largest u.
+    /// Returns the larger of two ratios of the correction to the corrected column: |Δu_r| / |u_r| in the row given, and max |Δu| / max |u|.
     pub(super) fn refine_column(&mut self, entering: LemkeVariable, row: usize, m: &[f64]) -> f64 {
         let n = self.q.len();
         let Self { dictionary, scaling, d, defect, terms, .. } = self;
@@ -94,7 +94,7 @@ impl Path {
         Ok(())
     }
 
-    /// Adds to the values the effect of the defect computed last, and measures anew the rounding
+    /// Adds to the values the effect of the defect computed last, and computes anew the rounding
     /// they may carry.
     pub(super) fn correct(&mut self) {
         self.dictionary.sum_terms(&self.terms);
@@ -114,24 +114,24 @@ impl Path {
         self.dictionary.sum_terms(&self.q);
     }
 
-    /// Prepares z₀ to enter the present complementary basis, covering only the rows that are
+    /// Prepares z₀ to enter the present complementary basis. It covers only the rows that are
     /// infeasible there by more than `noise`, a part of their largest term. Returns whether there are any.
     ///
     /// The column of z₀ has one unit in these rows of the dictionary and 0 in the others; d is the
-    /// vector for which it has.
+    /// vector that belongs to this column.
     pub(super) fn cover_violations(&mut self, m: &[f64], noise: f64) -> bool {
         let n = self.q.len();
         let dictionary = &mut self.dictionary;
         refill(&mut self.d, n, 0.0);
         let mut violated = false;
         for row in 0..n {
-            // One unit of the exactly balanced problem, as everywhere.
+            // The unit of the exactly balanced problem, as in every covering vector.
             let unit = match dictionary.basic[row] {
                 LemkeVariable::W(i) => self.scaling.row_unit[i],
                 LemkeVariable::Z(j) => self.scaling.column_unit(j),
                 LemkeVariable::Covering => 1.0,
             };
-            // The perturbation goes by the variable, since the order of rows depends on rounding.
+            // The perturbation depends on the variable, not on the row: the order of rows depends on rounding.
             dictionary.p[row] = unit * generic(index(dictionary.basic[row], n));
             dictionary.u[row] = 0.0;
             if dictionary.x[row] >= -noise * dictionary.level[row] {
@@ -155,7 +155,7 @@ impl Path {
         violated
     }
 
-    /// Lets z₀ be the parameter of q + z₀ d from here on, and puts its column into the dictionary.
+    /// Makes z₀ the parameter of q + z₀ d from here on, and writes its column into the dictionary.
     /// The vector d is given in the caller's rows.
     pub(super) fn start_parameter(&mut self, d: &[f64], m: &[f64]) {
         self.d.clear();
@@ -186,7 +186,7 @@ fn index(variable: LemkeVariable, n: usize) -> usize {
     }
 }
 
-/// Adds to a sum, and to the sizes of its terms, the columns of all basic variables in q + M z + d z₀ − w, each times its number.
+/// Adds the columns of all basic variables in q + M z + d z₀ − w, each times its number, to a sum, and their sizes to `terms`.
 fn add_basic_columns(
     sum: &mut [f64],
     terms: &mut [f64],
@@ -200,7 +200,7 @@ fn add_basic_columns(
     }
 }
 
-/// Adds the column of one variable, times a number.
+/// Adds the column of one variable, times its number.
 fn add_column(
     sum: &mut [f64],
     terms: &mut [f64],

@@ -1,4 +1,4 @@
-//! How well a point solves the problem, measured on the data as given.
+//! The violations at a point, measured on the data as given.
 
 use super::tolerances::{BACKWARD_ERROR, LOST, residual_rounding};
 use crate::numerics::{ExactSum, times_power_of_two};
@@ -31,7 +31,7 @@ pub struct Residuals {
 }
 
 impl Residuals {
-    /// The largest of them; NaN if one of them is.
+    /// The largest of them; NaN if any of them is NaN.
     #[must_use]
     pub fn max(&self) -> f64 {
         let all = self.all();
@@ -48,7 +48,7 @@ impl Residuals {
         [self.equality, self.negative_z, self.negative_w, self.complementarity]
     }
 
-    /// These residuals are accepted by no test.
+    /// Residuals that no tolerance accepts.
     pub(super) const UNUSABLE: Self = Self {
         equality: f64::INFINITY,
         negative_z: f64::INFINITY,
@@ -63,8 +63,8 @@ impl fmt::Display for Residuals {
     }
 }
 
-/// Whether a point with these residuals and terms says nothing about q, because another q of quite
-/// different entries would have passed as well. `row` balances the rows.
+/// Whether a point with these residuals and terms does not depend on q, because a quite different q
+/// would have passed as well. `row` balances the rows.
 pub(super) fn ignores_q(residuals: Residuals, q: &[f64], terms: &[f64], row: &[f64]) -> bool {
     let balanced = |v: &[f64]| v.iter().zip(row).fold(0.0_f64, |size, (v, row)| size.max(v.abs() * row));
     let missed = residuals.max();
@@ -119,9 +119,9 @@ fn add_four(columns: [(&[f64], f64); 4], w: &mut [f64], terms: &mut [f64]) {
     }
 }
 
-/// The terms of a row below this may have lost digits, or themselves, below the range of doubles: they are summed again without rounding.
+/// Size of the terms of a row below which products may have underflowed or lost digits: such rows are summed again without rounding.
 ///
-/// It is 2¹¹⁴ times the smallest number, so that what larger rows have lost is no part of them. Larger, more rows are summed twice.
+/// It is 2¹¹⁴ times the smallest double, so the losses in larger rows are negligible. Larger, more rows are summed twice.
 const FAINT: f64 = 1.03e-289;
 
 /// The residuals at z, given w = M z + q and the sizes a of its terms.
@@ -170,8 +170,8 @@ impl Rows<'_> {
         self.exact_terms(i).map_or(0.0, |a| ratio(&ExactSum::of_products(self.products(i)), &a))
     }
 
-    /// s_j for one column, the largest share of z_j in a row; if that is at least `enough`, perhaps a smaller number that is at
-    /// least `enough` too.
+    /// s_j for one column, the largest share of z_j in a row. Once a share reaches `enough`, it is returned without
+    /// a look at further rows.
     fn share(&self, column: &[f64], z: f64, enough: f64) -> f64 {
         let mut share = None;
         for (i, (m, a)) in column.iter().zip(self.terms).enumerate() {
@@ -193,7 +193,7 @@ impl Rows<'_> {
         share.unwrap_or(1.0)
     }
 
-    /// The terms of w_i.
+    /// The products whose sum is w_i.
     fn products(&self, i: usize) -> impl Iterator<Item = (f64, f64)> + Clone + '_ {
         let &Self { m, q, z, .. } = self;
         z.iter().enumerate().map(move |(j, z)| (m[(i, j)], *z)).chain([(q[i], 1.0)])
@@ -206,7 +206,7 @@ impl Rows<'_> {
     }
 }
 
-/// The quotient of two sums, which need not be in the range of doubles.
+/// The quotient of two sums, which may lie outside the range of doubles.
 fn ratio(sum: &ExactSum, of: &ExactSum) -> f64 {
     let ((x, k), (y, l)) = (sum.leading(), of.leading());
     times_power_of_two(x / y, k - l)

@@ -14,8 +14,8 @@
 //! ties. The part of ρ_i lost in rounding it to an integer is kept in the covering vector, where it
 //! costs nothing.
 //!
-//! For ties, too, the problem is solved to rounding: rows that are alike must get entries of d that
-//! are equal, not nearly equal, or ties would turn into badly conditioned near-ties.
+//! For the sake of ties, too, the least-squares problem is solved to rounding. Rows that are alike must get equal entries of d;
+//! nearly equal ones would turn ties into badly conditioned near-ties.
 
 use super::logarithms::Logarithms;
 use super::memory::refill;
@@ -29,7 +29,7 @@ use nalgebra::{DMatrix, DVector};
 pub(super) struct Scaling {
     pub(super) row: Vec<f64>,
     pub(super) column: Vec<f64>,
-    /// What one unit of the exactly balanced row i measures in the rounded row: row_i / 2^ρ_i.
+    /// The size of one unit of the exactly balanced row i in the rounded row: row_i / 2^ρ_i.
     pub(super) row_unit: Vec<f64>,
     rho: Vec<f64>,
     gamma: Vec<f64>,
@@ -42,10 +42,10 @@ pub(super) struct Scaling {
     image: Vec<f64>,
 }
 
-/// A bound on the conjugate-gradient steps for patterns with zeros.
+/// The largest number of conjugate-gradient steps for patterns with zeros.
 ///
-/// Contact problems take about ten. On chains the ends are felt more slowly, but then no longer
-/// matter.
+/// Contact problems take about ten. On chains the influence of the ends arrives later, but is small
+/// by then.
 const STEPS: usize = 24;
 
 impl Scaling {
@@ -55,7 +55,7 @@ impl Scaling {
         refill(&mut self.rho, n, 0.0);
         refill(&mut self.gamma, n, 0.0);
         if self.columns.count.iter().all(|count| *count == n as f64) {
-            // Full: γ_j = −mean_i, then ρ_i = −mean_j of what is left.
+            // Without zeros: γ_j = −mean_i log₂|M_ij|, then ρ_i = −mean_j (log₂|M_ij| + γ_j).
             for (gamma, sum) in self.gamma.iter_mut().zip(&self.columns.sum) {
                 *gamma = -sum / n as f64;
             }
@@ -131,7 +131,7 @@ impl Scaling {
         }
     }
 
-    /// What one unit of the exactly balanced z_j measures in the rounded z_j: 2^γ_j / column_j.
+    /// The size of one unit of the exactly balanced z_j in the rounded z_j: 2^γ_j / column_j.
     pub(super) fn column_unit(&self, j: usize) -> f64 {
         (self.gamma[j] - self.gamma[j].round()).exp2()
     }
@@ -158,7 +158,7 @@ impl Scaling {
     }
 }
 
-/// 2^k for an integer k; kept within the normal numbers.
+/// 2^k for an integer k; clamped to the normal numbers.
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
 fn power_of_two(k: f64) -> f64 {
     f64::from_bits(((k.clamp(-1022.0, 1023.0) + 1023.0) as u64) << 52)

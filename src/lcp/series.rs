@@ -9,9 +9,9 @@ use nalgebra::{DMatrix, DVector};
 
 /// A series of problems that share one M, each solved from the basis of the one before.
 ///
-/// The dictionary of the last basis is kept. A new q costs about one pivot to look at, and then the
-/// pivots in which its basis differs. Once two problems have been solved, nothing is allocated any
-/// more unless a path fails.
+/// The dictionary of the last basis is kept. A new q costs about one pivot for its values, and then the
+/// pivots by which its basis differs. Once two problems have been solved, nothing more is allocated
+/// unless a path fails.
 ///
 /// ```
 /// use grasp_lcp::lcp::{Series, OutcomeView, Settings};

@@ -33,7 +33,7 @@ pub struct Settings {
     /// zero. Every entry of d must be finite and not negative, and positive where q is negative;
     /// otherwise the solve ends in [`Outcome::Breakdown`](super::Outcome::Breakdown).
     ///
-    /// Another d is another path. It may end in another solution and, on matrices without a
+    /// Another d gives another path. It may end in another solution and, on matrices without a
     /// guarantee, in a ray where this one finds a solution. `None` takes the vector of ones on the
     /// balanced problem, which makes the path independent of the units of rows, columns and q.
     pub covering: Option<DVector<f64>>,
@@ -48,7 +48,7 @@ pub struct Settings {
     /// n = 13. Smaller values cut solvable problems off, larger ones only make the exponential
     /// families run longer.
     pub max_pivots: Option<usize>,
-    /// A coefficient of the entering column blocks the entering variable only if it is no noise
+    /// A coefficient of the entering column blocks the entering variable only if it is more than noise
     /// (default 1e-11). It must exceed this part of the largest entry of the column, at least 1 in
     /// balanced units, or of the terms of its own row.
     ///
@@ -57,13 +57,13 @@ pub struct Settings {
     /// turns rays into wrong bases; one above 1e-6 overlooks real blocking rows of badly
     /// conditioned problems.
     pub pivot_tolerance: f64,
-    /// Two rows block at one step if their values then differ by little: less than this part
-    /// (default 1e-12) of the amount that the step has taken from them. Less than the rounding
-    /// error which they may carry in any case is little, too.
+    /// Two rows tie if their values at the step of one differ by less than this part
+    /// (default 1e-12) of the amount that the step has taken from them. They also tie below the rounding
+    /// error which their values may carry in any case.
     ///
-    /// It guards the tie rule: rows which tie in exact arithmetic must be seen to tie, although
-    /// rounding separated them. At 0 exact ties may be missed and z₀ lose one, so a solved problem
-    /// is carried on into a ray. Above 1e-8 rows that do not tie are treated as if they did, and
+    /// It guards the tie rule: rows which tie in exact arithmetic must be recognised as ties, although
+    /// rounding separated them. At 0 exact ties may be missed and z₀ lose one, so the path of a solved problem
+    /// continues into a ray. Above 1e-8 rows that do not tie are treated as if they did, and
     /// values of that size become negative.
     pub tie_tolerance: f64,
     /// A point is called a solution only if all its [`Residuals`](super::Residuals), recomputed
@@ -73,7 +73,7 @@ pub struct Settings {
     /// singular. A value below 1e-15 would reject correctly rounded solutions; one above 1e-6 would
     /// accept points that solve a visibly different problem.
     pub residual_tolerance: f64,
-    /// Whether linear programming looks for a proof that no z ≥ 0 has M z + q ≥ 0 (default `true`), where a ray holds none.
+    /// Whether linear programming searches for a proof that no z ≥ 0 has M z + q ≥ 0 (default `true`), where a ray contains none.
     ///
     /// It guards against a ray where the answer is known. Up to 64 rows it takes up to four linear programs, beyond that one;
     /// each is a path of a problem of 2 n + 1 rows. Without it most problems that are infeasible end in
@@ -83,11 +83,11 @@ pub struct Settings {
     /// They follow a ray that proves nothing, a breakdown, or a first path of its default length
     /// that reached no end.
     ///
-    /// With at least one, a solution whose slacks are negative by more than rounding is carried on to where they are not, if the
+    /// With at least one, a solution whose slacks are negative by more than rounding is continued to one whose slacks are not, if the
     /// path leads there.
     ///
     /// It guards against rays on solvable problems, which other paths often avoid. The retries are
-    /// fixed, so a problem takes the paths that it took before. 0 follows one path only; more than
+    /// fixed, so a problem takes the same paths in every solve. 0 follows one path only; more than
     /// a few dozen hardly ever find more.
     pub retries: usize,
     /// For n up to this all 2ⁿ complementary bases are tried at last (default 10): when no path has
@@ -152,7 +152,7 @@ impl Settings {
         self
     }
 
-    /// Refuses a covering vector that does not fit a problem with this q, and tolerances that are none.
+    /// Checks that the covering vector fits a problem with this q, and that the tolerances are finite and not negative.
     pub(super) fn check(&self, q: &DVector<f64>) -> Result<(), BreakdownCause> {
         for (name, value) in [
             ("pivot_tolerance", self.pivot_tolerance),
@@ -174,7 +174,7 @@ impl Settings {
         }
     }
 
-    /// One path and nothing after it: for problems on which Lemke's method cannot fail, and where something better comes next.
+    /// Settings for one path only: for problems on which Lemke's method cannot fail, and for callers with a better next step.
     pub(crate) fn one_path() -> Self {
         Self { prove_infeasible: false, retries: 0, enumerate_up_to: 0, ..Self::default() }
     }
@@ -184,9 +184,9 @@ impl Settings {
         self.max_pivots.unwrap_or_else(|| 10_000_usize.saturating_add(n.saturating_mul(100)))
     }
 
-    /// The pivot limit of one more path for a problem of n rows on which so many pivots are made.
+    /// The pivot limit of one more path for a problem of n rows, after `made` pivots.
     ///
-    /// A path of exponential length is not followed again to its end.
+    /// It keeps a path of exponential length from being followed to its end a second time.
     pub(super) fn retry_limit(&self, n: usize, made: usize) -> usize {
         self.max_pivots.unwrap_or_else(|| made.saturating_add(100 + 10 * n))
     }

@@ -22,13 +22,13 @@ pub struct Solution {
     pub residuals: Residuals,
     /// Pivots made, on all paths.
     pub pivots: usize,
-    /// Whether a basic variable is zero: other bases then stand for this point as well, and the
+    /// Whether a basic variable is zero: other bases then have this point as well, and the
     /// solution may be one of several.
     pub degenerate: bool,
 }
 
-/// A [`Solution`] that still lies in the memory of its [`Workspace`](super::Workspace) or
-/// [`Series`](super::Series); each field means what its namesake there means.
+/// A [`Solution`] in the memory of its [`Workspace`](super::Workspace) or
+/// [`Series`](super::Series); each field is that of the same name there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
@@ -43,7 +43,7 @@ pub struct SolutionView<'a> {
     pub residuals: Residuals,
     /// Pivots made, on all paths.
     pub pivots: usize,
-    /// Whether a basic variable is zero: other bases then stand for this point as well.
+    /// Whether a basic variable is zero: other bases then have this point as well.
     pub degenerate: bool,
 }
 
@@ -62,7 +62,7 @@ impl SolutionView<'_> {
     }
 }
 
-/// One line that tells a solution: how many of its z are basic, how exact it is and what it cost.
+/// One line about a solution: the number of basic z, the largest residual and the number of pivots.
 pub(super) fn line(
     f: &mut fmt::Formatter<'_>,
     basis: &Basis,

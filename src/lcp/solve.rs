@@ -1,5 +1,5 @@
-//! The starts of a solve: from the slacks, from a basis, or from the dictionary of the problem
-//! before.
+//! The starts of a solve: from the slacks, from a basis, or from the dictionary of the previous
+//! problem.
 
 use super::basis::Basis;
 use super::lemke::LemkeEnd;
@@ -19,8 +19,8 @@ impl Lcp {
 
     /// Solves the problem by Lemke's method. An ordinary path has one to three times n pivots.
     ///
-    /// The first path may end without a solution. A limit on pivots or a wrong covering vector that
-    /// the caller has set is then the answer. Otherwise these follow, each only if those before
+    /// The first path may end without a solution. If the caller has set a limit on pivots or a wrong covering vector, that
+    /// is then the answer. Otherwise these follow, each only if those before
     /// have settled nothing:
     ///
     /// 1. the ray itself as a Farkas vector;
@@ -45,8 +45,8 @@ impl Lcp {
         Workspace::new().solve(self, settings).into_outcome()
     }
 
-    /// Solves the problem by Lemke's method from a complementary basis instead of the slacks, such
-    /// as that of a neighbouring problem.
+    /// Solves the problem by Lemke's method from a complementary basis instead of the slacks, for
+    /// example that of a neighbouring problem.
     ///
     /// Only rows that are infeasible there are covered by z₀, so the path is as short as the bases
     /// are close.

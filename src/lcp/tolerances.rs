@@ -9,14 +9,14 @@
 /// A value is zero below this part of its largest term, or of the largest value of its kind.
 ///
 /// Sums of n terms carry some nε, and a few pivots a few times that. Smaller, noise is kept in the
-/// basis and solutions miss their `degenerate`; from 1e-10 on values are cut off that the residuals
-/// miss.
+/// basis and solutions miss their `degenerate`; from 1e-10 on, values are cut off without a trace in
+/// the residuals.
 pub(super) const ZERO: f64 = 1e-13;
 
 /// Residuals above this are worth a fresh factorisation of the basis, at up to 2n³/3 flops.
 ///
 /// Refined points stay below it unless the basis is nearly singular. Smaller, ordinary problems pay
-/// for factorisations; larger, digits are given away that the data still hold.
+/// for factorisations; larger, digits that the data hold are given away.
 pub(super) const SOUND: f64 = 1e-13;
 
 /// The value of a basic variable may carry this part of the largest term that has gone into it.
@@ -29,14 +29,14 @@ pub(super) const VALUE_ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// A coefficient below this part of its column is noise, whatever the terms of its row.
 ///
 /// One addition to an entry of the column's size leaves this much. Larger, true coefficients of
-/// badly scaled columns are lost before anyone looks at their rows; at 0, noise is looked at in
-/// every column.
+/// badly scaled columns are lost before they are compared with the terms of their rows; at 0, noise in any column
+/// triggers that comparison.
 pub(super) const COLUMN_NOISE: f64 = 4.0 * f64::EPSILON;
 
 /// Entries of the column of a slack below this part of its largest are rounding.
 ///
-/// Such a column is carried from pivot to pivot instead of summed, so no terms are known for it;
-/// the updates of some dozen pivots leave this much. Smaller, noise of it becomes a pivot; larger,
+/// Such a column is carried from pivot to pivot instead of summed, so its terms are unknown;
+/// the updates of some dozen pivots leave this much. Smaller, noise becomes a pivot; larger,
 /// true small pivots are overlooked.
 pub(super) const STORED_ROUNDING: f64 = 64.0 * f64::EPSILON;
 
@@ -49,15 +49,15 @@ pub(super) const DOUBTFUL_PIVOT: f64 = 1e-7;
 
 /// A dictionary whose values miss the data by more than this part of their terms is computed anew.
 ///
-/// It leaves a path its sense of sign down to 1e-10 of the terms. Smaller, long paths are
-/// factorised again and again; larger, the path may turn where the problem does not.
+/// Below it, the signs of values down to 1e-10 of their terms are reliable. Smaller, long paths are
+/// factorised again and again; larger, the path may turn where that of the problem does not.
 pub(super) const DRIFT: f64 = 1e-10;
 
-/// This part of the largest q_i is counted with the terms of every row when drift is measured.
+/// This part of the largest q_i is added to the terms of every row when drift is measured.
 ///
-/// A row of nothing but noise has no terms that its noise could be small against. Smaller, such
-/// rows ask for fresh dictionaries that are no better; larger, drift in rows of small terms goes
-/// unseen.
+/// A row with nothing but noise has no terms for comparison. Smaller, such
+/// rows ask for fresh dictionaries that are no better; larger, drift in rows of small terms is
+/// not noticed.
 pub(super) const DRIFT_FLOOR: f64 = 1e-3;
 
 /// A z that is zero is taken out of the basis only over a pivot of at least this part of its
@@ -92,7 +92,7 @@ pub(super) const FREE_PIVOT: f64 = 1e-12;
 /// A dependent equality is satisfied if its constant is below this part of 1 plus the largest
 /// constant.
 ///
-/// Constants have been through all eliminations. Smaller, consistent equalities are sent to the
+/// Constants have passed through all eliminations. Smaller, consistent equalities are sent to the
 /// split form, which is larger; larger, contradictions pass here and are found by the residuals
 /// only.
 pub(super) const DEPENDENT: f64 = 1e-10;
@@ -107,15 +107,15 @@ pub(super) const RAY_NOISE: f64 = 1e-12;
 /// Two solutions are one point if each pair of entries differs by at most this part of the larger
 /// one.
 ///
-/// Two bases of condition 1e7 leave so much. Smaller, a degenerate point is listed twice; larger,
-/// two close solutions are listed once. Entries that are zero but for rounding pass by
+/// Two bases of condition 1e7 differ by this much. Smaller, a degenerate point is listed twice; larger,
+/// two close solutions are listed once. Entries that are zero but for rounding are compared by
 /// [`SAME_POINT`].
 pub(super) const SAME_ENTRY: f64 = 1e-9;
 
 /// A pair of entries of two solutions also counts as equal if it differs by at most this part of
 /// the largest entry.
 ///
-/// It takes in entries that are zero but for rounding. Smaller, their noise makes two points of
+/// It covers entries that are zero but for rounding. Smaller, their noise makes two points of
 /// one. Larger, two solutions that differ in small entries only are listed once.
 pub(super) const SAME_POINT: f64 = 1e-12;
 
@@ -142,10 +142,10 @@ pub(super) const BACKWARD_ERROR: f64 = 1e-6;
 /// refused.
 pub(super) const LOST: f64 = 1e-11;
 
-/// The exponents of the balance, in powers of two, are settled when their equations hold to this.
+/// The exponents of the balance, in powers of two, have converged when their equations hold to this.
 ///
 /// Rows that are alike must get equal factors, or ties turn into near-ties. Smaller, the iteration
-/// never sees itself end; larger, ties come apart.
+/// never meets its criterion; larger, ties come apart.
 pub(super) const SETTLED: f64 = 1e-13;
 
 /// The rounding of a sum of n products and two more operations, as a part of Σ|terms|: 8 (n + 2) ε.
@@ -156,7 +156,7 @@ pub(super) fn sum_rounding(n: usize) -> f64 {
     8.0 * (n as f64 + 2.0) * f64::EPSILON
 }
 
-/// Residuals of a point of n rows up to (8 + n/8) ε are rounding: a row of so many terms cannot be
+/// Residuals of a point of n rows up to (8 + n/8) ε are rounding: a row of n terms cannot be
 /// summed much better.
 ///
 /// Smaller, points are refined without gain; larger, refinement stops a digit early.
@@ -164,7 +164,7 @@ pub(super) fn residual_rounding(n: usize) -> f64 {
     (8.0 + n as f64 / 8.0) * f64::EPSILON
 }
 
-/// What n eliminations leave of a diagonal entry that vanishes, as a part of that entry: 8 n ε.
+/// The rounding that n eliminations leave in a diagonal entry that vanishes, as a part of that entry: 8 n ε.
 ///
 /// Smaller, semidefinite matrices are called definite or indefinite by their noise; larger,
 /// definite ones of condition 1/(8 n ε) are called semidefinite.
@@ -172,8 +172,8 @@ pub(super) fn elimination_rounding(n: usize) -> f64 {
     8.0 * n as f64 * f64::EPSILON
 }
 
-/// The rest that elimination leaves of a semidefinite matrix vanishes up to so many times
-/// [`elimination_rounding`] in all its entries.
+/// The remainder of a semidefinite matrix after elimination is zero if all its entries are below this multiple of
+/// [`elimination_rounding`].
 ///
 /// Its off-diagonal entries are not pivoted to the front, so they may carry more than the diagonal.
 /// Smaller, semidefinite matrices are called indefinite; larger, slightly indefinite ones pass.

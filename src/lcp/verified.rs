@@ -1,4 +1,4 @@
-//! Solutions verified: the exact solution of the data given is where a basis says, within bounds.
+//! Verified solutions: proofs that the data given have an exact solution with a given basis, with bounds on it.
 //!
 //! For a basis α let A = M_αα and R a computed inverse of it. If G = |I − R A| has a norm below one, A is regular, and the exact
 //! point z with A z = −q_α is near any computed one ẑ (S. M. Rump, *Verification methods*, Acta Numerica 19, 2010):
@@ -10,7 +10,7 @@
 //! The residual r is summed without rounding, and ẑ is the sum of two doubles, so the bounds of entries that are not
 //! tiny beside the others are as tight as doubles are. All other rounding is counted against them.
 //!
-//! Where a z or a w vanishes exactly, no bound shows its sign. Rows tell it where they leave a z no other value, or are alike;
+//! Where a z or a w is exactly zero, no bound proves its sign. Then a row may leave z no other value, or two rows may be alike;
 //! otherwise ẑ is tried as a vector of fractions.
 
 use super::basis::Basis;
@@ -22,11 +22,11 @@ use crate::prelude::*;
 use core::cmp::Ordering;
 use nalgebra::{DMatrix, DVector};
 
-/// Steps of refinement; each gives some digits more, up to those of two doubles.
+/// Steps of refinement; each gains some digits, up to the precision of two doubles.
 const REFINEMENTS: usize = 4;
-/// Bounds grow by this part of themselves, which is far more than the rounding of the few operations that lead to them.
+/// Factor by which bounds grow: far more than the rounding of the few operations that lead to them.
 const SAFE: f64 = 1.0 + 1e-12;
-/// What may be lost to underflow in a bound.
+/// Largest loss to underflow in a bound.
 const TINY: f64 = 1e-300;
 
 /// Bounds of the exact solution of a problem that belongs to a basis; see [`Lcp::verify`].
@@ -40,14 +40,14 @@ pub struct Verified {
 }
 
 impl Lcp {
-    /// Whether an exact solution of the M and q given exists with z_i = 0 outside of a basis and w_i = 0 in it, and where.
+    /// Bounds on the exact solution of the M and q given with z_i = 0 outside of a basis and w_i = 0 in it, if one is proved to exist.
     ///
-    /// A computed [`Solution`](super::Solution) solves the problem but for its residuals. This is a proof without any, by interval
-    /// and exact arithmetic. `None` says that none was found:
+    /// A computed [`Solution`](super::Solution) solves the problem up to its residuals. This is a proof, by interval
+    /// and exact arithmetic. `None` means that no proof was found:
     ///
     /// * the block of the basis is singular or close to it,
     /// * some z_i or w_i is negative,
-    /// * or one of them vanishes exactly, no row tells so by itself, and the z are no small fractions.
+    /// * or one of them vanishes exactly, no single row proves it, and the z are no small fractions.
     ///
     /// It costs some 6k³ flops for a basis of k entries, and a few times n k products that are summed without rounding.
     ///
@@ -101,7 +101,7 @@ impl Lcp {
 
     /// Whether w_i is the same for all z_α that the basis allows, and not negative.
     ///
-    /// It is q_i where its row has no entries there. It is zero where its row is one of those that vanish, or the negative of one: the
+    /// It equals q_i if row i has no entries in the columns α. It is zero if row i equals a row of α or its negative: the
     /// two directions of a friction force have such rows.
     fn is_settled(&self, i: usize, alpha: &[usize]) -> bool {
         let alike = |j: usize, sign: f64| {
@@ -111,11 +111,11 @@ impl Lcp {
             || alpha.iter().any(|j| alike(*j, -1.0) || alike(*j, 1.0))
     }
 
-    /// The solution as fractions with one denominator D, if z has such entries but for rounding: M p + q D is zero in the basis and not
+    /// The solution as fractions p / D with one denominator D, if z has such entries but for rounding: M p + q D is zero in the basis and not
     /// negative elsewhere, summed without rounding.
     fn exact_fractions(&self, z: &DVector<f64>, basis: &Basis) -> Option<Verified> {
         let n = self.len();
-        // The denominator is one more entry, that of 1.
+        // The denominator D is appended as one more entry, that of 1.
         let with_one = z.clone().insert_row(n, 1.0);
         let holds = |p: &DVector<f64>| {
             p.iter().all(|p| p.is_finite() && *p >= 0.0)
@@ -132,7 +132,8 @@ impl Lcp {
     }
 }
 
-/// The block of a basis, balanced by powers of two, with its computed inverse; without the z that vanish and the rows that say so.
+/// The block of a basis, balanced by powers of two, with its computed inverse. The z_j that one row with q_i = 0 forces to zero, and those rows, are
+/// left out.
 struct Block<'a> {
     lcp: &'a Lcp,
     rows: Vec<usize>,
@@ -148,7 +149,7 @@ type Twice = (DVector<f64>, DVector<f64>);
 impl<'a> Block<'a> {
     fn of(lcp: &'a Lcp, basis: &Basis) -> Option<Self> {
         let (mut rows, mut columns): (Vec<usize>, Vec<usize>) = basis.iter().map(|i| (i, i)).unzip();
-        // Where q_i is zero and one z alone has an entry in the row, that z is zero.
+        // In a row with q_i = 0 and an entry of one z alone, that z is zero.
         let vanishes = |rows: &[usize], columns: &[usize]| {
             rows.iter().enumerate().filter(|(_, i)| lcp.q[**i] == 0.0).find_map(|(at, i)| {
                 let mut entries = columns.iter().enumerate().filter(|(_, j)| lcp.m[(*i, **j)] != 0.0);
@@ -194,7 +195,7 @@ impl<'a> Block<'a> {
         })
     }
 
-    /// The step that a residual asks for, in the caller's units.
+    /// The refinement step for a residual, in the caller's units.
     fn step(&self, residual: &DVector<f64>) -> DVector<f64> {
         let balanced = &self.inverse * residual;
         DVector::from_fn(residual.len(), |k, _| balanced[k] * self.scaling.column[k])
@@ -206,7 +207,7 @@ impl<'a> Block<'a> {
         for _ in 0..REFINEMENTS {
             let step = self.step(&self.residual(&point));
             for i in 0..size {
-                // The sum of both stays the sum of both: what the first cannot hold goes to the second.
+                // The pair keeps its sum: the part that the first double cannot hold goes to the second.
                 let rest = point.1[i] + step[i];
                 let high = point.0[i] + rest;
                 point.1[i] = rest - (high - point.0[i]);

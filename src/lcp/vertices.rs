@@ -1,7 +1,7 @@
-//! Corners of small polyhedra, where linear programming has failed: those of entries many orders of magnitude apart.
+//! Vertices of small polyhedra, for problems where linear programming has failed: entries many orders of magnitude apart.
 //!
-//! A piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } that is not empty has a corner: some rows vanish there, and as many z are not zero. The
-//! vectors y ≥ 0 with Mᵀy ≤ 0 have corners, too, and where one has qᵀy < 0 it proves that no z ≥ 0 has M z + q ≥ 0. Each corner is a small regular
+//! A piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } that is not empty has a vertex: some rows vanish there, and as many z are not zero. The
+//! cone of vectors y ≥ 0 with Mᵀy ≤ 0 has edges, and one with qᵀy < 0 proves that no z ≥ 0 has M z + q ≥ 0. Each is a small regular
 //! system, balanced by itself.
 
 use super::farkas::cleaned;
@@ -12,10 +12,10 @@ use super::scaling::Scaling;
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
-/// Corners of problems of up to so many rows are gone through: some thousands.
+/// The largest number of rows of a problem whose vertices are tried: some thousands.
 pub(super) const MOST_ROWS: usize = 6;
 
-/// The corners of a piece, as values of z_α.
+/// The vertices of a piece, as values of z_α.
 pub(super) fn of_piece<'a>(lcp: &'a Lcp, alpha: &'a [usize]) -> impl Iterator<Item = DVector<f64>> + 'a {
     let n = lcp.len();
     subsets(alpha.len()).filter(|columns| !columns.is_empty()).flat_map(move |columns| {
@@ -33,7 +33,7 @@ pub(super) fn of_piece<'a>(lcp: &'a Lcp, alpha: &'a [usize]) -> impl Iterator<It
     })
 }
 
-/// A Farkas vector from the corners of { y ≥ 0, Mᵀy ≤ 0 }, by themselves or, so that rounding does not matter, pushed inside.
+/// A Farkas vector among the edges of { y ≥ 0, Mᵀy ≤ 0 }, as computed or, so that rounding does not matter, with a margin.
 pub(super) fn farkas(lcp: &Lcp, scaling: &Scaling) -> Option<DVector<f64>> {
     let n = lcp.len();
     let (m, q) = scaling.balanced(&lcp.m, &lcp.q);
@@ -58,8 +58,8 @@ pub(super) fn farkas(lcp: &Lcp, scaling: &Scaling) -> Option<DVector<f64>> {
     })
 }
 
-/// The solution of a square system. Rows and columns of one entry are taken out first: they cannot be balanced against the rest, and make it look
-/// singular where it is not.
+/// The solution of a square system. Rows and columns with a single entry are eliminated first: they cannot be balanced against the rest, and
+/// make it appear singular where it is not.
 fn peeled(block: &DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {
     let size = rhs.len();
     let alone = |line: &mut dyn Iterator<Item = f64>| {

@@ -10,7 +10,7 @@ use super::residuals::Residuals;
 use super::solution::SolutionView;
 use crate::prelude::*;
 
-/// Memory that is kept between problems.
+/// Memory for the solver that is kept between problems.
 ///
 /// Once a workspace has held a problem, it allocates nothing for others that are no larger, as long
 /// as the first path solves them.
@@ -32,7 +32,7 @@ use crate::prelude::*;
 #[derive(Debug, Clone, Default)]
 pub struct Workspace {
     pub(super) path: Path,
-    /// Where the last path ended, and another point to compare it with.
+    /// The point at the end of the last path, and another point to compare it with.
     pub(super) point: LcpPoint,
     pub(super) spare: LcpPoint,
     /// Which basic z's are zero but for rounding.

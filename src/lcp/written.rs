@@ -1,4 +1,4 @@
-//! Problems, and what is known of them, for serde: matrices as lists of rows, vectors as lists.
+//! Serde forms of problems and outcomes: matrices as lists of rows, vectors as lists.
 //!
 //! | type | in JSON |
 //! |---|---|
@@ -14,7 +14,7 @@ use nalgebra::{DMatrix, DVector};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-/// A matrix by its rows. One without rows has as many columns as its neighbours ask for.
+/// A matrix by its rows. The number of columns is given by the other blocks, since a matrix without rows does not show it.
 #[derive(Serialize, Deserialize)]
 #[serde(transparent)]
 struct Rows(Vec<Vec<f64>>);
@@ -24,7 +24,7 @@ impl Rows {
         Self(matrix.row_iter().map(|row| row.iter().copied().collect()).collect())
     }
 
-    /// The matrix, `what` in messages.
+    /// The matrix; `what` names it in messages.
     fn matrix(&self, what: &str, columns: usize) -> Result<DMatrix<f64>, String> {
         if let Some((i, row)) = self.0.iter().enumerate().find(|(_, row)| row.len() != columns) {
             return Err(format!("row {i} of {what} has {} numbers, must be {columns}", row.len()));
@@ -94,7 +94,7 @@ impl<'de> Deserialize<'de> for MixedLcp {
     }
 }
 
-/// The i with z_i basic.
+/// A basis is written as the list of the i with z_i basic.
 impl Serialize for Basis {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_seq(self.iter())
