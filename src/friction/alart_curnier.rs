@@ -1,4 +1,4 @@
-//! The piecewise smooth equations of P. Alart and A. Curnier, by themselves and held near an anchor.
+//! The piecewise smooth equations of P. Alart and A. Curnier, as they are or held near an anchor.
 //!
 //! With ζ = r − ρ u a contact is open where ζ_N ≤ 0, sticks where ‖ζ_T‖ ≤ μ ζ_N, and slides otherwise. The law is r = Π(ζ) with
 //!
@@ -8,9 +8,9 @@
 //! sliding   Π_N = ζ_N,   Π_T = μ ζ_N ζ_T / ‖ζ_T‖
 //! ```
 //!
-//! (Comput. Methods Appl. Mech. Eng. 92, 1991.) Where contacts are redundant, forces are not determined and Newton's method wanders. Held near an anchor a by
-//! ζ = r − ρ u − δ (r − a), they are; with a moved to each answer and δ made smaller, the answers go to a solution (proximal points, R. T. Rockafellar,
-//! SIAM J. Control Optim. 14, 1976).
+//! (Comput. Methods Appl. Mech. Eng. 92, 1991.) The forces of redundant contacts are not determined, and Newton's method wanders among them. With ζ =
+//! r − ρ u − δ (r − a), they are held near an anchor a and determined. If a moves to each answer and δ decreases, the answers converge to a solution
+//! (proximal points, R. T. Rockafellar, SIAM J. Control Optim. 14, 1976).
 
 use super::blocks::{Blocks, ContactBlock};
 use super::equations::{Equations, Linearisation};
@@ -19,12 +19,13 @@ use super::problem::{FrictionProblem, part};
 use crate::prelude::*;
 use nalgebra::{DVector, SMatrix, SVector};
 
-/// The least δ of the linear equations, so that they have a solution: half of the digits of what is not determined, none of what is.
+/// Least δ of the linear equations, so that those of redundant contacts are regular. Undetermined force components lose half their digits by it,
+/// determined ones none.
 const LEAST: f64 = 1e-12;
-/// What a contact misses is measured by its own force and velocity, but by no less than this part of the largest.
+/// Floor of a contact's own size, as a part of the largest, where residuals are weighed contact by contact.
 const FAINTEST: f64 = 1e-6;
 
-/// Π(ζ) of a contact with friction μ, and how it changes with ζ.
+/// Π(ζ) of a contact with friction μ, and its derivative by ζ.
 pub(super) fn answer<const C: usize>(
     tried: &SVector<f64, C>,
     mu: f64,
@@ -50,7 +51,7 @@ pub(super) fn answer<const C: usize>(
     (answer, change)
 }
 
-/// The equations by blocks, held near an anchor.
+/// The equations of all contacts in blocks, held near an anchor.
 pub(super) struct Anchored<'a, const C: usize> {
     pub(super) problem: &'a FrictionProblem<C>,
     pub(super) blocks: &'a Blocks<C>,
@@ -58,12 +59,12 @@ pub(super) struct Anchored<'a, const C: usize> {
     pub(super) rho: Vec<f64>,
     pub(super) anchor: DVector<f64>,
     pub(super) delta: f64,
-    /// What a contact misses counts by the square root of this.
+    /// The weight of the squared residual of each contact.
     pub(super) weight: Vec<f64>,
 }
 
 impl<'a, const C: usize> Anchored<'a, C> {
-    /// Near these forces. What contacts miss counts as energy, or, where `by_contact`, beside their own forces and velocities.
+    /// The equations held near these forces. Residuals are weighed as energy or, if `by_contact`, relative to the contact's own force and velocity.
     pub(super) fn near(
         problem: &'a FrictionProblem<C>,
         blocks: &'a Blocks<C>,

@@ -1,8 +1,9 @@
-//! From no forces to the law, for many contacts or where facets have led nowhere: sweeps, the central path, anchored steps, and a last polish.
+//! The way from zero forces to a solution for many contacts, or where facets have failed: sweeps, the central path, anchored steps, and a last
+//! polish.
 //!
-//! [`Sweeps`](super::sweeps) find how large forces are, the [`central_path`](super::central_path) what most contacts do, and
-//! [anchored](super::alart_curnier) steps of Newton's method go on from there. The best forces on the way are kept, judged contact by contact. Where
-//! all that leads nowhere it begins again, with more sweeps or farther inside the cones.
+//! [`Sweeps`](super::sweeps) find the size of the forces, the [`central_path`](super::central_path) the states of most contacts, and
+//! [anchored](super::alart_curnier) steps of Newton's method continue from there. The best forces on the way are kept, judged contact by contact. If
+//! all of this fails, the next start makes more sweeps or begins the central path farther inside the cones.
 
 use super::alart_curnier::Anchored;
 use super::blocks::Blocks;
@@ -18,39 +19,44 @@ use crate::prelude::*;
 use core::ops::ControlFlow;
 use nalgebra::DVector;
 
-/// A step that has to be shorter than this part of its length is not worth its factorisation.
+/// Shortest part of a Newton step that is tried: a shorter one is not worth its factorisation.
 const SHORTEST: f64 = 1e-2;
 
-/// Sweeps of each start, and where it enters the central path: τ as part of the energy of a contact.
+/// The starts: the number of sweeps, and τ at the beginning of the central path as a part of the mean energy of a contact.
 pub(super) const STARTS: [(usize, f64); 4] = [(200, 1e-2), (20, 1.0), (1000, 1e-4), (5, 1e-6)];
-/// Sweeps end where forces move no more than this part of themselves.
+/// Sweeps end when forces change by less than this part of themselves.
 const STILL: f64 = 1e-15;
-/// How firmly the first of the anchored steps are held, and the last.
+/// Weight δ of the anchor in the first round.
 const HELD: f64 = 1e-3;
+/// Least weight δ of the anchor.
 const HARDLY: f64 = 1e-10;
-/// After a round that arrived they are held less firmly by this factor, after one that did not more firmly by that, and swept so often.
+/// Factor of δ after a round that converged.
 const LOOSER: f64 = 0.1;
+/// Factor of δ after a round that did not converge.
 const FIRMER: f64 = 3.0;
+/// The number of sweeps after a round that did not converge.
 const SWEPT_BETWEEN: usize = 50;
-/// A round has arrived where it leaves this part of what was missed, or this part of the terms.
+/// A round has converged if it leaves this part of the residual at its beginning.
 const ARRIVED: f64 = 1e-3;
+/// A round has also converged if it leaves this part of its terms.
 const ROUNDED: f64 = 1e-14;
-/// A round that leaves this part of its terms has come to where rounding decides.
+/// A round ends at this part of its terms, where rounding decides.
 const ROUNDING: f64 = 2.0 * f64::EPSILON;
-/// Forces this close are polished, and what contacts miss is weighed contact by contact.
+/// Residual below which forces are polished and residuals are weighed contact by contact.
 const CLOSE: f64 = 1e-6;
-/// Steps of a polish, each of which must leave no more than this part of the residual.
+/// The largest number of steps of a polish.
 const POLISHES: usize = 20;
+/// A polish ends when neither a step nor sweeps reduce the residual to this part.
 const WORTHWHILE: f64 = 0.9;
-/// Sweeps of a polish in place of a step that gains nothing.
+/// Sweeps of a polish in place of a Newton step that gains nothing.
 const FINAL_SWEEPS: usize = 5;
-/// A polish goes on down to this part of the tolerance.
+/// A polish continues until the residual is this part of the tolerance.
 const SPARE: f64 = 0.01;
 
-/// Who watches, and may stop it.
+/// The caller's function that receives the progress and may stop the solve.
 pub(super) type Watcher<'a> = dyn FnMut(&SolveProgress<'_>) -> ControlFlow<()> + 'a;
 
-/// The way, and the best forces on it.
+/// A solve in progress, and the best forces found.
 pub(super) struct Approach<'a, 'w, const C: usize> {
     problem: &'a FrictionProblem<C>,
     blocks: &'a Blocks<C>,
@@ -58,7 +64,7 @@ pub(super) struct Approach<'a, 'w, const C: usize> {
     order: Vec<usize>,
     rho: Vec<f64>,
     watch: &'a mut Watcher<'w>,
-    /// The contacts by the numbers that the caller knows.
+    /// The index of each contact in the caller's problem.
     names: &'a [usize],
     pub(super) best: Best,
 }
@@ -68,11 +74,11 @@ pub(super) struct Approach<'a, 'w, const C: usize> {
 pub(super) struct Best {
     pub(super) r: DVector<f64>,
     pub(super) residual: f64,
-    /// The contact that misses the law most.
+    /// The contact with the largest residual.
     pub(super) worst: usize,
-    /// Newton's steps.
+    /// The number of Newton's steps.
     pub(super) steps: usize,
-    /// Whether whoever watches has stopped it.
+    /// Whether the watcher has stopped the solve.
     pub(super) stopped: bool,
 }
 
@@ -96,7 +102,7 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
         }
     }
 
-    /// Sets out for the nth time. Whether the best forces are now good enough.
+    /// Makes the `nth` start. Returns whether the best forces are now within the tolerance.
     pub(super) fn set_out(&mut self, nth: usize) -> bool {
         let (sweeps, begin) = STARTS[nth];
         let mut r = DVector::zeros(self.problem.q.len());
@@ -117,7 +123,7 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
         self.go_on(r)
     }
 
-    /// Sets out once more for a few contacts, around the folds of the central path.
+    /// Makes a start along the central path around its folds, for a few contacts.
     pub(super) fn around_folds(&mut self) -> bool {
         let Some(r) = around_folds(self.problem, self.blocks) else { return false };
         if self.offer(&r) <= CLOSE && self.polish() || self.best.stopped {
@@ -126,14 +132,14 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
         self.go_on(r)
     }
 
-    /// Forces that are close, polished.
+    /// The forces given, polished.
     pub(super) fn polished(mut self, r: &DVector<f64>) -> DVector<f64> {
         self.offer(r);
         self.polish();
         self.best.r
     }
 
-    /// Rounds of anchored steps.
+    /// Makes rounds of anchored Newton steps.
     fn go_on(&mut self, mut r: DVector<f64>) -> bool {
         let mut delta = HELD;
         for _ in 0..self.settings.rounds {
@@ -158,7 +164,7 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
         self.arrived()
     }
 
-    /// Steps and sweeps from the best forces, for as long as they gain something.
+    /// Makes Newton steps, or sweeps where these fail, from the best forces, as long as they gain.
     fn polish(&mut self) -> bool {
         for _ in 0..POLISHES {
             if self.best.residual <= SPARE * self.settings.tolerance || self.best.stopped {
@@ -180,7 +186,7 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
         self.arrived()
     }
 
-    /// Sweeps forces so many times, or until they do not move.
+    /// Makes `count` sweeps, or stops when the forces are still.
     fn swept(&self, r: &mut DVector<f64>, count: usize) {
         for _ in 0..count {
             if sweep(self.problem, self.blocks, r) < STILL {
@@ -200,7 +206,7 @@ impl<'a, 'w, const C: usize> Approach<'a, 'w, C> {
         Anchored::near(self.problem, self.blocks, self.rho.clone(), anchor, held)
     }
 
-    /// Keeps these forces if they are the best so far, and tells whoever watches. Returns how far they miss the law.
+    /// Keeps these forces if they are the best so far, and reports to the watcher. Returns their largest residual.
     fn offer(&mut self, r: &DVector<f64>) -> f64 {
         if r.iter().any(|r| !r.is_finite()) {
             return f64::INFINITY;

@@ -1,12 +1,12 @@
-//! W contact by contact: one block for each pair of contacts that move each other.
+//! W in blocks: one for each pair of contacts of which one moves the other.
 //!
-//! Piles and stacks couple each contact with a few others, so that most of W vanishes.
+//! In piles and stacks each contact is coupled with a few others, so most of W vanishes.
 
 use super::problem::{FrictionProblem, part};
 use crate::prelude::*;
 use nalgebra::{DVector, SMatrix, SVector};
 
-/// A block of W: what the force of one contact moves at another.
+/// A block of W: the velocity of one contact for a unit force at another.
 pub(super) type ContactBlock<const C: usize> = SMatrix<f64, C, C>;
 
 /// The blocks of W that do not vanish.
@@ -21,7 +21,7 @@ impl<const C: usize> Blocks<C> {
         let n = problem.len();
         let block = |i: usize, j: usize| problem.w.fixed_view::<C, C>(C * i, C * j).into_owned();
         let mut others = vec![Vec::new(); n];
-        // Down the columns, as W lies in memory.
+        // Column by column, as W is stored.
         for j in 0..n {
             for (i, others) in others.iter_mut().enumerate().filter(|(i, _)| *i != j) {
                 let block = block(i, j);
@@ -38,30 +38,30 @@ impl<const C: usize> Blocks<C> {
         self.own.len()
     }
 
-    /// How a contact moves itself.
+    /// The block of a contact's own force and velocity.
     pub(super) fn own(&self, i: usize) -> &ContactBlock<C> {
         &self.own[i]
     }
 
-    /// The other contacts that move this one, by index.
+    /// The blocks of the other contacts that move this one, with their indices.
     pub(super) fn others(&self, i: usize) -> &[(usize, ContactBlock<C>)] {
         &self.others[i]
     }
 
-    /// The size of what moves a contact: its largest own entry, or, where its own force does not move it, any.
+    /// The size of a contact's block row: its largest own entry or, if its own force does not move it, the largest of all.
     pub(super) fn size(&self, i: usize) -> f64 {
         let own = self.own[i].amax();
         let any = || self.others[i].iter().fold(0.0_f64, |size, (_, w)| size.max(w.amax()));
         if own > 0.0 { own } else { any() }
     }
 
-    /// The inverse of that, which turns velocities into forces: ρ of each contact.
+    /// ρ of each contact, the inverse of [`Self::size`], which converts velocities to forces.
     pub(super) fn scales(&self) -> Vec<f64> {
         let scale = |i| if self.size(i) > 0.0 { 1.0 / self.size(i) } else { 1.0 };
         (0..self.len()).map(scale).collect()
     }
 
-    /// W r at one contact, without what its own force does.
+    /// The part of W r at one contact that other contacts cause.
     pub(super) fn by_others(&self, i: usize, r: &DVector<f64>) -> SVector<f64, C> {
         self.others[i].iter().fold(SVector::zeros(), |sum, (j, w)| sum + w * part::<C>(r, *j))
     }
@@ -76,7 +76,7 @@ impl<const C: usize> Blocks<C> {
         u
     }
 
-    /// The sizes of their terms, |W| |r| + |q|.
+    /// The sizes of the terms of u, |W| |r| + |q|.
     pub(super) fn terms(&self, r: &DVector<f64>, q: &DVector<f64>) -> DVector<f64> {
         let mut terms = q.abs();
         for i in 0..self.len() {

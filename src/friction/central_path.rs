@@ -1,14 +1,14 @@
-//! The way to the law through the inside of the cones: û ∘ r = τ at each contact, with τ that goes to zero.
+//! The central path to a solution through the inside of the cones: û ∘ r = τ at each contact, with τ going to zero.
 //!
-//! The law is û ⟂ r with r in a cone and û = u + μ ‖u_T‖ n in its dual ([module](super)). In r' = (μ r_N, r_T) and û' = (û_N / μ, û_T) both are the cone
-//! ‖x_T‖ ≤ x_N, and the law is r' = P(r' − ρ û') with the projection P. Smoothed,
+//! The law is û ⟂ r with r in a cone and û = u + μ ‖u_T‖ n in its dual ([module](super)). In r' = (μ r_N, r_T) and û' = (û_N / μ, û_T) both cones are
+//! ‖x_T‖ ≤ x_N, and the law is r' = P(r' − ρ û') with the projection P onto it. Smoothed,
 //!
 //! ```text
 //! P(x) = Σ± φ(x_N ± ‖x_T‖) (1, ± x_T / ‖x_T‖) / 2,     φ(λ) = (λ + √(λ² + 4 ρ τ)) / 2
 //! ```
 //!
-//! it holds forces strictly inside (M. Fukushima, Z.-Q. Luo and P. Tseng, SIAM J. Optim. 12, 2001): no contact has to decide early what it does.
-//! Newton's method follows the solutions as τ falls.
+//! the projection keeps forces strictly inside (M. Fukushima, Z.-Q. Luo and P. Tseng, SIAM J. Optim. 12, 2001): no contact has to choose its state
+//! early. Newton's method follows the solutions as τ falls.
 
 use super::blocks::{Blocks, ContactBlock};
 use super::equations::{Equations, Linearisation, Patience, descend};
@@ -18,33 +18,34 @@ use crate::prelude::*;
 use core::ops::ControlFlow;
 use nalgebra::{DVector, SVector};
 
-/// A step that has to be shorter than this part of its length is not taken.
+/// Shortest part of a Newton step that is tried.
 const SHORTEST: f64 = 1e-3;
 
-/// A place is on the path if what a contact misses is this part of √τ, in the root of the mean square. Smaller, steps are made that the next τ makes again;
+/// A point is on the path if the root mean square of its residuals is below this part of √τ. Smaller, steps are repeated at the next τ;
 /// larger, the path is lost on the way.
 const NEAR: f64 = 0.1;
-/// τ falls to this part after a few steps, or after many.
+/// Least factor of τ, reached while each τ takes few steps.
 const FAST: f64 = 0.03;
+/// First factor of τ.
 const SLOW: f64 = 0.2;
-/// So many steps are few.
+/// The largest number of Newton steps at one τ after which τ falls faster.
 const FEW: usize = 3;
-/// Steps at one τ.
+/// The largest number of Newton steps at one τ.
 const STEPS: usize = 50;
-/// Own blocks are larger by this part than W has them, for redundant contacts.
+/// Relative increase of the own blocks, in units of 1/ρ, for redundant contacts.
 const SHIFT: f64 = 1e-9;
 /// τ ends at this part of the mean energy of a contact, near the square of rounding.
 const END: f64 = 1e-16;
-/// The path is lost where τ may fall by no more than this factor.
+/// The path is lost if τ can fall by no more than this factor.
 const LOST: f64 = 0.9;
-/// It is met where τ is no more than this part of the energy.
+/// The search for the beginning of the path ends when τ exceeds this multiple of the mean energy.
 const FARTHEST: f64 = 1e3;
 
 /// The smoothed equations at one τ.
 pub(super) struct Smoothed<'a, const C: usize> {
     pub(super) problem: &'a FrictionProblem<C>,
     pub(super) blocks: &'a Blocks<C>,
-    /// Those of [`scales`].
+    /// ρ of each contact, from [`scales`].
     pub(super) rho: &'a [f64],
     pub(super) tau: f64,
 }
@@ -70,8 +71,8 @@ fn tangent_block<const C: usize>(own: &ContactBlock<C>) -> ContactBlock<C> {
     block
 }
 
-/// Where the path leads from these forces, beginning with τ as this part of their mean energy, and how many steps it took. `judge` says how good forces are, or that it is enough;
-/// the best on the way are returned.
+/// Follows the path from forces r; the first τ is `begin` times the mean energy of r. `judge` returns the residual of forces, or stops the search.
+/// Returns the best forces on the way and the number of Newton steps.
 pub(super) fn follow<const C: usize>(
     problem: &FrictionProblem<C>,
     blocks: &Blocks<C>,
@@ -85,7 +86,7 @@ pub(super) fn follow<const C: usize>(
     let energy = (0..problem.len()).map(|i| part::<C>(&r, i).norm_squared() / rho[i]).sum::<f64>() / count;
     let ControlFlow::Continue(missing) = judge(&r) else { return (r, 0) };
     let mut best = (missing, r.clone());
-    // τ falls by this factor from where the path was met.
+    // τ on the path, and the factor of the next one.
     let (mut tau, mut factor, mut made) = (begin * energy, 1.0, 0);
     while tau * factor > END * energy && (factor < LOST || factor == 1.0) {
         let smoothed = Smoothed { problem, blocks, rho: &rho, tau: tau * factor };
@@ -108,7 +109,7 @@ pub(super) fn follow<const C: usize>(
                 factor
             };
         } else if first {
-            // The path is met farther inside.
+            // The beginning of the path is sought farther inside the cones.
             tau /= SLOW;
             if tau > FARTHEST * energy {
                 break;
@@ -143,7 +144,7 @@ impl<const C: usize> Equations<C> for Smoothed<'_, C> {
     }
 }
 
-/// What a contact misses, and how that changes with its force and with its velocity.
+/// The residual of a contact, and its derivatives by force and by velocity.
 fn contact<const C: usize>(
     force: &SVector<f64, C>,
     velocity: &SVector<f64, C>,
@@ -152,7 +153,7 @@ fn contact<const C: usize>(
 ) -> (SVector<f64, C>, ContactBlock<C>, ContactBlock<C>) {
     let width = rho * tau;
     if mu == 0.0 {
-        // A cone that is a line.
+        // Without friction the cone is a ray.
         let x = force[0] - rho * velocity[0];
         let (mut missed, mut by_force, mut by_velocity) =
             (*force, ContactBlock::identity(), ContactBlock::zeros());
@@ -161,7 +162,7 @@ fn contact<const C: usize>(
         by_velocity[(0, 0)] = rho * slope(x, width);
         return (missed, by_force, by_velocity);
     }
-    // ‖u_T‖, smooth where it vanishes.
+    // ‖u_T‖, rounded off so that it is smooth at zero.
     let slip = tangent(velocity);
     let rounded = (tau / rho).sqrt();
     let speed = slip.norm().hypot(rounded);
@@ -178,7 +179,7 @@ fn contact<const C: usize>(
     (scaled - projected, scale - change * scale, change * inverse * dilation * rho)
 }
 
-/// The smoothed projection onto ‖x_T‖ ≤ x_N, and how it changes.
+/// The smoothed projection onto ‖x_T‖ ≤ x_N, and its derivative.
 fn projection<const C: usize>(x: &SVector<f64, C>, width: f64) -> (SVector<f64, C>, ContactBlock<C>) {
     let slip = tangent(x);
     let length = slip.norm();
@@ -203,13 +204,13 @@ fn projection<const C: usize>(x: &SVector<f64, C>, width: f64) -> (SVector<f64, 
     (projected, change)
 }
 
-/// φ(λ), to the last digit where it is small.
+/// φ(λ) with ρ τ as `width`, to the last digit where φ is small.
 fn smoothed(x: f64, width: f64) -> f64 {
     let root = (x * x + 4.0 * width).sqrt();
     if x >= 0.0 { 0.5 * (x + root) } else { 2.0 * width / (root - x) }
 }
 
-/// How φ changes.
+/// dφ/dλ.
 fn slope(x: f64, width: f64) -> f64 {
     let root = (x * x + 4.0 * width).sqrt();
     if x >= 0.0 { 0.5 * (1.0 + x / root) } else { 2.0 * width / (root * (root - x)) }

@@ -1,6 +1,6 @@
-//! Proofs that no forces in the cones keep every contact from approaching.
+//! Proofs that forces in the cones always let some contact approach.
 //!
-//! A vector y ≥ 0 of one weight for each contact is such a proof if a = W_Nᵀ y, with W_N the normal rows of W, and q_N fulfil
+//! A vector y ≥ 0 of one weight per contact is such a proof if a = W_Nᵀ y, with W_N the normal rows of W, and q_N fulfil
 //!
 //! ```text
 //! a_N + μ ‖a_T‖ ≤ 0 at each contact,     q_Nᵀ y < 0:
@@ -17,21 +17,21 @@ use core::cmp::Ordering;
 use core::f64::consts::PI;
 use nalgebra::{DMatrix, DVector, SVector};
 
-/// Facets of the polygons around the cones from which a proof is sought.
+/// Facets of the polygons around the cones with which a proof is sought.
 const AROUND: usize = 32;
-/// Of many contacts fewer facets are taken, so that they are no more than this together.
+/// Largest number of facets of all contacts together, if that leaves four for each: polygons of many contacts have fewer facets.
 const UNKNOWNS: usize = 512;
-/// Outside of these sizes a product may have lost digits by underflow, or overflow on the way.
+/// Sizes of factors between which a product neither loses digits by underflow nor overflows.
 const KEPT: core::ops::Range<f64> = 1e-280..1e280;
-/// What a sum, rounded to a double, and two more operations may be off by.
+/// Relative error of a sum rounded to a double, and two more operations.
 const ROUNDED: f64 = 1e-15;
 
 impl<const C: usize> FrictionProblem<C> {
     /// Whether y (n entries) proves that there is no solution: y ≥ 0, q_Nᵀ y < 0, and a = W_Nᵀ y has a_N + μ ‖a_T‖ ≤ 0 at each
-    /// contact. Then yᵀu_N < 0 whatever forces the cones contain.
+    /// contact. Then yᵀu_N < 0 for all forces in the cones.
     ///
-    /// In the plane nothing is rounded. In space sums are not; what remains is a root, whose rounding is counted against the
-    /// proof, so a y that just fails may prove as much in exact arithmetic.
+    /// In the plane nothing is rounded. In space sums are not rounded; ‖a_T‖ is, and its rounding is counted against the
+    /// proof. So a y that just fails here may be a proof in exact arithmetic.
     #[must_use]
     pub fn proves_infeasible(&self, y: &DVector<f64>) -> bool {
         let n = self.len();
@@ -54,19 +54,19 @@ impl<const C: usize> FrictionProblem<C> {
             if *mu == 0.0 || slips.iter().all(|slip| slip.0 == 0.0) {
                 return normal.0 <= 0.0;
             }
-            // Relative to the normal component, whatever its exponent.
+            // Relative to the normal component, which may have any exponent.
             let beside = |slip: &(f64, i32)| times_power_of_two(slip.0 / normal.0, slip.1 - normal.1);
             let slip = slips.iter().map(beside).fold(0.0, f64::hypot);
             normal.0 < 0.0 && mu * slip * (1.0 + 8.0 * ROUNDED) <= 1.0
         })
     }
 
-    /// A vector that proves it: one contact by itself, or by linear programming with polygons around the cones.
+    /// A vector that passes [`Self::proves_infeasible`]: of one contact, or by linear programming with polygons around the cones.
     pub(super) fn certificate(&self, settings: &lcp::Settings) -> Option<DVector<f64>> {
         let n = self.len();
         let count = if C == 2 { 2 } else { (UNKNOWNS / n.max(1)).clamp(4, AROUND) };
         let facets = Facets::<C>::regular(count, &vec![0.0; n]);
-        // Polygons of this many corners contain the cone if they are so much larger.
+        // A polygon of this many corners contains the cone if its radius is larger by this factor.
         let around = if C == 2 { 1.0 } else { (PI / count as f64).cos().recip() * (1.0 + 8.0 * ROUNDED) };
         let mut normals = DMatrix::zeros(n, count * n);
         for (i, directions) in facets.0.iter().enumerate() {
@@ -85,7 +85,7 @@ impl<const C: usize> FrictionProblem<C> {
     }
 }
 
-/// Σ y_i (W_iN + μ W_iT), without rounding: the product of y_i and μ is split into two doubles. `None` where it underflows.
+/// Σ y_i (W_iN + μ W_iT) without rounding: the product of y_i and μ is split into two doubles. `None` if it underflows.
 fn edge(y: &DVector<f64>, columns: &[&[f64]], step: usize, mu: f64) -> Option<ExactSum> {
     let mut sum = ExactSum::new();
     for (i, y) in y.iter().enumerate() {

@@ -1,7 +1,7 @@
-//! Systems of equations in blocks, one row of blocks a contact: eliminated contact by contact, those with few neighbours first.
+//! Block elimination of systems with one block row per contact, contacts with few neighbours first.
 //!
-//! Piles and stacks couple each contact with a few others, so that most blocks vanish and stay so. Pivots are blocks on the diagonal: the
-//! equations are those of a matrix that is nearly definite.
+//! In piles and stacks each contact is coupled with a few others, so most blocks vanish and remain zero. Pivots are blocks on the diagonal: the
+//! matrices here are nearly definite.
 
 use super::blocks::{Blocks, ContactBlock};
 use super::problem::part;
@@ -9,7 +9,7 @@ use crate::prelude::*;
 use alloc::collections::BTreeSet;
 use nalgebra::DVector;
 
-/// Contacts in the order in which they are eliminated: next is one that has the fewest neighbours left (minimum degree).
+/// The order in which contacts are eliminated: each time one with the fewest remaining neighbours (minimum degree).
 pub(super) fn order<const C: usize>(blocks: &Blocks<C>) -> Vec<usize> {
     let n = blocks.len();
     let mut near: Vec<BTreeSet<usize>> = vec![BTreeSet::new(); n];
@@ -35,10 +35,10 @@ pub(super) fn order<const C: usize>(blocks: &Blocks<C>) -> Vec<usize> {
     order
 }
 
-/// A row of blocks: the contact of each, and the block.
+/// A block row: pairs of a contact and its block.
 pub(super) type SparseRow<const C: usize> = Vec<(usize, ContactBlock<C>)>;
 
-/// The solution of a system, given its rows by contact and what they shall be. `None` if a pivot is singular.
+/// The solution of a system, given its rows by contact and its right-hand side. `None` if a pivot is singular.
 pub(super) fn solve<const C: usize>(
     order: &[usize],
     rows: &[SparseRow<C>],
@@ -49,7 +49,7 @@ pub(super) fn solve<const C: usize>(
     for (k, i) in order.iter().enumerate() {
         place[*i] = k;
     }
-    // By place in the order: inverse pivots, and the rows right of them.
+    // By position in the order: inverse pivots, and the rows to their right.
     let mut pivots: Vec<ContactBlock<C>> = Vec::with_capacity(n);
     let mut uppers: Vec<SparseRow<C>> = Vec::with_capacity(n);
     let mut work: Vec<ContactBlock<C>> = vec![ContactBlock::zeros(); n];

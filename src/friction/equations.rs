@@ -1,27 +1,27 @@
-//! Piecewise smooth equations, one a component of each contact, and damped steps of Newton's method towards their solution.
+//! Piecewise smooth equations for the forces, one per component of each contact, and damped Newton steps towards their solution.
 //!
-//! Two families are of this kind: those of [`alart_curnier`](super::alart_curnier) and of the [`central_path`](super::central_path). In each, what a contact
-//! misses depends on its own force and velocity alone, so that the equations are in blocks where W is.
+//! Two families have this form: the equations of [`alart_curnier`](super::alart_curnier) and of the [`central_path`](super::central_path). In each,
+//! the residual of a contact depends on its own force and velocity alone, so the Jacobian has the block pattern of W.
 
 use super::blocks::{Blocks, ContactBlock};
 use super::elimination;
 use crate::prelude::*;
 use nalgebra::{DVector, SVector};
 
-/// A step must take away this part of the share of the error that its length promises.
+/// Sufficient decrease: a step of part t must reduce the error by the factor 1 − 0.1 t.
 const GAIN: f64 = 0.1;
 
-/// What the forces of a place miss, and how that changes.
+/// The residuals at forces r, and their derivatives.
 #[derive(Debug, Clone)]
 pub(super) struct Linearisation<const C: usize> {
     pub(super) r: DVector<f64>,
-    /// What each contact misses.
+    /// The residual of each contact.
     pub(super) missed: DVector<f64>,
-    /// How that changes with the force of the contact, its velocity held.
+    /// Derivative of a contact's residual by its force, with its velocity held.
     pub(super) by_force: Vec<ContactBlock<C>>,
-    /// How that changes with its velocity.
+    /// Derivative of a contact's residual by its velocity.
     pub(super) by_velocity: Vec<ContactBlock<C>>,
-    /// How large what is missed is, and the terms that it consists of.
+    /// Norms of the residuals, and of the terms whose difference they are.
     pub(super) size: f64,
     pub(super) terms: f64,
 }
@@ -39,7 +39,7 @@ impl<const C: usize> Linearisation<C> {
         }
     }
 
-    /// Adds what the next contact misses.
+    /// Appends the residual of the next contact and its derivatives.
     pub(super) fn push(
         &mut self,
         missed: SVector<f64, C>,
@@ -54,30 +54,30 @@ impl<const C: usize> Linearisation<C> {
 
 /// Equations for the forces of all contacts.
 pub(super) trait Equations<const C: usize> {
-    /// Where these forces are.
+    /// Residuals and derivatives at forces r.
     fn at(&self, r: DVector<f64>) -> Linearisation<C>;
 
-    /// What is added to the own block of a contact so that the equations of redundant contacts have a solution.
+    /// The multiple of the identity that is added to a contact's own block of W, so that the equations of redundant contacts are regular.
     fn shift(&self, contact: usize) -> f64;
 
     fn blocks(&self) -> &Blocks<C>;
 }
 
-/// How far steps are pursued.
+/// Stopping rules of [`descend`].
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Patience {
-    /// Steps at most.
+    /// The largest number of steps.
     pub(super) steps: usize,
-    /// It has arrived where what is missed is this small, or this part of its terms.
+    /// The norms of the residuals at which the iteration has converged: absolute, or as a part of the norm of the terms.
     pub(super) enough: f64,
     pub(super) rounding: f64,
-    /// Shorter parts of a step are not tried.
+    /// Shortest part of a step that is tried.
     pub(super) shortest: f64,
-    /// So often the whole step is made although no part of it gains anything.
+    /// The number of times a whole step is made although no part of it gains.
     pub(super) leaps: usize,
 }
 
-/// The place that Newton's method comes to, and how many steps it made. `order` is that of the elimination.
+/// Newton's method from r. Returns its last point and the number of steps. `order` is that of the elimination.
 pub(super) fn descend<const C: usize>(
     equations: &impl Equations<C>,
     order: &[usize],
@@ -110,7 +110,7 @@ pub(super) fn descend<const C: usize>(
     (here, made)
 }
 
-/// The step to where the linearised equations hold.
+/// The Newton step at a point.
 pub(super) fn newton_step<const C: usize>(
     equations: &impl Equations<C>,
     order: &[usize],
@@ -121,7 +121,7 @@ pub(super) fn newton_step<const C: usize>(
         let (by_force, by_velocity) = (here.by_force[i], here.by_velocity[i]);
         let own = blocks.own(i) + ContactBlock::identity() * equations.shift(i);
         let mut row = vec![(i, by_force + by_velocity * own)];
-        // An open contact sees no other.
+        // The derivative of an open contact has no entries of other contacts.
         if by_velocity.iter().any(|x| *x != 0.0) {
             row.extend(blocks.others(i).iter().map(|(j, w)| (*j, by_velocity * w)));
         }

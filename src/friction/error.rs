@@ -18,14 +18,14 @@ pub enum Error {
         /// Its friction.
         value: f64,
     },
-    /// A word of a file is not what belongs there.
+    /// A word of a file is not of the kind that must be there.
     #[error("word {at} of the file is {}, but must be {allowed}", named(word.as_deref()))]
     Word {
-        /// Its place, counted from 1.
+        /// Its position, counted from 1.
         at: usize,
         /// The word; `None` where the file ends.
         word: Option<String>,
-        /// What belongs there.
+        /// The kind of word that must be there.
         allowed: &'static str,
     },
     /// The masses of a file have no inverse.
@@ -33,7 +33,7 @@ pub enum Error {
     Masses,
 }
 
-/// A word as a message has it, without the control characters of a file that is no text.
+/// A word as shown in a message; control characters are escaped, in case the file is no text.
 fn named(word: Option<&str>) -> String {
     word.map_or("missing".to_owned(), |word| format!("`{}`", word.escape_default()))
 }

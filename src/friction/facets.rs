@@ -1,6 +1,6 @@
-//! The complementarity problem of a polygon in place of the cone.
+//! The linear complementarity problem with a polygon in place of each friction cone.
 //!
-//! With facets along d_1 … d_k, r_T = Σ β_j d_j, and λ for the speed of the slip,
+//! With facets along d_1 … d_k, r_T = Σ β_j d_j, and the slip speed λ,
 //!
 //! ```text
 //! 0 ≤ u_N             ⟂ r_N ≥ 0
@@ -22,7 +22,7 @@ use nalgebra::{DMatrix, DVector, SVector};
 pub(super) struct Facets<const C: usize>(pub(super) Vec<Vec<SVector<f64, C>>>);
 
 impl<const C: usize> Facets<C> {
-    /// In the plane the two directions, in space `count` of them, the first at this angle for each contact.
+    /// Regular facets: in the plane the two directions, in space `count` directions, the first at the angle given for each contact.
     pub(super) fn regular(count: usize, angles: &[f64]) -> Self {
         let direction = |angle: f64| {
             let mut d = SVector::zeros();
@@ -43,7 +43,7 @@ impl<const C: usize> Facets<C> {
         Self(angles.iter().map(of).collect())
     }
 
-    /// Unknowns of each contact: r_N, its β, λ.
+    /// The number of unknowns of each contact: r_N, its β, λ.
     fn width(&self) -> usize {
         self.0.first().map_or(0, |facets| facets.len() + 2)
     }
@@ -53,13 +53,13 @@ impl<const C: usize> Facets<C> {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct FacetedProblem<const C: usize> {
-    /// The complementarity problem. Its unknowns are, contact by contact, r_N, one force along each facet, and the speed of the slip.
+    /// The complementarity problem. Its unknowns are, contact by contact, r_N, one force along each facet, and the slip speed.
     pub lcp: Lcp,
     facets: Facets<C>,
 }
 
 impl<const C: usize> FacetedProblem<C> {
-    /// The entries of r_N, or of u_N, in a vector of the complementarity problem.
+    /// The entries of r_N or u_N in a vector of the complementarity problem.
     pub(super) fn normals(&self, z: &DVector<f64>) -> DVector<f64> {
         DVector::from_fn(self.facets.0.len(), |i, _| z[self.facets.width() * i])
     }
@@ -86,8 +86,8 @@ impl<const C: usize> FacetedProblem<C> {
 }
 
 impl<const C: usize> FrictionProblem<C> {
-    /// The problem with `facets` facets in place of each cone, three at least and 128 at most; in the plane it is the problem itself, with two. The
-    /// polygon lies inside the cone.
+    /// The problem with `facets` facets in place of each cone, at least three and at most 128. In the plane two facets are the cone itself. In space
+    /// the polygon lies inside the cone.
     ///
     /// # Errors
     ///
@@ -98,7 +98,7 @@ impl<const C: usize> FrictionProblem<C> {
 
     pub(super) fn polygon(&self, facets: Facets<C>) -> Result<FacetedProblem<C>, LcpError> {
         let (n, width) = (self.len(), facets.width());
-        // Columns of the forces that one unknown makes, rows of the velocities that one slack sees.
+        // One column for each unknown: the contact force of a unit of it. Its transpose maps velocities to slacks.
         let mut span = DMatrix::zeros(C * n, width * n);
         for (i, facets) in facets.0.iter().enumerate() {
             span[(C * i, width * i)] = 1.0;

@@ -1,9 +1,9 @@
 //! The central path of a few contacts, followed around its folds.
 //!
-//! Friction bends the [`central_path`](super::central_path): where contacts wedge, τ must rise again before it falls. Forces and ln τ together are
-//! followed by the length of the path (H. B. Keller, Numerical solution of bifurcation and nonlinear eigenvalue problems, 1977), which passes
-//! through folds as through any other place. It leads from far inside the cones, where there is one solution, to a solution of the problem wherever W is
-//! positive definite, but for paths that cross or run away.
+//! Friction folds the [`central_path`](super::central_path): where contacts wedge, τ must rise again before it falls. Here forces and ln τ together
+//! are followed by arc length (H. B. Keller, Numerical solution of bifurcation and nonlinear eigenvalue problems, 1977), which passes folds like any
+//! other point. The path leads from far inside the cones, where there is one solution, to a solution of the problem whenever W is positive definite,
+//! unless it meets another path or diverges.
 
 use super::blocks::Blocks;
 use super::central_path::{Smoothed, scales};
@@ -12,32 +12,37 @@ use super::problem::{FrictionProblem, part};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
-/// A step towards the beginning that has to be shorter than this part of its length is not taken.
+/// Shortest part of a Newton step that is tried at the beginning of the path.
 const SHORTEST_TO_BEGIN: f64 = 1e-6;
 
-/// The path is followed as far as τ is this part of the energy of a contact, and from where it is that part.
+/// τ at the end of the path, as a part of the mean energy of a contact.
 const END: f64 = 1e-18;
+/// τ at the beginning of the path, as a multiple of the mean energy of a contact.
 const FARTHEST: f64 = 1e6;
-/// Steps along the path, and corrections of each.
+/// The largest number of steps along the path.
 const STEPS: usize = 1000;
+/// The largest number of corrections of a step; after half as many the next step is longer.
 const CORRECTIONS: usize = 6;
-/// Newton's steps to the begin of the path.
+/// The largest number of Newton steps to the beginning of the path.
 const BEGINNING: usize = 200;
-/// The first step, the longest and the shortest, as part of the forces or of a factor e of τ.
+/// Length of the first step; 1 is the size of the forces, or a factor e of τ.
 const FIRST: f64 = 0.1;
+/// Length of the longest step.
 const LONGEST: f64 = 1.0;
+/// Length of the shortest step; the path ends where it would have to be shorter.
 const SHORTEST: f64 = 1e-7;
-/// After a step of few corrections the next is longer by this factor, after one that failed shorter by that.
+/// Factor of the step length after a step with few corrections.
 const LONGER: f64 = 1.5;
+/// Factor of the step length after a step that failed.
 const SHORTER: f64 = 0.3;
-/// A place is on the path if what is missed is this part of √τ, in the root of the mean square.
+/// A point is on the path if the root mean square of its residuals is below this part of √τ.
 const ON_PATH: f64 = 1e-2;
-/// Two tangents of one path have at least this cosine between them.
+/// Least cosine between the tangents of successive points; below it the step is shortened.
 const ONWARD: f64 = 0.7;
-/// How far ln τ is moved to see how the equations change with it.
+/// Difference of ln τ for the numerical derivative by ln τ.
 const NUDGE: f64 = 1e-5;
 
-/// Where the path ends that begins far inside the cones. `None` if it is lost.
+/// The forces at the end of the path that begins far inside the cones, or where steps become too short. `None` if no beginning or tangent is found.
 pub(super) fn around_folds<const C: usize>(
     problem: &FrictionProblem<C>,
     blocks: &Blocks<C>,
@@ -88,7 +93,7 @@ struct Path<'a, const C: usize> {
 }
 
 impl<const C: usize> Path<'_, C> {
-    /// Forces and ln τ on the path, far inside.
+    /// Forces and ln τ at the beginning of the path, far inside the cones.
     fn begin(&self, energy: f64) -> Option<DVector<f64>> {
         let size = self.problem.q.len();
         let tau = FARTHEST * energy;
@@ -107,7 +112,7 @@ impl<const C: usize> Path<'_, C> {
         (place.size <= enough).then_some(x)
     }
 
-    /// What the equations miss at a place, with the limit below which it is on the path, and how that changes.
+    /// The residuals at a point, their root mean square over √τ, and their derivatives by forces and ln τ.
     fn missed(&self, x: &DVector<f64>) -> (DVector<f64>, f64, DMatrix<f64>) {
         let size = x.len() - 1;
         let r = x.rows(0, size).into_owned();
@@ -131,7 +136,7 @@ impl<const C: usize> Path<'_, C> {
         (missed, near, change)
     }
 
-    /// How changes of forces and of ln τ are measured: forces of all contacts beside their size here.
+    /// The metric for changes of forces and of ln τ: forces are relative to their size at x.
     fn measure(&self, x: &DVector<f64>) -> DVector<f64> {
         let size = x.len() - 1;
         let energy =
@@ -139,7 +144,7 @@ impl<const C: usize> Path<'_, C> {
         DVector::from_fn(size + 1, |k, _| if k == size { 1.0 } else { 1.0 / (self.rho[k / C] * energy) })
     }
 
-    /// The direction of the path, on from the one before.
+    /// The unit tangent of the path in the direction of the previous one.
     fn tangent(
         &self,
         x: &DVector<f64>,
@@ -158,7 +163,7 @@ impl<const C: usize> Path<'_, C> {
         tangent.iter().all(|x| x.is_finite()).then_some(tangent)
     }
 
-    /// The place of the path across from this one, and the corrections that it took.
+    /// The point of the path in the hyperplane through x across `ahead`, and the number of corrections.
     fn corrected(
         &self,
         mut x: DVector<f64>,

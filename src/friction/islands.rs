@@ -1,4 +1,4 @@
-//! Contacts that move each other, directly or through others: each such island is a problem by itself.
+//! Islands: sets of contacts that move each other, directly or through others. Each is a problem by itself.
 
 use super::approach::Watcher;
 use super::blocks::Blocks;
@@ -10,7 +10,7 @@ use crate::lcp::{BreakdownCause, Certificate, Outcome};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
-/// The islands of a problem, each a list of contacts by index; the first contacts of the islands are in order.
+/// The islands of a problem, each a sorted list of contact indices; the first contacts of the islands are in increasing order.
 pub(super) fn islands<const C: usize>(blocks: &Blocks<C>) -> Vec<Vec<usize>> {
     let n = blocks.len();
     let mut near = vec![Vec::new(); n];
@@ -44,7 +44,7 @@ pub(super) fn islands<const C: usize>(blocks: &Blocks<C>) -> Vec<Vec<usize>> {
 }
 
 impl<const C: usize> FrictionProblem<C> {
-    /// The problem of some contacts alone.
+    /// The problem of these contacts alone.
     pub(super) fn of_contacts(&self, contacts: &[usize]) -> Self {
         let component = |k: usize| C * contacts[k / C] + k % C;
         let size = C * contacts.len();
@@ -55,7 +55,7 @@ impl<const C: usize> FrictionProblem<C> {
         }
     }
 
-    /// The answers of islands together. What cannot be solved of one cannot be solved of all.
+    /// The solutions of all islands together. An island without a solution leaves the whole problem without one.
     pub(super) fn solve_islands(
         &self,
         islands: &[Vec<usize>],
@@ -84,7 +84,7 @@ impl<const C: usize> FrictionProblem<C> {
                     unsolved = unsolved.or(Some(Outcome::NearlyInfeasible(spread(&certificate, island, n))));
                 }
                 stopped @ Outcome::Breakdown { cause: BreakdownCause::Stopped { .. }, .. } => return stopped,
-                // A ray would be that of another problem.
+                // A ray of one island is no ray of the whole problem.
                 Outcome::Ray(ray) => {
                     let cause = BreakdownCause::NoConvergence { residual: f64::INFINITY, contact: island[0] };
                     unsolved = unsolved.or(Some(Outcome::Breakdown { pivots: ray.pivots, cause }));
@@ -100,7 +100,7 @@ impl<const C: usize> FrictionProblem<C> {
     }
 }
 
-/// The weights of the contacts of an island among all contacts.
+/// The certificate of an island as one of all contacts, with weight zero on the others.
 fn spread(certificate: &Certificate, island: &[usize], n: usize) -> Certificate {
     let mut y = DVector::zeros(n);
     for (weight, i) in certificate.y.iter().zip(island) {

@@ -1,9 +1,9 @@
-//! Coulomb's law between the force and the velocity of a contact, and how far a pair misses it.
+//! Coulomb's law between the force and the velocity of a contact, and the residuals of a pair.
 
 use super::problem::{FrictionProblem, part};
 use nalgebra::{DVector, SVector};
 
-/// What a contact does.
+/// The state of a contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum ContactMode {
@@ -11,28 +11,28 @@ pub enum ContactMode {
     Open,
     /// It does not move.
     Sticking,
-    /// It carries what friction can, against its slip.
+    /// Its friction is μ r_N, against its slip.
     Sliding,
 }
 
-/// How far forces r and velocities u = W r + q miss the law, as pure numbers.
+/// The violations of Coulomb's law by forces r and velocities u = W r + q, as pure numbers.
 ///
-/// Forces are measured by the force of their contact, velocities by the largest terms of a row of W r + q at it, contact by contact: one that carries
-/// little beside others must obey the law as they do. Neither measure changes with the units of a contact.
+/// Each contact is measured by itself: forces relative to its own force, velocities relative to the largest terms of its rows of W r + q. So a
+/// contact that carries little must obey the law as strictly as the others. Neither measure changes with the units of a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Residuals {
-    /// How fast contacts approach, u_N < 0.
+    /// The largest approach speed −u_N of a contact.
     pub approach: f64,
-    /// How far forces lie outside of their cones ‖r_T‖ ≤ μ r_N.
+    /// The largest distance of a force from its cone ‖r_T‖ ≤ μ r_N.
     pub cone: f64,
-    /// How far r is from the projection of r − ρ û onto the cone, û = u + μ ‖u_T‖ n, with ρ = ‖r‖ over the size of the terms: zero
+    /// The largest distance of r from the projection of r − ρ û onto the cone, û = u + μ ‖u_T‖ n, with ρ = ‖r‖ over the size of the terms: zero
     /// where the law holds.
     pub law: f64,
 }
 
-/// These residuals are accepted by no test.
+/// Residuals that no tolerance accepts.
 const UNUSABLE: Residuals = Residuals { approach: f64::INFINITY, cone: f64::INFINITY, law: f64::INFINITY };
 
 impl Residuals {
@@ -42,7 +42,7 @@ impl Residuals {
         [self.approach, self.cone, self.law].iter().all(|r| *r <= tolerance)
     }
 
-    /// The largest of the three; NaN if one of them is.
+    /// The largest of the three; NaN if any of them is NaN.
     #[must_use]
     pub fn max(&self) -> f64 {
         let all = [self.approach, self.cone, self.law];
@@ -73,7 +73,7 @@ pub(super) fn projection<const C: usize>(x: &SVector<f64, C>, mu: f64) -> SVecto
     out
 }
 
-/// How far a contact misses the law, with terms of this size in the rows of its velocity. Force and velocity are measured first, so that no square
+/// The residuals of a contact whose velocity has terms of this size. Force and velocity are scaled first, so that no square
 /// leaves the range of doubles.
 fn missed<const C: usize>(
     force: &SVector<f64, C>,
@@ -97,14 +97,14 @@ fn missed<const C: usize>(
 }
 
 impl<const C: usize> FrictionProblem<C> {
-    /// How well the forces r (C n entries) solve the problem. The residuals are infinite for a vector of another length or with entries
+    /// The residuals of the forces r (C n entries). They are infinite for a vector of another length or with entries
     /// that are not finite.
     #[must_use]
     pub fn residuals(&self, r: &DVector<f64>) -> Residuals {
         self.missed_by(r).0
     }
 
-    /// The residuals, and the contact that misses most.
+    /// The residuals, and the contact with the largest.
     pub(super) fn missed_by(&self, r: &DVector<f64>) -> (Residuals, usize) {
         if r.len() != self.q.len() || r.iter().any(|r| !r.is_finite()) {
             return (UNUSABLE, 0);
@@ -117,7 +117,7 @@ impl<const C: usize> FrictionProblem<C> {
         self.judged(r, &u, &terms)
     }
 
-    /// That of forces, velocities and the sizes of their terms, and the contact that misses most.
+    /// The residuals of forces, velocities and the sizes of their terms, and the contact with the largest.
     pub(super) fn judged(
         &self,
         r: &DVector<f64>,
@@ -142,7 +142,7 @@ impl<const C: usize> FrictionProblem<C> {
         (out, worst)
     }
 
-    /// What a contact does, by the side on which r − ρ u lies.
+    /// The state of a contact, by the region of r − ρ u: open below zero, sticking inside the cone, sliding elsewhere.
     pub(super) fn state(
         force: &SVector<f64, C>,
         velocity: &SVector<f64, C>,

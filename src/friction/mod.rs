@@ -1,4 +1,4 @@
-//! Frictional contact problems (W, q, μ), as they come from mechanics of many rigid or flexible bodies.
+//! Frictional contact problems (W, q, μ), as they arise in the mechanics of many rigid or flexible bodies.
 //!
 //! Given n contacts in the plane (C = 2) or in space (C = 3), find forces r and velocities u with
 //!
@@ -10,22 +10,22 @@
 //!     sliding   u_N = 0,   r_T = −μ r_N u_T / ‖u_T‖,  r_N ≥ 0
 //! ```
 //!
-//! This room knows nothing of grasps. It takes the problems of others, as Siconos, FCLIB and Pinocchio pose them, and lets them
-//! check this crate.
+//! This module knows nothing of grasps. It solves problems of other programs, as Siconos, FCLIB and Pinocchio pose them, so that
+//! this crate can be checked against theirs.
 //!
 //! | symbol | meaning | size |
 //! |---|---|---|
-//! | W | Delassus matrix: how forces change velocities; any real matrix | C n × C n |
+//! | W | Delassus matrix: change of velocities by forces; any real matrix | C n × C n |
 //! | q | velocities without contact forces | C n |
 //! | μ | friction of each contact, finite, not negative | n |
 //! | r, u | forces and relative velocities: of each contact the normal component first, then the tangential ones | C n |
 //!
-//! The normal points so that u_N > 0 separates and r_N > 0 presses. Any units do that fit: displacements in place of velocities, impulses
-//! in place of forces.
+//! The normal points so that u_N > 0 separates and r_N > 0 presses. Any consistent units will do, also displacements in place of velocities or
+//! impulses in place of forces.
 //!
-//! The three cases are one condition, with û = u + μ ‖u_T‖ n: the dual cone of K = { ‖r_T‖ ≤ μ r_N } contains û, K contains r, and û ⟂ r
-//! (G. de Saxcé and Z.-Q. Feng, *The bipotential method*, Math. Comput. Modelling 28, 1998). Simulators that leave out μ ‖u_T‖ n solve a convex problem in which
-//! sliding contacts lift off; it is in here.
+//! The three cases are one condition, with û = u + μ ‖u_T‖ n: the dual cone of K = { ‖r_T‖ ≤ μ r_N } contains û, K contains r, and û ⟂ r (G. de Saxcé
+//! and Z.-Q. Feng, *The bipotential method*, Math. Comput. Modelling 28, 1998). Simulators that omit μ ‖u_T‖ n solve a convex problem in which
+//! sliding contacts lift off; this module includes it.
 //!
 //! ```
 //! use grasp_lcp::friction::{ContactMode, SpatialContacts};
@@ -47,34 +47,34 @@
 //! # Ok::<(), grasp_lcp::friction::Error>(())
 //! ```
 //!
-//! # How it is solved
+//! # Method
 //!
-//! Contacts that move each other, directly or through others, are an island; each island is a problem by itself.
+//! An island is a set of contacts that move each other, directly or through others. Each island is solved as a problem by itself.
 //!
-//! A few contacts: with a polygon of facets in place of the cone it is a linear complementarity problem ([`FrictionProblem::facets`]; D. E. Stewart and
-//! J. C. Trinkle, Int. J. Numer. Methods Eng. 39, 1996), which Lemke's method solves. In the plane two facets are the cone itself, and the answer
-//! is exact. In space Newton's method goes on from there on the round cone (P. Alart and A. Curnier, Comput. Methods Appl. Mech. Eng. 92, 1991). Where it does
-//! not arrive, the facets are turned to where the contacts slide, and it starts once more.
+//! **A few contacts.** With a polygon of facets in place of the cone the problem is a linear complementarity problem ([`FrictionProblem::facets`]; D.
+//! E. Stewart and J. C. Trinkle, Int. J. Numer. Methods Eng. 39, 1996), which Lemke's method solves. In the plane two facets are the cone itself, and
+//! the answer is exact. In space Newton's method continues from the polygon's forces on the round cone (P. Alart and A. Curnier, Comput. Methods
+//! Appl. Mech. Eng. 92, 1991). Where it does not converge, the facets are turned towards the slips, and it starts again.
 //!
-//! Many contacts, and few where that leads nowhere: sweeps of Gauss–Seidel with exact answers of each contact (M. Jean, Comput. Methods Appl. Mech. Eng. 177,
-//! 1999) find how large the forces are. From there it follows the path û ∘ r = τ through the inside of the cones as τ goes to zero, where no contact
-//! has to decide early what it does (M. Fukushima, Z.-Q. Luo and P. Tseng, SIAM J. Optim. 12, 2001), of a few contacts around the folds that friction makes in
-//! it. Newton's method makes the last steps, held near where it stands because redundant contacts leave forces open. W is taken by blocks: what vanishes in it
-//! costs nothing. [`FrictionProblem::solve_watched`] tells how far it has come, and may be stopped.
+//! **Many contacts, and few where facets fail.** Gauss–Seidel sweeps with the exact force of one contact at a time (M. Jean, Comput. Methods Appl.
+//! Mech. Eng. 177, 1999) find the size of the forces. From there the solver follows the path û ∘ r = τ through the inside of the cones as τ goes to
+//! zero, on which no contact has to choose its state early (M. Fukushima, Z.-Q. Luo and P. Tseng, SIAM J. Optim. 12, 2001). For a few contacts it
+//! also follows this path around the folds that friction makes in it. Newton's method makes the last steps. They are held near an anchor, because the
+//! forces of redundant contacts are not determined.
 //!
-//! W may be singular, as where contacts are redundant: forces are then one solution of many. W need not be symmetric.
+//! W is used in blocks, so blocks that vanish cost nothing. [`FrictionProblem::solve_watched`] reports its progress and can be stopped.
 //!
-//! Whatever is called solved has been checked on the data given, each contact beside its own sums, see [`Residuals`]. That there is no solution is
-//! proved by a vector which [`FrictionProblem::proves_infeasible`] checks.
+//! W may be singular, as with redundant contacts: the forces are then one solution of many. W need not be symmetric.
 //!
-//! [`ReadProblem`] takes the files of Siconos; `python/examples/fclib_to_text.py` makes such files of FCLIB's HDF5.
+//! Every solution has been checked on the data given, each contact relative to its own force and terms, see [`Residuals`]. A vector that
+//! [`FrictionProblem::proves_infeasible`] checks proves that there is no solution.
+//!
+//! [`ReadProblem`] reads the files of Siconos; `python/examples/fclib_to_text.py` converts FCLIB's HDF5 to such files.
 
-// `problem` is checked input, `siconos` reads it; `law` says how well forces obey it, `settled` what is called a solution.
-// `solve` says which way a problem goes, `islands` takes it apart.
-// A few contacts: `facets` poses the complementarity problem, `polygons` and `newton` go on to the round cone.
-// Many: `approach` goes by `sweeps` of `one_contact` after the other, the `central_path` (around its `folds`) and `alart_curnier`; both are
-// `equations` by `blocks`, solved by `elimination`.
-// `certificate` proves that there is no solution.
+// `problem` is checked input, `siconos` reads it; `law` measures how far forces miss Coulomb's law, `settled` makes a solution of forces. `solve`
+// chooses the methods, `islands` splits the problem. A few contacts: `facets` poses the complementarity problem, `polygons` and `newton` continue on
+// the round cone. Many: `approach` combines `sweeps` of `one_contact` after the other, the `central_path` (around its `folds`) and `alart_curnier`;
+// both of the last are `equations` in `blocks`, solved by `elimination`. `certificate` proves that there is no solution.
 
 mod alart_curnier;
 mod approach;

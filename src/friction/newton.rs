@@ -1,30 +1,31 @@
-//! Newton's method on the round cone for a few contacts, from forces that are near: the equations of [`alart_curnier`](super::alart_curnier) as a whole.
+//! Newton's method on the round cone for a few contacts, from forces near a solution: the equations of [`alart_curnier`](super::alart_curnier) in one
+//! dense system.
 
 use super::alart_curnier::answer;
 use super::problem::{FrictionProblem, part};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector, SMatrix};
 
-/// A pivot below this part of the largest one leaves its unknown where it is: forces of redundant contacts are not determined.
+/// Relative pivot below which an unknown keeps its value: the forces of redundant contacts are not determined.
 const DEPENDENT: f64 = 1e-12;
-/// A step must take away this part of the share of the error that its length promises.
+/// Sufficient decrease: a step of part t must reduce the error by the factor 1 − 0.1 t.
 const GAIN: f64 = 0.1;
-/// Shorter parts of a step than this are not tried.
+/// Shortest part of a step that is tried.
 const SHORTEST: f64 = 1e-3;
 /// The error is rounding below this part of its terms.
 const ROUNDED: f64 = 2.0 * f64::EPSILON;
-/// Where no part of a step gains anything, rounding is reached if the error is below this part of its terms. Elsewhere the whole step is made.
+/// Where no part of a step gains, the error counts as rounding below this part of its terms. Above it the whole step is made.
 const NEARLY: f64 = 1e-12;
 
-/// A place on the way: forces, and what the law misses there.
+/// An iterate: forces, and the residuals of the equations there.
 #[derive(Debug, Clone)]
 struct Iterate<const C: usize> {
     r: DVector<f64>,
     /// r − Π(ζ).
     missed: DVector<f64>,
-    /// How Π of each contact changes with its ζ.
+    /// Derivative of Π of each contact by its ζ.
     changes: Vec<SMatrix<f64, C, C>>,
-    /// How large that is, and how large r and ρ u are: √(Σ ‖·‖² / ρ).
+    /// Norms of the residual, and of r and ρ u together: √(Σ ‖·‖² / ρ).
     size: f64,
     terms: f64,
 }
@@ -47,7 +48,7 @@ impl<'a, const C: usize> Newton<'a, C> {
         Self { problem, rho: (0..problem.len()).map(rho).collect() }
     }
 
-    /// The place that it comes to in so many steps, and how many it made.
+    /// The forces after at most `steps` Newton steps, and the number of steps made.
     pub(super) fn run(&self, r: DVector<f64>, steps: usize) -> (DVector<f64>, usize) {
         let mut here = self.place(r);
         let mut made = 0;
@@ -89,7 +90,7 @@ impl<'a, const C: usize> Newton<'a, C> {
         Iterate { r, missed, changes, size: size.sqrt(), terms: terms.sqrt() }
     }
 
-    /// The step to where the linearised equations hold, zero in forces that they do not determine.
+    /// The Newton step, zero in forces that the equations do not determine.
     fn step(&self, here: &Iterate<C>) -> Option<DVector<f64>> {
         let size = here.r.len();
         let mut jacobian = DMatrix::zeros(size, size);

@@ -1,4 +1,4 @@
-//! Coulomb's law of one contact, solved to the last digit while all other forces stay.
+//! Coulomb's law of one contact, solved to the last digit with the forces of all others fixed.
 //!
 //! With u = A r + b a contact with b_N ≥ 0 is open. Otherwise u_N = 0 leaves r_N = −(b_N + A_NTᵀ r_T) / A_NN and u_T = S r_T + c, with
 //!
@@ -6,19 +6,20 @@
 //! S = A_TT − A_TN A_NTᵀ / A_NN,     c = b_T − A_TN b_N / A_NN.
 //! ```
 //!
-//! A slide against its force is u_T = −κ r_T with κ ≥ 0, so r_T(κ) = −(S + κ 1)⁻¹ c. It sticks at κ = 0 if ‖r_T‖ ≤ μ r_N there. Otherwise the
-//! force is on the edge of the cone for some κ: as κ grows r_T vanishes, and r_N goes to −b_N / A_NN > 0.
+//! A slide against its force is u_T = −κ r_T with κ ≥ 0, so r_T(κ) = −(S + κ 1)⁻¹ c. The contact sticks at κ = 0 if ‖r_T‖ ≤ μ r_N there. Otherwise
+//! some κ puts the force on the edge of the cone: as κ grows r_T vanishes, and r_N goes to −b_N / A_NN > 0.
 
 use super::blocks::ContactBlock;
 use super::law::tangent;
 use nalgebra::SVector;
 
-/// Brackets of κ are halved, and met by secants, so many times at most.
+/// The largest number of secant or bisection steps for κ.
 const HALVINGS: usize = 100;
-/// κ is known where its bracket is this part of it.
+/// Relative width of the bracket at which κ is known.
 const KNOWN: f64 = 4.0 * f64::EPSILON;
 
-/// The force of a contact with own block A and friction μ that others alone move by b. `None` where A does not answer: it is not definite there.
+/// The force of a contact with own block A and friction μ, whose velocity without its own force is b. `None` if A is not definite enough to stop the
+/// approach.
 pub(super) fn answer<const C: usize>(
     a: &ContactBlock<C>,
     b: &SVector<f64, C>,
@@ -41,7 +42,7 @@ pub(super) fn answer<const C: usize>(
     if let Some(stuck) = stuck.filter(|r| miss(r) <= 0.0) {
         return Some(stuck);
     }
-    // Outside of the cone at `least`, within it at `most`.
+    // The force is outside the cone at κ = `least`, inside at κ = `most`.
     let (mut least, mut most) = (0.0, slide.size);
     while slide.at(most).is_none_or(|r| miss(&r) > 0.0) {
         least = most;
@@ -57,7 +58,7 @@ pub(super) fn answer<const C: usize>(
         if most - least <= KNOWN * most {
             break;
         }
-        // The secant, with the end that stays twice pulled to the middle (Illinois); halves where there is none.
+        // The secant, with the value at an end that was kept twice halved (Illinois); bisection where there is no secant.
         let secant = outside.map(|outside| least + (most - least) * outside / (outside - inside));
         let middle = secant.filter(|k| *k > least && *k < most).unwrap_or(0.5 * (least + most));
         match slide.at(middle) {
@@ -78,7 +79,7 @@ pub(super) fn answer<const C: usize>(
         }
     }
     let mut r = slide.at(most)?;
-    // On the edge, whatever the last digit of κ.
+    // Scaled onto the edge of the cone, against the rounding of κ.
     let size = tangent(&r).norm();
     if size > 0.0 {
         for k in 1..C {
@@ -88,7 +89,7 @@ pub(super) fn answer<const C: usize>(
     r.iter().all(|x| x.is_finite()).then_some(r)
 }
 
-/// The forces that keep a contact from approaching while it slides, as functions of κ.
+/// The forces of a sliding contact with u_N = 0, as functions of κ.
 struct Slide<const C: usize> {
     /// S in the tangential rows and columns, and the identity in the normal one.
     s: ContactBlock<C>,
@@ -96,7 +97,7 @@ struct Slide<const C: usize> {
     /// −b_N / A_NN, and A_NT / A_NN.
     normal: f64,
     coupling: SVector<f64, C>,
-    /// The size of S.
+    /// The largest entry of S, or A_NN if S vanishes.
     size: f64,
 }
 

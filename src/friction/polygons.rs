@@ -1,7 +1,7 @@
-//! A few contacts: from a polygon to the round cone.
+//! A few contacts: from the forces of a polygon to the round cone.
 //!
-//! Lemke's method solves the problem of a polygon, Newton's goes on from its forces. Where it does not arrive, the facets are turned to where the contacts
-//! slide, and there are more of them.
+//! Lemke's method solves the problem of a polygon, and Newton's method continues from its forces. If that does not converge, the facets are turned to
+//! the slips, and their number grows.
 
 use super::facets::{FacetedProblem, Facets};
 use super::law::tangent;
@@ -13,16 +13,16 @@ use crate::lcp::{BreakdownCause, Certificate, Outcome};
 use crate::prelude::*;
 use nalgebra::{DVector, SVector};
 
-/// What has been tried so far.
+/// The state of the search: facets, counts, and the least residual.
 pub(super) struct Polygons<'a, const C: usize> {
     problem: &'a FrictionProblem<C>,
     newton: Newton<'a, C>,
     settings: &'a Settings,
-    /// Where the first facet of each contact lies.
+    /// The angle of the first facet of each contact.
     angles: Vec<f64>,
     pub(super) pivots: usize,
     pub(super) steps: usize,
-    /// The least residual that Newton's method has reached, and the contact that had it.
+    /// The least residual that Newton's method has reached, and its contact.
     pub(super) least: (f64, usize),
 }
 
@@ -39,7 +39,7 @@ impl<'a, const C: usize> Polygons<'a, C> {
         }
     }
 
-    /// A solution, or what the first polygon said. Facets are turned so many times.
+    /// A solution, or the outcome of the first polygon. Facets are turned up to `turns` times.
     pub(super) fn solve(&mut self, turns: usize) -> Outcome<Solution> {
         let mut count = self.settings.facets.clamp(3, MOST_FACETS);
         let mut first = None;
@@ -53,7 +53,7 @@ impl<'a, const C: usize> Polygons<'a, C> {
         first.unwrap_or_else(|| self.missed())
     }
 
-    /// The forces of a polygon, or where Newton's method goes from them. Where the polygon has none it may set out from no force at all.
+    /// Newton's method from the forces of a polygon. If the polygon has none and `from_zero` is set, it starts from zero forces.
     fn by_facets(&mut self, count: usize, from_zero: bool) -> Outcome<Solution> {
         let Ok(polygon) = self.problem.polygon(Facets::regular(count, &self.angles)) else {
             return Outcome::Breakdown { pivots: self.pivots, cause: BreakdownCause::Overflow };
@@ -74,7 +74,7 @@ impl<'a, const C: usize> Polygons<'a, C> {
         }
     }
 
-    /// These forces if they solve the problem, or where Newton's method goes from them.
+    /// The forces given if they solve the problem, or else the result of Newton's method from them.
     fn goes_on(&mut self, start: DVector<f64>) -> Outcome<Solution> {
         self.turn(&start);
         if let Some(solution) = self.settled(start.clone()) {
@@ -97,7 +97,7 @@ impl<'a, const C: usize> Polygons<'a, C> {
         Some(Solution { pivots: self.pivots, steps: self.steps, ..solution })
     }
 
-    /// Turns the facets so that one lies along the slip of each contact that slides.
+    /// Turns the facets so that one lies against the slip of each contact that moves tangentially.
     fn turn(&mut self, r: &DVector<f64>) {
         let u = self.problem.velocities(r);
         for (i, angle) in self.angles.iter_mut().enumerate() {
@@ -114,7 +114,7 @@ impl<'a, const C: usize> Polygons<'a, C> {
     }
 }
 
-/// An outcome whose certificate weighs contacts, not the rows of the polygon's problem.
+/// Converts the certificate of a polygon's problem from weights of its rows to weights of contacts.
 fn weighed<const C: usize>(outcome: Outcome<Solution>, polygon: &FacetedProblem<C>) -> Outcome<Solution> {
     let weigh =
         |certificate: Certificate| Certificate::new(polygon.normals(&certificate.y), certificate.pivots);

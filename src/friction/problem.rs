@@ -1,4 +1,4 @@
-//! The problem itself.
+//! The frictional contact problem.
 
 use super::error::Error;
 use crate::lcp::LcpError;
@@ -58,7 +58,7 @@ impl<const C: usize> FrictionProblem<C> {
         self.mu.len()
     }
 
-    /// Whether there is no contact.
+    /// Whether n = 0.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.mu.is_empty()

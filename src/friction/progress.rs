@@ -1,8 +1,8 @@
-//! What whoever waits for a large problem is told.
+//! Progress reports of a large problem.
 
 use nalgebra::DVector;
 
-/// How far a solve has come, see [`FrictionProblem::solve_watched`](super::FrictionProblem::solve_watched).
+/// The progress of a solve, see [`FrictionProblem::solve_watched`](super::FrictionProblem::solve_watched).
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct SolveProgress<'a> {
@@ -12,8 +12,8 @@ pub struct SolveProgress<'a> {
     pub forces: &'a DVector<f64>,
     /// The largest of their [`Residuals`](super::Residuals).
     pub residual: f64,
-    /// The contact that has it, by index.
+    /// The contact with this residual, by index.
     pub worst: usize,
-    /// Newton's steps that were made for these contacts.
+    /// The number of Newton's steps made for these contacts.
     pub steps: usize,
 }

@@ -1,4 +1,4 @@
-//! Forces that are called a solution.
+//! Acceptance of forces as a solution.
 
 use super::law::{ContactMode, projection, tangent};
 use super::problem::{FrictionProblem, part};
@@ -8,21 +8,21 @@ use nalgebra::{DVector, SVector};
 
 /// Residuals up to this are rounding.
 const ROUNDING: f64 = 1e-15;
-/// Above it the velocities that the law misses may be this part of the largest of q.
+/// Largest error of velocities, as a part of the largest |q|, at which forces with residuals above [`ROUNDING`] are accepted.
 const KNOWN: f64 = 1e-6;
-/// Below this part of the terms of W r the largest q is lost in them.
+/// Part of the largest term of W r below which all of q is lost: any other q would be solved as well.
 const LOST: f64 = 1e-11;
-/// A force is noise if it is no more than this part of the terms of any row.
+/// A force is noise if its share of every row is below this part of the row's terms.
 const NOISE: f64 = 2.0 * f64::EPSILON;
-/// A force this far outside of its cone, as part of it, is on its edge but for rounding.
+/// Relative distance outside of its cone at which a force counts as on the edge but for rounding.
 const ON_EDGE: f64 = 1e-9;
 
-/// Friction is visibly larger than μ r_N by this part of it.
+/// Part by which friction must exceed μ r_N to count as outside the cone.
 const VISIBLE: f64 = 1e-13;
 
 impl<const C: usize> FrictionProblem<C> {
-    /// These forces without what is left on open contacts, which is noise, and with those on the edge of a cone exactly there. u are their velocities,
-    /// ρ says how force and velocity of a contact compare.
+    /// These forces with those of open contacts set to zero, since they are noise, and with those near the edge of a cone moved onto it. u are their
+    /// velocities, and ρ of each contact converts velocities to forces.
     pub(super) fn tidied(&self, mut r: DVector<f64>, u: &DVector<f64>, rho: &[f64]) -> DVector<f64> {
         for (i, rho) in rho.iter().enumerate() {
             let (force, velocity): (SVector<f64, C>, SVector<f64, C>) = (part(&r, i), part(u, i));
@@ -44,7 +44,7 @@ impl<const C: usize> FrictionProblem<C> {
         r
     }
 
-    /// These forces as a solution, if they are one to this tolerance.
+    /// The solution with these forces, if its residuals are within the tolerance.
     pub(super) fn settled(&self, mut r: DVector<f64>, rho: &[f64], tolerance: f64) -> Option<Solution> {
         let states = |r: &DVector<f64>| -> Vec<ContactMode> {
             let u = self.velocities(r);
@@ -65,7 +65,7 @@ impl<const C: usize> FrictionProblem<C> {
         if !residuals.within(tolerance) {
             return None;
         }
-        // Beside forces without bound q is lost, and any would do.
+        // Forces whose terms exceed q by many orders would solve the problem for any other q.
         let terms = (self.w.abs() * r.abs()).amax();
         if residuals.max() > ROUNDING && residuals.max() * terms > KNOWN * self.q.amax()
             || terms > 0.0 && self.q.amax() <= LOST * terms
@@ -76,7 +76,7 @@ impl<const C: usize> FrictionProblem<C> {
         Some(Solution { r, u, states: found, residuals, pivots: 0, steps: 0 })
     }
 
-    /// Whether friction is visibly larger than cones allow. Of steep cones that is little beside the force, and much beside its normal component.
+    /// Whether friction visibly exceeds μ r_N. For a steep cone the excess is small beside the force but large beside its normal component.
     fn leaves_cones(&self, r: &DVector<f64>) -> bool {
         (0..self.len()).any(|i| {
             let force: SVector<f64, C> = part(r, i);
@@ -84,7 +84,7 @@ impl<const C: usize> FrictionProblem<C> {
         })
     }
 
-    /// These forces without those that no row would miss.
+    /// These forces without those whose share is noise in every row.
     fn without_noise(&self, mut r: DVector<f64>) -> DVector<f64> {
         let terms = self.w.abs() * r.abs() + self.q.abs();
         for i in 0..self.len() {

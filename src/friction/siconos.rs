@@ -1,4 +1,4 @@
-//! Problems as the files of Siconos have them: dimension, number of contacts, matrices in [one of three forms](super::siconos_matrix), vectors and μ.
+//! Reading the files of Siconos: dimension, number of contacts, matrices in [one of three forms](super::siconos_matrix), vectors and μ.
 
 use super::error::Error;
 use super::problem::{FrictionProblem, PlanarContacts, SpatialContacts};
@@ -6,7 +6,7 @@ use super::siconos_matrix::{Tokens, matrix};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
-/// A problem from a file that says by itself how many components its contacts have.
+/// A problem read from a file, which states the number of components of its contacts.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ReadProblem {
     /// Contacts in the plane.
@@ -16,7 +16,7 @@ pub enum ReadProblem {
 }
 
 impl ReadProblem {
-    /// The problem in a file of Siconos (`FrictionContactProblem`): those of its own tests, and what it writes itself. What follows μ is not read.
+    /// The problem in a file of Siconos (`FrictionContactProblem`), from its own tests or written by it. Text after μ is not read.
     ///
     /// ```
     /// use grasp_lcp::friction::ReadProblem;
@@ -31,12 +31,12 @@ impl ReadProblem {
     ///
     /// # Errors
     ///
-    /// [`Error::Word`] for a word that does not belong where it stands, and those of [`FrictionProblem::new`].
+    /// [`Error::Word`] for a word of another kind than must be there, and the errors of [`FrictionProblem::new`].
     pub fn from_siconos(text: &str) -> Result<Self, Error> {
         Self::read(text, local, local)
     }
 
-    /// The problem in a file of Siconos that has the bodies, too (`GlobalFrictionContactProblem`): M v = H r + f and u = Hᵀ v + b, so that
+    /// The problem in a file of Siconos that includes the bodies (`GlobalFrictionContactProblem`): M v = H r + f and u = Hᵀ v + b, so that
     /// W = Hᵀ M⁻¹ H and q = Hᵀ M⁻¹ f + b.
     ///
     /// ```
@@ -51,7 +51,7 @@ impl ReadProblem {
     ///
     /// # Errors
     ///
-    /// Those of [`Self::from_siconos`], and [`Error::Masses`] where M has no inverse.
+    /// The errors of [`Self::from_siconos`], and [`Error::Masses`] if M has no inverse.
     pub fn from_siconos_global(text: &str) -> Result<Self, Error> {
         Self::read(text, global, global)
     }
@@ -96,7 +96,7 @@ fn global<const C: usize>(words: &mut Tokens<'_>) -> Result<FrictionProblem<C>, 
     FrictionProblem::new(h.tr_mul(&moved), h.tr_mul(&free) + b, mu)
 }
 
-/// M⁻¹ H and M⁻¹ f. The masses of rigid bodies are a diagonal.
+/// M⁻¹ H and M⁻¹ f. The mass matrix of rigid bodies is usually diagonal, which is fast.
 fn moved_by(
     masses: DMatrix<f64>,
     h: &DMatrix<f64>,

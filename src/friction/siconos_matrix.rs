@@ -1,4 +1,4 @@
-//! Matrices as the files of Siconos have them.
+//! Reading matrices from the files of Siconos.
 //!
 //! | begins with | and is |
 //! |---|---|
@@ -11,13 +11,13 @@ use crate::prelude::*;
 use core::str::{FromStr, SplitWhitespace};
 use nalgebra::DMatrix;
 
-/// A matrix has at most so many entries: it is kept with all of them, a gigabyte.
+/// Largest number of entries of a matrix: it is stored densely, here in a gigabyte.
 const MOST_ENTRIES: usize = 1 << 27;
 
 const FORMS: &str = "the form of a matrix: 0 (dense), 1 (in blocks) or 2 (sparse)";
 const ENTRY: &str = "an entry of a matrix";
 
-/// The next matrix, of so many rows or of any number, and of so many columns.
+/// The next matrix; a number of rows or columns that is given must match.
 pub(super) fn matrix(
     words: &mut Tokens<'_>,
     rows: Option<usize>,
@@ -104,7 +104,7 @@ fn in_blocks(words: &mut Tokens<'_>, rows: usize, columns: usize) -> Result<DMat
 }
 
 fn sparse(words: &mut Tokens<'_>, rows: usize, columns: usize) -> Result<DMatrix<f64>, Error> {
-    // Where it came from, the version of CSparse, how large it is.
+    // Skips the header: origin, version of CSparse, size.
     while words.word("nnz:, the number of entries of the matrix")? != "nnz:" {}
     let word = words.word("the number of entries of the matrix")?;
     let count: usize = words.parse(word.trim_end_matches(','), "the number of entries of the matrix")?;
@@ -138,7 +138,7 @@ fn sparse(words: &mut Tokens<'_>, rows: usize, columns: usize) -> Result<DMatrix
     Ok(w)
 }
 
-/// The words of a text, counted.
+/// The words of a text, with a count of those read.
 pub(super) struct Tokens<'a> {
     rest: SplitWhitespace<'a>,
     read: usize,
@@ -176,7 +176,7 @@ impl<'a> Tokens<'a> {
         if given == value { Ok(()) } else { Err(self.wrong(given.to_string(), allowed)) }
     }
 
-    /// The word that was read last is not what belongs there.
+    /// The error that the word read last is of another kind than must be there.
     pub(super) fn wrong(&self, word: String, allowed: &'static str) -> Error {
         Error::Word { at: self.read, word: Some(word), allowed }
     }

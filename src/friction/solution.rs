@@ -1,4 +1,4 @@
-//! A solution.
+//! The solution of a frictional contact problem.
 
 use super::law::{ContactMode, Residuals};
 use crate::prelude::*;
@@ -16,13 +16,13 @@ pub struct Solution {
     /// Velocities u = W r + q (C n entries).
     #[cfg_attr(feature = "serde", serde(serialize_with = "crate::lcp::list"))]
     pub u: DVector<f64>,
-    /// What each contact does (n entries). Where a contact is on the verge of two states, rounding says which is named.
+    /// The state of each contact (n entries). At the border of two states, rounding decides which is named.
     pub states: Vec<ContactMode>,
-    /// How far the law is missed, recomputed from the data given.
+    /// The violations of the law, recomputed from the data given.
     pub residuals: Residuals,
-    /// Pivots of Lemke's method.
+    /// The number of pivots of Lemke's method.
     pub pivots: usize,
-    /// Newton's steps.
+    /// The number of Newton's steps.
     pub steps: usize,
 }
 

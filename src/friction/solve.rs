@@ -1,4 +1,4 @@
-//! Which way a problem goes.
+//! The choice and order of the methods for a problem.
 
 use super::approach::{Approach, STARTS, Watcher};
 use super::blocks::Blocks;
@@ -13,13 +13,14 @@ use crate::prelude::*;
 use core::ops::ControlFlow;
 use nalgebra::DVector;
 
-/// Up to so many rows of the complementarity problem of a polygon facets come first: Lemke's method takes milliseconds, and in the plane decides.
+/// Largest number of rows of a polygon's complementarity problem for which facets come first: Lemke's method takes milliseconds then, and in the
+/// plane it decides.
 const FEW_ROWS: usize = 160;
-/// Up to so many they come last, where nothing else has led to an answer, once: it takes seconds.
+/// Largest number of rows for which facets are tried last, once, if all else has failed: that takes seconds.
 const MANY_ROWS: usize = 600;
-/// A solution of facets is clear of the tolerance below this part of it.
+/// Part of the tolerance above which a solution of facets is polished.
 const CLEAR: f64 = 0.1;
-/// A proof is sought of up to so many contacts: its linear program grows like their cube.
+/// Largest number of contacts for which a proof is sought: its linear program grows like their cube.
 const MOST_PROVED: usize = 200;
 
 impl<const C: usize> FrictionProblem<C> {
@@ -34,17 +35,17 @@ impl<const C: usize> FrictionProblem<C> {
     /// | outcome | means |
     /// |---|---|
     /// | [`Solved`](Outcome::Solved) | the law holds, to the tolerance of the settings |
-    /// | [`Infeasible`](Outcome::Infeasible) | whatever the forces some contacts approach: y has one weight for each contact, see [`Self::proves_infeasible`] |
+    /// | [`Infeasible`](Outcome::Infeasible) | some contacts approach for all forces in the cones: y has one weight for each contact, see [`Self::proves_infeasible`] |
     /// | [`NoBasis`](Outcome::NoBasis) | in the plane: each combination of states of an island is excluded without rounding |
-    /// | others | nothing is known. A [`Ray`](crate::lcp::Ray) is that of [`Self::facets`] |
+    /// | others | the question is open. A [`Ray`](crate::lcp::Ray) is one of the complementarity problem of [`Self::facets`] |
     #[must_use]
     pub fn solve_with(&self, settings: &Settings) -> Outcome<Solution> {
         self.solve_watched(settings, &mut |_| ControlFlow::Continue(()))
     }
 
-    /// [`Self::solve_with`], telling how far it has come: it takes seconds for hundreds of contacts. `watch` may end it, by the time that has passed or
-    /// because the forces are good enough; then the outcome is a breakdown, [`Stopped`](BreakdownCause::Stopped), and the best forces are those
-    /// that `watch` was told.
+    /// [`Self::solve_with`] with progress reports: hundreds of contacts take seconds. `watch` may stop the solve, because of the time or
+    /// because the forces are good enough. The outcome is then a breakdown, [`Stopped`](BreakdownCause::Stopped), and the best forces are those
+    /// last reported to `watch`.
     ///
     /// ```
     /// use grasp_lcp::friction::{SolveProgress, Settings, SpatialContacts};
@@ -81,7 +82,7 @@ impl<const C: usize> FrictionProblem<C> {
         self.solve_island(&blocks, settings, (&all, watch))
     }
 
-    /// The answer for contacts that are one island, `names` being their numbers.
+    /// The outcome for contacts that are one island; `names` are their indices in the caller's problem.
     pub(super) fn solve_island<'a>(
         &'a self,
         blocks: &'a Blocks<C>,
@@ -101,7 +102,7 @@ impl<const C: usize> FrictionProblem<C> {
         let mut approach = Approach::new(self, blocks, settings, (names, watch));
         match polygon.take_if(|outcome| self.is_known(outcome)) {
             Some(Outcome::Solved(solution)) if solution.residuals.max() > CLEAR * settings.tolerance => {
-                // Measured otherwise it might miss the tolerance.
+                // Polished, since the residuals computed another way might miss the tolerance.
                 let r = approach.polished(&solution.r);
                 let polished = self.settled(r, &rho, solution.residuals.max());
                 let (pivots, steps) = (solution.pivots, solution.steps);
@@ -151,7 +152,7 @@ impl<const C: usize> FrictionProblem<C> {
         }
     }
 
-    /// Whether what a polygon says is an answer to the problem.
+    /// Whether the outcome of a polygon is an answer for the round cones.
     fn is_known(&self, polygon: &Outcome<Solution>) -> bool {
         match polygon {
             Outcome::Solved(_) => true,
@@ -163,7 +164,7 @@ impl<const C: usize> FrictionProblem<C> {
         }
     }
 
-    /// What a polygon says, as far as it is proved of the problem.
+    /// The outcome of a polygon, as infeasible only if that is proved for the round cones.
     fn proved(&self, polygon: Outcome<Solution>) -> Outcome<Solution> {
         match polygon {
             Outcome::Infeasible(certificate) | Outcome::NearlyInfeasible(certificate) => {

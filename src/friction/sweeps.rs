@@ -1,7 +1,7 @@
-//! Gauss–Seidel over contacts: each in turn is given the force that its law asks for while the others stay.
+//! Gauss–Seidel over contacts: each in turn gets the force that its law requires while the others are fixed.
 //!
-//! (M. Jean, Comput. Methods Appl. Mech. Eng. 177, 1999.) Slow to converge, and in stacks it may go round in circles, but hard to lead astray: it finds
-//! roughly how large the forces are, from none at all. The rest is left to Newton's method.
+//! (M. Jean, Comput. Methods Appl. Mech. Eng. 177, 1999.) Sweeps converge slowly, and in stacks may cycle, but they are robust: from zero forces they
+//! find the rough size of the solution. Newton's method does the rest.
 
 use super::blocks::Blocks;
 use super::one_contact;
@@ -10,7 +10,7 @@ use super::problem::{FrictionProblem, part};
 use crate::prelude::*;
 use nalgebra::{DVector, SVector};
 
-/// Goes through all contacts once. Returns how far forces have moved, as part of their size: √(Σ Δrᵀ A Δr / Σ rᵀ A r), A the own block of a contact.
+/// Updates every contact once. Returns the relative change of the forces, √(Σ Δrᵀ A Δr / Σ rᵀ A r), A the own block of a contact.
 pub(super) fn sweep<const C: usize>(
     problem: &FrictionProblem<C>,
     blocks: &Blocks<C>,
