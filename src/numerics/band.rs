@@ -1,18 +1,19 @@
-//! A square matrix with entries near its diagonal alone, and its LU factors with partial pivoting.
+//! A square band matrix and its LU factors with partial pivoting.
 //!
-//! With entries up to b places from the diagonal exchanged rows reach 2b places to the right: n rows cost 2 n b² multiplications in place of
+//! With entries up to b places from the diagonal, row exchanges fill up to 2b places to the right: n rows cost 2 n b² multiplications in place of
 //! n³/3, and a solution 3 n b in place of n².
 
 use crate::prelude::*;
 
-/// A pivot below this part of the largest entry is none: who asks has to tell a singular matrix from a soft one. Exactly singular ones leave some 1e-16.
+/// Pivot that counts as zero, relative to the largest entry; the caller must distinguish a singular matrix from a soft one. Exactly singular matrices
+/// leave some 1e-16.
 const REGULAR: f64 = 1e-11;
 
 /// A matrix whose entries are up to `reach` places from the diagonal.
 #[derive(Debug, Clone)]
 pub(crate) struct Band {
     reach: usize,
-    /// Column by column from `2 reach` places above the diagonal to `reach` below it: room for rows that are exchanged.
+    /// Column by column, each from `2 reach` places above the diagonal to `reach` below it: room for exchanged rows.
     entries: Vec<f64>,
     count: usize,
 }
@@ -22,29 +23,29 @@ impl Band {
         Self { reach, entries: vec![0.0; count * (3 * reach + 1)], count }
     }
 
-    /// Adds to an entry in row i and column j.
+    /// Adds x to the entry in row i and column j.
     #[inline]
     pub(crate) fn add(&mut self, i: usize, j: usize, x: f64) {
         self.entries[j * (3 * self.reach + 1) + 2 * self.reach + i - j] += x;
     }
 
-    /// An entry in row i and column j, zero away from the diagonal.
+    /// The entry in row i and column j, zero outside of the band.
     pub(crate) fn entry(&self, i: usize, j: usize) -> f64 {
         let is_near = i.abs_diff(j) <= self.reach;
         if is_near { self.entries[j * (3 * self.reach + 1) + 2 * self.reach + i - j] } else { 0.0 }
     }
 
-    /// All entries, in no order that matters.
+    /// All stored entries, in unspecified order.
     pub(crate) fn entries_mut(&mut self) -> &mut [f64] {
         &mut self.entries
     }
 
-    /// The largest entry.
+    /// The largest size of an entry.
     pub(crate) fn amax(&self) -> f64 {
         self.entries.iter().fold(0.0, |most, x| most.max(x.abs()))
     }
 
-    /// Subtracts the product with a vector.
+    /// Subtracts the product with x from a vector.
     pub(crate) fn subtract_product(&self, x: &[f64], from: &mut [f64]) {
         let height = 3 * self.reach + 1;
         for (j, (column, x)) in self.entries.chunks_exact(height).zip(x).enumerate() {
@@ -55,14 +56,15 @@ impl Band {
         }
     }
 
-    /// Its factors, or those of a regular matrix near it, in which columns without a pivot have one; `None` if it is not finite.
+    /// The LU factors. A column without a pivot is replaced, so that the factored matrix is regular, see [`BandFactors::is_singular`]. `None` if a
+    /// pivot is not finite.
     pub(crate) fn factors(mut self) -> Option<BandFactors> {
         let Self { reach, count, .. } = self;
         let height = 3 * reach + 1;
         let entries = &mut self.entries[..];
         let least = REGULAR * entries.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
         let (mut pivots, mut pinned) = (Vec::with_capacity(count), Vec::new());
-        // The last column that a row exchanged so far reaches to.
+        // The last column that an exchanged row reaches so far.
         let mut last = 0;
         for k in 0..count {
             let below = reach.min(count - 1 - k);
@@ -107,9 +109,9 @@ impl Band {
 pub(crate) struct BandFactors {
     /// U on and above the diagonal, L below it.
     band: Band,
-    /// How many rows below its own the row came from that has the pivot.
+    /// For each row, the number of rows below it from which its pivot row came.
     pivots: Vec<usize>,
-    /// Columns that had no pivot. A solution has zeros there where there is one.
+    /// Columns without a pivot. If `A x = b` has a solution, the one returned is zero there.
     pinned: Vec<usize>,
 }
 
@@ -119,12 +121,12 @@ impl BandFactors {
         !self.pinned.is_empty()
     }
 
-    /// Vectors x with `A x = 0`, as many as columns without a pivot.
+    /// Vectors x with `A x = 0`, one for each column without a pivot.
     pub(crate) fn null_vectors(&self) -> Vec<Vec<f64>> {
         self.each_pinned(Self::back)
     }
 
-    /// Vectors z with `Aᵀz = 0`, as many.
+    /// Vectors z with `Aᵀz = 0`, as many as columns without a pivot.
     pub(crate) fn left_null_vectors(&self) -> Vec<Vec<f64>> {
         self.each_pinned(Self::solve_transposed)
     }
@@ -139,7 +141,7 @@ impl BandFactors {
         self.pinned.iter().map(from).collect()
     }
 
-    /// The part of a column from its row on `above` places above the diagonal.
+    /// The part of a stored column that begins `above` places above the diagonal.
     fn column(&self, k: usize, above: usize) -> &[f64] {
         let reach = self.band.reach;
         let height = 3 * reach + 1;
@@ -152,7 +154,7 @@ impl BandFactors {
         for (k, pivot) in self.pivots.iter().enumerate() {
             x.swap(k, k + pivot);
             let (known, below) = (x[k], reach.min(count - 1 - k));
-            // A push at one contact is felt from there on.
+            // The load of one contact changes later rows only: zeros before it need no work.
             if known != 0.0 {
                 let factors = &self.column(k, 0)[1..];
                 x[k + 1..=k + below].iter_mut().zip(factors).for_each(|(x, factor)| *x -= factor * known);
@@ -196,7 +198,7 @@ mod tests {
     use super::*;
     use crate::numerics::generic;
 
-    /// Some band with a small diagonal, so that rows are exchanged.
+    /// A band with a small diagonal, so that rows are exchanged.
     fn some(count: usize, reach: usize) -> (Band, Vec<Vec<f64>>) {
         let (mut band, mut full) = (Band::zeros(count, reach), vec![vec![0.0; count]; count]);
         for (i, row) in full.iter_mut().enumerate() {

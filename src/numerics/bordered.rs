@@ -1,31 +1,31 @@
-//! A linear system with one row and one column more than the balance of the object: that of a pivot.
+//! The linear system of a pivot: the balance of the object, bordered by one row and one column.
 //!
 //! ```text
 //! T y  + c₀ z₀ = …      balance
-//! gᵀy  + γ  z₀ = …      the pair that is out of the basis
+//! gᵀy  + γ  z₀ = …      the pair outside the basis
 //! ```
 //!
-//! T alone may be singular on the way, the bordered matrix of an exact basis is not.
+//! T alone may be singular on the way; the bordered matrix of an exact basis is regular.
 
 use super::coordinates::{Size, Square, Vector};
 
 /// LU factors with partial pivoting of a bordered matrix with d + 1 rows.
 #[derive(Debug, Clone)]
 pub(crate) struct Bordered<D: Size> {
-    /// Row by row: a row is a column of this.
+    /// The rows of T, stored as columns.
     rows: Square<D>,
-    /// What of these rows is in the last column.
+    /// The entries of these rows in the last column.
     last: Vector<D>,
     /// The row below them.
     border: Vector<D>,
     corner: f64,
-    /// Where the rows come from, the border being d.
+    /// The original index of each row; the border has index d.
     order: D::Indices,
     order_of_border: usize,
 }
 
 impl<D: Size> Default for Bordered<D> {
-    /// Those of no matrix yet.
+    /// Factors of no matrix yet.
     fn default() -> Self {
         let size = D::default();
         Self {
@@ -52,7 +52,7 @@ impl<D: Size> Bordered<D> {
         Some(factors)
     }
 
-    /// The factors of another matrix, in the same memory. `None` if it is singular: then they are those of none.
+    /// The factors of another matrix, in the same memory. If it is singular, `None`, and the factors are unusable.
     pub(crate) fn assign(
         &mut self,
         stiffness: &Square<D>,
@@ -83,7 +83,7 @@ impl<D: Size> Bordered<D> {
         Some(())
     }
 
-    /// Makes column k zero below its pivot, which is the largest entry there.
+    /// Makes column k zero below its pivot, the largest entry in it.
     fn eliminate(&mut self, k: usize) -> Option<()> {
         let size = self.rows.size();
         let d = size.count();
@@ -107,9 +107,9 @@ impl<D: Size> Bordered<D> {
             order.swap(k, pivot);
         }
         let inverse = inverse(top[k])?;
-        // Only needed to divide by.
+        // Stored inverted, since the pivot is used as a divisor only.
         top[k] = inverse;
-        // Zeros up to the pivot, where loops of a fixed number of coordinates go over all of them.
+        // Zeros up to the pivot: loops over a fixed number of coordinates run over all of them.
         let row = Vector::<D>::from_fn(size, |j| if j > k { top[j] } else { 0.0 });
         let open = size.looped(k + 1..d);
         let row = &row.as_slice()[open.clone()];
@@ -126,7 +126,7 @@ impl<D: Size> Bordered<D> {
         Some(())
     }
 
-    /// The least pivot over the largest.
+    /// The smallest pivot divided by the largest, in size.
     pub(crate) fn least_pivot(&self) -> f64 {
         let inverses =
             (0..self.rows.size().count()).map(|k| self.rows[(k, k)]).chain(core::iter::once(self.corner));
@@ -176,7 +176,7 @@ impl<D: Size> Bordered<D> {
     }
 }
 
-/// One over a pivot; `None` where that is no number, or hardly one.
+/// The inverse of a pivot; `None` if the pivot is not a normal number.
 fn inverse(pivot: f64) -> Option<f64> {
     pivot.is_normal().then(|| 1.0 / pivot)
 }

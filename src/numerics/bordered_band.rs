@@ -1,20 +1,20 @@
-//! The bordered system of many coordinates, where T has entries near its diagonal alone.
+//! The bordered system of many coordinates, where T is a band.
 //!
 //! ```text
 //! T y  + c z = b          z = (β - gᵀT⁻¹b) / (γ - gᵀT⁻¹c)
 //! gᵀy  + γ z = β          y = T⁻¹b - T⁻¹c z
 //! ```
 //!
-//! Near a singular T that loses digits, and steps with what is left get them back (W. Govaerts, Stable solvers and block elimination for bordered systems,
-//! SIAM J. Matrix Anal. Appl. 12, 1991). Where T has no factors whoever asks takes those of the whole matrix.
+//! Near a singular T this loses digits, and iterative refinement restores them (W. Govaerts, Stable solvers and block elimination for bordered
+//! systems, SIAM J. Matrix Anal. Appl. 12, 1991). If T has no factors, the caller factorises the whole matrix.
 
 use super::band::{Band, BandFactors};
 use crate::prelude::*;
 
-/// Steps with what is left.
+/// Steps of iterative refinement.
 const REFINED: usize = 2;
 
-/// Factors of a bordered matrix, by those of T.
+/// Factors of a bordered matrix, based on those of T.
 #[derive(Debug, Clone)]
 pub(crate) struct BorderedBand {
     band: Band,
@@ -29,7 +29,7 @@ pub(crate) struct BorderedBand {
 }
 
 impl BorderedBand {
-    /// With columns and rows in the order of the band; `None` where T or the whole is singular.
+    /// The factors, with rows and columns in the order of the band; `None` if T or the whole matrix is singular.
     pub(crate) fn new(band: Band, cover: Vec<f64>, gradient: Vec<f64>, corner: f64) -> Option<Self> {
         let factors = band.clone().factors().filter(|factors| !factors.is_singular())?;
         let mut covered = cover.clone();
@@ -39,7 +39,7 @@ impl BorderedBand {
         Some(Self { band, factors, cover, gradient, corner, covered, inverse })
     }
 
-    /// The solution y in place of b, and z.
+    /// Replaces b by the solution y, and returns z.
     pub(crate) fn solve(&self, balance: &mut [f64], last: f64) -> f64 {
         let given = balance.to_vec();
         let mut z = self.solve_once(balance, last);
@@ -72,7 +72,7 @@ mod tests {
     use super::*;
     use crate::numerics::generic;
 
-    /// A band that is singular but for rounding is none on its own, and the bordered matrix is regular: the solution keeps its digits.
+    /// The bordered matrix of a nearly singular band is regular, and its solution keeps its digits.
     #[test]
     fn solves_near_a_singular_band() {
         let (count, reach) = (24, 3);

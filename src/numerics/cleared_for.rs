@@ -1,8 +1,8 @@
-//! Lists that are filled anew in memory that is there.
+//! Lists that are refilled in their own memory.
 
 use crate::prelude::*;
 
-/// Empties a list that will hold so many entries. One without that much memory is asked for exactly: growing it as it is filled takes longer.
+/// Empties a list and makes room for a number of entries. A larger allocation is exact: growing a list while it is filled takes longer.
 #[inline]
 pub(crate) fn cleared_for<T>(list: &mut Vec<T>, entries: usize) {
     if list.capacity() < entries {

@@ -1,4 +1,4 @@
-//! A small linear system with complete pivoting that says what it could not resolve.
+//! Small linear systems by complete pivoting, with rank, kernels and the unreachable part of a right-hand side.
 
 use crate::numerics::{Size, Square, Vector};
 use crate::prelude::*;
@@ -31,7 +31,7 @@ impl<D: Size> CompletePivoting<D> {
             for j in k..cols {
                 for (i, entry) in a.column_slice(j)[..rows].iter().enumerate().skip(k) {
                     let size = entry.abs();
-                    // Of equal ones the first row by row, whatever the order in which they are compared.
+                    // Of equal entries the first one, row by row, is the pivot, in whatever order they are compared.
                     if size > most || size == most && (i, j) < (pi, pj) {
                         (pi, pj, most) = (i, j, size);
                     }
@@ -60,7 +60,7 @@ impl<D: Size> CompletePivoting<D> {
         Self { lu: a, row_order, col_order, rows, cols, rank }
     }
 
-    /// A solution of `A x = b` with zeros in the free columns, and how much of b no x can reach.
+    /// A solution of `A x = b` with zeros in the free columns, and the largest remainder of b that no x can reach.
     pub(crate) fn solve(&self, b: &Vector<D>) -> (Vector<D>, f64) {
         let mut reached = Vector::<D>::all_zero(self.lu.size());
         let (d, lu, order) = (self.lu.size().count(), self.lu.as_slice(), self.row_order.as_ref());
@@ -90,7 +90,7 @@ impl<D: Size> CompletePivoting<D> {
 
     /// A basis of {z : Aᵀ z = 0}.
     pub(crate) fn left_kernel(&self) -> Vec<Vector<D>> {
-        // With P A Q = L U the columns of Aᵀ z = 0 ask for `(P z)ᵀ L = 0` in the first places, from the last row of L up.
+        // With P A Q = L U, `Aᵀ z = 0` requires `(P z)ᵀ L = 0` in the first `rank` places, solved from the last row of L up.
         (self.rank..self.rows)
             .map(|free| {
                 let mut y = Vector::<D>::zeros();
@@ -107,7 +107,7 @@ impl<D: Size> CompletePivoting<D> {
             .collect()
     }
 
-    /// Largest row sum of the inverse: how much an error of the right-hand side can grow. 1 for an empty system.
+    /// Largest row sum of |A⁻¹|, but at least 1: the growth of an error of the right-hand side.
     pub(crate) fn growth(&self) -> f64 {
         let mut sums = Vector::<D>::zeros();
         for e in 0..self.rank {

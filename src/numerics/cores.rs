@@ -1,4 +1,4 @@
-//! Work spread over the cores (feature `parallel`): the one place that knows of threads. What is done is handed over behind a pointer, so that the
+//! Work spread over the cores (feature `parallel`): the only module that uses threads. The work is passed behind a pointer, so that the
 //! machinery of threads is compiled once and not for every question.
 
 use std::sync::{Mutex, PoisonError};
@@ -7,12 +7,12 @@ use rayon::prelude::*;
 
 use crate::prelude::*;
 
-/// Does something for each of so many numbers. A panic goes on to the caller.
+/// Calls `what` with each number below `count`. A panic is passed on to the caller.
 fn for_each(count: usize, what: &(dyn Fn(usize) + Sync)) {
     (0..count).into_par_iter().for_each(what);
 }
 
-/// `f` of every item, answers in the order of the items.
+/// `f` of every item, with results in the order of the items.
 pub(crate) fn in_order<T: Sync, R: Send>(items: &[T], f: &(impl Fn(&T) -> R + Sync)) -> Vec<R> {
     let mut answers: Vec<Mutex<Option<R>>> = Vec::new();
     answers.resize_with(items.len(), Mutex::default);
@@ -29,7 +29,7 @@ pub(crate) fn in_order<T: Sync, R: Send>(items: &[T], f: &(impl Fn(&T) -> R + Sy
     all
 }
 
-/// Does something with each of the items, which it takes.
+/// Calls `f` with each item, which it consumes.
 pub(crate) fn each_taken<T: Send>(items: impl Iterator<Item = T>, f: &(impl Fn(T) + Sync)) {
     let items: Vec<Mutex<Option<T>>> = items.map(|item| Mutex::new(Some(item))).collect();
     for_each(items.len(), &|k| {
@@ -39,7 +39,7 @@ pub(crate) fn each_taken<T: Send>(items: impl Iterator<Item = T>, f: &(impl Fn(T
     });
 }
 
-/// Both results, on two threads.
+/// The results of both functions, run on two threads.
 pub(crate) fn both<R: Send>(a: impl FnOnce() -> R + Send, b: impl FnOnce() -> R + Send) -> (R, R) {
     let (mut first, mut second) = (None, None);
     {

@@ -4,22 +4,22 @@
 //! k_s = f(y + h Σ_j a_sj k_j),      y₁ = y + h Σ b_s k_s,      e = 4 err₅² / √(err₅² + 0.01 err₃²)
 //! ```
 //!
-//! Two embedded sums, of orders 5 and 3, estimate the error. Their combination e is of order h⁸, like the error of a method of order 7, and
-//! counts four times: by itself it is as often too small as too large.
+//! Two embedded sums, of orders 5 and 3, estimate the error. Their combination e is of order h⁸, like the error of a method of order 7.
+//! It is multiplied by four, since e alone is as often too small as too large.
 //!
 //! Source: the method DOP853 of Hairer, Nørsett and Wanner, Solving Ordinary Differential Equations I, second edition, section II.10.
 
 use crate::prelude::*;
 
-/// Coefficients of a sum of stages: which, times what.
+/// A weighted sum of stages: pairs of a stage and its coefficient.
 type Sum = &'static [(usize, f64)];
 
 const STAGES: usize = 12;
 
-/// The estimate times this is the error as a rule.
+/// Factor of the error estimate: the product is usually above the true error.
 const CAUTION: f64 = 4.0;
 
-/// Row by row the a_sj of the stages after the first.
+/// The a_sj of each stage after the first, row by row.
 #[allow(clippy::unreadable_literal)]
 const WAY_TO_STAGE: [Sum; STAGES - 1] = [
     &[(0, 0.05260015195876773)],
@@ -105,7 +105,7 @@ const FIFTH: Sum = &[
 #[allow(clippy::unreadable_literal)]
 const THIRD: Sum = &[(0, 0.2440944881889764), (8, 0.7338466882816118), (11, 0.022058823529411766)];
 
-/// Where a step leads, and what it misses that by.
+/// The result of a step.
 #[derive(Debug, Clone)]
 pub(crate) struct Stepped {
     /// Changes of the variables.
@@ -114,8 +114,8 @@ pub(crate) struct Stepped {
     pub(crate) error: f64,
 }
 
-/// A step of this length from where `first` is the rate, the variables counted from there. `rate` writes f(y), or says that there is none;
-/// `size` measures an error of the variables.
+/// One step of this length. `first` is the rate at its beginning, from which the variables are counted. `rate` writes f(y), or returns `None` where
+/// f is not defined; `size` measures an error of the variables.
 pub(crate) fn explicit_step(
     length: f64,
     first: &[f64],
@@ -157,7 +157,7 @@ fn add_up(stages: &[f64], length: f64, sum: Sum, y: &mut [f64]) {
 mod tests {
     use super::*;
 
-    /// A turn about the origin by an angle, `y' = (-y₂, y₁)` from (1, 0), and how far it misses.
+    /// The error of a turn about the origin by an angle, `y' = (-y₂, y₁)` from (1, 0), and its estimate.
     fn turn(angle: f64) -> (f64, f64) {
         let rate = |y: &[f64], out: &mut [f64]| {
             (out[0], out[1]) = (-y[1], 1.0 + y[0]);

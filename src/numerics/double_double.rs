@@ -1,7 +1,7 @@
-//! Sums in twice the working precision: what rounding takes from the sum is kept beside it.
+//! Sums in twice the working precision: a second number collects the rounding errors of the sum.
 //!
 //! A sum of terms that nearly cancel keeps the digits that its terms have (T. Ogita, S. M. Rump, S. Oishi, *Accurate sum and dot
-//! product*, SIAM J. Sci. Comput. 26, 2005). What is left of an equation at a solution is such a sum.
+//! product*, SIAM J. Sci. Comput. 26, 2005). The residual of an equation near its solution is such a sum.
 
 /// A sum as `high + low`, known to about 1e-32 of its largest term.
 #[derive(Debug, Clone, Copy, Default)]
@@ -36,14 +36,14 @@ impl DoubleDouble {
         self.add(product);
     }
 
-    /// Adds `(a + rest) b`, the rest being the rounding of a.
+    /// Adds `(a + rest) b`, where `rest` is the rounding error of a.
     #[inline(always)]
     pub(crate) fn add_product_of_twice(&mut self, (a, rest): (f64, f64), b: Self) {
         self.low += a * b.low + rest * b.high;
         self.add_product(a, b.high);
     }
 
-    /// The sum over a number that is known exactly.
+    /// The sum divided by a number that is known exactly.
     pub(crate) fn over(self, k: f64) -> Self {
         let high = self.high / k;
         let product = high * k;
@@ -56,15 +56,15 @@ impl DoubleDouble {
     }
 }
 
-/// `a b - product`, exactly, by halves of 26 bits (T. J. Dekker, 1971). A fused multiplication would do it in one instruction, but is a
-/// call into a library where the processor compiled for need not have one.
+/// `a b - product`, exactly, by halves of 26 bits (T. J. Dekker, 1971). A fused multiplication would take one instruction, but is a
+/// call into a library if the target processor may lack it.
 #[inline(always)]
 pub(crate) fn rounding_of(product: f64, a: f64, b: f64) -> f64 {
     let ((a_high, a_low), (b_high, b_low)) = (halves(a), halves(b));
     ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low
 }
 
-/// Numbers of the library stay far below the 1e300 from which on this overflows.
+/// Halves of 26 bits. They overflow from 1e300 on; numbers of the library stay far below.
 #[inline(always)]
 fn halves(x: f64) -> (f64, f64) {
     let shifted = 134_217_729.0 * x; // 2^27 + 1

@@ -1,16 +1,16 @@
 //! Sums of products of doubles without any rounding.
 //!
-//! A product of two doubles is an integer times 2⁻²¹⁴⁸, below 2⁴¹⁹⁶ such units. A fixed-point number that is wide enough holds every sum of
-//! them: neither cancellation nor underflow nor overflow of a term loses a bit (U. Kulisch's long accumulator).
+//! A product of two doubles is an integer times 2⁻²¹⁴⁸, below 2⁴¹⁹⁶ such units. A fixed-point number of this width and some bits more holds every sum
+//! of products: neither cancellation nor underflow nor overflow of a term loses a bit (U. Kulisch's long accumulator).
 
 use core::cmp::Ordering;
 
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// 64 bits each: 4196 of a product, the rest for carries and the sign.
+/// Number of limbs of 64 bits: 4196 bits of a product, the rest for carries and the sign.
 const LIMBS: usize = 68;
-/// Units of one product: the square of the smallest subnormal number.
+/// Exponent of the unit: the square of the smallest subnormal number.
 const LOWEST: i32 = -2148;
 
 /// A sum in two's complement, least limb first.
@@ -54,7 +54,7 @@ impl ExactSum {
         }
     }
 
-    /// Against zero.
+    /// The sign of the sum, as its comparison with zero.
     pub(crate) fn sign(&self) -> Ordering {
         if self.0[LIMBS - 1] >> 63 == 1 {
             Ordering::Less
@@ -65,18 +65,18 @@ impl ExactSum {
         }
     }
 
-    /// The sum as a double: within 2⁻⁵¹ of itself, or the smallest positive number; infinite beyond the largest.
+    /// The sum as a double: within 2⁻⁵¹ of itself, or within the smallest positive number; infinite beyond the largest.
     pub(crate) fn rounded(&self) -> f64 {
         self.rounded_in(1.0)
     }
 
-    /// The sum times a power of two as a double, rounded once: what would underflow by itself is kept.
+    /// The sum times a power of two as a double, rounded once: a sum that would underflow by itself keeps its digits.
     pub(crate) fn rounded_in(&self, unit: f64) -> f64 {
         let ((x, k), (m, e)) = (self.leading(), parts(unit));
         times_power_of_two(x * m as f64, k + e)
     }
 
-    /// Its leading digits: `(x, k)` with the sum within a part 2⁻⁵² of `x 2ᵏ`, and x zero or 1 ≤ |x| < 2¹²⁸.
+    /// The leading digits of the sum: `(x, k)` with the sum within a part 2⁻⁵² of `x 2ᵏ`, and x zero or 1 ≤ |x| < 2¹²⁸.
     pub(crate) fn leading(&self) -> (f64, i32) {
         let mut size = self.0;
         let negative = self.sign() == Ordering::Less;
@@ -96,7 +96,7 @@ impl ExactSum {
     }
 }
 
-/// x 2ᵏ, without leaving the range on the way to a number within it.
+/// x 2ᵏ, without overflow or underflow on the way to a number in range.
 pub(crate) fn times_power_of_two(mut x: f64, mut k: i32) -> f64 {
     while k != 0 && x != 0.0 && x.is_finite() {
         let step = k.clamp(-1000, 1000);

@@ -1,4 +1,4 @@
-//! The factors that a small square matrix needs: partial pivoting where it is far from singular, complete pivoting where not.
+//! LU factors of a small square matrix: partial pivoting if it is far from singular, complete pivoting otherwise.
 
 use crate::numerics::{Size, Square, Vector};
 
@@ -6,15 +6,15 @@ use super::complete_pivoting::CompletePivoting;
 use super::partial_pivoting::PartialPivoting;
 use crate::prelude::*;
 
-/// What no solution reaches by more than this part of the sizes of the terms is out of reach, times the growth of errors.
+/// An equation is unsolvable if it is missed by more than this part of the sizes of its terms, times the growth of errors.
 const OUT_OF_REACH: f64 = 1e-12;
 
 /// Factors of a `D x D` matrix A.
 #[derive(Debug, Clone)]
-#[allow(clippy::large_enum_variant)] // a box would be memory to ask for at every step of Newton's method
+#[allow(clippy::large_enum_variant)] // boxing would allocate at every step of Newton's method
 pub(crate) enum Factors<D: Size> {
     Regular(PartialPivoting<D>),
-    /// Singular or nearly so: complete pivoting tells what is singular from what is only soft.
+    /// Singular or nearly so: complete pivoting distinguishes singular from soft.
     Singular(CompletePivoting<D>),
 }
 
@@ -27,7 +27,7 @@ impl<D: Size> Factors<D> {
         Self::Singular(CompletePivoting::new(matrix.clone(), d, d))
     }
 
-    /// A solution of `A y = b`, as far as there is one.
+    /// A solution of `A y = b`. A part of b that no y reaches is ignored.
     pub(crate) fn solve(&self, b: &Vector<D>) -> Vector<D> {
         match self {
             Self::Regular(regular) => regular.solve(b),
@@ -35,7 +35,7 @@ impl<D: Size> Factors<D> {
         }
     }
 
-    /// A solution of `A y = b`, if there is one; `size` is that of the terms that b is a sum of.
+    /// A solution of `A y = b`, if there is one; `size` is that of the terms whose sum is b.
     pub(crate) fn solve_exactly(&self, b: &Vector<D>, size: f64) -> Option<Vector<D>> {
         match self {
             Self::Regular(regular) => Some(regular.solve(b)),
@@ -54,7 +54,7 @@ impl<D: Size> Factors<D> {
         }
     }
 
-    /// How much relative rounding errors grow in a solution, at least 1.
+    /// The growth of relative rounding errors in a solution, at least 1.
     pub(crate) fn growth(&self) -> f64 {
         match self {
             Self::Regular(regular) => {

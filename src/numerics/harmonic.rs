@@ -1,11 +1,11 @@
-//! What turns: `x(φ) = x₀ + x_c cos φ + x_s sin φ`, for numbers, vectors and wrenches.
+//! Quantities that depend harmonically on an angle, `x(φ) = x₀ + x_c cos φ + x_s sin φ`: numbers, vectors and wrenches.
 
 use core::ops::{Add, Mul, Sub};
 
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// x.
+/// A quantity x(φ).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Harmonic<X> {
     pub(crate) constant: X,
@@ -19,7 +19,7 @@ impl<X> Harmonic<X> {
         Self { constant, cosine, sine }
     }
 
-    /// What a linear function makes of it.
+    /// The image of x under a linear function.
     pub(crate) fn map<Y>(&self, mut by: impl FnMut(&X) -> Y) -> Harmonic<Y> {
         Harmonic { constant: by(&self.constant), cosine: by(&self.cosine), sine: by(&self.sine) }
     }
@@ -31,19 +31,19 @@ impl<X> Harmonic<X> {
 }
 
 impl<X: Clone + Add<Output = X> + Sub<Output = X> + Mul<f64, Output = X>> Harmonic<X> {
-    /// At an angle.
+    /// x at an angle.
     pub(crate) fn at(&self, angle: f64) -> X {
         let (sin, cos) = angle.sin_cos();
         self.constant.clone() + self.cosine.clone() * cos + self.sine.clone() * sin
     }
 
-    /// Its rate there, for one radian.
+    /// dx/dφ at an angle, per radian.
     pub(crate) fn rate_at(&self, angle: f64) -> X {
         let (sin, cos) = angle.sin_cos();
         self.sine.clone() * cos - self.cosine.clone() * sin
     }
 
-    /// The same as it goes on from an angle.
+    /// `x(angle + φ)` as a function of φ.
     pub(crate) fn from(&self, angle: f64) -> Self {
         let (sin, cos) = angle.sin_cos();
         Self {

@@ -1,13 +1,13 @@
 //! The largest ball about the origin in a convex set, between two bounds.
 //!
-//! A polytope of support points grows where it comes nearest to the origin: its nearest face, at a distance that the ball can have at least, is asked for the
-//! support point beyond. How far that lies in the direction of the face is what the ball can have at most. The point joins, and the faces that see it
-//! give way to new ones.
+//! A polytope of support points grows where it is nearest to the origin. The distance of its nearest face is a lower bound on the radius. The support
+//! point in the direction of the face's normal gives an upper bound: its extent in that direction. The point joins the polytope, and the faces that
+//! see it are replaced by new ones.
 //!
 //! In three dimensions: G. van den Bergen, *Proximity queries and penetration depth computation on 3D game objects*, 2001.
 //!
-//! Where a set is smooth, faces become so thin that rounding hides their planes. Where the polytope comes nearer to the origin by that, it ends, and what was
-//! known before holds.
+//! Where a set is smooth, faces become so thin that rounding corrupts their planes. If the polytope comes nearer to the origin by that, the search
+//! ends with the bounds known before.
 
 use alloc::collections::BinaryHeap;
 use core::cmp::Ordering;
@@ -19,28 +19,28 @@ use super::partial_pivoting::PartialPivoting;
 use super::support::{Vertex, middle};
 use crate::prelude::*;
 
-/// A point that lies nearer to the plane of a face than this part of its distance from the middle lies in it.
+/// A point lies in the plane of a face if its distance from the plane is below this part of the middle's distance from it.
 const IN_PLANE: f64 = 1e-12;
 
-/// Faces that are kept at most: each new point is shown all of them.
+/// Largest number of faces: each new point is compared with all of them.
 const MOST_FACES: usize = 20_000;
-/// A polytope that grows comes no nearer to the origin, but for this part of its size.
+/// A growing polytope may come nearer to the origin by this part of its size, by rounding; more ends the search.
 const SHRINKS: f64 = 1e-7;
 
 /// Bounds of the radius.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct BallBounds<const D: usize> {
-    /// Negative where the origin lies outside the polytope.
+    /// Lower bound of the radius; negative if the origin lies outside the polytope.
     pub(crate) at_least: f64,
     pub(crate) at_most: f64,
-    /// The unit direction in which the set reaches no farther than `at_most`.
+    /// The unit direction in which the set extends no farther than `at_most`.
     pub(crate) direction: SVector<f64, D>,
 }
 
 struct Face<const D: usize> {
-    /// Numbers of its vertices, in ascending order.
+    /// Indices of its vertices, in ascending order.
     vertices: [usize; D],
-    /// v: its plane is `v·(x - middle) = 1`.
+    /// v, where the plane is `v·(x - middle) = 1`.
     normal: SVector<f64, D>,
     is_alive: bool,
 }
@@ -77,7 +77,7 @@ struct Polytope<const D: usize> {
     faces: Vec<Face<D>>,
     alive: Vec<usize>,
     queue: BinaryHeap<Waiting>,
-    /// Those of the faces that a new point sees: one list for all points, so that none is allocated for each.
+    /// The ridges of the faces that a new point sees, each with that point: one list for all points, so that none is allocated for each.
     ridges: Vec<[usize; D]>,
 }
 
@@ -92,7 +92,7 @@ impl<const D: usize> Polytope<D> {
         polytope
     }
 
-    /// Adds the face through these points. One so thin that it has no plane is left out: its neighbours meet there, up to rounding.
+    /// Adds the face through these points. A face so thin that it has no plane is left out: its neighbours meet there, up to rounding.
     fn add(&mut self, vertices: [usize; D]) {
         let rows = SMatrix::<f64, D, D>::from_fn(|row, column| {
             self.points[vertices[row]][column] - self.middle[column]
@@ -105,7 +105,7 @@ impl<const D: usize> Polytope<D> {
         self.faces.push(Face { vertices, normal, is_alive: true });
     }
 
-    /// Takes in a point: the faces that see it, or have it in their plane, give way to those from their rim to the point.
+    /// Adds a point: the faces that see it, or have it in their plane, are replaced by the faces from their rim to the point.
     fn take_in(&mut self, point: SVector<f64, D>) {
         let number = self.points.len();
         let from_middle = point - self.middle;
@@ -125,7 +125,7 @@ impl<const D: usize> Polytope<D> {
             }
             face.is_alive
         });
-        // A ridge inside of what goes belongs to two faces of it, one of its rim to one; twins are neighbours once sorted.
+        // A ridge between two removed faces appears twice, a ridge of their rim once; equal ridges are neighbours once sorted.
         let mut ridges = core::mem::take(&mut self.ridges);
         ridges.sort_unstable();
         for same in ridges.chunk_by(|a, b| a == b).filter(|same| same.len() == 1) {
@@ -134,7 +134,7 @@ impl<const D: usize> Polytope<D> {
         self.ridges = ridges;
     }
 
-    /// The nearest face.
+    /// The distance and the unit normal of the nearest face.
     fn nearest(&mut self) -> Option<(f64, SVector<f64, D>)> {
         while let Some(first) = self.queue.peek() {
             let face = &self.faces[first.face];
@@ -147,7 +147,7 @@ impl<const D: usize> Polytope<D> {
     }
 }
 
-/// Bounds of the largest ball about the origin, as close as a part of the size of the set, or as so many points allow.
+/// Bounds of the largest ball about the origin, apart by at most `closeness` times the size of the set, or as close as `most_points` points allow.
 pub(crate) fn largest_ball<const D: usize>(
     support: &impl Fn(&SVector<f64, D>) -> SVector<f64, D>,
     simplex: &[Vertex<D>],
@@ -170,7 +170,7 @@ pub(crate) fn largest_ball<const D: usize>(
         now.at_least = distance.min(now.at_most);
         bounds = Some(now);
         let close = closeness * next.norm();
-        // A set that holds the origin and reaches no farther has no ball, however far its points are known.
+        // A set that ends at the origin in some direction contains no ball, however well its points are known.
         if now.at_most - distance <= close || now.at_most <= close {
             break;
         }

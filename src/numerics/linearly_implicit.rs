@@ -4,21 +4,21 @@
 //! (1 - h_j J) Δ = h_j f(y),   h_j = h / j,   j = 1, 2, 3, …        T_jk = T_j,k-1 + (T_j,k-1 - T_j-1,k-1) / (j / (j-k+1) - 1)
 //! ```
 //!
-//! Each column of the scheme takes one power of h from the error, and the difference of the last two estimates what is left. However fast
-//! a variable relaxes, a step damps it. Who knows J knows best how to solve with it.
+//! Each column of the scheme removes one power of h from the error, and the difference of the last two columns estimates the rest. A step damps
+//! a variable however fast it relaxes. The caller solves with J, since it knows its structure.
 //!
 //! Source: Hairer and Wanner, Solving Ordinary Differential Equations II, second edition, section IV.9.
 
 use super::dormand_prince::Stepped;
 use crate::prelude::*;
 
-/// Rows of the scheme at most.
+/// Largest number of rows of the scheme.
 const MOST_ROWS: usize = 9;
-/// From this row on the error must fall.
+/// A step fails if its error grows in a row after this one.
 const PATIENCE: usize = 4;
 
-/// A step of this length from where `first` is the rate, the variables counted from there, with an error below the tolerance. For a length h
-/// `damped` gives what solves `(1 - hJ) Δ = x` in place, if the matrix is regular.
+/// One step of this length with an error below the tolerance. `first` is the rate at its beginning, from which the variables are counted. For a
+/// length h `damped` returns a function that solves `(1 - hJ) Δ = x` in place, if the matrix is regular.
 pub(crate) fn implicit_step<F: Fn(&mut [f64])>(
     length: f64,
     first: &[f64],
@@ -74,7 +74,7 @@ pub(crate) fn implicit_step<F: Fn(&mut [f64])>(
 mod tests {
     use super::*;
 
-    /// What turns into a direction, `θ' = -c sin θ`, `x' = cos θ`: however fast, `tan(θ/2) = tan(θ₀/2) exp(-ct)`.
+    /// A body that turns into a direction, `θ' = -c sin θ`, `x' = cos θ`: for any c, `tan(θ/2) = tan(θ₀/2) exp(-ct)`.
     #[test]
     fn what_relaxes_fast_has_relaxed() {
         for (c, start) in [(1.0, 1.0), (1e3, 1e-6), (1e8, 1e-8)] {

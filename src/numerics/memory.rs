@@ -1,11 +1,11 @@
-//! Memory that is lent from question to question to whoever answers.
+//! Memory that is kept from question to question.
 
 use core::any::Any;
 use core::fmt::{Debug, Formatter};
 
 use crate::prelude::*;
 
-/// What an engine keeps for its next question. That of another engine is thrown away, and a copy begins empty.
+/// Memory of an engine for its next question. Memory of another engine is dropped, and a copy begins empty.
 #[derive(Default)]
 pub(crate) struct Memory(Option<Box<dyn Any + Send + Sync>>);
 

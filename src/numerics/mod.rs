@@ -1,37 +1,40 @@
-//! Small dense linear algebra and sums, for every room above: it knows nothing of contacts.
+//! Small dense linear algebra and sums, used by all other modules: nothing here knows of contacts.
 //!
 //! | file | idea |
 //! |---|---|
+//! | `coordinates` | vectors and matrices over the coordinates of a grasp |
 //! | `orthogonal` | rank-revealing orthogonal factors of a tall matrix with graded rows |
-//! | `complete_pivoting` | LU that says what it could not resolve |
+//! | `complete_pivoting` | LU with rank, kernels and the unreachable part of a right-hand side |
 //! | `cores` | work spread over the cores |
 //! | `partial_pivoting` | LU of a matrix far from singular |
-//! | `factors` | the one of the two that a matrix needs |
-//! | `linearly_implicit` | one step of a stiff one |
-//! | `student_t` | what differs from a mean by chance, where the scatter is estimated |
-//! | `support` | convex sets that are known by their farthest points |
-//! | `ray_shooting` | how far a ray stays in such a set |
-//! | `largest_ball` | the largest ball about the origin in it |
-//! | `harmonic` | what turns: numbers, vectors, wrenches |
-//! | `trigonometric` | where a trigonometric polynomial first falls below zero |
-//! | `on_a_circle` | where a number is smaller than a vector, while both turn |
+//! | `factors` | the choice between these two |
+//! | `linearly_implicit` | one step of a stiff ordinary differential equation |
+//! | `student_t` | quantiles of Student's distribution |
+//! | `support` | convex sets given by their support points |
+//! | `ray_shooting` | the length of a ray inside such a set |
+//! | `largest_ball` | the largest ball about the origin inside it |
+//! | `harmonic` | numbers, vectors and wrenches that turn with an angle |
+//! | `trigonometric` | first sign change of a trigonometric polynomial |
+//! | `on_a_circle` | the angles at which a number is smaller than a vector, while both turn |
 //! | `nearest_point` | the nearest point of a polyhedral cone |
-//! | `band` | LU of a matrix with entries near its diagonal alone |
-//! | `narrow_order` | the order in which they are near it |
-//! | `bordered` | LU of a matrix with one row and one column more |
-//! | `bordered_band` | the same of a band |
-//! | `dormand_prince` | one step of a differential equation |
+//! | `band` | LU of a band matrix |
+//! | `positive_band` | Cholesky factors of a symmetric positive definite band matrix |
+//! | `narrow_order` | an order of coordinates with a narrow band |
+//! | `bordered` | LU of a matrix with one more row and column |
+//! | `bordered_band` | the same for a band |
+//! | `dormand_prince` | one step of an ordinary differential equation |
 //! | `double_double` | sums in twice the working precision |
-//! | `normal_tail` | how often chance goes far |
+//! | `normal_tail` | upper tail of the normal distribution |
 //! | `exact_sum` | sums of products without rounding |
 //! | `pairwise` | sums made of halves, on several threads |
 //! | `unit_vector` | unit vectors along an axis |
-//! | `waiting_line` | numbered things that wait for their time |
+//! | `waiting_line` | an event queue: numbered items ordered by their time |
 //! | `vector_dispatch` | loops on the widest vectors of the processor |
 //! | `pseudo_random` | numbers without structure, the same on every machine |
-//! | `square_root` | that of std by a name of its own |
-//! | `cleared_for` | lists that are filled anew |
-//! | `without_std` | what std does for all this, where there is none |
+//! | `square_root` | the square root of std under a name of its own |
+//! | `cleared_for` | lists that are refilled in their own memory |
+//! | `memory` | memory that is kept from question to question |
+//! | `without_std` | replacements for std where it is missing |
 
 mod band;
 mod bordered;

@@ -1,7 +1,7 @@
-//! An order of coordinates in which those that are coupled are near each other.
+//! An order of coordinates in which coupled ones are near each other.
 //!
-//! Coordinates that always come together are one place of a graph, and are gone through from a place at its rim, neighbours with few neighbours of
-//! their own first: the order of Cuthill and McKee.
+//! Coordinates that always come together form one node of a graph. The nodes are visited breadth first from a node at the rim, and neighbours of low
+//! degree first: the order of Cuthill and McKee.
 //!
 //! Source: A. George and J. W. H. Liu, Computer Solution of Large Sparse Positive Definite Systems (1981), chapter 4.
 
@@ -9,7 +9,7 @@ use core::ops::Range;
 
 use crate::prelude::*;
 
-/// For each of so many coordinates its number in the order; each coupling is between the coordinates of some ranges.
+/// The number of each of `count` coordinates in the order; a coupling connects all coordinates of its ranges.
 pub(crate) fn narrow_order(count: usize, couplings: &[[Range<usize>; 2]]) -> Vec<usize> {
     let (starts, neighbours) = graph(count, couplings);
     let places = neighbours.len();
@@ -31,7 +31,7 @@ pub(crate) fn narrow_order(count: usize, couplings: &[[Range<usize>; 2]]) -> Vec
     numbers
 }
 
-/// How far apart two coordinates of one coupling are at most.
+/// The largest distance in the order between two coordinates of one coupling.
 pub(crate) fn widest(numbers: &[usize], couplings: &[[Range<usize>; 2]]) -> usize {
     let width = |ranges: &[Range<usize>; 2]| {
         let all = || ranges.iter().flat_map(|range| &numbers[range.clone()]);
@@ -40,7 +40,7 @@ pub(crate) fn widest(numbers: &[usize], couplings: &[[Range<usize>; 2]]) -> usiz
     couplings.iter().map(width).max().unwrap_or(0)
 }
 
-/// Where the coordinates of each place begin, at the end their number, and the neighbours of each place.
+/// The first coordinate of each node, followed by their total number, and the neighbours of each node.
 fn graph(count: usize, couplings: &[[Range<usize>; 2]]) -> (Vec<usize>, Vec<Vec<usize>>) {
     let ends = couplings.iter().flatten().filter(|range| !range.is_empty());
     let mut starts: Vec<usize> = ends.flat_map(|range| [range.start, range.end]).chain([0, count]).collect();
@@ -66,7 +66,7 @@ fn graph(count: usize, couplings: &[[Range<usize>; 2]]) -> (Vec<usize>, Vec<Vec<
     (starts, neighbours)
 }
 
-/// A place as far from others as any: from the last of those farthest away on again, until that is no farther.
+/// A node at the rim: the search moves to a node of the last level until the number of levels no longer grows.
 fn at_the_rim(neighbours: &[Vec<usize>], mut place: usize, seen: &mut [bool]) -> usize {
     let mut levels = outwards(neighbours, place, seen);
     loop {
@@ -80,7 +80,7 @@ fn at_the_rim(neighbours: &[Vec<usize>], mut place: usize, seen: &mut [bool]) ->
     }
 }
 
-/// All places that can be reached from one, level by level. `seen` marks places on the way, and none of them at the end.
+/// All nodes that can be reached from one, level by level. Marks in `seen` are cleared at the end.
 fn outwards(neighbours: &[Vec<usize>], from: usize, seen: &mut [bool]) -> Vec<Vec<usize>> {
     seen[from] = true;
     let mut levels = vec![vec![from]];

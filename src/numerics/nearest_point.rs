@@ -1,25 +1,25 @@
-//! The nearest point of a polyhedral cone,
+//! The nearest point of a polyhedral cone to a target t,
 //!
 //! ```text
 //! min |Σ s_k a_k - t|,     s >= 0
 //! ```
 //!
 //! by the active sets of Lawson and Hanson ("Solving Least Squares Problems", 1974, chapter 23), on an orthogonal factorisation of
-//! the generators that have a share. The cone may have generators without number: whoever knows them names the next one.
+//! the active generators. The cone may have infinitely many generators: the caller finds the next one.
 //!
 //! At the nearest point the residual `r = t - Σ s_k a_k` has `a·r <= 0` for every generator and `t·r = |r|²`. Where r is not zero it
 //! separates t from the cone.
 
 use crate::prelude::*;
 
-/// A generator that adds less than this to the span of those with a share is taken for one of them.
+/// A generator that adds less than this to the span of the active ones counts as dependent.
 const DEPENDENT: f64 = 1e-13;
-/// A column that keeps this part of its length when the others are taken out of it has lost no digits.
+/// A column that keeps this part of its length when its projection on the others is subtracted has lost no digits.
 const KEPT: f64 = 0.1;
-/// Times that the others are taken out of a column: twice is enough, and the third finds nothing.
+/// Largest number of times that the projection is subtracted: twice is enough, and the third finds nothing.
 const TIMES: usize = 3;
 
-/// The nearest point so far, as shares of generators that a tag names.
+/// The nearest point so far, by the active generators, each named by a tag, and their shares s.
 #[derive(Debug, Clone)]
 pub(crate) struct NearestPoint<Tag> {
     size: usize,
@@ -30,7 +30,7 @@ pub(crate) struct NearestPoint<Tag> {
     q: Vec<f64>,
     /// Column k of the triangular factor from entry `size k` on.
     r: Vec<f64>,
-    /// Qᵀt.
+    /// Qᵀt, by column.
     seen: Vec<f64>,
 }
 
@@ -50,7 +50,7 @@ fn subtract(from: &mut [f64], factor: f64, what: &[f64]) {
 }
 
 impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
-    /// The apex of the cone.
+    /// Starts at the apex of the cone.
     pub(crate) fn new(target: &[f64]) -> Self {
         let size = target.len();
         let (tags, shares, residual) = (Vec::new(), Vec::new(), target.to_vec());
@@ -67,7 +67,7 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
         dot(&self.residual, &self.residual).sqrt()
     }
 
-    /// The generators of the nearest point with their shares.
+    /// The tags of the active generators with their shares.
     pub(crate) fn shares(&self) -> impl Iterator<Item = (Tag, f64)> {
         self.tags.iter().copied().zip(self.shares.iter().copied())
     }
@@ -76,7 +76,7 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
         self.tags.contains(&tag)
     }
 
-    /// Leaves out the generators with these tags; the point is the nearest one again when it has [settled](Self::settle).
+    /// Removes the generators with these tags; afterwards [`Self::settle`] finds the nearest point again.
     pub(crate) fn forget(&mut self, which: impl Fn(Tag) -> bool) {
         for k in (0..self.tags.len()).rev() {
             if which(self.tags[k]) {
@@ -85,7 +85,7 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
         }
     }
 
-    /// Takes in a generator of length one at most, without a share yet; whether it is independent of the others.
+    /// Adds a generator of length at most one, with share zero. Returns whether it is independent of the others.
     pub(crate) fn take_in(&mut self, tag: Tag, generator: &[f64], target: &[f64]) -> bool {
         let (m, k) = (self.size, self.tags.len());
         if k == m {
@@ -125,7 +125,7 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
         true
     }
 
-    /// Moves to the nearest point of the cone of the generators taken in, and lets go of those that have no share in it.
+    /// Moves to the nearest point of the cone of the active generators, and removes those without a share in it.
     pub(crate) fn settle(&mut self, target: &[f64]) {
         loop {
             let wanted = self.unbounded();
@@ -147,14 +147,14 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
         for (q, h) in self.q.chunks_exact(self.size).zip(&self.seen) {
             subtract(&mut self.residual, *h, q);
         }
-        // Once more: a small residual has to be at right angles to the columns by its own measure.
+        // Once more: a small residual must be orthogonal to the columns relative to its own size.
         for q in self.q.chunks_exact(self.size) {
             let h = dot(q, &self.residual);
             subtract(&mut self.residual, h, q);
         }
     }
 
-    /// The least-squares shares, of any sign.
+    /// The least-squares shares of the active generators, of any sign.
     fn unbounded(&self) -> Vec<f64> {
         let mut shares = self.seen.clone();
         for j in (0..shares.len()).rev() {
@@ -166,7 +166,7 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
         shares
     }
 
-    /// Takes a column out; rotations make the rest triangular again.
+    /// Removes column k; rotations make the rest triangular again.
     fn remove(&mut self, k: usize) {
         let (m, last) = (self.size, self.tags.len() - 1);
         self.tags.remove(k);

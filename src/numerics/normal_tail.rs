@@ -1,11 +1,12 @@
-//! The tail of the normal distribution.
+//! The upper tail of the normal distribution.
 
 use core::f64::consts::TAU;
 
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Below this the series of the integral converges in some tens of terms, above it the continued fraction of its tail does.
+/// Limit between two expansions: below it the series of the integral converges in some tens of terms, above it the continued fraction of the tail
+/// does.
 const SERIES: f64 = 3.0;
 
 /// `φ(x) = exp(-x²/2) / √(2π)`.
@@ -13,7 +14,7 @@ pub(crate) fn normal_density(x: f64) -> f64 {
     (-0.5 * x * x).exp() / TAU.sqrt()
 }
 
-/// `Φ(-x)`: how often a number that is normally distributed (mean 0, variance 1) is larger than x. Good to some 1e-14 of itself.
+/// `Φ(-x)`: the probability that a normally distributed number (mean 0, variance 1) exceeds x, to some 1e-14 of itself.
 pub(crate) fn normal_tail(x: f64) -> f64 {
     if x.is_nan() {
         return x;
@@ -39,7 +40,7 @@ pub(crate) fn normal_tail(x: f64) -> f64 {
     normal_density(x) / fraction
 }
 
-/// Of the continued fraction; at [`SERIES`] the last one changes nothing any more.
+/// Terms of the continued fraction; at [`SERIES`] the last one no longer changes the result.
 const TERMS: u32 = 120;
 
 #[cfg(test)]
@@ -63,12 +64,12 @@ mod tests {
             assert!((normal_tail(x) / tail - 1.0).abs() < 1e-13, "{x}: {:e}", normal_tail(x));
             assert!((normal_tail(-x) - (1.0 - tail)).abs() < 1e-15);
         }
-        // Both ways meet.
+        // The two expansions agree at their limit.
         let [below, above] = [SERIES - 1e-9, SERIES].map(normal_tail);
         assert!(((below - above) / (1e-9 * normal_density(SERIES)) - 1.0).abs() < 1e-4);
     }
 
-    /// The density is what the tail falls by.
+    /// The density is the negative derivative of the tail.
     #[test]
     fn the_tail_falls_by_the_density() {
         for x in [-1.5, -0.2, 0.3, 2.9, 3.5] {

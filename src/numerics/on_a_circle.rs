@@ -1,6 +1,6 @@
-//! Where `N(φ) - |v(φ)|` is negative on a circle, for a number and a vector that turn: `x₀ + x_c cos φ + x_s sin φ`.
+//! Angles at which `N(φ) - |v(φ)|` is negative, for a number N and a vector v of the form `x₀ + x_c cos φ + x_s sin φ`.
 //!
-//! It is nowhere exactly if N is not negative and `N² - |v|²`, a trigonometric polynomial of degree two, does not fall below zero.
+//! There are none exactly if N is not negative and `N² - |v|²`, a trigonometric polynomial of degree two, does not fall below zero.
 
 use core::f64::consts::TAU;
 
@@ -9,10 +9,11 @@ use nalgebra::SVector;
 use super::harmonic::Harmonic;
 use super::trigonometric::{Fall, Trigonometric};
 
-/// The square of a number carries so many roundings of its largest coefficient.
+/// Rounding of the square of a number, relative to its largest coefficient.
 const SQUARED: f64 = 16.0 * f64::EPSILON;
-/// The least value is looked for in steps of this part of a turn, then by thirds.
+/// First step of the search for the least value, in radians.
 const FIRST_STEP: f64 = 1e-3;
+/// Steps of the search by thirds for the least value.
 const THIRDS: usize = 80;
 
 /// N and v.
@@ -27,7 +28,7 @@ impl<const C: usize> Turning<C> {
         self.number.at(angle) - self.vector.at(angle).norm()
     }
 
-    /// Size of the terms of both.
+    /// The sum of the sizes of all coefficients.
     fn size(&self) -> f64 {
         let [numbers, vectors] = [self.number.map(|x| x.abs()), self.vector.map(SVector::norm)];
         numbers.parts().into_iter().chain(vectors.parts()).sum()
@@ -39,7 +40,7 @@ impl<const C: usize> Turning<C> {
         (0..C).fold(square, |sum, axis| sum.minus(&Trigonometric::square_of(&self.vector.map(|v| v[axis]))))
     }
 
-    /// An angle from 0 to `most` at which the value is negative by more than rounding, least near by; `None` if there is none.
+    /// An angle from 0 to `most` at which the value is negative by more than rounding, a local minimum; `None` if there is no such angle.
     pub(crate) fn deepest(&self, most: f64) -> Option<f64> {
         let rounding = SQUARED * self.size();
         if self.value(0.0) < -rounding {
@@ -55,7 +56,7 @@ impl<const C: usize> Turning<C> {
         })
     }
 
-    /// Down the slope from an angle to where the value is least, between 0 and `most` unless that is a full turn.
+    /// The local minimum reached downhill from an angle, between 0 and `most` unless that is a full turn.
     fn least_near(&self, start: f64, most: f64) -> f64 {
         let within = |angle: f64| if most < TAU { angle.clamp(0.0, most) } else { angle };
         let way = if self.value(within(start + FIRST_STEP)) <= self.value(within(start - FIRST_STEP)) {

@@ -1,8 +1,8 @@
 //! Rank-revealing orthogonal factors of a tall matrix with graded rows.
 //!
-//! The rows are those of K^{1/2}Gᵀ and its kin: with stiffness ratios of 1e14 they differ by 1e7 in size. Normal
-//! equations (G K Gᵀ)⁻¹ would lose the square of that; Gram–Schmidt with column pivoting, every column
-//! orthogonalised twice, keeps the columns of Q orthonormal to working precision whatever the grading.
+//! The rows are those of K^{1/2}Gᵀ and similar matrices: with stiffness ratios of 1e14 they differ by 1e7 in size. Normal
+//! equations (G K Gᵀ)⁻¹ would lose the square of that. Gram–Schmidt with column pivoting, every column
+//! orthogonalised twice, keeps the columns of Q orthonormal to working precision for any grading.
 
 use crate::numerics::{Size, Square, Vector};
 use core::ops::Range;
@@ -11,37 +11,37 @@ use super::pairwise::in_halves;
 use crate::prelude::*;
 
 /// A column counts as dependent on those before it when less than this part of it is left after orthogonalisation.
-/// It guards against rounding noise (about 1e-16 times a few operations) being taken for a resisted direction; real
-/// geometry comes as close as contacts that are parallel to 1e-12.
+/// It keeps rounding noise (about 1e-16 times a few operations) from being taken for a resisted direction. Contacts
+/// in real geometry are parallel up to 1e-12.
 const DEPENDENT: f64 = 1e-13;
 
-/// Entries of a row are known to this part of the row's size: a normal computed as (cos π/2, sin π/2) has a first
-/// component of 6e-17 that resists nothing. Entries that are exactly zero carry no such noise, so that a soft spring is
-/// still seen across a direction in which stiff ones have none.
+/// Relative rounding of an entry, as a part of the row's size: a normal computed as (cos π/2, sin π/2) has a first
+/// component of 6e-17 that resists nothing. Entries that are exactly zero carry no such noise, so a soft spring
+/// still counts across a direction in which stiff springs have no entry.
 const ENTRY_NOISE: f64 = 4.0 * f64::EPSILON;
 
-/// A projection is repeated at most so often: to solve, and again for what rounding left, more than
+/// Largest number of times that a projection is repeated: once to solve, and again for its own rounding, more than
 /// once where the rows are graded over many decades.
 const PASSES: usize = 4;
 
-/// A projection that moves x by less than this part of it is not made: it would only stir the rounding.
+/// A projection that moves x by less than this part of itself is skipped: it would change rounding only.
 const PROJECTED: f64 = 1e-15;
 
 /// `A Π = Q [R11 R12; 0 0]` for an `m x D` matrix A of rank r: Q is `m x r` with orthonormal columns, R11 is upper
 /// triangular `r x r`, Π permutes columns.
 #[derive(Debug, Clone)]
 pub(crate) struct Orthogonal<D: Size> {
-    /// Rows of Q; entries from `rank` on are zero.
+    /// Rows of Q; entries at `rank` and above are zero.
     q: Vec<Vector<D>>,
     r: Square<D>,
-    /// One over the diagonal of R11: a product takes a third of the time of a quotient, and each waits for the one before.
+    /// The inverse diagonal of R11: a product takes a third of the time of a quotient, and each waits for the one before.
     over_diagonal: Vector<D>,
     order: D::Indices,
     rank: usize,
 }
 
 impl<D: Size> Default for Orthogonal<D> {
-    /// Those of no rows and, if their number is any, no columns.
+    /// Factors of no rows and, if the number of columns is known at run time only, of no columns.
     fn default() -> Self {
         Self::of(D::default(), Vec::new())
     }
@@ -74,7 +74,7 @@ impl<D: Size> Orthogonal<D> {
         self.r.size()
     }
 
-    /// The rows in `q` become those of Q.
+    /// Factorises the rows in `q`, which become those of Q.
     fn factorise(&mut self) {
         let size = self.size();
         let d = size.count();
@@ -86,13 +86,13 @@ impl<D: Size> Orthogonal<D> {
             row.reach(size);
         }
         let (mut full, mut noise) = lengths_and_noise(size, rows);
-        // Norms of what is left of the columns.
+        // Norms of the remaining parts of the columns.
         let mut left = full.clone();
         let [full, noise, left] = [&mut full, &mut noise, &mut left].map(Vector::as_mut_slice);
         let mut rank = 0;
         while rank < d {
             let k = rank;
-            // The largest remaining column, among those that are more than rounding noise of what they were.
+            // The largest remaining column, among those that exceed the rounding noise of their original size.
             let mut best = None;
             for j in k..d {
                 if left[j] > (DEPENDENT * full[j]).max(noise[j])
@@ -115,7 +115,7 @@ impl<D: Size> Orthogonal<D> {
             let square = again_from_those_before(rows, r, k);
             let norm = square.sqrt();
             if norm <= (DEPENDENT * full[k]).max(noise[k]) {
-                // What seemed to be left was noise after all: never a pivot again.
+                // The remainder was noise: the column is never a pivot again.
                 full[k] = f64::INFINITY;
                 continue;
             }
@@ -150,7 +150,7 @@ impl<D: Size> Orthogonal<D> {
         self.rank
     }
 
-    /// Row i of Q, entries from the rank on zero.
+    /// Row i of Q; its entries at the rank and above are zero.
     pub(crate) fn row(&self, i: usize) -> &Vector<D> {
         &self.q[i]
     }
@@ -168,7 +168,7 @@ impl<D: Size> Orthogonal<D> {
         in_halves(0..x.len(), &part, &|a, b| a + b)
     }
 
-    /// Moves x to the nearest one with `Aᵀx = -w`, for a w that some x reaches. Returns the y of the move
+    /// Moves x to the nearest vector with `Aᵀx = -w`, for a w in the range of Aᵀ. Returns the y of the move
     /// `x - Q y`.
     pub(crate) fn project(&self, x: &mut [f64], w: &Vector<D>) -> Vector<D> {
         let load = self.load_coordinates(w);
@@ -204,7 +204,7 @@ impl<D: Size> Orthogonal<D> {
         v
     }
 
-    /// The coordinates `y = Qᵀx` of every x with `Aᵀx = w`, for a w that some x reaches: `R11ᵀ y = Πᵀw`, first r rows.
+    /// The coordinates `y = Qᵀx` of every x with `Aᵀx = w`, for a w in the range of Aᵀ: `R11ᵀ y = Πᵀw`, first r rows.
     pub(crate) fn load_coordinates(&self, w: &Vector<D>) -> Vector<D> {
         let mut found = Vector::all_zero(self.size());
         let (d, r, over) = (self.size().count(), self.r.as_slice(), self.over_diagonal.as_slice());
@@ -225,7 +225,7 @@ impl<D: Size> Orthogonal<D> {
         basis
     }
 
-    /// [`Self::null_space`] in memory that is there, or is asked for once: there is room for that of any rows.
+    /// [`Self::null_space`] in the memory of `basis`, which gets room for the null space of any rows.
     pub(crate) fn null_space_into(&self, basis: &mut Vec<Vector<D>>) {
         basis.clear();
         basis.reserve(self.size().count());
@@ -257,7 +257,7 @@ fn lengths_and_noise<D: Size>(size: D, rows: &[Vector<D>]) -> (Vector<D>, Vector
     (full.map(f64::sqrt), noise.map(|square| square.sqrt() * ENTRY_NOISE))
 }
 
-/// Second pass of column k against the finished columns: the first was their own step of elimination. Returns the square of its length.
+/// Orthogonalises column k a second time against the finished columns: the first time was their own elimination step. Returns its squared length.
 fn again_from_those_before<D: Size>(rows: &mut [Vector<D>], r: &mut Square<D>, k: usize) -> f64 {
     let size = r.size();
     let again = products(size, rows, k, 0..k);
@@ -275,7 +275,8 @@ fn again_from_those_before<D: Size>(rows: &mut [Vector<D>], r: &mut Square<D>, k
     square
 }
 
-/// Takes the part along column k, a unit vector, from the columns behind it. Returns these parts, and leaves the squares of what remains in `left`.
+/// Subtracts the projection on column k, a unit vector, from the columns behind it. Returns the coefficients, and leaves the squared lengths of the
+/// remaining columns in `left`.
 fn take_from_the_others<D: Size>(size: D, rows: &mut [Vector<D>], k: usize, left: &mut [f64]) -> Vector<D> {
     let along = products(size, rows, k, k + 1..size.count());
     left.fill(0.0);
@@ -292,7 +293,7 @@ fn take_from_the_others<D: Size>(size: D, rows: &mut [Vector<D>], k: usize, left
     along
 }
 
-/// Products of column k with some columns, zero beside them.
+/// Products of column k with the columns `with`; the other entries are zero.
 fn products<D: Size>(size: D, rows: &[Vector<D>], k: usize, with: Range<usize>) -> Vector<D> {
     let mut sum = Vector::all_zero(size);
     let over = size.looped(with.clone());
@@ -308,14 +309,14 @@ fn products<D: Size>(size: D, rows: &[Vector<D>], k: usize, with: Range<usize>) 
     sum
 }
 
-/// Makes zeros beside these components: with all of them at once there is one loop over the rows.
+/// Sets all other components to zero, after one loop over the rows that computed all of them.
 fn keep<D: Size>(v: &mut Vector<D>, kept: Range<usize>) {
     for (j, x) in v.iter_mut().enumerate() {
         *x = if kept.contains(&j) { *x } else { 0.0 };
     }
 }
 
-/// v less its part along the vectors of an orthonormal set.
+/// v minus its projection on an orthonormal set.
 pub(crate) fn without<D: Size>(mut v: Vector<D>, basis: &[Vector<D>]) -> Vector<D> {
     for b in basis {
         let along = b.dot(&v);
@@ -324,7 +325,7 @@ pub(crate) fn without<D: Size>(mut v: Vector<D>, basis: &[Vector<D>]) -> Vector<
     v
 }
 
-/// v becomes a unit vector orthogonal to an orthonormal set (two passes).
+/// Makes v a unit vector orthogonal to an orthonormal set, in two passes.
 pub(crate) fn orthonormalise_against<D: Size>(v: &mut Vector<D>, basis: &[Vector<D>]) {
     for _ in 0..2 {
         *v = without(core::mem::take(v), basis);

@@ -1,25 +1,25 @@
-//! Sums over very many terms, made of halves. Their rounding grows with the logarithm of their
-//! length only, and they are the same for any number of threads.
+//! Sums over very many terms, made of halves. Their rounding grows only with the logarithm of their
+//! length, and they are the same for any number of threads.
 
 use core::ops::Range;
 
 use super::cores;
 
-/// Terms that are summed one after the other: fewer would cost more calls than digits are worth.
+/// Number of terms that are summed one after the other: with fewer, calls would cost more than the digits are worth.
 const SUMMED_IN_TURN: usize = 256;
-/// Terms that are worth a second thread: with fewer, waking it costs more than their sum.
+/// Number of terms from which a second thread is used: with fewer, waking it costs more than their sum.
 const APART: usize = 4096;
 
-/// Both results, on two threads if the work on so many contacts is worth it.
+/// Both results, on two threads if `count` terms are worth it.
 fn both<R: Send>(count: usize, a: impl FnOnce() -> R + Send, b: impl FnOnce() -> R + Send) -> (R, R) {
     if count >= APART { cores::both(a, b) } else { (a(), b()) }
 }
 
-/// What can be divided into a near half and a far one.
+/// A sequence that can be divided into a first and a second half.
 pub(crate) trait Halves: Send + Sized {
     fn count(&self) -> usize;
 
-    /// The first so many, and the others.
+    /// The first `middle` elements, and the others.
     fn divided(self, middle: usize) -> (Self, Self);
 }
 
@@ -46,7 +46,7 @@ impl<T: Send> Halves for &mut [T] {
     }
 }
 
-/// Both are as long.
+/// Two sequences of equal length.
 impl<A: Halves, B: Halves> Halves for (A, B) {
     #[inline]
     fn count(&self) -> usize {
@@ -59,7 +59,7 @@ impl<A: Halves, B: Halves> Halves for (A, B) {
     }
 }
 
-/// The sum over a whole, from sums `part` over short parts of it and `plus` of two halves.
+/// The sum over a whole, from `part`, the sum of a short part, and `plus`, the sum of two halves.
 pub(crate) fn in_halves<W: Halves, S: Send>(
     whole: W,
     part: &(impl Fn(W) -> S + Sync),

@@ -1,9 +1,9 @@
-//! A small linear system that is far from singular: partial pivoting, nothing to reveal.
+//! Small linear systems far from singular, by partial pivoting.
 
 use crate::numerics::{Size, Square, Vector};
 
-/// A pivot below this part of the largest entry is left to those who can tell a singular state from a soft one
-/// ([`super::CompletePivoting`], [`super::Orthogonal`]). Above it a solution has some six digits, and steps of refinement the rest.
+/// Pivot, relative to the largest entry, below which a matrix has no factors here: [`super::CompletePivoting`] or [`super::Orthogonal`] must
+/// distinguish singular from soft. Above it a solution has some six digits, and refinement adds the rest.
 const REGULAR: f64 = 1e-10;
 
 /// Partial-pivoting LU of a regular `D x D` matrix.
@@ -33,7 +33,7 @@ impl<D: Size> PartialPivoting<D> {
                     pivot = i;
                 }
             }
-            // Written so that it also turns away what is not a number.
+            // Written so that NaN fails, too.
             let large_enough = column[pivot].abs() > least && column[pivot].is_finite();
             if !large_enough {
                 return None;

@@ -1,16 +1,16 @@
-//! A symmetric positive definite matrix with entries near its diagonal alone, and its Cholesky factors.
+//! A symmetric positive definite band matrix and its Cholesky factors.
 //!
-//! With entries up to b places from the diagonal n rows cost ½ n b² multiplications, a quarter of what those of a band that is not symmetric do.
+//! With entries up to b places from the diagonal, n rows cost ½ n b² multiplications, a quarter of those of an unsymmetric band.
 
 use crate::prelude::*;
 
-/// A pivot below this part of the entry that was there is none.
+/// Pivot, relative to the original diagonal entry, below which the matrix does not count as positive definite.
 const POSITIVE: f64 = 1e-12;
 
-/// The lower half of a matrix whose entries are up to `reach` places from the diagonal, or that of its factors.
+/// The lower half of a matrix with entries up to `reach` places from the diagonal, or of its factors.
 #[derive(Debug, Clone)]
 pub(crate) struct PositiveBand {
-    /// Column by column from the diagonal on.
+    /// Column by column, each from the diagonal down.
     entries: Vec<f64>,
     height: usize,
 }
@@ -20,18 +20,18 @@ impl PositiveBand {
         Self { entries: vec![0.0; count * (reach + 1)], height: reach + 1 }
     }
 
-    /// Becomes zero, in the same memory.
+    /// Sets all entries to zero, in the same memory.
     pub(crate) fn clear(&mut self) {
         self.entries.fill(0.0);
     }
 
-    /// Adds to an entry in row i and column j, on or below the diagonal.
+    /// Adds x to the entry in row i and column j, on or below the diagonal.
     #[inline]
     pub(crate) fn add(&mut self, i: usize, j: usize, x: f64) {
         self.entries[j * self.height + i - j] += x;
     }
 
-    /// L with `L Lᵀ` in place of the matrix; `None` if that is not clearly positive definite.
+    /// Replaces the matrix by L with `L Lᵀ` equal to it; `None` if it is not clearly positive definite.
     pub(crate) fn factor(&mut self) -> Option<()> {
         let height = self.height;
         let least: Vec<f64> = self.entries.chunks_exact(height).map(|column| POSITIVE * column[0]).collect();
@@ -57,7 +57,7 @@ impl PositiveBand {
         Some(())
     }
 
-    /// The solution of `L Lᵀ x = b` in place of b.
+    /// Replaces b by the solution of `L Lᵀ x = b`.
     pub(crate) fn solve(&self, x: &mut [f64]) {
         for (k, column) in self.entries.chunks_exact(self.height).enumerate() {
             x[k] /= column[0];

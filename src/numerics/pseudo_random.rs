@@ -7,7 +7,7 @@ use crate::prelude::*;
 
 const STEP: u64 = 0x9E37_79B9_7F4A_7C15;
 
-/// Entry i of a fixed vector, between 1/2 and 3/2.
+/// Entry i of a fixed vector without structure, from 1/2 to below 3/2.
 pub(crate) fn generic(i: usize) -> f64 {
     let bits = mixed((i as u64).wrapping_add(1).wrapping_mul(STEP));
     0.5 + (bits >> 11) as f64 / (1_u64 << 53) as f64
@@ -20,12 +20,12 @@ fn mixed(mut z: u64) -> u64 {
     z ^ (z >> 31)
 }
 
-/// Numbers that depend on nothing but where they are drawn: SplitMix64 (Steele, Lea and Flood, Fast splittable pseudorandom number
+/// Random numbers that depend on the place of the draw alone: SplitMix64 (Steele, Lea and Flood, Fast splittable pseudorandom number
 /// generators, 2014).
 pub(crate) struct Draw(u64);
 
 impl Draw {
-    /// Each word of the place stirs all bits of the state.
+    /// The numbers of a place. Each word of it changes all bits of the state.
     pub(crate) fn new(place: [u64; 3]) -> Self {
         let mut draw = Self(0);
         for word in place {
@@ -40,17 +40,17 @@ impl Draw {
         mixed(self.0)
     }
 
-    /// 1 or -1.
+    /// 1 or −1, each with probability one half.
     pub(crate) fn sign(&mut self) -> f64 {
         if self.next() >> 63 == 0 { 1.0 } else { -1.0 }
     }
 
-    /// In (0, 1), never at its ends.
+    /// A uniform number in (0, 1), never at its ends.
     pub(crate) fn uniform(&mut self) -> f64 {
         ((self.next() >> 12) as f64 + 0.5) / (1_u64 << 52) as f64
     }
 
-    /// By the method of Box and Muller.
+    /// A normal number (mean 0, variance 1), by the method of Box and Muller.
     pub(crate) fn normal(&mut self) -> f64 {
         let (radius, angle) = ((-2.0 * self.uniform().ln()).sqrt(), TAU * self.uniform());
         radius * angle.cos()
@@ -66,7 +66,7 @@ mod tests {
         let count = 40_000_u64;
         let draws: Vec<f64> = (0..count).map(|i| Draw::new([3, i, i % 5]).normal()).collect();
         let moment = |k: i32| draws.iter().map(|z| z.powi(k)).sum::<f64>() / count as f64;
-        // Within five standard deviations of what so many draws give.
+        // Within five standard deviations of the sampling error.
         let error = |variance: f64| 5.0 * (variance / count as f64).sqrt();
         assert!(moment(1).abs() < error(1.0), "{}", moment(1));
         assert!((moment(2) - 1.0).abs() < error(2.0), "{}", moment(2));

@@ -1,8 +1,8 @@
-//! How far from a point inside a convex set a ray stays in it, as a simplex method on its support points.
+//! The exit of a ray from a convex set, by a simplex method on the set's support points.
 //!
-//! With points p_k of the set that the ray r crosses between, `r = Σ β_k p_k`, the plane through them is `v·x = 1`, and r leaves their simplex at `r / s` with
-//! `s = Σ β_k`. If no point of the set lies beyond that plane, it is where the ray leaves the set. Else the farthest one takes the place of one of them,
-//! and s becomes smaller.
+//! Let points p_k of the set span a cone that contains the ray r, `r = Σ β_k p_k`. The plane through them is `v·x = 1`, and r leaves their simplex at
+//! `r / s` with `s = Σ β_k`. If no point of the set lies beyond that plane, the ray leaves the set there. Otherwise the farthest point beyond it
+//! replaces one of them, and s decreases.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -12,14 +12,14 @@ use super::support::{Vertex, middle};
 use super::unit_vector::unit;
 use crate::prelude::*;
 
-/// A point that lies beyond the plane by this part of its distance from the middle is rounding.
+/// Relative distance beyond a plane, or relative size of a pivot, that counts as rounding.
 const BEYOND: f64 = 1e-13;
-/// A target this near the middle, as a part of the distance of both, is there.
+/// A target this near the middle, relative to the distances of both from the origin, equals it.
 const NOWHERE: f64 = 1e-14;
-/// Pivots, unless rounding makes them go round.
+/// Largest number of pivots, against cycles by rounding.
 const MOST_PIVOTS: usize = 1000;
 
-/// A place where a ray leaves a set, up to the bounds.
+/// A place where a ray leaves a set, between two bounds.
 #[derive(Debug, Clone)]
 pub(crate) struct RayExit<const D: usize> {
     pub(crate) vertices: Vec<Vertex<D>>,
@@ -27,13 +27,13 @@ pub(crate) struct RayExit<const D: usize> {
     pub(crate) shares: Vec<f64>,
     /// v: all of the set has `v·(x - middle) <= reach`.
     pub(crate) normal: SVector<f64, D>,
-    /// One at least, and one but for rounding where the pivots came to their end.
+    /// At least one, and one up to rounding if the pivots have converged.
     pub(crate) reach: f64,
-    /// s: the target is this many times as far as where the ray leaves the simplex.
+    /// s: the distance of the target in units of that at which the ray leaves the simplex.
     pub(crate) stretch: f64,
 }
 
-/// Where the ray from the middle of a simplex to a target leaves the set. `None` where rounding allows no simplex.
+/// The exit of the ray from the middle of a simplex to a target. `None` if rounding leaves no simplex.
 pub(crate) fn shoot<const D: usize>(
     support: &impl Fn(&SVector<f64, D>) -> SVector<f64, D>,
     simplex: &[Vertex<D>],
@@ -49,7 +49,7 @@ pub(crate) fn shoot<const D: usize>(
     let mut found: Option<RayExit<D>> = None;
     for _ in 0..MOST_PIVOTS {
         let points = matrix(&vertices, &origin);
-        // Where the set is smooth, points come so close that rounding hides the plane through them: the last one is as good.
+        // Where the set is smooth, points come so close that rounding corrupts the plane through them: the result so far is kept.
         let solvers = [points, points.transpose()].map(|matrix| PartialPivoting::new(&Square::from(matrix)));
         let [Some(solver), Some(transposed)] = solvers else { break };
         let normal = transposed.solve(&SVector::<f64, D>::repeat(1.0).into()).to_svector();
@@ -63,7 +63,7 @@ pub(crate) fn shoot<const D: usize>(
         let change = solver.solve(&(next.at - origin).into()).to_svector();
         let leaving = (0..D).filter(|&k| change[k] > BEYOND * change.amax()).min_by(|&a, &b| {
             let part = |k: usize| shares[k] / change[k];
-            // Of ties the largest pivot.
+            // Among ties the largest pivot.
             part(a).total_cmp(&part(b)).then(change[b].total_cmp(&change[a]))
         });
         let Some(leaving) = leaving else { break };
@@ -80,7 +80,7 @@ fn matrix<const D: usize>(vertices: &[Vertex<D>], origin: &SVector<f64, D>) -> S
     SMatrix::from_fn(|row, k| vertices[k].at[row] - origin[row])
 }
 
-/// The face of the simplex that the ray from its middle goes through: the one whose shares are least negative.
+/// The face of the simplex that the ray from its middle passes: the one with the largest least share.
 fn first_face<const D: usize>(
     simplex: &[Vertex<D>],
     origin: &SVector<f64, D>,

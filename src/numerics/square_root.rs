@@ -1,4 +1,4 @@
-//! The square root by a name of its own, for a trait of numbers that calls its own by that of std.
+//! The square root under a name of its own, for a number trait whose own method has the name of std's.
 
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;

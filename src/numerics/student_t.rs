@@ -1,4 +1,4 @@
-//! Student's distribution: how far a mean may be off by chance where the scatter is estimated from the same few numbers.
+//! Quantiles of Student's distribution: the error of a mean if the scatter is estimated from the same few numbers.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -6,19 +6,20 @@ use super::normal_tail::normal_tail;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// More degrees of freedom are as good as any number of them, to some 1e-4.
+/// Degrees of freedom above which the normal distribution is used; they differ by some 1e-4.
 const MANY: f64 = 4000.0;
-/// An angle is halved so often, to all digits.
+/// Halvings of an angle, enough for all digits.
 const HALVINGS: usize = 60;
-/// A continued fraction has all its digits by then: it needs some √ν terms.
+/// Largest number of terms of a continued fraction, which needs some √ν.
 const TERMS: usize = 500;
-/// From here on the quotient of gamma functions is its asymptotic series, to 1e-13.
+/// Argument from which the quotient of gamma functions is computed by its asymptotic series, to 1e-13.
 const FAR: f64 = 100.0;
 
-/// How many standard errors on both sides hold the truth with this probability, from 0 to less than 1. `None` degrees of freedom stand for a scatter
-/// that is known; otherwise there is at least one, and parts of one count.
+/// The number of standard errors on both sides that contain the truth with a probability from 0 to below 1. `None` degrees of freedom mean a known
+/// scatter. Otherwise there is at least one degree; fractions are allowed.
 ///
-/// With t = √ν tan θ, `|t|` lies beyond with the probability `I(cos² θ; ν/2, 1/2)`, an incomplete beta function (Abramowitz and Stegun, 26.7.1 and 26.5.27).
+/// With t = √ν tan θ, `|t|` is exceeded with the probability `I(cos² θ; ν/2, 1/2)`, an incomplete beta function (Abramowitz and Stegun, 26.7.1 and
+/// 26.5.27).
 pub(crate) fn two_sided(probability: f64, degrees: Option<f64>) -> f64 {
     let halved = |least: f64, most: f64, within: &dyn Fn(f64) -> f64| {
         let halve = |(low, high): (f64, f64), _| {
@@ -39,11 +40,11 @@ pub(crate) fn two_sided(probability: f64, degrees: Option<f64>) -> f64 {
     }
 }
 
-/// How often |t| stays below √ν tan θ, a = ν/2.
+/// The probability that |t| is below √ν tan θ, with a = ν/2.
 fn within_an_angle(angle: f64, a: f64, whole: f64) -> f64 {
     let (sin, cos) = angle.sin_cos();
     let x = cos * cos;
-    // One of the two fractions converges fast.
+    // The fraction that converges fast.
     if x < (a + 1.0) / (a + 2.5) {
         1.0 - x.powf(a) * sin / (a * whole) * fraction(x, a, 0.5)
     } else {
@@ -51,7 +52,7 @@ fn within_an_angle(angle: f64, a: f64, whole: f64) -> f64 {
     }
 }
 
-/// The continued fraction of an incomplete beta function (Abramowitz and Stegun, 26.5.8), from its head on.
+/// The continued fraction of an incomplete beta function (Abramowitz and Stegun, 26.5.8), evaluated from its head.
 fn fraction(x: f64, a: f64, b: f64) -> f64 {
     let term = |k: usize| {
         let m = (k / 2) as f64;
@@ -75,7 +76,7 @@ fn fraction(x: f64, a: f64, b: f64) -> f64 {
     p.recip()
 }
 
-/// B(a, 1/2): by its recurrence to where the quotient of gamma functions is a series (Abramowitz and Stegun, 6.1.47).
+/// B(a, 1/2), by its recurrence up to the range of the series for the quotient of gamma functions (Abramowitz and Stegun, 6.1.47).
 fn beta_with_half(a: f64) -> f64 {
     let (mut a, mut times) = (a, 1.0);
     while a < FAR {
@@ -125,7 +126,7 @@ mod tests {
         }
     }
 
-    /// Parts of a degree of freedom, beside `scipy.stats.t.ppf(0.975, nu)`.
+    /// Fractions of a degree of freedom, compared with `scipy.stats.t.ppf(0.975, nu)`.
     #[test]
     fn degrees_of_freedom_have_parts() {
         for (nu, quantile) in [
@@ -140,7 +141,7 @@ mod tests {
         }
     }
 
-    /// The largest number that is computed meets the normal distribution.
+    /// At the largest number that is computed, the distribution meets the normal one.
     #[test]
     fn many_degrees_of_freedom_are_a_scatter_that_is_known() {
         let [many, more] = [MANY, MANY + 1.0].map(|nu| two_sided(0.95, Some(nu)));

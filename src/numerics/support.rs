@@ -1,14 +1,14 @@
-//! Convex sets that are known by their support points: in each direction the point that goes farthest.
+//! Convex sets given by their support function: in each direction the farthest point.
 
 use nalgebra::SVector;
 
 use super::unit_vector::unit;
 use crate::prelude::*;
 
-/// A set that is thinner than this part of its size in some direction is flat.
+/// A set thinner than this part of its size in some direction counts as flat.
 const FLAT: f64 = 1e-10;
 
-/// A point of a set, the farthest in some direction.
+/// A support point of a set, with its direction.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Vertex<const D: usize> {
     pub(crate) at: SVector<f64, D>,
@@ -16,7 +16,7 @@ pub(crate) struct Vertex<const D: usize> {
 }
 
 impl<const D: usize> Vertex<D> {
-    /// The farthest point in a direction.
+    /// The support point in a direction.
     pub(crate) fn of(
         support: &impl Fn(&SVector<f64, D>) -> SVector<f64, D>,
         towards: SVector<f64, D>,
@@ -25,7 +25,7 @@ impl<const D: usize> Vertex<D> {
     }
 }
 
-/// `D + 1` points of the set that do not lie in one plane; or unit vectors at right angles to each other in whose directions the set is flat.
+/// `D + 1` points of the set that do not lie in one plane; or, as error, orthonormal directions in which the set is flat.
 pub(crate) fn simplex<const D: usize>(
     support: &impl Fn(&SVector<f64, D>) -> SVector<f64, D>,
 ) -> Result<Vec<Vertex<D>>, Vec<SVector<f64, D>>> {
@@ -33,7 +33,7 @@ pub(crate) fn simplex<const D: usize>(
     let (mut vertices, mut flat) = (vec![first], Vec::new());
     let mut taken: Vec<SVector<f64, D>> = Vec::new();
     let across = |taken: &[SVector<f64, D>], mut x: SVector<f64, D>| {
-        // Twice, so that nothing of the others is left.
+        // Twice, so that rounding leaves no part along the others.
         for v in taken.iter().chain(taken) {
             x -= v * v.dot(&x);
         }
@@ -59,7 +59,7 @@ pub(crate) fn simplex<const D: usize>(
     if flat.is_empty() { Ok(vertices) } else { Err(flat) }
 }
 
-/// The mean of some points: inside, if they do not lie in one plane.
+/// The mean of some points: an interior point if they do not lie in one plane.
 pub(crate) fn middle<const D: usize>(vertices: &[Vertex<D>]) -> SVector<f64, D> {
     vertices.iter().map(|vertex| vertex.at).sum::<SVector<f64, D>>() / vertices.len() as f64
 }

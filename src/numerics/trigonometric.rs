@@ -1,12 +1,12 @@
-//! Trigonometric polynomials of degree two: where one first falls below zero.
+//! First zero crossing of trigonometric polynomials of degree two.
 //!
 //! ```text
 //! f(φ) = c + a₁ cos φ + b₁ sin φ + a₂ cos 2φ + b₂ sin 2φ
 //! ```
 //!
-//! A full turn is four quarters. With t = tan(φ/2) from the beginning of one, `(1 + t²)² f` is a polynomial of degree four on
-//! 0 ≤ t ≤ 1. Its turning points are the roots of its derivative, found in the
-//! same way, down to a straight line: between two of them there is one root or none, so that none is lost and none invented.
+//! A full turn is four quarters. With t = tan(φ/2) from the beginning of a quarter, `(1 + t²)² f` is a polynomial of degree four on
+//! 0 ≤ t ≤ 1. Its extrema are the roots of its derivative, found in the
+//! same way, down to a straight line. Between two of them there is one root or none, so that none is lost and none invented.
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
@@ -14,25 +14,25 @@ use super::harmonic::Harmonic;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Steps of Newton's method and bisection for one root: bisection alone would need 53.
+/// Largest number of steps of Newton's method and bisection for one root: bisection alone would need 53.
 const STEPS: usize = 80;
 
-/// f.
+/// The polynomial f.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Trigonometric {
     pub(crate) constant: f64,
-    /// Of the cosine and the sine of φ.
+    /// Coefficients of cos φ and sin φ.
     pub(crate) first: [f64; 2],
-    /// Of those of 2φ.
+    /// Coefficients of cos 2φ and sin 2φ.
     pub(crate) second: [f64; 2],
 }
 
-/// What happens first on the way.
+/// The first event on the way.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Fall {
-    /// It falls below zero at this angle.
+    /// f falls below zero at this angle.
     At(f64),
-    /// It stays above, but comes as near as rounding at this angle.
+    /// f stays above zero, but touches it within rounding at this angle.
     Touches(f64),
 }
 
@@ -55,7 +55,7 @@ impl Trigonometric {
         [self.constant + a + a2, b + 2.0 * b2, -a - 4.0 * a2]
     }
 
-    /// The product of `c + a cos φ + b sin φ` with itself.
+    /// The square of `c + a cos φ + b sin φ`.
     pub(crate) fn square_of(&Harmonic { constant: c, cosine: a, sine: b }: &Harmonic<f64>) -> Self {
         Self {
             constant: c * c + 0.5 * (a * a + b * b),
@@ -69,7 +69,7 @@ impl Trigonometric {
         Self { constant, first: [cosine, sine], second: [0.0; 2] }
     }
 
-    /// The difference of two.
+    /// The difference of two polynomials.
     pub(crate) fn minus(&self, other: &Self) -> Self {
         Self {
             constant: self.constant - other.constant,
@@ -84,9 +84,9 @@ impl Trigonometric {
         Self { constant: self.constant, first: [b, -a], second: [-a2, -b2] }
     }
 
-    /// The first angle in (0, `most`] at which f falls below zero, `most` being a full turn at most.
+    /// The first angle in (0, `most`] at which f falls below zero; `most` is at most a full turn.
     ///
-    /// A value is zero within `rounding`. So many roots at the beginning do not count: f is zero there, and rises.
+    /// A value is zero within `rounding`. The first `roots_here` roots at the beginning do not count: f is zero there, and rises.
     pub(crate) fn first_fall(&self, most: f64, rounding: f64, roots_here: usize) -> Option<Fall> {
         let most = most.min(TAU);
         let mut here = *self;
@@ -102,7 +102,7 @@ impl Trigonometric {
             let divided = if quarter == 0 { roots_here } else { 0 };
             p[..divided].fill(0.0);
             p.rotate_left(divided);
-            // Divided by t, a value near the beginning is known as well as its slope.
+            // Divided by powers of t, a value near the beginning is as accurate as its slope.
             match fall_of(&p, end, if divided > 0 { 0.0 } else { rounding }) {
                 Some(Fall::At(t)) => return Some(Fall::At(begin + 2.0 * t.atan())),
                 Some(Fall::Touches(t)) => touched = touched.or(Some(Fall::Touches(begin + 2.0 * t.atan()))),
@@ -113,8 +113,8 @@ impl Trigonometric {
         touched
     }
 
-    /// cot(φ/2) of the first angle in a full turn at which f is zero, falling or touching: found without
-    /// a trigonometric function, hence with equal bits on every processor. f must begin above zero.
+    /// cot(φ/2) of the first angle in a full turn at which f is zero, falling or touching. It is found without
+    /// trigonometric functions, hence with equal bits on every processor. f must begin above zero.
     pub(crate) fn first_cotangent(&self) -> Option<f64> {
         let mut here = *self;
         for quarter in 0_u8..4 {
@@ -140,7 +140,7 @@ impl Trigonometric {
 
 /// The first fall of a polynomial in (0, end].
 fn fall_of(p: &[f64; 5], end: f64, rounding: f64) -> Option<Fall> {
-    // Larger than all that the other terms can take away.
+    // The constant exceeds all that the negative terms can subtract.
     if p[0] + p[1..].iter().map(|p| p.min(0.0)).sum::<f64>() > rounding {
         return None;
     }
@@ -151,7 +151,7 @@ fn fall_of(p: &[f64; 5], end: f64, rounding: f64) -> Option<Fall> {
     for &high in bends.list().iter().chain([&end]) {
         let next = horner(p, high);
         if next < -rounding {
-            // It begins at zero, or below by rounding.
+            // The polynomial begins at zero, or below by rounding.
             let root = if value > 0.0 { root_between(p, low, high) } else { low };
             return Some(Fall::At(root));
         }
@@ -163,7 +163,7 @@ fn fall_of(p: &[f64; 5], end: f64, rounding: f64) -> Option<Fall> {
     touched
 }
 
-/// Roots in ascending order; a polynomial of degree three has three.
+/// Roots in ascending order, at most three.
 #[derive(Debug, Default, Clone, Copy)]
 struct Roots {
     at: [f64; 3],
@@ -181,7 +181,7 @@ impl Roots {
     }
 }
 
-/// The roots of p' in (0, end) at which it changes its sign.
+/// The roots of p' in (0, end) at which p' changes its sign.
 fn roots_of_derivative(p: &[f64; 5], end: f64, into: &mut Roots) {
     let derivative = [p[1], 2.0 * p[2], 3.0 * p[3], 4.0 * p[4], 0.0];
     if derivative[1..].iter().all(|p| *p == 0.0) {
@@ -203,7 +203,7 @@ fn horner(p: &[f64; 5], t: f64) -> f64 {
     p.iter().rev().fold(0.0, |sum, p| sum * t + p)
 }
 
-/// The root of a polynomial that is monotone between two places where it has different signs.
+/// The root of a polynomial in an interval on which it is monotone and changes its sign.
 fn root_between(p: &[f64; 5], mut low: f64, mut high: f64) -> f64 {
     let falls = horner(p, low) > horner(p, high);
     let mut t = 0.5 * (low + high);
@@ -236,7 +236,7 @@ mod tests {
     use super::*;
     use crate::numerics::generic;
 
-    /// The first fall by small steps.
+    /// The first fall, found by small steps.
     fn stepped(f: &Trigonometric, most: f64) -> Option<f64> {
         let steps = 4_000;
         let angle = |k: i32| most * f64::from(k) / f64::from(steps);

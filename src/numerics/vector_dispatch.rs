@@ -1,7 +1,7 @@
 //! Loops compiled for the widest vectors that the processor has.
 //!
 //! Loops are written so that the compiler turns them into vector instructions. With the feature
-//! `simd` they are compiled for wider vectors as well, and the widest that the processor has is
+//! `simd` they are also compiled for wider vectors, and the widest that the processor has is
 //! chosen at run time. The operations and their order are the same, hence so are all bits.
 
 /// A loop with its operands.
@@ -11,7 +11,7 @@ pub(crate) trait Loop {
     fn run(self) -> Self::Output;
 }
 
-/// Runs a loop on the widest vectors there are.
+/// Runs a loop on the widest vectors of the processor.
 #[inline]
 pub(crate) fn wide<L: Loop>(work: L) -> L::Output {
     struct Inlined<L>(L);
@@ -25,14 +25,14 @@ pub(crate) fn wide<L: Loop>(work: L) -> L::Output {
     on_the_widest(Inlined(work))
 }
 
-/// Vectors that the processor is known to have. Work in several functions takes them along, so that each of them is compiled once for these
-/// vectors, instead of all in one.
+/// Vectors that the processor is known to have. Work that spans several functions passes them along, so that each function is compiled separately for
+/// these vectors.
 pub(crate) trait Vectors: Copy {
-    /// What the work is, compiled for these vectors. It must be inlined here.
+    /// Runs the work, compiled for these vectors. The work must be inlined here.
     fn run<R>(self, work: impl FnOnce() -> R) -> R;
 }
 
-/// Those that everything is compiled for.
+/// The vectors of the compilation target.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Compiled;
 
@@ -43,13 +43,13 @@ impl Vectors for Compiled {
     }
 }
 
-/// Work that asks which vectors there are.
+/// Work that is generic over the vectors.
 pub(crate) trait OnVectors {
     type Output;
     fn on<V: Vectors>(self, vectors: V) -> Self::Output;
 }
 
-/// Does the work on the widest vectors there are.
+/// Does the work on the widest vectors of the processor.
 #[inline]
 pub(crate) fn on_the_widest<W: OnVectors>(work: W) -> W::Output {
     #[cfg(feature = "simd")]

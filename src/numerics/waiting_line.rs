@@ -1,7 +1,7 @@
-//! Numbered things wait for their time on a clock that only runs forwards.
+//! An event queue: numbered items with times on a clock that only runs forwards.
 //!
-//! Most of them are put in line anew before their time comes. So only the next ones are kept in order, few enough for the nearest memory. Behind
-//! them the line has tiers without order, each about as many times longer as the one before.
+//! Most items are rescheduled before their time comes. So only the next ones are kept in order, few enough for the nearest cache. Behind
+//! them the queue has unordered tiers, each longer than the one before by about the same factor.
 
 use alloc::collections::BinaryHeap;
 use core::cmp::Reverse;
@@ -9,18 +9,18 @@ use core::cmp::Reverse;
 use super::pairwise::in_halves;
 use crate::prelude::*;
 
-/// About one part in so many of a tier moves on at a time. A larger part sorts what is never asked for, a
-/// smaller one runs over the others too often.
+/// Inverse of the part of a tier that moves on at a time. A larger part sorts items that are then rescheduled, a
+/// smaller one scans the others too often.
 const PARTS: usize = 8;
-/// As few as these move on at once: to part them would cost more than to keep them in order.
+/// Number of items up to which a tier moves on as a whole: to part it would cost more than to keep it in order.
 const FEW: usize = 256;
-/// So many of more than a few tell where that part ends. With more, to sort them costs more than it spares.
+/// Number of items of a longer tier that are sampled to find the end of that part. With more, sorting them costs more than it spares.
 const SAMPLE: usize = 32;
-/// Tiers: with fewer, those in order of a hundred thousand leave the nearest memory; with more, entries are moved more often.
+/// Number of tiers: with fewer, the ordered items of a queue of a hundred thousand exceed the nearest cache; with more, items are moved more often.
 const TIERS: usize = 3;
 
-/// Time as the bits of a number that is not negative (their order is that of the numbers), number,
-/// stamp: in one integer, which takes one comparison.
+/// An item as one integer, which takes one comparison: the bits of its time, a number that is not negative (bits and numbers have the same
+/// order), then its number and its stamp.
 type Entry = u128;
 
 fn entry(time: f64, number: u32, stamp: u32) -> Entry {
@@ -32,25 +32,25 @@ fn parts(entry: Entry) -> (f64, u32, u32) {
     (f64::from_bits((entry >> 64) as u64), (entry >> 32) as u32, entry as u32)
 }
 
-/// Those after a horizon, in no order.
+/// The items up to a horizon, without order.
 #[derive(Debug, Clone, Default)]
 struct Tier {
     waiting: Vec<Entry>,
     horizon: f64,
 }
 
-/// A line of numbers with their times.
+/// A queue of numbers with their times.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct WaitingLine {
-    /// Everybody up to the nearest horizon.
+    /// The items up to the nearest horizon.
     next: BinaryHeap<Reverse<Entry>>,
-    /// Everybody else, the farthest tier first; each reaches to the horizon of the one before.
+    /// All other items, the farthest tier first; each reaches up to the horizon of the one before.
     later: [Tier; TIERS],
     pub(crate) clock: f64,
 }
 
 impl WaitingLine {
-    /// Nobody waits.
+    /// Empties the queue and resets the clock.
     pub(crate) fn clear(&mut self) {
         self.next.clear();
         for tier in &mut self.later {
@@ -60,7 +60,7 @@ impl WaitingLine {
         self.clock = 0.0;
     }
 
-    /// The first `count` numbers are put in line at once, with the stamp and the time of each.
+    /// Refills the queue with the first `count` numbers; `time` returns the stamp and the time of each.
     pub(crate) fn line_up(&mut self, count: usize, time: &(impl Fn(u32) -> (u32, f64) + Sync)) {
         self.clear();
         self.next.reserve(count);
@@ -73,7 +73,7 @@ impl WaitingLine {
         all.retain(|entry| parts(*entry).0.is_finite());
     }
 
-    /// A number waits for so much more time, unless for ever.
+    /// Schedules a number after `time` from now; an infinite time schedules nothing.
     pub(crate) fn wait(&mut self, number: u32, stamp: u32, time: f64) {
         if !time.is_finite() {
             return;
@@ -86,9 +86,9 @@ impl WaitingLine {
         }
     }
 
-    /// Whether a number has to wait for longer than so much time; then it does.
+    /// Whether a number is due later than `than` from now; if so, it is scheduled.
     pub(crate) fn waits_longer(&mut self, than: f64, number: u32, stamp: u32, time: f64) -> bool {
-        // Compared as `next_within` does: it must not come back within the same time.
+        // Compared as in `next_within`: the number must not come back within the same time.
         let longer = self.clock + time > self.clock + than;
         if longer {
             self.wait(number, stamp, time);
@@ -96,7 +96,7 @@ impl WaitingLine {
         longer
     }
 
-    /// The next number whose time comes within so much time, with its stamp.
+    /// The next number that is due within `time` from now, with its stamp.
     pub(crate) fn next_within(&mut self, time: f64) -> Option<(u32, u32)> {
         let until = self.clock + time;
         loop {
@@ -115,7 +115,7 @@ impl WaitingLine {
         }
     }
 
-    /// A part of the nearest tier where anybody waits moves on, tier by tier, until some are put in order.
+    /// Moves a part of the nearest tier with items on, tier by tier, until some items are in order.
     fn look_further(&mut self) -> Option<()> {
         let nearest = self.later.iter().rposition(|tier| !tier.waiting.is_empty())?;
         for at in nearest..TIERS {
@@ -137,7 +137,7 @@ impl WaitingLine {
     }
 }
 
-/// The last of about the first part of those in a tier; `None` if nobody is there.
+/// The last item of about the first part of a tier; `None` if the tier is empty.
 fn last_to_move_on(waiting: &[Entry]) -> Option<Entry> {
     if waiting.len() <= FEW {
         return waiting.iter().copied().max();
@@ -148,7 +148,7 @@ fn last_to_move_on(waiting: &[Entry]) -> Option<Entry> {
     Some(sample[SAMPLE / PARTS])
 }
 
-/// Fills in stamps and times.
+/// Fills in the stamp and the time of each item.
 fn each_time(entries: &mut [Entry], time: &(impl Fn(u32) -> (u32, f64) + Sync)) {
     let fill = |entries: &mut [Entry]| {
         for slot in entries {

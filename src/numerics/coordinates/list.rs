@@ -1,4 +1,4 @@
-//! Numbers in a row, in place or on the heap.
+//! Lists of numbers, in place or on the heap.
 
 use core::fmt::{Debug, Formatter};
 
@@ -6,12 +6,12 @@ use nalgebra::SMatrix;
 
 use crate::prelude::*;
 
-/// Numbers in a row.
+/// A list of numbers.
 pub(crate) trait List: Clone + Debug + PartialEq + Send + Sync {
     fn zeros(count: usize) -> Self;
     fn slice(&self) -> &[f64];
     fn slice_mut(&mut self) -> &mut [f64];
-    /// At least so many, zeros behind those that there are.
+    /// Extends the list with zeros to at least `count` numbers.
     fn reach(&mut self, count: usize);
 }
 
@@ -55,13 +55,14 @@ impl List for Vec<f64> {
     }
 }
 
-/// More components than these are asked for from the allocator: these and their number fill two cache lines, which are moved without a call.
+/// Largest number of components kept in place: with their count they fill two cache lines, which are moved without a call. Longer lists are on the
+/// heap.
 const FEW: usize = 15;
 
-/// A list of its own length: a few numbers in place, zeros behind them, more on the heap.
+/// A list of any length: up to [`FEW`] numbers in place with zeros behind them, more on the heap.
 #[derive(Clone)]
-#[allow(clippy::large_enum_variant)] // the few are the rule
-#[repr(u32)] // with the length beside it one word, so that what comes next is copied by whole words
+#[allow(clippy::large_enum_variant)] // most lists are short
+#[repr(u32)] // tag and length share one word, so the numbers behind them are copied by whole words
 pub(crate) enum Short {
     Few(u32, [f64; FEW]),
     More(Vec<f64>),

@@ -38,12 +38,12 @@ impl<D: Size, const C: usize> Map<D, C> {
         self.size
     }
 
-    /// Rows outside of which all entries are zero, in order.
+    /// The rows that may have entries, in order; all others are zero.
     pub(crate) fn rows(&self) -> impl Iterator<Item = usize> + '_ {
         self.entries.rows()
     }
 
-    /// Lets go of rows outside of these ranges, which have no entries.
+    /// Drops rows outside of these ranges; they must have no entries.
     pub(crate) fn keep(&mut self, ranges: &[Range<usize>; 2]) {
         self.entries.keep(ranges);
     }
@@ -64,7 +64,7 @@ impl<D: Size, const C: usize> Map<D, C> {
         column
     }
 
-    /// What a column has in rows of one of the ranges that were kept.
+    /// The entries of a column in one of the ranges given to [`Self::keep`].
     #[inline]
     pub(crate) fn column_within(&self, a: usize, range: Range<usize>) -> &[f64] {
         self.entries.column(a, range)
@@ -79,7 +79,7 @@ impl<D: Size, const C: usize> Map<D, C> {
     pub(crate) fn set_column(&mut self, a: usize, column: &Vector<D>) {
         let given = column.as_slice().len();
         column.iter().enumerate().for_each(|(k, x)| self.entries.set(k, a, *x));
-        // All components behind the end of a list are zero.
+        // Components behind the end of a list are zero.
         let behind: Vec<usize> = self.rows().filter(|k| *k >= given).collect();
         for k in behind {
             self.entries.set(k, a, 0.0);

@@ -1,7 +1,7 @@
-//! Entries of a map, in place for a number of coordinates that is known, and of the rows that are there for any.
+//! Entries of a map: in place for a fixed number of coordinates, otherwise of the rows that have entries.
 //!
-//! A contact of several bodies touches two of them, however many there are: a map has entries in a few rows. Sums over these have the bits that sums over
-//! all rows have, since zeros change none.
+//! A contact of several bodies acts on two of them, however many there are, so its map has entries in few rows. Sums over these rows have the bits of
+//! sums over all rows, since zeros change none.
 
 use core::fmt::Debug;
 use core::ops::Range;
@@ -16,13 +16,13 @@ pub(crate) trait MapEntries<const C: usize>: Clone + Debug + PartialEq + Send + 
     fn zeros() -> Self;
     fn entry(&self, k: usize, a: usize) -> &f64;
     fn entry_mut(&mut self, k: usize, a: usize) -> &mut f64;
-    /// A row that is not there needs none for a zero.
+    /// Sets an entry; a zero does not create a missing row.
     fn set(&mut self, k: usize, a: usize, x: f64);
-    /// The rows that are there, in order.
+    /// The existing rows, in order.
     fn rows(&self) -> impl Iterator<Item = usize> + '_;
-    /// What a column has in rows of a range, which are all there.
+    /// The entries of a column in a range of existing rows.
     fn column(&self, a: usize, range: Range<usize>) -> &[f64];
-    /// Only rows of these ranges, all of them.
+    /// Keeps the rows of these ranges only, and creates those that are missing.
     fn keep(&mut self, ranges: &[Range<usize>; 2]);
 }
 
@@ -61,7 +61,7 @@ impl<const D: usize, const C: usize> MapEntries<C> for SMatrix<f64, D, C> {
     fn keep(&mut self, _: &[Range<usize>; 2]) {}
 }
 
-/// Those of a few rows; all others are zero.
+/// Entries of a few rows; all others are zero.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct FewRows {
     rows: Vec<usize>,
@@ -70,14 +70,14 @@ pub(crate) struct FewRows {
 }
 
 impl FewRows {
-    /// The rows with what a column has in them.
+    /// The rows with their entries in a column.
     #[inline]
     pub(super) fn of_column(&self, a: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
         let count = self.rows.len();
         self.rows.iter().copied().zip(self.entries[a * count..(a + 1) * count].iter().copied())
     }
 
-    /// A column times a list of numbers, of which there may be fewer than `count` rows.
+    /// A column times a vector of `count` components; those behind the end of its list are zero.
     #[inline]
     pub(super) fn felt(&self, a: usize, count: usize, list: &[f64]) -> f64 {
         let end = count.min(list.len());
@@ -97,7 +97,7 @@ impl<const C: usize> MapEntries<C> for FewRows {
 
     fn entry_mut(&mut self, k: usize, a: usize) -> &mut f64 {
         let place = self.rows.binary_search(&k).unwrap_or_else(|place| {
-            // From the last column on, so that places before stay what they are.
+            // From the last column on, so that earlier positions stay valid.
             (0..C).rev().for_each(|a| self.entries.insert(a * self.rows.len() + place, 0.0));
             self.rows.insert(place, k);
             place
@@ -137,7 +137,7 @@ mod tests {
     use crate::numerics::generic;
     use nalgebra::SVector;
 
-    /// In four sums side by side, and what is left over.
+    /// The dot product in four sums side by side and the remainder.
     fn dense(a: &[f64], b: &[f64]) -> f64 {
         let (mut sums, whole) = ([0.0; 4], a.len() / 4 * 4);
         (0..whole).for_each(|k| sums[k % 4] += a[k] * b[k]);

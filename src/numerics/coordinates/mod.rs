@@ -1,7 +1,7 @@
-//! Vectors and matrices over the coordinates of a grasp, however many these are.
+//! Vectors and matrices over the coordinates of a grasp, for any number of them.
 //!
-//! The plane has 3 coordinates and space 6: [`Fixed`] leaves their arithmetic to nalgebra. A hand has [`Any`] number of them. Its vectors are lists
-//! behind whose end all components are zero, so that zero needs no length.
+//! The plane has 3 coordinates and space 6: [`Fixed`] leaves their arithmetic to nalgebra. A hand has [`Any`] number of coordinates, and its vectors
+//! are lists. Components behind the end of a list are zero, so the zero vector needs no length.
 
 mod list;
 mod map;

@@ -28,7 +28,7 @@ impl<D: Size, const C: usize> Seen<D, C> {
         self.size
     }
 
-    /// What the C see of one coordinate.
+    /// The column of coordinate k.
     #[inline]
     pub(crate) fn column(&self, k: usize) -> SVector<f64, C> {
         SVector::from_fn(|a, _| self[(a, k)])

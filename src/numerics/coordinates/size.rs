@@ -1,4 +1,4 @@
-//! How many coordinates there are, and the arithmetic of so many.
+//! The number of coordinates, and the arithmetic that depends on it.
 
 use core::fmt::Debug;
 use core::ops::Range;
@@ -9,7 +9,7 @@ use super::list::{List, Short};
 use super::map_entries::{FewRows, MapEntries};
 use crate::prelude::*;
 
-/// How many coordinates there are.
+/// The number of coordinates, fixed by the type or known at run time.
 pub(crate) trait Size: Copy + PartialEq + Debug + Default + Send + Sync + 'static {
     /// Components of a vector.
     type List: List;
@@ -19,15 +19,15 @@ pub(crate) trait Size: Copy + PartialEq + Debug + Default + Send + Sync + 'stati
     type Map<const C: usize>: MapEntries<C>;
     /// Entries of a matrix with C rows and a column for each coordinate, column by column.
     type Seen<const C: usize>: List;
-    /// A number for each coordinate, say another order of them.
+    /// A number for each coordinate, for example a permutation.
     type Indices: AsRef<[usize]> + AsMut<[usize]> + Clone + Debug + Send + Sync;
 
-    /// Every coordinate at its place.
+    /// The identity permutation.
     fn in_order(self) -> Self::Indices;
-    /// That of as many coordinates; those of a fixed number are as many as they are.
+    /// The size with this number of coordinates; a fixed size ignores it.
     fn of(count: usize) -> Self;
     fn count(self) -> usize;
-    /// The coordinates that a loop goes over which needs some of them. Of a fixed number, all: one loop of a length known to the compiler is
+    /// The coordinates of a loop that needs `needed`. A fixed size returns all of them: a loop whose length the compiler knows is
     /// faster, with zeros where there is nothing to do.
     fn looped(self, needed: Range<usize>) -> Range<usize>;
     fn dot(a: &Self::List, b: &Self::List) -> f64;
@@ -51,11 +51,11 @@ pub(crate) trait Size: Copy + PartialEq + Debug + Default + Send + Sync + 'stati
     fn seen_back<const C: usize>(self, seen: &Self::Seen<C>, f: &SVector<f64, C>) -> Self::List;
 }
 
-/// As many as the type says.
+/// A number of coordinates that is fixed by the type.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Fixed<const D: usize>;
 
-/// As many as there are.
+/// A number of coordinates that is known at run time.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Any(usize);
 
@@ -229,7 +229,7 @@ impl Size for Any {
     }
 }
 
-/// As far as both go, in four sums side by side: no addition waits for the one before.
+/// The dot product over the common length, in four sums side by side: no addition waits for the one before.
 #[inline]
 fn dot(a: &[f64], b: &[f64]) -> f64 {
     let end = a.len().min(b.len());
@@ -244,11 +244,11 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     (sums[0] + sums[2]) + (sums[1] + sums[3]) + rest
 }
 
-/// The four sums of [`dot`], of terms that come with their places.
+/// The four sums of [`dot`], for terms that arrive with their indices.
 struct Lanes {
     sums: [f64; 4],
     rest: f64,
-    /// From here on terms are in the rest.
+    /// Terms from this index on are added to the rest.
     whole: usize,
 }
 
@@ -269,7 +269,7 @@ impl Lanes {
     }
 }
 
-/// The sum that [`dot`] makes of these terms among so many, each with its place; those that are not there are zero.
+/// The sum that [`dot`] makes of `count` terms, of which only these, with their indices, are not zero.
 #[inline]
 pub(super) fn in_lanes(count: usize, terms: impl Iterator<Item = (usize, f64)>) -> f64 {
     let mut lanes = Lanes::of(count);
@@ -277,7 +277,7 @@ pub(super) fn in_lanes(count: usize, terms: impl Iterator<Item = (usize, f64)>) 
     lanes.sum()
 }
 
-/// Visits what `G f` has in the rows that are there.
+/// Calls `visit` with each existing row and its entry of `G f`.
 #[inline]
 fn for_each_mapped<const C: usize>(map: &FewRows, f: &SVector<f64, C>, mut visit: impl FnMut(usize, f64)) {
     for k in MapEntries::<C>::rows(map) {
@@ -286,13 +286,13 @@ fn for_each_mapped<const C: usize>(map: &FewRows, f: &SVector<f64, C>, mut visit
     }
 }
 
-/// The sum of columns of so many rows, each so many times.
+/// Matrix–vector product, column by column.
 #[inline]
 fn combined(rows: usize, columns: &[f64], times: &[f64]) -> Short {
     let mut sum = Short::zeros(rows);
     let list = sum.slice_mut();
     for (column, times) in columns.chunks_exact(rows.max(1)).zip(times) {
-        // Many are zero.
+        // Many factors are zero.
         if *times != 0.0 {
             list.iter_mut().zip(column).for_each(|(sum, entry)| *sum += entry * times);
         }

@@ -16,7 +16,7 @@ pub(crate) struct Square<D: Size> {
 }
 
 impl<D: Size> Default for Square<D> {
-    /// Of no coordinates yet, if their number is any.
+    /// The zero matrix; it has no coordinates if their number is known at run time only.
     fn default() -> Self {
         Self::zeros(D::default())
     }
@@ -98,7 +98,7 @@ impl<D: Size> Square<D> {
         &mut self.as_mut_slice()[j * n..(j + 1) * n]
     }
 
-    /// All zero, and of this size, in the same memory if that is the size.
+    /// Sets all entries to zero and the size to this, in the same memory if the size is unchanged.
     pub(crate) fn clear(&mut self, size: D) {
         if self.size == size { self.fill(0.0) } else { *self = Self::zeros(size) }
     }

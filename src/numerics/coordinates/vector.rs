@@ -21,7 +21,7 @@ impl<D: Size> Default for Vector<D> {
 }
 
 impl<D: Size> Vector<D> {
-    /// Zero, whatever the number of coordinates.
+    /// The zero vector of any number of coordinates.
     #[inline]
     pub(crate) fn zeros() -> Self {
         Self::default()
@@ -36,25 +36,25 @@ impl<D: Size> Vector<D> {
         v
     }
 
-    /// Zero, with a component for every coordinate.
+    /// The zero vector with a component for every coordinate.
     #[inline]
     pub(crate) fn all_zero(size: D) -> Self {
         Self(D::List::zeros(size.count()))
     }
 
-    /// One along a coordinate.
+    /// The unit vector along a coordinate.
     #[inline]
     pub(crate) fn unit(size: D, along: usize) -> Self {
         Self::from_fn(size, |k| if k == along { 1.0 } else { 0.0 })
     }
 
-    /// A component for every coordinate: those that were behind the end are zero.
+    /// Extends the vector with zeros to a component for every coordinate.
     #[inline]
     pub(crate) fn reach(&mut self, size: D) {
         self.0.reach(size.count());
     }
 
-    /// Adds another one so many times.
+    /// Adds `times` another vector.
     #[inline]
     pub(crate) fn add_times(&mut self, other: &Self, times: f64) {
         let other = other.as_slice();
@@ -108,7 +108,7 @@ impl<D: Size> Vector<D> {
         self.iter().fold(0.0, |most: f64, x| if x.abs() > most { x.abs() } else { most })
     }
 
-    /// The component of the largest size.
+    /// The index of the component of largest size.
     pub(crate) fn iamax(&self) -> usize {
         let mut most = 0;
         for (k, x) in self.iter().enumerate() {

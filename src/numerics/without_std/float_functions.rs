@@ -1,9 +1,9 @@
-//! The functions of floating point that belong to std, where there is none: by the same names, from `libm`.
+//! Floating-point functions of std where it is missing, under the same names, from `libm`.
 
-/// Declares functions of one number and of two, and takes them from `libm` by the names that they have there.
+/// Declares functions of one number and of two, and maps each to its name in `libm`.
 macro_rules! float_functions {
     ($($one:ident = $one_of_libm:ident),*; $($two:ident = $two_of_libm:ident),*) => {
-        /// What std does with a number, and core does not.
+        /// The floating-point functions that std has and core lacks.
         pub(crate) trait FloatFunctions: Sized {
             $(fn $one(self) -> Self;)*
             $(fn $two(self, other: Self) -> Self;)*
@@ -25,7 +25,7 @@ macro_rules! float_functions {
                 libm::sincos(self)
             }
 
-            /// Squares as std multiplies them, so that the same bits come out.
+            /// Squares in the same order as in std, so that the bits agree.
             fn powi(self, exponent: i32) -> Self {
                 let (mut power, mut square, mut left) = (1.0, self, exponent.unsigned_abs());
                 loop {
@@ -58,7 +58,7 @@ float_functions! {
 mod tests {
     use super::*;
 
-    /// Both have errors below one unit in the last place or two.
+    /// Both have errors below one or two units in the last place.
     const ULPS: f64 = 4.0 * f64::EPSILON;
 
     /// Numbers of all sizes within a range.

@@ -1,9 +1,9 @@
-//! What std does for the rooms above, where there is none.
+//! Replacements for std where it is missing.
 //!
 //! | file | idea |
 //! |---|---|
-//! | `float_functions` | functions of floating point, from `libm` |
-//! | `once` | what is made once, for all threads |
+//! | `float_functions` | floating-point functions, from `libm` |
+//! | `once` | values that are made once, for all threads |
 
 mod float_functions;
 mod once;

@@ -1,10 +1,10 @@
-//! What is made when it is first needed, and kept, as `std::sync::OnceLock` does where there is std.
+//! A value that is made when it is first needed, and kept, as by `std::sync::OnceLock`.
 
 use crate::prelude::*;
 
 use once_cell::race::OnceBox;
 
-/// A place for something that is made once. Nobody waits: whoever needs it meanwhile makes it, too, and the first to be done is kept.
+/// A value that is made once. No thread waits: each that needs the value meanwhile makes it, too, and the first result is kept.
 #[derive(Debug, Clone)]
 pub(crate) struct Once<T>(OnceBox<T>);
 
