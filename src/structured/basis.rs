@@ -18,13 +18,13 @@ use crate::numerics::Size;
 use crate::object::{Slipping, Sums, normal};
 use crate::prelude::*;
 
-/// The sides of the balance: what belongs to the trial state, to the covering vector, and to the
-/// vector by which ties are broken.
+/// Indices of the right-hand sides of the balance: of the trial state, of the covering vector, and of the
+/// perturbation by which ties are broken.
 pub(super) const TRIAL: usize = 0;
 pub(super) const COVER: usize = 1;
 pub(super) const PERTURBED: usize = 2;
 
-/// The pairs of one contact whose z is basic, by their numbers within the contact.
+/// The active pairs of one contact, those whose z is basic, by their numbers within the contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Active<const C: usize> {
     pairs: [u16; C],
@@ -42,7 +42,7 @@ impl<const C: usize> Active<C> {
         self.pairs[..self.len()].iter().map(|&pair| usize::from(pair))
     }
 
-    /// The facets among the active pairs, of a contact whose first pair is its gap or not.
+    /// The facets among the active pairs; `gap` is whether the contact's first pair is its gap.
     pub(crate) fn facets(&self, gap: bool) -> impl Iterator<Item = u16> + '_ {
         let first = u16::from(gap);
         self.pairs[..self.len()].iter().filter_map(move |pair| pair.checked_sub(first))
@@ -57,7 +57,7 @@ impl<const C: usize> Active<C> {
         self.iter().position(|p| p == pair)
     }
 
-    /// `None` if the contact has as many already as it has axes.
+    /// Adds a pair. `None` if the contact already has as many active pairs as axes.
     pub(super) fn with(mut self, pair: usize) -> Option<Self> {
         let at = self.len();
         *self.pairs.get_mut(at)? = u16::try_from(pair).ok()?;
@@ -75,7 +75,7 @@ impl<const C: usize> Active<C> {
     }
 }
 
-/// How a contact in a given state answers u and z₀.
+/// The linear response of a contact in a given state to u and z₀.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Reaction<const C: usize> {
     /// P.
@@ -88,7 +88,7 @@ pub(super) struct Reaction<const C: usize> {
     pub(super) tie: Jumps<C>,
 }
 
-/// How far the active pairs of a contact jump, and what that does to x.
+/// Jumps of the active pairs of a contact, and the change of x that they cause.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Jumps<const C: usize> {
     pub(super) of_pairs: [f64; C],
@@ -96,21 +96,21 @@ pub(super) struct Jumps<const C: usize> {
 }
 
 impl<const C: usize> Reaction<C> {
-    /// That of a contact without jumps.
+    /// The response of a contact without jumps.
     pub(super) fn sticking() -> Self {
         let (zero, none) = (SVector::zeros(), Jumps { of_pairs: [0.0; C], of_x: SVector::zeros() });
         Self { hold: SMatrix::identity(), multipliers: [zero; C], cover: none, tie: none }
     }
 
-    /// `row·x + d z₀` as a function of u and z₀: what each is multiplied with.
+    /// The coefficients of u and z₀ in `row·x + d z₀`.
     pub(super) fn feels(&self, row: &SVector<f64, C>, d: f64) -> (SVector<f64, C>, f64) {
         (self.hold.tr_mul(row), d - row.dot(&self.cover.of_x))
     }
 }
 
 impl<D: Size, const C: usize> ContactForm<D, C> {
-    /// `None` where the slips of the active pairs are not independent: no exact basis has such a
-    /// state.
+    /// The response of a contact in a state. `None` if the slips of the active pairs are not independent, which no exact basis
+    /// has.
     pub(super) fn reaction(&self, local: &PairedContact<D, C>, active: &Active<C>) -> Option<Reaction<C>> {
         let (gap, facets) = (active.position(0).filter(|_| local.contact.gap), self.pairs_of(local));
         let slipping = active.iter().enumerate().filter(|(a, _)| gap != Some(*a));
@@ -119,7 +119,7 @@ impl<D: Size, const C: usize> ContactForm<D, C> {
         if gap.is_some() {
             hold.fill_column(0, 0.0);
         }
-        // The number of an active pair among the facets that slip.
+        // The index of an active pair among the slipping facets.
         let facet = |a: usize| match gap {
             Some(gap) if a == gap => None,
             Some(gap) if a > gap => Some(a - 1),
@@ -151,7 +151,7 @@ impl<D: Size, const C: usize> ContactForm<D, C> {
         Some(Reaction { hold, multipliers, cover, tie })
     }
 
-    /// Adds the terms of a contact, `sign` times.
+    /// Adds the terms of a contact, times `sign`, to the sums.
     pub(super) fn accumulate(
         &self,
         sums: &mut Sums<D, 3>,
@@ -171,7 +171,7 @@ impl<D: Size, const C: usize> ContactForm<D, C> {
 #[derive(Debug, Clone)]
 pub(super) struct StateBasis<const C: usize> {
     pub(super) active: Vec<Active<C>>,
-    /// Only those of contacts that jump mean anything.
+    /// Valid for contacts that jump only.
     reactions: Vec<Reaction<C>>,
     sticking: Reaction<C>,
 }
@@ -183,7 +183,7 @@ impl<const C: usize> Default for StateBasis<C> {
 }
 
 impl<const C: usize> StateBasis<C> {
-    /// Every contact as in the trial state.
+    /// Sets every contact to its trial state.
     pub(super) fn unjump(&mut self, contacts: usize) {
         self.active.clear();
         self.active.resize(contacts, Active::NONE);
@@ -196,12 +196,12 @@ impl<const C: usize> StateBasis<C> {
         self.jumped(contact).unwrap_or(&self.sticking)
     }
 
-    /// The reaction of a contact that jumps.
+    /// The response of a contact, if it jumps.
     pub(super) fn jumped(&self, contact: usize) -> Option<&Reaction<C>> {
         (self.active[contact].len() > 0).then(|| &self.reactions[contact])
     }
 
-    /// Puts a contact into a state. `None` for one that no exact basis has.
+    /// Sets the state of a contact. `None` for a state that no exact basis has.
     pub(super) fn set<D: Size>(
         &mut self,
         form: &ContactForm<D, C>,
@@ -215,7 +215,7 @@ impl<const C: usize> StateBasis<C> {
         Some(())
     }
 
-    /// All sums afresh.
+    /// All sums, computed afresh.
     pub(super) fn sums<D: Size>(&self, form: &ContactForm<D, C>) -> Sums<D, 3> {
         Sums::over(form.size, form.len(), form.coordinates.rank, &|sums, contact| {
             form.accumulate(sums, contact, self.jumped(contact), 1.0);

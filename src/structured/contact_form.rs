@@ -6,10 +6,10 @@
 //! x_i = u_i + B_i z_i,   u_i = x⁰_i - Q_i y,   Σ Q_iᵀ(x_i - x⁰_i) = 0,   0 <= z ⟂ w = L x + d z₀ >= 0
 //! ```
 //!
-//! All that couples the contacts is y, the motion of the object, with as many entries as the object
+//! The contacts are coupled only by y, the motion of the object, with as many entries as the object
 //! has degrees of freedom. Rows and columns are those of `forms/kinematic`. Columns and the rows of
 //! gaps have length one; a facet has the row (κ, c), over its tangential length, and the column (0,
-//! c). The path is driven by the covering variable z₀: it is the s of its points.
+//! c). The covering variable z₀ drives the path: it is the s of the path's points.
 
 use nalgebra::SVector;
 
@@ -23,13 +23,13 @@ pub(super) struct PairedContact<D: Size, const C: usize> {
     pub(super) contact: EnergyContact<D, C>,
     /// x⁰_i.
     pub(super) trial: SVector<f64, C>,
-    /// The number of its first pair in the whole problem. Pair 0 of a contact that may open is its
+    /// The index of its first pair in the whole problem. Pair 0 of a contact that may open is its
     /// gap.
     pub(super) first: usize,
 }
 
 impl<D: Size, const C: usize> PairedContact<D, C> {
-    /// The entry of the vector by which ties are broken for a pair, in the unit of its row.
+    /// The entry of the perturbation for a pair, in the unit of its row.
     pub(super) fn perturbation(&self, pair: usize, unit: f64) -> f64 {
         unit * generic(self.first + pair)
     }
@@ -46,17 +46,17 @@ pub(crate) struct ContactForm<D: Size, const C: usize> {
     pub(super) locals: Vec<PairedContact<D, C>>,
     pub(super) coordinates: EnergyCoordinates<C>,
     pub(super) size: D,
-    /// Pairs of all contacts.
+    /// The number of pairs of all contacts.
     pub(super) pairs: usize,
     /// The largest |Q_i|.
     pub(super) widest: f64,
-    /// The covering vector d entry by entry, in the units of the rows; none for ones on rows of
+    /// The covering vector d entry by entry, in the units of the rows; empty for ones on rows of
     /// length one.
     covering: Vec<f64>,
 }
 
 impl<D: Size, const C: usize> ContactForm<D, C> {
-    /// Lays out the form on the trial state in which every contact sticks, with the factor of its
+    /// Writes the form for the trial state in which every contact sticks, from the factor of its
     /// springs and x⁰, spring by spring.
     pub(crate) fn assign(&mut self, problem: &Problem<D, C>, factor: &Orthogonal<D>, x: &[f64]) {
         let Self { locals, coordinates, size, pairs, widest, covering } = self;
@@ -83,8 +83,8 @@ impl<D: Size, const C: usize> ContactForm<D, C> {
         self.locals.len()
     }
 
-    /// The pairs of a contact: the row of each, and what an entry for a row of length one is
-    /// multiplied with in its unit.
+    /// The pairs of a contact: the row of each, and the factor that converts an entry for a row of length one to
+    /// the row's unit.
     #[inline]
     pub(super) fn pairs_of(&self, local: &PairedContact<D, C>) -> &[Facet<C>] {
         self.coordinates.pairs(&local.contact)
@@ -102,8 +102,8 @@ impl<D: Size, const C: usize> ContactForm<D, C> {
         self.covering.get(local.first + pair).copied().unwrap_or(unit)
     }
 
-    /// A fixed covering vector without structure, another for every number: entries between 1/8 and
-    /// 8. Number 0 is all ones.
+    /// Sets the covering vector to fixed numbers without structure, different for every attempt: entries between 1/8 and
+    /// 8. Attempt 0 has all ones.
     pub(super) fn scatter(&mut self, attempt: usize) {
         let mut covering = core::mem::take(&mut self.covering);
         covering.clear();

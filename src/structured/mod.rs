@@ -1,6 +1,6 @@
 //! Lemke's method on lists of contact states, for one contact or a hundred thousand.
 //!
-//! All that couples the contacts is the motion of the object. With every contact in a known state
+//! The contacts are coupled only by the motion of the object. With every contact in a known state
 //! its law is linear. So a complementary basis is a list of contact states, and a pivot solves one
 //! system with d + 1 rows. The matrix of the complementarity problem is never formed. The pivots
 //! are those of the dense solver on [`Form`](crate::forms::Form).
@@ -9,12 +9,13 @@
 //! |---|---|
 //! | `contact_form` | the kinematic form contact by contact |
 //! | `basis` | a complementary basis as a list of contact states |
-//! | `variables` | how soon a variable of a contact can reach zero |
+//! | `variables` | the steps after which variables of a contact reach zero |
 //! | `path` | Lemke's path from basis to basis |
 //! | `newton` | a start for many contacts |
-//! | `round_cone` | from there, or from the elastic trial, to the round cone |
+//! | `round_cone` | from such a start or the elastic trial to the round cone |
 //! | `solution` | an equilibrium in known states, checked |
-//! | `workspace`, `view`, `proposal` | who asks: one scene after another, and the ladder |
+//! | `workspace`, `view` | one scene after another in the same memory, and the result |
+//! | `proposal` | contact states for the ladder of `search` |
 
 mod basis;
 mod contact_form;

@@ -1,7 +1,7 @@
-//! A start for many contacts: Newton's method on polygons, summed in halves by several threads.
+//! A start for many contacts: Newton's method on polygons, with sums by halves on several threads.
 //!
-//! Where forces balance that is an equilibrium: every inequality of the law is part of the return map. Stretches that all stick give the
-//! twist to start from.
+//! Its result is an equilibrium once forces balance, since every inequality of the law is part of the return map. It starts from the twist
+//! with every contact sticking.
 
 use core::ops::Range;
 
@@ -13,11 +13,11 @@ use crate::grasp::Site;
 use crate::numerics::{Factors, Size, Square, Vector, in_halves};
 use crate::object::{self, Imbalance, Problem, StretchAnswers, TangentFactors, are_many};
 
-/// Of some contacts: R without the load, and T.
+/// Sums over some contacts: the imbalance R without the load, and the tangent stiffness T.
 struct Sums<D: Size> {
     balance: Imbalance<D>,
     stiffness: Square<D>,
-    /// No contact that is kept closed pulls while it should carry friction.
+    /// Whether no contact that is kept closed pulls while it should carry friction.
     lawful: bool,
 }
 
@@ -25,7 +25,7 @@ struct OnPolygons<'p, 'g, D: Size, const C: usize> {
     problem: &'p Problem<'g, D, C>,
     states: &'p mut [PolygonState],
     forces: &'p mut [SVector<f64, C>],
-    /// At the last answer.
+    /// The sums at the last twist.
     sums: Sums<D>,
 }
 
@@ -44,8 +44,8 @@ impl<D: Size, const C: usize> StretchAnswers<D> for OnPolygons<'_, '_, D, C> {
     }
 }
 
-/// The number of steps after which the method has arrived at an equilibrium from the twist at
-/// which everything that sticks would balance. Rates on an edge are not for it.
+/// Newton's method from the twist at which all contacts that stick would balance the load. Returns the number of steps,
+/// or `None` if it does not converge. Rates on an edge are excluded.
 pub(super) fn newton<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     found: &mut Solution<D, C>,
@@ -59,7 +59,7 @@ pub(super) fn newton<D: Size, const C: usize>(
     found.states.resize(problem.len(), Mode::Sticking);
     let sums = stick(problem);
     let factors = sums.factors(problem, |i| problem.local(i).unjumped())?;
-    // Where a motion is free the least one is asked for, which Newton's method does not know.
+    // If a motion is free, the least one is wanted, which Newton's method does not find.
     let start = factors.is_regular().then(|| factors.solve(&(&sums.balance.left + &problem.wrench)))?;
     let mut answers = OnPolygons { problem, states: &mut found.states, forces: &mut found.forces, sums };
     let (twist, steps, here) = object::newton(&mut answers, start, BALANCED)?;
@@ -69,7 +69,7 @@ pub(super) fn newton<D: Size, const C: usize>(
     lawful.then_some(steps + 1)
 }
 
-/// R without the load and T where everything sticks and the object has not moved.
+/// R without the load and T, with every contact sticking and the object at rest.
 fn stick<D: Size, const C: usize>(problem: &Problem<D, C>) -> Sums<D> {
     let part = |contacts: Range<usize>| {
         let mut sum = Sums::zero(problem.size());
@@ -138,7 +138,7 @@ fn add_tangent<D: Size, const C: usize>(t: &mut Square<D>, site: &Site<D, C>, ta
 
 impl<D: Size> Sums<D> {
     fn zero(size: D) -> Self {
-        // Of many coordinates T is for a band.
+        // For many coordinates T is kept in a band, see `factors`.
         let stiffness = Square::zeros(if are_many(size) { D::of(0) } else { size });
         Self { balance: Imbalance::default(), stiffness, lawful: true }
     }
@@ -149,7 +149,7 @@ impl<D: Size> Sums<D> {
         }
     }
 
-    /// Factors of T, which is that of these states.
+    /// Factors of T in these states.
     fn factors<const C: usize>(
         &self,
         problem: &Problem<D, C>,

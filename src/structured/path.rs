@@ -2,10 +2,11 @@
 //!
 //! The pivots are those of Lemke's method on the kinematic form with the covering vector of ones on
 //! its rows. Between two pivots one pair (w, z) has both variables zero, and one of the two enters.
-//! A basic variable that reaches zero first leaves, its partner enters next, until z₀ leaves.
+//! The basic variable that reaches zero first leaves, and its partner enters next, until z₀ leaves.
 //!
-//! **Ties.** Think of q + ε p with ε → 0+ and a fixed vector p without structure. Among variables that reach zero together the one with the least change by p per rate leaves first. One more solve with the same factors says
-//! which. Nothing is added to the data. If z₀ is among the tied it leaves, always.
+//! **Ties.** Think of q + ε p with ε → 0+ and a fixed vector p without structure. Among variables that reach zero together, the one with the least
+//! change by p per rate leaves first. One more solve with the same factors gives these changes. Nothing is added to the data. If z₀ is among the tied
+//! variables, z₀ leaves.
 
 use super::basis::{COVER, PERTURBED, StateBasis, TRIAL};
 use super::contact_form::ContactForm;
@@ -15,10 +16,10 @@ use crate::numerics::{Bordered, Size, Vector};
 use crate::object::{Facet, LazyPricing, Point, Sums, are_stale};
 use crate::prelude::*;
 
-/// Fewer contacts than this are all looked at in every step: a line would cost more than it spares.
+/// Number of contacts below which every step evaluates all of them: a queue would cost more than it saves.
 const FEW: usize = 24;
 
-/// A pivot below this part of the largest change of the step is only made on fresh sums.
+/// A pivot below this part of the largest change of the step is made on fresh sums only.
 const DOUBTFUL: f64 = 1e-7;
 
 /// How a path ends.
@@ -26,34 +27,34 @@ const DOUBTFUL: f64 = 1e-7;
 pub(crate) enum PivotEnd {
     /// z₀ has left: every contact has a state of its own.
     Complementary,
-    /// The entering variable grows for ever. On this form that proves nothing.
+    /// The entering variable grows without bound. On this form a ray proves nothing.
     Ray,
     PivotLimit,
     /// A singular basis.
     Breakdown,
 }
 
-/// A path, with memory that is kept between scenes.
+/// A path. Its memory is kept between scenes.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Path<D: Size, const C: usize> {
     pub(crate) form: ContactForm<D, C>,
     pub(super) basis: StateBasis<C>,
     pub(super) sums: Sums<D, 3>,
     pub(crate) pivots: usize,
-    /// Contacts that were looked at, for all of these pivots.
+    /// The number of evaluations of a contact, over all of these pivots.
     looks: usize,
-    /// With more looks than these, if there is a limit, the path ends.
+    /// Largest number of evaluations, if there is a limit: above it the path ends.
     pub(crate) most_looks: Option<usize>,
-    /// Pivots since the sums were made.
+    /// Pivots since the sums were last computed afresh.
     pub(super) age: usize,
-    /// Of the system of the present step.
+    /// Factors of the system of the present step.
     factors: Bordered<D>,
     pricing: LazyPricing<D>,
     candidates: Vec<Candidate>,
 }
 
 impl<D: Size, const C: usize> Path<D, C> {
-    /// Pivots that no problem of this size is known to need.
+    /// A number of pivots that no problem of this size is known to need.
     pub(crate) fn pivot_limit(&self) -> usize {
         10_000 + 100 * self.form.pairs
     }
@@ -72,7 +73,7 @@ impl<D: Size, const C: usize> Path<D, C> {
         self.run(first, &Point { y: Vector::zeros(), s: z0 }, limit)
     }
 
-    /// The pair with the least value per entry of the covering vector at the trial state, if one is
+    /// The pair with the least value per entry of the covering vector at the trial state, if a pair is
     /// violated, and z₀ there.
     fn most_violated(&self) -> Option<(Entering, f64)> {
         let form = &self.form;
@@ -116,7 +117,7 @@ impl<D: Size, const C: usize> Path<D, C> {
         law.slipping_state(facets)
     }
 
-    /// The sums afresh.
+    /// Computes the sums afresh.
     pub(super) fn refresh(&mut self) {
         self.sums = self.basis.sums(&self.form);
         self.age = 0;
@@ -190,7 +191,7 @@ impl<D: Size, const C: usize> Path<D, C> {
         self.form.len() >= FEW
     }
 
-    /// Everybody waits, but for the contact whose pair is out of the basis.
+    /// Queues all contacts except `out`, whose pair is outside the basis.
     fn line_up(&mut self, out: u32, at: &Point<D>, along: &Point<D>) {
         self.looks += self.form.len();
         let Self { form, basis, pricing, .. } = self;
@@ -199,8 +200,8 @@ impl<D: Size, const C: usize> Path<D, C> {
         });
     }
 
-    /// The contacts that the step has looked at wait again, but for that whose pair is out of the
-    /// basis now: it is looked at anyway.
+    /// Queues the contacts again that the step has evaluated, except `out`, whose pair is now outside the
+    /// basis: every step evaluates it.
     fn requeue(&mut self, left: u32, out: u32, at: &Point<D>) {
         let Self { form, basis, pricing, .. } = self;
         pricing.looked.push(left);
@@ -212,7 +213,7 @@ impl<D: Size, const C: usize> Path<D, C> {
         }
     }
 
-    /// The vertex at which both variables of the pair are zero, and the direction in which the
+    /// The vertex at which both variables of the entering pair are zero, and the direction in which the
     /// entering one grows by one.
     fn step(&mut self, entering: &Entering) -> Option<PivotStep<D>> {
         let contact = entering.contact as usize;
@@ -254,7 +255,7 @@ impl<D: Size, const C: usize> Path<D, C> {
         };
         look(entering.contact, &mut length);
         if lazy {
-            // After a second look at the same step.
+            // A repeated step: these contacts were taken from the queue before.
             for k in 0..pricing.looked.len() {
                 look(pricing.looked[k], &mut length);
             }
@@ -286,7 +287,7 @@ impl<D: Size, const C: usize> Path<D, C> {
         }
     }
 
-    /// Among the candidates the one that leaves first when q is perturbed.
+    /// The candidate that leaves first when q is perturbed.
     fn break_tie(&self, entering: &Entering) -> Leaving {
         let form = &self.form;
         let local = &form.locals[entering.contact as usize];
@@ -314,7 +315,7 @@ impl<D: Size, const C: usize> Path<D, C> {
         first.map_or(Leaving::Nobody, |(candidate, _)| Leaving::Variable(*candidate))
     }
 
-    /// The entering variable becomes basic, the leaving one zero. `None` for a state that no exact
+    /// Makes the entering variable basic and the leaving one zero. `None` for a state that no exact
     /// basis has.
     fn exchange(&mut self, entering: &Entering, leaving: Option<&Candidate>) -> Option<()> {
         let enters = entering.jump.then_some(entering.contact as usize);

@@ -1,4 +1,4 @@
-//! Contact states for the ladder of `equilibrium`, which solves and checks them.
+//! Contact states proposed to the ladder of `search`, which solves and checks them.
 
 use super::newton::newton;
 use super::path::{Path, PivotEnd};
@@ -8,26 +8,27 @@ use crate::numerics::Size;
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
-/// What a search for contact states took, and its end.
+/// The result of a search for contact states, and its cost.
 #[derive(Debug, Clone)]
 pub(crate) struct Proposal<const C: usize> {
     pub(crate) states: Option<Vec<State<C>>>,
     pub(crate) pivots: usize,
-    /// Pairs of the kinematic form.
+    /// The number of pairs of the kinematic form.
     pub(crate) pairs: usize,
-    /// Whether a path has ended otherwise than on a ray.
+    /// Whether a path ended at a limit or a breakdown, not on a ray.
     pub(crate) cut_short: bool,
 }
 
-/// Contact states by Newton's method on the return maps, if it arrives.
+/// Contact states by Newton's method on the return maps, if it converges.
 pub(crate) fn propose_by_newton<D: Size, const C: usize>(problem: &Problem<D, C>) -> Option<Vec<State<C>>> {
     let mut solution = Solution::default();
     newton(problem, &mut solution)?;
     Some(solution.states.into_iter().map(State::from).collect())
 }
 
-/// Follows Lemke's path on the kinematic form from the trial state, and those of as many other
-/// covering vectors after a ray. All of them make at most so many pivots; if none are given, as many as `most_work` multiplications make.
+/// Follows Lemke's path on the kinematic form from the trial state and, after each failure, the path of another
+/// covering vector, up to `other_paths` of them. All paths together make at most `max_pivots` pivots or, without that limit, at most `most_work`
+/// multiplications.
 pub(crate) fn propose<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     trial: &Piece<D, C>,
@@ -42,7 +43,7 @@ pub(crate) fn propose<D: Size, const C: usize>(
         x.extend((0..local.springs.axes()).map(|axis| force[axis] / local.springs.root_along(axis)));
     }
     path.form.assign(problem, trial.factor(), &x);
-    // A look at a contact takes a motion along each of its pairs.
+    // Evaluating a contact takes a motion along each of its pairs.
     let of_a_look = (problem.size().count() * path.form.pairs).div_ceil(problem.len().max(1)).max(1);
     path.most_looks = max_pivots.is_none().then_some(most_work / of_a_look);
     let mut proposal = Proposal { states: None, pivots: 0, pairs: path.form.pairs, cut_short: false };

@@ -1,7 +1,7 @@
 //! An equilibrium on the round cone, in the memory of a workspace.
 //!
-//! Newton's method on what the contacts answer to a motion of the object goes on from the elastic trial state, or from an equilibrium on
-//! polygons. Where forces balance that is an equilibrium: the friction law holds in every answer.
+//! Newton's method on the contacts' responses to a motion of the object starts from the elastic trial state, or from an equilibrium on
+//! polygons. Once forces balance, the result is an equilibrium: the friction law holds in every response.
 
 use nalgebra::SVector;
 
@@ -11,7 +11,7 @@ use crate::numerics::{Size, Vector};
 use crate::object::{Problem, newton_on_cones};
 use crate::prelude::*;
 
-/// The number of steps after which Newton's method has arrived from a twist; the answers of the contacts are in `answers` then.
+/// Newton's method from a twist. Returns the number of steps if it converges; the responses of the contacts are then in `answers`.
 pub(super) fn newton<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     from: Vector<D>,
@@ -19,7 +19,7 @@ pub(super) fn newton<D: Size, const C: usize>(
     found: &mut Solution<D, C>,
 ) -> Option<usize> {
     let (twist, steps, here) = newton_on_cones(problem, (from, BALANCED), answers)?;
-    // What is kept closed may pull, but then it has no friction to slide with.
+    // A contact that is kept closed may pull, but then it has no friction to slide with.
     let lawful = problem
         .locals()
         .zip(answers.iter())
@@ -34,7 +34,7 @@ pub(super) fn newton<D: Size, const C: usize>(
     Some(steps)
 }
 
-/// Whether the elastic trial is an equilibrium, with the springs of the contacts stretched by x at a twist.
+/// Whether the elastic trial at a twist is an equilibrium; x are the stretches of the contacts' springs there.
 pub(super) fn trial_holds<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     (x, twist): (&[f64], &Vector<D>),

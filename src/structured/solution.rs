@@ -9,24 +9,24 @@ use crate::numerics::{Bordered, Size, Vector};
 use crate::object::{CORRECTIONS, Facet, Problem};
 use crate::prelude::*;
 
-/// Forces out of balance by less than this part of their sizes balance: what is left is mostly
-/// rounding, and another correction would only stir it.
+/// Relative imbalance of forces that counts as balance: the rest is mostly
+/// rounding, which another correction would not reduce.
 pub(super) const BALANCED: f64 = 1e-13;
-/// After so few pivots the sums have hardly lost anything, and need not be made afresh for the
+/// Number of pivots up to which the sums have lost hardly any digits, and are not computed afresh for the
 /// solution.
 const FRESH: usize = 16;
-/// No solution has a larger residual: a vertex of a wrong basis breaks its conditions by much more.
+/// Largest residual of a solution: a vertex of a wrong basis violates its conditions by much more.
 pub(super) const ACCURATE: f64 = 1e-10;
-/// Forces below this part of those in the trial state are its rounding.
+/// Forces below this part of those in the trial state are rounding of the trial state.
 const ROUNDING: f64 = 1e-5;
 
-/// An equilibrium, by Newton's method or from the last basis of a path.
+/// An equilibrium, found by Newton's method or from the last basis of a path.
 #[derive(Debug, Clone)]
 pub(super) struct Solution<D: Size, const C: usize> {
     /// The least motion of the object, in inside coordinates.
     pub(super) twist: Vector<D>,
     pub(super) forces: Vec<SVector<f64, C>>,
-    /// Where Newton's method has led to it.
+    /// The states of the contacts, if Newton's method found it.
     pub(super) states: Vec<PolygonState>,
     /// The largest violation of a condition, over the sizes of its terms.
     pub(super) residual: f64,
@@ -70,8 +70,8 @@ impl<D: Size, const C: usize> Solution<D, C> {
             let stretch = local.stretch(&y);
             let x = reaction.hold * stretch;
             let level = SMALLEST + local.trial.norm() + stretch.norm();
-            // A force is known from its stretch or from balance with the others, whichever is
-            // better.
+            // The error of a force is that of its stretch or that of its balance with the others, whichever is
+            // smaller.
             let force_level = SMALLEST + x.norm() + level.min(largest / site.springs.softest().sqrt());
             for (z, _) in reaction.multipliers.iter().zip(active.iter()) {
                 worst = worst.max(z.dot(&stretch) / (level * (1.0 + z.amax())));
@@ -86,7 +86,7 @@ impl<D: Size, const C: usize> Solution<D, C> {
             worst = worst.max(-least / force_level);
             let force = &mut self.forces[contact];
             if local.contact.gap && active.has(0) {
-                // Nothing holds an open contact, whatever its friction.
+                // An open contact carries no force, whatever its friction.
                 worst = worst.max(x.norm() / force_level);
                 force.fill(0.0);
             }

@@ -1,4 +1,4 @@
-//! What the variables of one contact do along a step, and how soon one of them can reach zero.
+//! The variables of one contact along a step, and the step after which one of them can reach zero.
 
 use nalgebra::SVector;
 
@@ -7,7 +7,7 @@ use super::contact_form::{ContactForm, PairedContact};
 use crate::numerics::Size;
 use crate::object::{Facet, MARGIN, Point, slack};
 
-/// The pair that is out of the basis (both its variables are zero), and which of the two enters.
+/// The pair outside the basis, both of whose variables are zero, and which of the two enters.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Entering {
     pub(super) contact: u32,
@@ -15,7 +15,7 @@ pub(super) struct Entering {
     pub(super) jump: bool,
 }
 
-/// A basic variable that a step takes towards zero.
+/// A basic variable that decreases along a step.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Candidate {
     pub(super) contact: u32,
@@ -25,12 +25,12 @@ pub(super) struct Candidate {
     pub(super) vanishing: Vanishing,
 }
 
-/// A value that a step takes towards zero.
+/// A value that decreases along a step.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Vanishing {
     pub(super) value: f64,
     pub(super) rate: f64,
-    /// Size of the terms that the value is made of.
+    /// Size of the terms whose sum the value is.
     pub(super) level: f64,
 }
 
@@ -40,27 +40,27 @@ impl Vanishing {
         self.value.max(0.0) / -self.rate
     }
 
-    /// The step after which the value is below zero by as much as its rounding: variables that
-    /// reach zero before the least of these cannot be told apart.
+    /// The step after which the value is below zero by its rounding error: variables that
+    /// reach zero before the least of these steps count as tied.
     pub(super) fn longest(&self) -> f64 {
         let value = self.value.max(0.0);
         (value + TIE * value + ROUNDING * self.level) / -self.rate
     }
 }
 
-/// A value may be wrong by this part of itself: variables tie that reach zero within such errors of
-/// each other. Smaller, and a symmetric scene leaves a tie to its rounding; larger, and a variable
-/// goes below zero.
+/// Relative error of a value: variables tie that reach zero within such errors of
+/// each other. Smaller, a symmetric scene leaves a tie to its rounding; larger, a variable
+/// becomes negative.
 pub(super) const TIE: f64 = 1e-12;
-/// A value may be wrong by this part of the terms it is made of, for the same reason.
+/// Error of a value, as a part of the terms it is made of, for the same reason.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// Where a step starts and where it goes, for a unit change of the entering variable.
+/// The start of a step, and its direction for a unit change of the entering variable.
 #[derive(Debug, Clone)]
 pub(super) struct PivotStep<D: Size> {
     pub(super) here: Point<D>,
     pub(super) along: Point<D>,
-    /// Size of the largest changes of variables.
+    /// Size of the largest change of a variable.
     pub(super) largest: f64,
 }
 
@@ -71,7 +71,7 @@ const NOISE: f64 = 1e-11;
 pub(super) const GREY: f64 = 4.0 * f64::EPSILON;
 
 impl<D: Size, const C: usize> ContactForm<D, C> {
-    /// Visits the basic variables of a contact that decrease along a step. A rate much smaller than
+    /// Calls `visit` with the basic variables of a contact that decrease along a step. A rate much smaller than
     /// the largest changes counts only if it is not small beside the terms it is made of.
     pub(super) fn decreasing(
         &self,
@@ -113,14 +113,14 @@ impl<D: Size, const C: usize> ContactForm<D, C> {
         for (pair, Facet { row, unit }) in self.pairs_of(local).iter().enumerate() {
             let d = self.cover(local, pair, *unit);
             let rate = row.dot(&dx) + d * dz0;
-            // Most are told apart by their rates alone.
+            // Rates alone exclude most variables.
             if rate < zero && !active.has(pair) {
                 consider(pair, false, row.dot(&x) + d * z0, rate, *unit);
             }
         }
     }
 
-    /// The time in which no variable of this contact can reach zero on the clock of the direction
+    /// The time until which no variable of this contact can reach zero, on the clock of the direction
     /// e.
     pub(super) fn slack(&self, basis: &StateBasis<C>, contact: u32, at: &Point<D>, e: &Point<D>) -> f64 {
         let local = &self.locals[contact as usize];
@@ -128,7 +128,7 @@ impl<D: Size, const C: usize> ContactForm<D, C> {
         let (stretch, change) = (local.stretch(&at.y), -(&local.contact.seen * &e.y));
         let (margin, width) = (MARGIN * local.level(&stretch, at.s), local.contact.seen.norm());
         let mut least = f64::INFINITY;
-        // A variable is `felt·u + d z₀`.
+        // Each variable has the form `felt·u + d z₀`.
         let mut consider = |felt: &SVector<f64, C>, d: f64, size: f64| {
             let value = felt.dot(&stretch) + d * at.s - margin * size;
             let rate = felt.dot(&change) + d * e.s;
@@ -149,7 +149,7 @@ impl<D: Size, const C: usize> ContactForm<D, C> {
 }
 
 impl<D: Size, const C: usize> PairedContact<D, C> {
-    /// Size of the terms that the variables of the contact are made of.
+    /// Size of the terms of the contact's variables.
     fn level(&self, stretch: &SVector<f64, C>, z0: f64) -> f64 {
         self.trial.amax() + stretch.amax() + z0.abs()
     }

@@ -1,4 +1,4 @@
-//! What a workspace has found.
+//! The result of a search in a workspace.
 
 use core::fmt::Debug;
 
@@ -7,7 +7,7 @@ use nalgebra::SVector;
 use crate::forms::Row;
 use crate::grasp::Twist;
 
-/// How a search for an equilibrium ended.
+/// The end of a search for an equilibrium.
 #[derive(Debug, Clone, Copy)]
 #[non_exhaustive]
 pub enum Search<'a, const C: usize> {
@@ -15,11 +15,11 @@ pub enum Search<'a, const C: usize> {
     Found(EquilibriumView<'a, C>),
     /// The load works on a motion that no contact resists: there is no equilibrium.
     FreeMotion,
-    /// Lemke's paths ended on rays, at the limit on their pivots (10 000 + 100 a row of the
-    /// kinematic form) or on a point that does not satisfy every condition. There may be an
+    /// Lemke's paths ended on rays, at their pivot limit (10 000 + 100 per row of the
+    /// kinematic form) or on a point that violates a condition. There may be an
     /// equilibrium or none.
     NotFound {
-        /// Pivots of all paths.
+        /// The number of pivots of all paths.
         pivots: usize,
     },
 }
@@ -35,7 +35,7 @@ impl<'a, const C: usize> EquilibriumView<'a, C> {
         Self { workspace }
     }
 
-    /// Forces on the object in the contact frames, N, one a contact in the order of the grasp:
+    /// Forces on the object in the contact frames, N, one per contact in the order of the grasp:
     /// (`F_n`, `F_t`…), `F_n` > 0 pushes.
     #[must_use]
     pub fn forces(&self) -> &'a [SVector<f64, C>] {
@@ -50,20 +50,20 @@ impl<'a, const C: usize> EquilibriumView<'a, C> {
     }
 
     /// The largest violation of a condition, relative to the sizes of its terms: balance of forces
-    /// and moments, friction cones, gaps and slips. At most 1e-10, as a rule a few roundings.
+    /// and moments, friction cones, gaps and slips. At most 1e-10, usually a few roundings.
     #[must_use]
     pub fn residual(&self) -> f64 {
         self.workspace.residual()
     }
 
-    /// Pivots of Lemke's method, on all paths; 0 if every contact sticks or Newton's method led to
+    /// The number of pivots of Lemke's method, on all paths; 0 if every contact sticks or Newton's method found
     /// the equilibrium.
     #[must_use]
     pub fn pivots(&self) -> usize {
         self.workspace.pivots()
     }
 
-    /// Steps of Newton's method, if they led to it. On polygons no pivot was needed then.
+    /// The number of Newton's steps, if Newton's method found the equilibrium. On polygons no pivot was made then.
     #[must_use]
     pub fn newton_steps(&self) -> Option<usize> {
         self.workspace.newton_steps()
@@ -79,7 +79,7 @@ impl<'a, const C: usize> EquilibriumView<'a, C> {
     }
 }
 
-/// What a view shows of its workspace, whatever the number of coordinates.
+/// The methods of a workspace behind its view, for any number of coordinates.
 pub(super) trait Viewed<const C: usize>: Debug {
     fn forces(&self) -> &[SVector<f64, C>];
     fn twist(&self) -> Twist<C>;

@@ -17,16 +17,16 @@ use crate::numerics::{Memory, Orthogonal, Size, Vector, without};
 use crate::object::{Problem, spring_rows, stretched_into, worked_on};
 use crate::prelude::*;
 
-/// Paths with other covering vectors that are tried after a first one without solution.
+/// Number of other covering vectors that are tried after a first path without solution.
 const OTHER_PATHS: usize = 3;
-/// From this many contacts on Newton's method is tried first.
+/// Number of contacts from which Newton's method is tried first.
 const MANY: usize = 32;
 
 /// Memory for equilibria of one grasp after another, by Lemke's method on lists of contact states.
 #[derive(Debug, Clone)]
 pub(crate) struct Workspace<D: Size, const C: usize> {
     pub(super) path: Path<D, C>,
-    /// K^{1/2}Gᵀ, row by row the springs of the contacts, and its factors: they are those of the
+    /// K^{1/2}Gᵀ, one row per spring of the contacts, and its factors: they are kept from the
     /// last scene if only load, commands or friction have changed.
     springs: Vec<Vector<D>>,
     factor: Orthogonal<D>,
@@ -37,24 +37,24 @@ pub(crate) struct Workspace<D: Size, const C: usize> {
     laws: Vec<Law<C>>,
     drives: Vec<SVector<f64, C>>,
     polygon: Arc<Polygon<C>>,
-    /// How it is asked now.
+    /// The settings of the present question.
     pub(super) asked: SearchSettings,
-    /// What contacts answer there.
+    /// The responses of the contacts on the round cone.
     answers: Vec<ContactResponse<C>>,
     pub(super) solution: Solution<D, C>,
     /// R q in the trial state.
     travelled: Vector<D>,
-    /// Steps of Newton's method, if they led to the solution.
+    /// The number of Newton's steps, if Newton's method found the solution.
     pub(super) newton_steps: Option<usize>,
     pub(super) twist: Twist<C>,
 }
 
-/// What a workspace is asked for.
+/// The settings of a search.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct SearchSettings {
-    /// The polygonal cone that answers are for, or that leads to the round one.
+    /// The polygonal cone of the answer, or that of the start for the round cone.
     pub(crate) cone: PolygonCone,
-    /// Whether answers are for the round cone.
+    /// Whether the answer is for the round cone.
     pub(crate) round: bool,
     /// Whether Lemke's first path is the only one.
     pub(crate) one_path: bool,
@@ -114,7 +114,7 @@ impl<D: Size, const C: usize> Workspace<D, C> {
         })
     }
 
-    /// Whether an equilibrium is found; `None` if no contact resists the load.
+    /// Whether an equilibrium was found; `None` if no contact resists the load.
     fn seek(&mut self, problem: &mut Problem<D, C>, other_paths: usize) -> Option<bool> {
         let newton_first = other_paths > 0 && problem.len() >= MANY && !self.asked.round;
         self.newton_steps = newton_first.then(|| newton(problem, &mut self.solution)).flatten();
@@ -131,8 +131,8 @@ impl<D: Size, const C: usize> Workspace<D, C> {
         })
     }
 
-    /// An equilibrium on the round cone: the trial itself, what Newton's method finds from there, or from an
-    /// equilibrium on polygons. Along one path only the last.
+    /// Searches an equilibrium on the round cone: the trial itself, Newton's method from the trial, or Newton's method from an
+    /// equilibrium on polygons. If only one path is allowed, only the last is tried.
     fn round_off(&mut self, problem: &mut Problem<D, C>, other_paths: usize) -> bool {
         if other_paths > 0 {
             problem.round = true;
@@ -160,7 +160,7 @@ impl<D: Size, const C: usize> Workspace<D, C> {
         self.newton_steps.is_some()
     }
 
-    /// The rows of a contact whose jumps are basic.
+    /// The rows of a contact whose jump is basic.
     pub(super) fn rows(&self, contact: usize) -> [Option<Row>; 3] {
         let gap = Row::Gap { contact };
         let slip = |facet| Row::Slip { contact, facet };
@@ -179,7 +179,7 @@ impl<D: Size, const C: usize> Workspace<D, C> {
         core::array::from_fn(|_| rows.next())
     }
 
-    /// The trial state in which every contact sticks; `false` if no contact resists the load.
+    /// Computes the trial state in which every contact sticks; `false` if no contact resists the load.
     fn stick(&mut self, problem: &Problem<D, C>) -> bool {
         let sites = problem.sites;
         let mut known = self.springs.iter();
@@ -214,14 +214,14 @@ impl<D: Size, const C: usize> Workspace<D, C> {
         false
     }
 
-    /// The least motion with these coordinates R q.
+    /// The least motion with the coordinates R q.
     fn least_motion(&self, travelled: &Vector<D>) -> Vector<D> {
         without(self.factor.preimage(travelled), &self.free)
     }
 }
 
 impl<D: Size, const C: usize> Engine<D, C> {
-    /// [`Workspace::solve`](crate::ask::Workspace::solve), in the memory that was lent before if this engine has used it.
+    /// [`Workspace::solve`](crate::ask::Workspace::solve), in memory that this engine has used before or that is new.
     pub(crate) fn search_in<'w>(
         &self,
         load: &Wrench<C>,
