@@ -12,7 +12,7 @@ use crate::numerics::{Map, Size, Square, Vector};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The force form, or `None` for rates with contacts on an edge (they have no copositive force form) and when a
+/// The force form, or `None` for rates with contacts on an edge (they have no copositive force form) and if a
 /// number overflows.
 pub(crate) fn force_form<D: Size, const C: usize>(problem: &Problem<D, C>) -> Option<Form> {
     if problem.locals().any(|local| local.is_on_an_edge()) {
@@ -72,7 +72,7 @@ pub(crate) fn force_states<D: Size, const C: usize>(
         match *corners[contact] {
             _ if !pressed[contact] => Mode::Open,
             _ if !slips[contact] => local.unjumped(),
-            // A corner is where two facets meet; on a facet the force stands between two corners.
+            // A corner is where two facets meet; on a facet the force lies between two corners.
             [corner] if C == 3 => Mode::Corner(corner),
             [corner] => Mode::Facet(corner),
             [a, b] if C == 3 && b == a + 1 => Mode::Facet(b),
@@ -83,7 +83,7 @@ pub(crate) fn force_states<D: Size, const C: usize>(
     problem.locals().enumerate().map(state).collect()
 }
 
-/// Twist components in the unit that makes the stretched springs of a unit twist of order one.
+/// Units of the twist components: a unit twist stretches the springs by order one, in root energy.
 fn twist_units<D: Size, const C: usize>(problem: &Problem<D, C>) -> Vector<D> {
     let mut sums = Vector::all_zero(problem.size());
     for site in problem.sites {
@@ -99,9 +99,9 @@ struct Builder<'p, 'g, D: Size, const C: usize> {
     rows: Vec<Row>,
     z_unit: Vec<f64>,
     w_unit: Vec<f64>,
-    /// First row of each contact.
+    /// The first row of each contact.
     first: Vec<usize>,
-    /// Σ G k Gᵀ of the springs that act both ways, and the load with their drives.
+    /// Σ G k Gᵀ of the springs that act both ways, and the load plus the forces of their drives.
     stiffness: Square<D>,
     load: Vector<D>,
 }
@@ -156,7 +156,7 @@ impl<'p, 'g, D: Size, const C: usize> Builder<'p, 'g, D, C> {
             row
         });
         let facets = local.facets().len();
-        // A wrench v multiplying the (split, scaled) twist in one row, and its negative in the balance rows.
+        // Couples a wrench v to the split, scaled twist in one row and, if `skew`, its negative to the force in the balance rows.
         let couple = |m: &mut DMatrix<f64>, row: usize, v: Vector<D>, skew: bool| {
             for (axis, entry) in v.component_mul(unit).iter().enumerate() {
                 let column = twist_columns + 2 * axis;
@@ -206,7 +206,7 @@ impl<'p, 'g, D: Size, const C: usize> Builder<'p, 'g, D, C> {
         }
     }
 
-    /// A spring that acts both ways: F = k (a - G_iᵀq) along this axis.
+    /// Adds a spring that acts both ways, F = k (a - G_iᵀq) along this axis.
     fn both_ways(&mut self, contact: usize, axis: usize) {
         let site = &self.problem.sites[contact];
         let g = site.map.column(axis);

@@ -1,12 +1,12 @@
 //! The kinematic form (see [`super`]): jumps, gaps and slips, on top of the elastic trial state.
 //!
-//! The projector is made of orthogonal factors, in which stiffness ratios do not show:
+//! The projector is computed by orthogonal factors, whose accuracy does not depend on stiffness ratios:
 //!
 //! ```text
 //! P = K - K Gᵀ (G K Gᵀ)⁻¹ G K = K^{1/2} (I - Q Qᵀ) K^{1/2},   K^{1/2}Gᵀ = Q R
 //! ```
 //!
-//! Of many coordinates `Q Qᵀ = K^{1/2}Gᵀ (G K Gᵀ)⁻¹ G K^{1/2}` is taken as it is, where rows have entries.
+//! For many coordinates `Q Qᵀ = K^{1/2}Gᵀ (G K Gᵀ)⁻¹ G K^{1/2}` is applied to one column after the other, with sums over the entries of a row.
 
 use alloc::collections::BTreeMap;
 use alloc::collections::btree_map::Entry;
@@ -20,7 +20,7 @@ use crate::numerics::Size;
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
-/// One row in energy coordinates: `ŵ = row · x`, `x` jumps by `column ẑ`, with x = K^{-1/2} F.
+/// One row in energy coordinates, x = K^{-1/2} F: `ŵ = row · x`, and x jumps by `column ẑ`.
 struct Jump<const C: usize> {
     contact: usize,
     row: SVector<f64, C>,
@@ -29,7 +29,7 @@ struct Jump<const C: usize> {
     z_unit: f64,
 }
 
-/// Every row that these contacts need, on the trial state in which every contact sticks.
+/// The rows that these contacts need, on the trial state in which every contact sticks.
 fn jumps<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     contacts: impl Iterator<Item = usize>,
@@ -73,7 +73,7 @@ pub(crate) fn kinematic_form<D: Size, const C: usize>(
             trial.felt(jumps[i].contact, &jumps[i].row, &moved[j])
         });
     }
-    // Qᵀ applied to rows and columns.
+    // Qᵀ times rows and columns.
     let mut seen = Vec::with_capacity(jumps.len());
     for of_contact in jumps.chunk_by(|a, b| a.contact == b.contact) {
         let by_contact = trial.seen(of_contact[0].contact);
@@ -82,11 +82,11 @@ pub(crate) fn kinematic_form<D: Size, const C: usize>(
     form(problem, state, rows, &jumps, |i, j| seen[i][0].dot(&seen[j][1]))
 }
 
-/// What coordinates move by along columns of the kinematic form that have been asked for, contact by contact.
+/// Motions of the coordinates by jumps along the columns of the kinematic form computed so far, by contact.
 #[derive(Debug, Default)]
 pub(crate) struct Moved(BTreeMap<usize, Vec<Vec<f64>>>);
 
-/// The kinematic form of a few contacts of many coordinates, where all others stay as they are in the trial state.
+/// The kinematic form of a few contacts among many coordinates, with all others in the trial state.
 pub(crate) fn kinematic_form_among<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     trial: &Piece<D, C>,
@@ -100,7 +100,7 @@ pub(crate) fn kinematic_form_among<D: Size, const C: usize>(
         if let Entry::Vacant(place) = known.entry(contact) {
             let mut moved: Vec<Vec<f64>> = Vec::with_capacity(of_contact.len());
             for (k, jump) in of_contact.iter().enumerate() {
-                // Facets come in pairs, one the other way than the other.
+                // Facets come in pairs of opposite directions.
                 let opposite = of_contact[..k].iter().position(|other| other.column == -jump.column);
                 moved.push(match opposite {
                     Some(other) => moved[other].iter().map(|x| -x).collect(),
@@ -116,7 +116,7 @@ pub(crate) fn kinematic_form_among<D: Size, const C: usize>(
     form(problem, state, rows, &jumps, |i, j| trial.felt(jumps[i].contact, &jumps[i].row, moved[j]))
 }
 
-/// The form of these rows, where a jump along the column of one is felt along the row of another by this `Q Qᵀ`.
+/// The form of these rows; `felt(i, j)` is the product of row i with `Q Qᵀ` and the column of row j.
 fn form<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     state: &PieceState<D, C>,

@@ -1,20 +1,22 @@
-//! From the question to complementarity: the two forms, what their rows mean, what is left out.
+//! The two complementarity problems of a grasp, the meaning of their rows, and the rows left out.
 //!
 //! The symbols are those of the [crate page](crate#the-problem); K is the diagonal matrix of all series stiffnesses, G = [G_1 G_2 …], and the friction
 //! cone a polygon with facet normals h_j and corners d_j ([`PolygonCone`](crate::PolygonCone)).
 //!
-//! **Kinematic form** ([`Grasp::kinematic_form`](crate::ask::Grasp::kinematic_form)). Everything sticks at first, F⁰ = K (a - Gᵀq⁰) with Σ G_i F⁰_i + W = 0: one d x d solve. On top of it
-//! come jumps z, gaps and slips `s = Σ σ_j h_j`, that change the forces by what the object does not follow:
+//! **Kinematic form** ([`Grasp::kinematic_form`](crate::ask::Grasp::kinematic_form)). In the trial state every contact sticks, F⁰ = K (a - Gᵀq⁰) with
+//! Σ G_i F⁰_i + W = 0: one d x d solve. Jumps z are added to it, gaps and slips `s = Σ σ_j h_j`. They change the forces by the part that the motion
+//! of the object does not follow:
 //!
 //! ```text
 //! F = F⁰ + P B z,   w = L F,   0 <= z ⟂ w = L F⁰ + (L P B) z >= 0
 //! rows of L: e_n and μ e_n - h_j;   columns of B: e_n and -h_j;   P = K - K Gᵀ (G K Gᵀ)⁻¹ G K
 //! ```
 //!
-//! Small, and solved by z = 0 exactly when everything sticks. Its matrix is not copositive: with strong friction Lemke's method can end on a ray
-//! although an equilibrium exists, so that a ray proves nothing.
+//! It is small, and solved by z = 0 exactly when everything sticks. Its matrix is not copositive: with strong friction Lemke's method can end on a
+//! ray although an equilibrium exists, so a ray proves nothing.
 //!
-//! **Force form** ([`Grasp::force_form`](crate::ask::Grasp::force_form)). Forces are the unknowns, compliances stand on the diagonal, the twist is free:
+//! **Force form** ([`Grasp::force_form`](crate::ask::Grasp::force_form)). Forces are the unknowns, compliances are on the diagonal, the twist is
+//! free:
 //!
 //! ```text
 //! 0 <= F_n ⟂ g      =  F_n/k_n - a_n + n·u_c                          >= 0
@@ -23,9 +25,9 @@
 //! q free:   Σ G_i F_i + W = 0
 //! ```
 //!
-//! About twice the size, and copositive: Lemke's method finds a solution whenever no motion q with n·u_c >= 0 at all contacts has W·q > 0.
+//! It is about twice as large, and copositive: Lemke's method finds a solution whenever no motion q with n·u_c >= 0 at all contacts has W·q > 0.
 //!
-//! A row that a contact does not need is never made ([`Why`]). [`Form`] says which row is what ([`Row`]) and in which units.
+//! Rows that a contact does not need are left out ([`Why`]). [`Form`] gives the meaning of each row ([`Row`]) and its units.
 
 mod force_form;
 mod kinematic;

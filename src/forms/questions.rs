@@ -1,4 +1,4 @@
-//! The two forms of a grasp under a load, for those who solve them elsewhere.
+//! The two forms of a grasp under a load, for callers with a solver of their own.
 
 use super::force_form::force_form;
 use super::kinematic::kinematic_form;

@@ -1,4 +1,4 @@
-//! Which row of a linear complementarity problem says what, and which rows were never made.
+//! The meaning of each row of a linear complementarity problem, and the rows that were left out.
 
 use crate::lcp::Lcp;
 use crate::prelude::*;
@@ -31,16 +31,16 @@ pub enum Row {
         /// The corner, see [`PolygonCone`](crate::PolygonCone): in the plane 0 for +t, 1 for -t.
         corner: usize,
     },
-    /// Force form: z = size of the slip λ (m), w = friction that is not used, `μ F_n - Σβ` (N).
+    /// Force form: z = size of the slip λ (m), w = unused friction, `μ F_n - Σβ` (N).
     SlipSize {
         /// The contact.
         contact: usize,
     },
     /// Force form: one half of an equilibrium equation.
     ///
-    /// The unknown z is the positive or negative part of a component of the twist about the centroid of the contact points, m. The
-    /// slack w is minus or plus what the forces leave of that component of `Σ G_i F_i + W`, N. Rotations are counted times the root
-    /// mean square distance of the points from the centroid, moments over it.
+    /// The unknown z is the positive or negative part of a component of the twist about the centroid of the contact points, m. The slack w is that
+    /// component of `Σ G_i F_i + W`, N, with a minus sign for the positive part and a plus sign for the negative. Rotations are multiplied by the
+    /// root mean square distance of the points from the centroid, moments divided by it.
     Balance {
         /// The component of the twist and of the equilibrium equation: translations first, then rotations.
         axis: usize,
@@ -55,13 +55,13 @@ pub enum Row {
 pub struct LeftOut {
     /// The contact.
     pub contact: usize,
-    /// How many complementary pairs of a kinematic form were saved: 1 for the gap, 1 for each facet.
+    /// The number of complementary pairs of a kinematic form that are saved: 1 for the gap, 1 for each facet.
     pub rows: usize,
-    /// Why they are not needed.
+    /// The reason why they are not needed.
     pub why: Why,
 }
 
-/// Why a contact needs fewer rows.
+/// The reason why a contact needs fewer rows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Why {
@@ -79,7 +79,7 @@ pub enum Why {
 
 /// A linear complementarity problem with the meaning of its rows.
 ///
-/// The problem is stated in scaled variables (square roots of energy), in which stiffness ratios do not show:
+/// The problem is stated in scaled variables (square roots of energy), which hide stiffness ratios:
 /// physical `z_i = z_unit[i] · ẑ_i`, physical `w_i = w_unit[i] · ŵ_i`. Made by
 /// [`Grasp::kinematic_form`](crate::ask::Grasp::kinematic_form) and [`Grasp::force_form`](crate::ask::Grasp::force_form).
 #[derive(Debug, Clone)]
@@ -87,11 +87,11 @@ pub enum Why {
 pub struct Form {
     /// The problem in scaled variables, `0 <= ẑ ⟂ ŵ = M ẑ + q >= 0`.
     pub lcp: Lcp,
-    /// Row by row, what it says.
+    /// The meaning of each row.
     pub rows: Vec<Row>,
-    /// Unit of each z, N or m as its [`Row`] says.
+    /// Unit of each z, N or m according to its [`Row`].
     pub z_unit: Vec<f64>,
-    /// Unit of each w, N or m as its [`Row`] says.
+    /// Unit of each w, N or m according to its [`Row`].
     pub w_unit: Vec<f64>,
 }
 

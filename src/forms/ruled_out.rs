@@ -1,4 +1,5 @@
-//! States that clearly break a row of the kinematic form: a look at a few rows, where a solution of the whole scene would be needed to say that they hold.
+//! A quick test that excludes contact states which clearly break a row of the kinematic form. It evaluates a few rows; to show that states hold takes
+//! a solution of the whole scene.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -6,13 +7,13 @@ use super::rows::{Form, Row};
 use crate::contact::{Mode, State};
 use crate::prelude::*;
 
-/// A row that is broken by this part of the largest force or jump is broken clearly: the form is known to some 1e-14.
+/// A row is clearly broken if it is below zero by this part of the largest force or jump: the form is accurate to some 1e-14.
 const CLEARLY: f64 = 1e-9;
-/// Jumps so many times as large as the forces say that rows depend on each other.
+/// Jumps larger than this multiple of the forces show that rows depend on each other; the test then excludes nothing.
 const DEPENDENT: f64 = 1e8;
 
-/// Whether these states clearly break a row of the form, `largest` being the largest force of the trial state in units of its rows. Of contacts that slip across two facets
-/// nothing is said.
+/// Whether these states clearly break a row of the form; `largest` is the largest force of the trial state in units of the rows. If a contact slips
+/// across two facets, the result is `false`.
 pub(crate) fn clearly_breaks<const C: usize>(form: &Form, states: &[State<C>], largest: f64) -> bool {
     let (mut slack, mut jumps) = (Vec::new(), Vec::new());
     for (i, row) in form.rows.iter().enumerate() {
@@ -23,7 +24,7 @@ pub(crate) fn clearly_breaks<const C: usize>(form: &Form, states: &[State<C>], l
             }
             (Mode::Sticking | Mode::Facet(_), _) => slack.push(i),
             (Mode::Open, Row::Gap { .. }) => jumps.push((i, true)),
-            // In the plane one facet says all of the slip of what is open, which has any sign.
+            // In the plane the slip of an open contact is that of facet 0, with any sign.
             (Mode::Open, Row::Slip { facet: 0, .. }) if C == 2 => jumps.push((i, false)),
             (Mode::Open, Row::Slip { .. }) if C == 2 => {}
             _ => return false,
@@ -35,7 +36,7 @@ pub(crate) fn clearly_breaks<const C: usize>(form: &Form, states: &[State<C>], l
     let solved = if jumps.is_empty() { Some(pushed) } else { of_jumps.full_piv_lu().solve(&pushed) };
     let Some(z) = solved else { return false };
     let most = z.iter().fold(0.0, |most: f64, z| if z.abs() <= most { most } else { z.abs() });
-    // Written so that it also turns away what is not a number.
+    // Written so that NaN fails, too.
     let known = most <= DEPENDENT * largest;
     if !known {
         return false;
