@@ -1,4 +1,4 @@
-//! The piecewise smooth equations of P. Alart and A. Curnier, as they are or held near an anchor.
+//! The piecewise smooth equations of P. Alart and A. Curnier, by themselves or held near an anchor.
 //!
 //! With ζ = r − ρ u a contact is open where ζ_N ≤ 0, sticks where ‖ζ_T‖ ≤ μ ζ_N, and slides otherwise. The law is r = Π(ζ) with
 //!

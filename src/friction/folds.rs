@@ -2,8 +2,8 @@
 //!
 //! Friction folds the [`central_path`](super::central_path): where contacts wedge, τ must rise again before it falls. Here forces and ln τ together
 //! are followed by arc length (H. B. Keller, Numerical solution of bifurcation and nonlinear eigenvalue problems, 1977), which passes folds like any
-//! other point. The path leads from far inside the cones, where there is one solution, to a solution of the problem whenever W is positive definite,
-//! unless it meets another path or diverges.
+//! other point. The path leads from far inside the cones, where there is one solution, to a solution of the problem.
+//! It does so whenever W is positive definite, unless it meets another path or diverges.
 
 use super::blocks::Blocks;
 use super::central_path::{Smoothed, scales};

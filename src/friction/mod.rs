@@ -58,7 +58,7 @@
 //!
 //! **Many contacts, and few where facets fail.** Gauss–Seidel sweeps with the exact force of one contact at a time (M. Jean, Comput. Methods Appl.
 //! Mech. Eng. 177, 1999) find the size of the forces. From there the solver follows the path û ∘ r = τ through the inside of the cones as τ goes to
-//! zero, on which no contact has to choose its state early (M. Fukushima, Z.-Q. Luo and P. Tseng, SIAM J. Optim. 12, 2001). For a few contacts it
+//! zero. On this path no contact has to choose its state early (M. Fukushima, Z.-Q. Luo and P. Tseng, SIAM J. Optim. 12, 2001). For a few contacts it
 //! also follows this path around the folds that friction makes in it. Newton's method makes the last steps. They are held near an anchor, because the
 //! forces of redundant contacts are not determined.
 //!

@@ -12,8 +12,8 @@ pub struct Settings {
     /// Facets of the polygon from which Newton's method starts in space (default 8; values below 3 count as 3, above 128 as 128). More facets start
     /// closer to the cone, and cost a larger complementarity problem.
     pub facets: usize,
-    /// The number of times Newton's method starts again after it did not converge, each time from half as many facets more, turned to the
-    /// slips (default 4).
+    /// The number of times Newton's method starts again after it did not converge (default 4). Each start has half as many facets more, turned to the
+    /// slips.
     pub turns: usize,
     /// Newton's steps from each start, and in each round (default 30).
     pub steps: usize,

@@ -11,7 +11,7 @@ use super::problem::Lcp;
 use super::tolerances::RAY_NOISE;
 use nalgebra::DVector;
 
-/// The outcome of a path that ends with the entering variable growing without bound: a Farkas proof if the ray is one, otherwise the ray,
+/// The outcome of a path on which the entering variable grows without bound at the end. It is a Farkas proof if the ray is one, otherwise the ray,
 /// in the caller's units and with largest entry 1. `None` if the ray leaves the range of double precision in these units.
 pub(super) fn ray(lcp: &Lcp, path: &Path, entering: LemkeVariable) -> Option<Unsolved> {
     let mut rates = DVector::zeros(lcp.len());

@@ -85,8 +85,8 @@ impl Workspace {
     /// Marks the basic z's that are zero but for rounding.
     ///
     /// Such a z is small against the terms it was computed from. It may also be small against the
-    /// largest z, if the point without all such z is as good: terms do not show the noise of a z
-    /// whose terms all vanish.
+    /// largest z, if the point without all such z is as good. This finds
+    /// the noise of a z whose terms all vanish.
     fn mark_vanishing(&mut self, lcp: &Lcp) {
         let n = lcp.len();
         refill(&mut self.vanishing, n, false);

@@ -163,7 +163,7 @@ impl Dictionary {
         wide(Combine::<true> { columns: &self.columns, n: self.n, c: &self.c, y: &mut self.level });
     }
 
-    /// Sets those entries of the entering column to zero that are noise.
+    /// Sets noise in the entering column to zero.
     ///
     /// An entry is noise below `tolerance` times the terms from which (1) sums it. The column of a
     /// slack is not summed; its entries are noise below [`STORED_ROUNDING`] times the largest.

@@ -27,7 +27,7 @@ const ROUNDED: f64 = 1e-14;
 impl Lcp {
     /// Whether y proves that no z ≥ 0 has M z + q ≥ 0: y ≥ 0, Mᵀy ≤ 0 and qᵀy < 0 (Farkas' lemma).
     ///
-    /// All sums are made without rounding: what is true here is true of the M and q given, to the last bit.
+    /// All sums are made without rounding, so the result is exact for the M and q given.
     ///
     /// A y of another length than n proves nothing, nor does one with a negative entry or one that
     /// is not finite.
@@ -122,8 +122,8 @@ impl Lcp {
             })
     }
 
-    /// Whether no z whose entries lie in these columns alone keeps row i from being negative (sign 1) or positive (sign −1): q_i has
-    /// that sign, and no entry of the row has the other.
+    /// Whether every z ≥ 0 with entries in these columns alone leaves row i negative (sign 1) or positive (sign −1).
+    /// It does if q_i has that sign and no entry of the row has the other.
     pub(super) fn is_hopeless(
         &self,
         row: usize,

@@ -112,7 +112,7 @@ impl MatrixClass {
         })
     }
 
-    /// The strongest guarantee of the classes found: that of a P-matrix comes before that of a
+    /// The strongest guarantee of the classes found; a P-matrix has a stronger one than a
     /// strictly copositive one.
     #[must_use]
     pub fn guarantee(&self) -> Guarantee {

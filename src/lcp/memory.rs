@@ -9,7 +9,7 @@ pub(super) fn refill<T: Clone>(v: &mut Vec<T>, n: usize, value: T) {
     v.resize(n, value);
 }
 
-/// Gives a vector room for n entries, whatever it holds.
+/// Gives a vector room for n entries in all.
 #[inline]
 pub(super) fn make_room<T>(v: &mut Vec<T>, n: usize) {
     v.reserve(n.saturating_sub(v.len()));

@@ -80,7 +80,7 @@ impl<S> Outcome<S> {
         }
     }
 
-    /// This outcome with its number of pivots set to `made`; the pivots of a solution are left.
+    /// This outcome with its number of pivots set to `made`; the pivots of a solution do not change.
     pub(super) fn after(mut self, made: usize) -> Self {
         match &mut self {
             Self::Solved(_) => {}
@@ -224,20 +224,22 @@ pub enum BreakdownCause {
     /// of M z.
     #[error("the final basis is singular")]
     SingularBasis,
-    /// Newton's method, where one goes on from the complementarity problem, came no closer than this residual.
+    /// Newton's method, which continues from the complementarity problem of a polygon, reached no smaller residual; see
+    /// [`FrictionProblem`](crate::friction::FrictionProblem).
     #[error("Newton's method came no closer than {residual:.1e}, at contact {contact}")]
     NoConvergence {
         /// The least residual that was reached.
         residual: f64,
-        /// The contact that had it.
+        /// The contact with this residual, counted from 0.
         contact: usize,
     },
-    /// Whoever watched stopped it at this residual.
+    /// The caller's watch function stopped the solve at this residual; see
+    /// [`FrictionProblem::solve_watched`](crate::friction::FrictionProblem::solve_watched).
     #[error("stopped on request at a residual of {residual:.1e}, at contact {contact}")]
     Stopped {
         /// The least residual that was reached.
         residual: f64,
-        /// The contact that had it.
+        /// The contact with this residual, counted from 0.
         contact: usize,
     },
     /// The final basis was reached, but its point misses the tolerance for these residuals.

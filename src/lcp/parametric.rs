@@ -72,7 +72,7 @@ pub enum PathEnd {
 /// Stone, section 4.5).
 ///
 /// This is an iterator: each call of `next` follows one piece, at the cost of one pivot. When it is
-/// exhausted, [`Parametric::end`] says why.
+/// exhausted, [`Parametric::end`] returns the reason.
 ///
 /// Several breakpoints may have one τ, when several variables reach zero together; the pieces
 /// between them have no length. There are no more breakpoints than the settings allow pivots.

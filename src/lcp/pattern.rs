@@ -1,4 +1,4 @@
-//! Walking over those entries of [M, q] that are not zero.
+//! Iteration over the entries of [M, q] that are not zero.
 
 use crate::prelude::*;
 

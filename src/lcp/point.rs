@@ -48,7 +48,7 @@ impl LcpPoint {
         self.w[i] > tolerance * self.terms[i]
     }
 
-    /// Whether the basis of this point is singular, judged by q: a q_i ≠ 0 is lost in the terms of a row that must
+    /// Whether the basis of this point is singular, judged by q. Then a q_i ≠ 0 is lost in the terms of a row that must
     /// vanish, and a factorisation of the block finds no inverse.
     ///
     /// The entries of such a point are quotients of noise by noise, however small its residuals.

@@ -170,8 +170,8 @@ impl Rows<'_> {
         self.exact_terms(i).map_or(0.0, |a| ratio(&ExactSum::of_products(self.products(i)), &a))
     }
 
-    /// s_j for one column, the largest share of z_j in a row. Once a share reaches `enough`, it is returned without
-    /// a look at further rows.
+    /// s_j for one column, the largest share of z_j in a row. The first share that reaches `enough` is returned
+    /// without evaluating further rows.
     fn share(&self, column: &[f64], z: f64, enough: f64) -> f64 {
         let mut share = None;
         for (i, (m, a)) in column.iter().zip(self.terms).enumerate() {

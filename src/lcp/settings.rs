@@ -57,8 +57,8 @@ pub struct Settings {
     /// turns rays into wrong bases; one above 1e-6 overlooks real blocking rows of badly
     /// conditioned problems.
     pub pivot_tolerance: f64,
-    /// Two rows tie if their values at the step of one differ by less than this part
-    /// (default 1e-12) of the amount that the step has taken from them. They also tie below the rounding
+    /// Relative difference of two rows below which they tie (default 1e-12). Their values at the step of one of them are compared with the amount
+    /// that the step has taken from them. They also tie below the rounding
     /// error which their values may carry in any case.
     ///
     /// It guards the tie rule: rows which tie in exact arithmetic must be recognised as ties, although
@@ -83,14 +83,14 @@ pub struct Settings {
     /// They follow a ray that proves nothing, a breakdown, or a first path of its default length
     /// that reached no end.
     ///
-    /// With at least one, a solution whose slacks are negative by more than rounding is continued to one whose slacks are not, if the
-    /// path leads there.
+    /// With at least one retry, a solution with slacks negative by more than rounding is improved as well. Its path is followed
+    /// further, with ties resolved more finely.
     ///
     /// It guards against rays on solvable problems, which other paths often avoid. The retries are
     /// fixed, so a problem takes the same paths in every solve. 0 follows one path only; more than
     /// a few dozen hardly ever find more.
     pub retries: usize,
-    /// For n up to this all 2ⁿ complementary bases are tried at last (default 10): when no path has
+    /// Largest n for which all 2ⁿ complementary bases are tried (default 10). That comes last, when no path has
     /// ended in a solution and no proof of infeasibility was found.
     ///
     /// It guards against missing solutions that no path reaches. Each further row doubles the cost;

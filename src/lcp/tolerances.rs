@@ -26,7 +26,7 @@ pub(super) const SOUND: f64 = 1e-13;
 /// that size become negative.
 pub(super) const VALUE_ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// A coefficient below this part of its column is noise, whatever the terms of its row.
+/// A coefficient below this part of its column is noise for any terms of its row.
 ///
 /// One addition to an entry of the column's size leaves this much. Larger, true coefficients of
 /// badly scaled columns are lost before they are compared with the terms of their rows; at 0, noise in any column
@@ -130,7 +130,7 @@ pub(super) const POSITIVE_MINOR: f64 = 1e-14;
 /// In balanced rows, the two may differ by this part of the largest entry.
 ///
 /// Residuals measure against the terms of M z. Where those cancel down to a q that is 1e-10 of
-/// them, a tolerance of 1e-10 says nothing about q any more. Smaller, good points of badly
+/// them, a tolerance of 1e-10 no longer depends on q. Smaller, good points of badly
 /// conditioned problems are refused; larger, points pass that ignore q.
 pub(super) const BACKWARD_ERROR: f64 = 1e-6;
 

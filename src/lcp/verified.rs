@@ -7,7 +7,7 @@
 //! |z − ẑ| ≤ |R r| + G e,     r = −q_α − A ẑ,     e = ‖R r‖ / (1 − ‖G‖)
 //! ```
 //!
-//! The residual r is summed without rounding, and ẑ is the sum of two doubles, so the bounds of entries that are not
+//! The residual r is summed without rounding, and ẑ is the sum of two doubles. So the bounds of entries that are not
 //! tiny beside the others are as tight as doubles are. All other rounding is counted against them.
 //!
 //! Where a z or a w is exactly zero, no bound proves its sign. Then a row may leave z no other value, or two rows may be alike;
@@ -85,7 +85,7 @@ impl Lcp {
             let error = (errors[k] + point.1[k].abs()) * SAFE + point.0[k].abs() * f64::EPSILON + TINY;
             verified.lower[*i] = point.0[k] - error;
             verified.upper[*i] = point.0[k] + error;
-            // The bound of a sum of two doubles decides a sign more sharply than that of one.
+            // The bound of a sum of two doubles decides a sign more sharply than the bound of one double.
             if point.0[k] + point.1[k] <= errors[k] * SAFE + TINY {
                 return None;
             }
@@ -111,8 +111,8 @@ impl Lcp {
             || alpha.iter().any(|j| alike(*j, -1.0) || alike(*j, 1.0))
     }
 
-    /// The solution as fractions p / D with one denominator D, if z has such entries but for rounding: M p + q D is zero in the basis and not
-    /// negative elsewhere, summed without rounding.
+    /// The solution as fractions p / D with one denominator D, if z has such entries up to rounding. Summed without rounding, M p + q D is zero in the basis and not
+    /// negative elsewhere.
     fn exact_fractions(&self, z: &DVector<f64>, basis: &Basis) -> Option<Verified> {
         let n = self.len();
         // The denominator D is appended as one more entry, that of 1.

@@ -1,6 +1,6 @@
 //! A square band matrix and its LU factors with partial pivoting.
 //!
-//! With entries up to b places from the diagonal, row exchanges fill up to 2b places to the right: n rows cost 2 n b² multiplications in place of
+//! With entries up to b places from the diagonal, row exchanges fill up to 2b places to the right. Factors of n rows cost 2 n b² multiplications in place of
 //! n³/3, and a solution 3 n b in place of n².
 
 use crate::prelude::*;

@@ -147,7 +147,7 @@ impl<const D: usize> Polytope<D> {
     }
 }
 
-/// Bounds of the largest ball about the origin, apart by at most `closeness` times the size of the set, or as close as `most_points` points allow.
+/// Bounds of the largest ball about the origin. They differ by at most `closeness` times the size of the set, or by what `most_points` points leave.
 pub(crate) fn largest_ball<const D: usize>(
     support: &impl Fn(&SVector<f64, D>) -> SVector<f64, D>,
     simplex: &[Vertex<D>],

@@ -5,8 +5,7 @@ use core::f64::consts::TAU;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Limit between two expansions: below it the series of the integral converges in some tens of terms, above it the continued fraction of the tail
-/// does.
+/// Limit between two expansions: below it the series of the integral converges in some tens of terms, above it the continued fraction of the tail.
 const SERIES: f64 = 3.0;
 
 /// `φ(x) = exp(-x²/2) / √(2π)`.

@@ -20,8 +20,8 @@ const DEPENDENT: f64 = 1e-13;
 /// still counts across a direction in which stiff springs have no entry.
 const ENTRY_NOISE: f64 = 4.0 * f64::EPSILON;
 
-/// Largest number of times that a projection is repeated: once to solve, and again for its own rounding, more than
-/// once where the rows are graded over many decades.
+/// Largest number of times that a projection is repeated: once to solve, and again for its own rounding. Rows graded
+/// over many decades need more than one repetition.
 const PASSES: usize = 4;
 
 /// A projection that moves x by less than this part of itself is skipped: it would change rounding only.

@@ -19,8 +19,8 @@ const SAMPLE: usize = 32;
 /// Number of tiers: with fewer, the ordered items of a queue of a hundred thousand exceed the nearest cache; with more, items are moved more often.
 const TIERS: usize = 3;
 
-/// An item as one integer, which takes one comparison: the bits of its time, a number that is not negative (bits and numbers have the same
-/// order), then its number and its stamp.
+/// An item as one integer, which takes one comparison: the bits of its time, then its number and its stamp. Times are not negative, so
+/// their bits have the order of the times.
 type Entry = u128;
 
 fn entry(time: f64, number: u32, stamp: u32) -> Entry {

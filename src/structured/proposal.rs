@@ -26,7 +26,7 @@ pub(crate) fn propose_by_newton<D: Size, const C: usize>(problem: &Problem<D, C>
     Some(solution.states.into_iter().map(State::from).collect())
 }
 
-/// Follows Lemke's path on the kinematic form from the trial state and, after each failure, the path of another
+/// Follows Lemke's path on the kinematic form from the trial state. After each failure it follows the path of another
 /// covering vector, up to `other_paths` of them. All paths together make at most `max_pivots` pivots or, without that limit, at most `most_work`
 /// multiplications.
 pub(crate) fn propose<D: Size, const C: usize>(

@@ -40,7 +40,7 @@ impl Vanishing {
         self.value.max(0.0) / -self.rate
     }
 
-    /// The step after which the value is below zero by its rounding error: variables that
+    /// The step after which the value is below zero by its rounding error. Variables that
     /// reach zero before the least of these steps count as tied.
     pub(super) fn longest(&self) -> f64 {
         let value = self.value.max(0.0);
@@ -67,7 +67,7 @@ pub(super) struct PivotStep<D: Size> {
 /// A rate below this part of its terms is rounding of zero: a path that took it for a rate would
 /// end far away.
 const NOISE: f64 = 1e-11;
-/// A rate below this part of the largest changes is rounding of zero, whatever its terms.
+/// A rate below this part of the largest changes is rounding of zero for any terms.
 pub(super) const GREY: f64 = 4.0 * f64::EPSILON;
 
 impl<D: Size, const C: usize> ContactForm<D, C> {
