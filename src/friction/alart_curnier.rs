@@ -19,8 +19,8 @@ use super::problem::{FrictionProblem, part};
 use crate::prelude::*;
 use nalgebra::{DVector, SMatrix, SVector};
 
-/// Least δ of the linear equations, so that those of redundant contacts are regular. Undetermined force components lose half their digits by it,
-/// determined ones none.
+/// Least δ in the linear equations, so that they are regular with redundant contacts, too. Undetermined force components lose half their digits by
+/// it, determined ones none.
 const LEAST: f64 = 1e-12;
 /// Floor of a contact's own size, as a part of the largest, where residuals are weighed contact by contact.
 const FAINTEST: f64 = 1e-6;

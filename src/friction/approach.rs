@@ -1,7 +1,7 @@
 //! The way from zero forces to a solution for many contacts, or where facets have failed: sweeps, the central path, anchored steps, and a last
 //! polish.
 //!
-//! [`Sweeps`](super::sweeps) find the size of the forces, the [`central_path`](super::central_path) the states of most contacts, and
+//! [`Sweeps`](super::sweeps) find the size of the forces, the [`central_path`] the states of most contacts, and
 //! [anchored](super::alart_curnier) steps of Newton's method continue from there. The best forces on the way are kept, judged contact by contact. If
 //! all of this fails, the next start makes more sweeps or begins the central path farther inside the cones.
 

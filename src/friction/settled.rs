@@ -21,7 +21,7 @@ const ON_EDGE: f64 = 1e-9;
 const VISIBLE: f64 = 1e-13;
 
 impl<const C: usize> FrictionProblem<C> {
-    /// These forces with those of open contacts set to zero, since they are noise, and with those near the edge of a cone moved onto it. u are their
+    /// These forces without the noise on open contacts, and moved onto the edge of a cone where they are near it. u are their
     /// velocities, and ρ of each contact converts velocities to forces.
     pub(super) fn tidied(&self, mut r: DVector<f64>, u: &DVector<f64>, rho: &[f64]) -> DVector<f64> {
         for (i, rho) in rho.iter().enumerate() {

@@ -2,7 +2,7 @@
 //!
 //! The augmented problem w = q + M z + d z₀ has a path of points with w_i z_i = 0 for all i. It is
 //! followed from z = 0 with large z₀ to z₀ = 0. The next entering variable is always the complement
-//! of the one that left last (Cottle, Pang & Stone, algorithm 4.4.5).
+//! of the variable that left last (Cottle, Pang & Stone, algorithm 4.4.5).
 
 use super::dictionary::{LemkeVariable, largest};
 use super::outcome::BreakdownCause;

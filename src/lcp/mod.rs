@@ -53,7 +53,7 @@
 //! automatic scaling of matrices for Gaussian elimination*, 1972).
 //!
 //! Where several variables reach zero together, the lexicographic rule (section 4.9) decides which
-//! of them leaves. It takes the one that would be first with q + ε p in place of q, ε → 0+. The
+//! of them leaves: the variable that would be first with q + ε p in place of q, ε → 0+. The
 //! vector p is fixed and without structure. Under this rule no path comes back to an earlier basis.
 //!
 //! A pivot costs O(n²) flops. The path takes O(n²) memory besides M, which a [`Workspace`] or a

@@ -57,9 +57,9 @@ pub struct Settings {
     /// turns rays into wrong bases; one above 1e-6 overlooks real blocking rows of badly
     /// conditioned problems.
     pub pivot_tolerance: f64,
-    /// Relative difference of two rows below which they tie (default 1e-12). Their values at the step of one of them are compared with the amount
-    /// that the step has taken from them. They also tie below the rounding
-    /// error which their values may carry in any case.
+    /// Part of the decrease of a basic variable in a step below which the remaining value counts as zero (default 1e-12).
+    /// Variables that are zero in this sense after the shortest step tie. A value below its own rounding error counts as zero
+    /// in any case.
     ///
     /// It guards the tie rule: rows which tie in exact arithmetic must be recognised as ties, although
     /// rounding separated them. At 0 exact ties may be missed and z₀ lose one, so the path of a solved problem

@@ -129,8 +129,8 @@ pub(super) const POSITIVE_MINOR: f64 = 1e-14;
 /// A point whose residuals exceed rounding must solve the problem for a q close to the one given.
 /// In balanced rows, the two may differ by this part of the largest entry.
 ///
-/// Residuals measure against the terms of M z. Where those cancel down to a q that is 1e-10 of
-/// them, a tolerance of 1e-10 no longer depends on q. Smaller, good points of badly
+/// Residuals measure against the terms of M z. Where these terms cancel down to a q of 1e-10 of
+/// their size, residuals of 1e-10 do not depend on q. Smaller, good points of badly
 /// conditioned problems are refused; larger, points pass that ignore q.
 pub(super) const BACKWARD_ERROR: f64 = 1e-6;
 

@@ -6,7 +6,7 @@
 //!
 //! In three dimensions: G. van den Bergen, *Proximity queries and penetration depth computation on 3D game objects*, 2001.
 //!
-//! Where a set is smooth, faces become so thin that rounding corrupts their planes. If the polytope comes nearer to the origin by that, the search
+//! Where a set is smooth, faces become so thin that rounding corrupts their planes. If the polytope thereby comes nearer to the origin, the search
 //! ends with the bounds known before.
 
 use alloc::collections::BinaryHeap;

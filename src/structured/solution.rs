@@ -70,8 +70,7 @@ impl<D: Size, const C: usize> Solution<D, C> {
             let stretch = local.stretch(&y);
             let x = reaction.hold * stretch;
             let level = SMALLEST + local.trial.norm() + stretch.norm();
-            // The error of a force is that of its stretch or that of its balance with the others, whichever is
-            // smaller.
+            // A force is known from its stretch or from balance with the others; the smaller error counts.
             let force_level = SMALLEST + x.norm() + level.min(largest / site.springs.softest().sqrt());
             for (z, _) in reaction.multipliers.iter().zip(active.iter()) {
                 worst = worst.max(z.dot(&stretch) / (level * (1.0 + z.amax())));
