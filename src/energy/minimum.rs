@@ -29,8 +29,8 @@ pub enum MinimumOutcome<const C: usize> {
         /// Work of the load on the motion, positive, J.
         work: f64,
     },
-    /// No answer because of rounding or a limit on pivots or rows. The matrix is dense; more than 10 000 rows (a thousand contacts in space on eight facets) are not
-    /// tried.
+    /// No answer because of rounding or a limit on pivots or rows. The matrix is dense; more than 10 000 rows (a thousand contacts in space on eight
+    /// facets) are not tried.
     Unsolved,
 }
 
