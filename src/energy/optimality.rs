@@ -180,8 +180,8 @@ impl<'g, D: Size, const C: usize> EnergyProgram<'g, D, C> {
     /// Moves the binding rows onto their edges, starting from forces that balance without them. Returns the change of the motion, in the coordinates
     /// of the active springs.
     ///
-    /// Springs of open gaps are removed: x_n is free there, and the binding rows alone determine it, `x_n = (Nᵀλ)_n`. With `M = [N Q, N_n of the
-    /// open]` on the binding rows,
+    /// Springs of open gaps are removed: x_n is free there, and the binding rows alone determine it, `x_n = (Nᵀλ)_n`. With
+    /// `M = [N Q, N_n of the open]` on the binding rows,
     ///
     /// ```text
     /// N x' + M Mᵀλ = 0,     x = x' + Q (first part of Mᵀλ)

@@ -99,10 +99,10 @@ pub enum Inequality {
 /// after which c rows for each contact complete A: `u_c - (displacement of the object at r_i) = 0`. Two corrections are made to the print: the last
 /// diagonal entry of H_i is k_tf, and A, which is not printed, is the only matrix that fits C.
 ///
-/// A frictionless contact has neither sticking rows nor friction rows: its surfaces slide freely. A contact that is kept closed has `(u_d - u_e)·n =
-/// -clearance` among its equalities and no row against pulling. Bonded contacts, and those with infinite friction, have no friction rows. With
-/// infinite friction a contact keeps its sticking row when it opens, so that it may carry F_t across a gap. If it does, the program differs from the
-/// [reduced](super::ReducedQp) one.
+/// A frictionless contact has neither sticking rows nor friction rows: its surfaces slide freely. A contact that is kept closed has
+/// `(u_d - u_e)·n = -clearance` among its equalities and no row against pulling. Bonded contacts, and those with infinite friction, have no friction
+/// rows. With infinite friction a contact keeps its sticking row when it opens, so that it may carry F_t across a gap. If it does, the program
+/// differs from the [reduced](super::ReducedQp) one.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct PrintedQp<const C: usize> {
