@@ -35,8 +35,8 @@ pub struct Improved<const C: usize> {
     /// How the search for this grasp ended.
     pub search: SearchEnd,
     /// Residual of first-order optimality: the sum of gradients of events and bounds, weighted by their multipliers. It is relative to the first
-    /// slip, or for a reserve to the greatest force at rest, and refers to a step as large as the grasp or as the greatest allowed force. `None`
-    /// where no multipliers were found.
+    /// slip, or for a reserve to the greatest force at rest. It refers to a step as large as the grasp or as the greatest allowed force. `None` where
+    /// no multipliers were found.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub residual: Option<f64>,
     /// Number of starts from which the search ascended.

@@ -39,8 +39,8 @@ pub fn chart_of_turn<const C: usize>(grasp: &Grasp<C>, turn: &Turn<C>, title: &s
         .chart(title)
 }
 
-/// A chart of `|F_t| / (μ F_n)` of each contact against the factor of a ramp, from 0 to `most`; where the ramp is a load, the factor is the multiple
-/// of this load.
+/// A chart of `|F_t| / (μ F_n)` of each contact against the factor of a ramp, from 0 to `most`. If the ramp is a load, the factor is the multiple of
+/// this load.
 ///
 /// ```
 /// use grasp_lcp::picture::chart_of_load;

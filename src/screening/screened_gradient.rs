@@ -73,8 +73,8 @@ impl<const C: usize> ScreenedGradients<C> {
 /// a kink. Derivatives are then those of [`Self::contact`]; [`Fingers::onset_gradients`](crate::screening::Fingers::onset_gradients) has those of
 /// each contact. Along a change of the data the derivative of the factor is the least of theirs.
 ///
-/// Where a motion of the object is free, derivatives by points, normals and loads are NaN, because with other data there may be no equilibrium; two
-/// hard fingers in space are such a grasp. [`Sensitivity::onset_gradients_by_geometry`](crate::ask::Sensitivity::onset_gradients_by_geometry) handles
+/// Where a motion of the object is free, derivatives by points, normals and loads are NaN: with other data there may be no equilibrium. Two hard
+/// fingers in space are such a grasp. [`Sensitivity::onset_gradients_by_geometry`](crate::ask::Sensitivity::onset_gradients_by_geometry) handles
 /// these cases apart.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ScreenedGradient<'a, const C: usize> {

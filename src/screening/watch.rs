@@ -82,8 +82,8 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
     /// on the numbers: the steps are always the same, for a control loop with a deadline.
     ///
     /// Forces act on the object at the contacts, along the coordinate axes, N. They may differ from the forces that the springs of the fingers would
-    /// give: past slip and model errors are contained in them. Only changes are computed from the springs: those by the load to come (N and N m,
-    /// moments about the origin) and by more squeeze, as long as every contact sticks.
+    /// give: past slip and model errors are contained in them. Only changes are computed from the springs, as long as every contact sticks: by the
+    /// load to come (N and N m, moments about the origin) and by more squeeze.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Fingers, Wrench};

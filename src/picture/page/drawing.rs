@@ -19,7 +19,7 @@ const LARGEST_DISPLACEMENT: f64 = 0.2;
 /// The moment of a load about its line of action is rounding up to this part of the moments that cancel in it. With zero every load would be drawn
 /// with an arrow of a moment in a direction made of rounding.
 const ROUNDING: f64 = 1e-12;
-/// A motion whose rotation moves the grasp by less than this part of its translation is drawn as a translation: its axis is a billion spans away, and
+/// A motion whose rotation moves the grasp by less than this part of its translation is drawn as a translation. Its axis is a billion spans away, and
 /// rounding decides its direction.
 const TURNS: f64 = 1e-9;
 /// A line of action farther from the middle of the grasp than this part of the span is not drawn at its place, because the grasp would become a dot.

@@ -7,8 +7,8 @@ use nalgebra::{Vector2, Vector3};
 use crate::picture::error::PictureError;
 use crate::picture::window::Window;
 
-/// The direction from which a spatial grasp is seen. The eye is at infinity (parallel lines stay parallel) and the middle of the grasp is at its
-/// centre of view; z points upwards on paper unless it points to the eye.
+/// The direction from which a spatial grasp is seen. The eye is at infinity, so that parallel lines stay parallel, and the middle of the grasp is at
+/// its centre of view. The z axis points upwards on paper unless it points to the eye.
 ///
 /// At first the eye is on the side of −y: x points to the right, z upwards. `yaw` turns it around z, counterclockwise seen from above. `pitch` then
 /// raises it. Both are in rad. The direction from the grasp to the eye is
