@@ -111,12 +111,12 @@ impl<D: Size, const C: usize> Line<'_, D, C> {
         matches!(path.end(), Some(lcp::PathEnd::Unbounded(_))).then_some(Agreement::Always)
     }
 
-    /// The factor at which a row binds, from the springs that hold until then.
+    /// The factor at which a row begins to bind, computed from the springs that are active below it.
     fn ends(&self, faces: &Faces, row: usize, seen: f64) -> Option<Agreement<C>> {
         let [forces, rates] = self.forces(&self.program.springs(faces))?;
         let friction = &self.program.friction;
         let (value, rate) = (friction[row].value(&forces), friction[row].value(&rates));
-        // The pivots' own factor where the row stands still.
+        // The factor of the pivots, if the row does not change with the load.
         let factor = if rate < 0.0 { (value / -rate).max(0.0) } else { seen };
         let most = |list: &[SVector<f64, C>]| list.iter().map(SVector::norm).fold(0.0, f64::max);
         let size = most(&forces) + factor * most(&rates);

@@ -12,7 +12,7 @@ use super::sticking::{BySource, FrameForces, StickingForces};
 use crate::grasp::{Contact, Hold};
 use crate::prelude::*;
 
-/// A friction force below this part of the normal force has no direction.
+/// A friction force below this part of the normal force has no reliable direction, so that several directions are used.
 const NO_FRICTION: f64 = 1e-9;
 /// Number of conditions that represent the round cone at its tip, where every direction of friction is as close.
 const AT_THE_TIP: usize = 8;
@@ -234,7 +234,7 @@ pub(super) fn events<const C: usize>(
     (all, constraints)
 }
 
-/// Angles of all minima of a function of an angle.
+/// The angles of all local minima of a periodic function of an angle.
 fn worst_angles(of: &dyn Fn(f64) -> f64) -> Vec<f64> {
     let step = TAU / ANGLES as f64;
     let values: Vec<f64> = (0..ANGLES).map(|k| of(step * k as f64)).collect();

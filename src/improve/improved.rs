@@ -18,7 +18,7 @@ use crate::squeeze::Loads;
 const DRAWN_FOR_EACH: usize = 24;
 /// The value of an ascent must exceed the earlier ones by this part to replace them; otherwise rounding would choose among equals.
 const BETTER: f64 = 1e-9;
-/// Multipliers below this part of their unit are rounding.
+/// Multipliers below this are rounding, in the units of the step program; they are not reported.
 const SEEN: f64 = 1e-7;
 
 impl<const C: usize> Improve<C> {

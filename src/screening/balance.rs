@@ -1,6 +1,6 @@
 //! The stiffness of the object with every contact sticking, `T = Σ G_i K_i G_iᵀ`, factorised.
 //!
-//! With one tangential stiffness a contact `K_i = k_t I + (k_n - k_t) n nᵀ` in coordinate axes.
+//! With one tangential stiffness per contact `K_i = k_t I + (k_n - k_t) n nᵀ` in coordinate axes.
 
 use super::block::{Block, count};
 use super::factors::LaneFactors;
@@ -13,7 +13,7 @@ pub(super) struct RigidBody<const D: usize, const C: usize, const M: usize, X: P
     contacts: usize,
     fingers: [LaneFinger<C, X>; M],
     centre: [X; C],
-    /// Largest entry of an arm.
+    /// Largest coordinate of an arm, m.
     pub(super) reach: X,
     factors: LaneFactors<D, X>,
 }

@@ -45,7 +45,7 @@ impl<const C: usize> Layout<C> {
     /// Unit normals into the object.
     pub(super) const NORMAL: usize = C;
     pub(super) const SHEARED: usize = 2 * C;
-    /// Normal and tangential stiffness; compliances where forces go along edges, see [`super::method`].
+    /// Normal and tangential stiffness, N/m; compliances where forces are found along edges, see [`super::method`].
     pub(super) const SPRINGS: usize = 3 * C;
     pub(super) const PRESSED: usize = 3 * C + 2;
     /// Friction coefficients, or codes; see [`super::cone`].
@@ -73,13 +73,13 @@ impl<'a, const C: usize, X: Packed> Block<'a, C, X> {
         rows
     }
 
-    /// By axes.
+    /// Contact points, m, one row per axis.
     #[inline(always)]
     pub(super) fn points(&self) -> [&'a [X]; C] {
         self.vectors(Layout::<C>::POINT)
     }
 
-    /// By axes.
+    /// Unit normals into the object, one row per axis.
     #[inline(always)]
     pub(super) fn normals(&self) -> [&'a [X]; C] {
         self.vectors(Layout::<C>::NORMAL)

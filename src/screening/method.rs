@@ -122,7 +122,7 @@ mod tests {
                 *scene.at(Row::POINT + axis, i) = width * (0.2 * draw.normal() - inward[axis] / length) + 0.5;
                 *scene.at(Row::NORMAL + axis, i) = inward[axis] / length;
             }
-            // Across the normal.
+            // The shear command lies across the normal.
             let shear = 0.1 * draw.normal();
             *scene.at(Row::SHEARED, i) = shear * *scene.at(Row::NORMAL + 1, i);
             *scene.at(Row::SHEARED + 1, i) = -(shear * *scene.at(Row::NORMAL, i));
@@ -191,7 +191,7 @@ mod tests {
         assert!(by_edges(1e-4, 0.0) == 0 && by_edges(1.0, 12.0) < 5);
     }
 
-    /// A tangential stiffness of zero is an infinite compliance.
+    /// A tangential stiffness of zero is an infinite compliance, so that motions are used.
     #[test]
     fn without_friction_by_motions() {
         let mut scene = scene(&mut Draw::new([0; 3]), 1.0, 0.0);

@@ -61,7 +61,7 @@ fn word<K: Kind>(x: f64) -> &'static str {
     words.find(stands_for).map_or("not a number", |(word, _)| word)
 }
 
-/// A number of a kind.
+/// A number of kind `K` in its text form.
 pub(crate) struct Number<K>(pub(crate) f64, PhantomData<K>);
 
 impl<K> Number<K> {
