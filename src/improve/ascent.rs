@@ -16,7 +16,7 @@ use crate::prelude::*;
 
 /// Half width of the trust region (a box): at first, at most and at least, in units of the variables.
 const RADII: [f64; 3] = [0.1, 1.0, 1e-11];
-/// A step is accepted if the true gain is at least this part of the predicted gain. A much smaller part would accept steps that rounding decides.
+/// A step is accepted if the true gain is at least this part of the predicted gain.
 const TAKEN: f64 = 1e-4;
 /// Above this part the box grows.
 const GROWS: f64 = 0.75;

@@ -15,11 +15,11 @@ pub(crate) struct Scenes<'a, V, P, const C: usize, const M: usize, X: Packed> {
     pub(super) vectors: V,
     pub(super) block: Block<'a, C, X>,
     pub(super) ready: &'a P,
-    /// Forces of the commands alone, less those of clearances.
+    /// Forces of the commands less the clearances, without load.
     pub(super) squeezed: &'a Forces<C, M, X>,
 }
 
-/// Working memory for the forces of a question, allocated once for all blocks.
+/// Working memory for the forces of a question, created once for all blocks.
 pub(crate) type Room<'a, const C: usize, const M: usize, X> = [&'a mut Forces<C, M, X>; 3];
 
 /// A question that every scene of a batch gets alike.
