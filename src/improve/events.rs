@@ -14,7 +14,7 @@ use crate::prelude::*;
 
 /// A friction force below this part of the normal force has no reliable direction, so that several directions are used.
 const NO_FRICTION: f64 = 1e-9;
-/// Number of conditions that represent the round cone at its tip, where every direction of friction is as close.
+/// Number of conditions that represent the round cone at its tip, where all of them are equally close.
 const AT_THE_TIP: usize = 8;
 /// For a force of any direction, the value is sampled at this number of angles of the round cone, and the least one is refined.
 const ANGLES: usize = 36;

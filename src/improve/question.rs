@@ -125,7 +125,7 @@ impl<const C: usize> Improve<C> {
         self.most.get(&contact).copied().or(self.most_of_all)
     }
 
-    /// Refuses numbers out of range, loads that turn, soft fingertips, suction and questions without variables.
+    /// Refuses numbers out of range, loads that turn, soft fingertips as variables, suction and questions without variables.
     pub(crate) fn check(&self, grasp: &Grasp<C>) -> Result<(), Error> {
         grasp.refuse_hands("improve")?;
         self.base.check("base load")?;
