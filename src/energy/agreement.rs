@@ -1,4 +1,4 @@
-//! Along a load path: the load at which a friction constraint of the quadratic program first binds.
+//! The load factor along a ramp at which a friction constraint of the quadratic program first binds.
 
 use nalgebra::SVector;
 
@@ -14,36 +14,35 @@ use crate::numerics::{Size, Vector};
 use crate::object::Piece;
 use crate::prelude::*;
 
-/// How far along a ramp the minimum of energy is an equilibrium.
+/// The range of a ramp in which the minimum of energy is an equilibrium.
 ///
-/// Load and commands are affine in the factor τ, and so is the vector of the [program's](super::MinimumEnergy) complementarity
-/// problem, while its matrix stays. Lemke's method with τ as the parameter goes from one set of open gaps to the next; the first
-/// friction row that enters ends the agreement with Coulomb's law, for its multiplier pushes the object from then on. That
-/// is how the paper predicts sliding.
+/// Load and commands are affine in the factor τ. So is the vector of the [program's](super::MinimumEnergy) complementarity problem, while its matrix
+/// is constant. Lemke's method with τ as the parameter passes from one set of open gaps to the next. The first friction row that enters the basis
+/// ends the agreement with Coulomb's law, because its multiplier then pushes the object. The paper predicts sliding in this way.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum Agreement<const C: usize> {
-    /// Up to this factor; there the friction constraints named begin to bind.
+    /// Agreement up to this factor, at which the listed friction constraints begin to bind.
     UpTo {
         /// The load factor τ >= 0, no unit.
         factor: f64,
-        /// Contact and facet of every constraint that begins to bind, numbered as in [`ReducedRow::Friction`](super::ReducedRow::Friction); no
-        /// facet for F_n = 0 at infinite friction.
+        /// Contact and facet of every constraint that begins to bind, numbered as in [`ReducedRow::Friction`](super::ReducedRow::Friction). The facet
+        /// is `None` for F_n = 0 at infinite friction.
         binding: Vec<(usize, Option<usize>)>,
     },
-    /// However far the load goes.
+    /// Agreement for every factor.
     Always,
-    /// Not even at factor 0: the minimum there, or why there is none.
+    /// No agreement even at factor 0: the minimum there, or the reason why it has none.
     Never(MinimumOutcome<C>),
     /// From the start the load direction works on a motion that no spring resists: the program has no minimum for any τ > 0.
     Unbounded,
-    /// The path could not be followed to its end.
+    /// Lemke's method could not follow the path to its end.
     Unsolved,
 }
 
 impl<const C: usize> Agreement<C> {
-    /// The factor up to which the minimum is an equilibrium: infinite for [`Agreement::Always`], 0 for [`Agreement::Unbounded`]. `None` where it
-    /// is none at any factor known ([`Agreement::Never`]), or nothing can be said ([`Agreement::Unsolved`]).
+    /// The factor up to which the minimum is an equilibrium: infinite for [`Agreement::Always`], 0 for [`Agreement::Unbounded`]. `None` if the
+    /// minimum at factor 0 is not an equilibrium ([`Agreement::Never`]), or if the path is not known ([`Agreement::Unsolved`]).
     #[must_use]
     pub fn factor(&self) -> Option<f64> {
         match self {
@@ -112,12 +111,12 @@ impl<D: Size, const C: usize> Line<'_, D, C> {
         matches!(path.end(), Some(lcp::PathEnd::Unbounded(_))).then_some(Agreement::Always)
     }
 
-    /// The factor at which a row binds, from the springs that hold until then.
+    /// The factor at which a row begins to bind, computed from the springs that are active below it.
     fn ends(&self, faces: &Faces, row: usize, seen: f64) -> Option<Agreement<C>> {
         let [forces, rates] = self.forces(&self.program.springs(faces))?;
         let friction = &self.program.friction;
         let (value, rate) = (friction[row].value(&forces), friction[row].value(&rates));
-        // The pivots' own factor where the row stands still.
+        // The factor of the pivots, if the row does not change with the load.
         let factor = if rate < 0.0 { (value / -rate).max(0.0) } else { seen };
         let most = |list: &[SVector<f64, C>]| list.iter().map(SVector::norm).fold(0.0, f64::max);
         let size = most(&forces) + factor * most(&rates);

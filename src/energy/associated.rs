@@ -1,4 +1,4 @@
-//! The associated friction law: what a grasp does under the convex contact law of many simulators.
+//! The associated friction law: the convex contact law of many simulators.
 
 use nalgebra::SVector;
 
@@ -13,18 +13,18 @@ use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 use crate::proofs::separating_motion;
 
-/// What is left of a direction after the binding rows were taken out of it, when it depends on them.
+/// A direction depends on the binding rows if less than this part of it is left after projecting them out.
 const DEPENDENT: f64 = 1e-10;
 
-/// What the associated law says of a load.
+/// The outcome of a load under the associated law.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum AssociatedOutcome<const C: usize> {
-    /// A state of rest, with dilation where something slides; each of its conditions holds to 1e-12 of the forces that it compares.
+    /// A state of rest, with dilation where a contact slides. Each of its conditions holds to 1e-12 of the forces that it compares.
     Rest(Box<AssociatedState<C>>),
-    /// No forces of the cones balance the load.
+    /// No forces in the friction cones balance the load.
     NoBalance,
-    /// Rounding or a limit on pivots or rows kept the solver from an answer: its matrix is dense, and more than 10 000 rows are not tried.
+    /// No answer because of rounding or a limit on pivots or rows. The matrix is dense; more than 10 000 rows are not tried.
     Unsolved,
 }
 
@@ -39,25 +39,25 @@ impl<const C: usize> AssociatedOutcome<C> {
     }
 }
 
-/// A state of rest under the associated law. The forces are unique; the twist may not be.
+/// A state of rest under the associated law. Its forces are unique; its twist may not be.
 ///
-/// Contact forces are the point of the friction cones, in equilibrium with the load, of least complementary energy,
+/// Contact forces are the point of the friction cones, in equilibrium with the load, with the least complementary energy,
 ///
 /// ```text
 /// minimise Σ ½ F_iᵀK_i⁻¹F_i - a_i·F_i     subject to  F_i in its cone,  Σ G_i F_i + W = 0
 /// ```
 ///
-/// or, object by object displacement, each contact force is the point of its cone nearest to the trial force K (a - Gᵀq) in the
-/// norm of K⁻¹. The optimality conditions have the jumps of the contact normal to the **cone** instead of the slip
-/// alone along the surface: with the rows L of the cone (e_n; μ e_n - h_j)
+/// Equivalently, for the displacement q of the object, each contact force is the point of its cone nearest to the trial force K (a - Gᵀq) in the norm
+/// of K⁻¹. The optimality conditions contain jumps along the normals of the **cone** instead of slips along the surface alone: with the rows L of the
+/// cone (e_n; μ e_n - h_j)
 ///
 /// ```text
 /// F = K (a - Gᵀq + Lᵀz),   0 <= z  ⟂  L F >= 0:        gap = Σ μ z_j,  slip = Σ z_j h_j
 /// ```
 ///
-/// a contact that slides by s opens by μ|s| while it still presses. The matrix is symmetric and semidefinite, there is one
-/// force answer, and it exists for every load in the friction wrench cone: convenient, and not Coulomb's law. This is the law
-/// of complementary-energy contact models (MuJoCo's cone constraints, Drake's SAP) without their regularisation.
+/// A contact that slides by s opens by μ|s| while it still presses. The matrix is symmetric and semidefinite, and there is one set of forces for
+/// every load in the friction wrench cone: convenient, but not Coulomb's law. This is the law of complementary-energy contact models (MuJoCo's cone
+/// constraints, Drake's SAP) without their regularisation.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct AssociatedState<const C: usize> {
@@ -65,7 +65,7 @@ pub struct AssociatedState<const C: usize> {
     pub load: Wrench<C>,
     /// Motion of the object about the origin, m and rad.
     pub twist: Twist<C>,
-    /// One a contact, in the order of the grasp.
+    /// One entry per contact, in the order of the grasp.
     pub contacts: Vec<AssociatedContact<C>>,
     /// Energy stored in the springs, `Σ ½ F²/k`, J.
     pub stored_energy: f64,
@@ -77,14 +77,14 @@ pub struct AssociatedState<const C: usize> {
 pub struct AssociatedContact<const C: usize> {
     /// Force on the object in the contact frame, N; the first entry is F_n >= 0 unless the contact is bonded or kept closed.
     pub force: SVector<f64, C>,
-    /// How far the surfaces stand apart, m, never negative. Where F_n > 0 this is the law's dilation μ|s|, which Coulomb's law does not have.
+    /// Distance of the surfaces, m, never negative. Where F_n > 0 it is the dilation μ|s| of this law, which Coulomb's law does not have.
     pub gap: f64,
-    /// Slip of the finger over the body in the contact frame, m; zero normal component.
+    /// Slip of the finger over the body in the contact frame, m; its normal component is zero.
     pub slip: SVector<f64, C>,
 }
 
 impl<const C: usize> AssociatedContact<C> {
-    /// The gap if the contact presses, else 0: an artefact of the law, m.
+    /// The gap of a contact that presses, else 0, m: an artefact of the law.
     #[must_use]
     pub fn dilation(&self) -> f64 {
         if self.force[0] > 0.0 { self.gap } else { 0.0 }
@@ -104,13 +104,13 @@ impl<D: Size, const C: usize> Engine<D, C> {
             return Ok(AssociatedOutcome::NoBalance);
         }
         let Some((first, binding, near)) = law.solve(settings) else {
-            // There is a state of rest for every load in the friction wrench cone; is this one outside?
+            // Every load in the friction wrench cone has a state of rest; a separating motion proves that this load is outside.
             return Ok(match separating_motion(&law.problem) {
                 Some(_) => AssociatedOutcome::NoBalance,
                 None => AssociatedOutcome::Unsolved,
             });
         };
-        // Rows on their edge that the pivots left out: forces are the same, but the object has more room.
+        // Rows on their edge may have stayed outside the basis. Counted as binding they leave the forces as they are and the twist more freedom.
         let most = law.problem.largest_force(&first.forces, &first.twist);
         let edge: Vec<_> = (0..law.rows.len()).filter(|r| law.rows[*r].binds(&first.forces, most)).collect();
         let more = Some(&edge).filter(|edge| **edge != binding);
@@ -147,7 +147,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 }
 
-/// The law and the question in inside coordinates.
+/// The associated law for one grasp and load, in inside coordinates.
 struct AssociatedLaw<'g, D: Size, const C: usize> {
     problem: Problem<'g, D, C>,
     stuck: Piece<D, C>,
@@ -161,9 +161,9 @@ impl<'g, D: Size, const C: usize> AssociatedLaw<'g, D, C> {
         Self { problem, stuck, rows }
     }
 
-    /// A state that satisfies the law, the rows that bind there, and the twist that follows from the pivots.
+    /// A state that satisfies the law, its binding rows, and the twist that the pivots give.
     ///
-    /// Lemke's method on `0 <= z ⟂ N x⁰ + N (1 - Π) Nᵀ z >= 0` says which rows bind; none does if everything sticks.
+    /// Lemke's method on `0 <= z ⟂ N x⁰ + N (1 - Π) Nᵀ z >= 0` finds the binding rows. If everything sticks, no row binds.
     fn solve(&self, settings: &Settings) -> Option<(PieceState<D, C>, Vec<usize>, Vector<D>)> {
         let (rows, problem) = (&self.rows, &self.problem);
         let trial = self.stuck.solve(problem.sites, &problem.drives, problem.load()).ok()?;
@@ -180,8 +180,8 @@ impl<'g, D: Size, const C: usize> AssociatedLaw<'g, D, C> {
         Some((self.on_faces(&binding, &near)?, binding, near))
     }
 
-    /// The springs along the faces where these rows bind; `None` if they do not satisfy the law. The twist is the least one,
-    /// or one near that of the pivots where the least would let something slip the wrong way.
+    /// The state on the faces of the cones where the rows `binding` are active; `None` if it does not satisfy the law. The twist is the least one. If
+    /// that lets a contact slip against its force, the free part of `near` is added.
     fn on_faces(&self, binding: &[usize], near: &Vector<D>) -> Option<PieceState<D, C>> {
         let problem = &self.problem;
         let springs = Piece::of_springs(problem.sites, &|contact, list| {
@@ -199,13 +199,13 @@ impl<'g, D: Size, const C: usize> AssociatedLaw<'g, D, C> {
         self.rows.iter().all(|row| row.holds(&state.forces, most)).then_some(state)
     }
 
-    /// How far the surfaces of a contact have parted: (gap, -slip).
+    /// The jump between the surfaces of a contact, m: (gap, -slip).
     fn jump(&self, contact: usize, state: &PieceState<D, C>) -> SVector<f64, C> {
         let give = self.problem.sites[contact].springs.give(&state.forces[contact]);
         give - self.problem.stretch(contact, &state.twist)
     }
 
-    /// Whether every jump lies in the cone of the outward normals: it works against no force of the friction cone.
+    /// Whether every jump lies in the cone of outward normals, so that its work with every force of the friction cone is not negative.
     fn jumps_outwards(&self, state: &PieceState<D, C>) -> bool {
         self.problem.locals().enumerate().filter(|(_, local)| !local.is_bonded()).all(|(i, local)| {
             let (jump, cone) = (self.jump(i, state), local.cone());
@@ -219,14 +219,14 @@ impl<'g, D: Size, const C: usize> AssociatedLaw<'g, D, C> {
     }
 }
 
-/// An orthonormal basis of the vectors of the first `axes` components at right angles to all of these.
+/// An orthonormal basis of the vectors in the first `axes` components that are orthogonal to `normals`.
 fn face<'n, const C: usize>(
     normals: impl Iterator<Item = &'n SVector<f64, C>>,
     axes: usize,
 ) -> Vec<SVector<f64, C>> {
     let mut taken: Vec<SVector<f64, C>> = Vec::new();
     let rest = |mut v: SVector<f64, C>, taken: &[SVector<f64, C>]| {
-        // Twice: the second time removes what rounding left.
+        // The second pass removes rounding left by the first.
         for t in taken.iter().chain(taken) {
             v -= t * t.dot(&v);
         }
@@ -240,7 +240,7 @@ fn face<'n, const C: usize>(
     }
     let bound = taken.len();
     while taken.len() < axes {
-        // The axis that is farthest from what is there already.
+        // The axis with the largest part outside the vectors chosen so far.
         let units = (0..axes).map(|axis| rest(unit(axis), &taken));
         let Some(next) = units.max_by(|a, b| a.norm().total_cmp(&b.norm())) else { break };
         taken.push(next.normalize());

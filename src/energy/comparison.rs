@@ -1,4 +1,4 @@
-//! Coulomb's law against the paper's minimum of energy, under one load.
+//! Coulomb's law compared with the paper's minimum of energy, under one load.
 
 use core::fmt;
 
@@ -12,23 +12,23 @@ use crate::numerics::{Size, Vector};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// An imbalance below this part of the largest force is rounding of zero.
+/// An imbalance below this part of the largest force is rounding of zero. A smaller bound would report equilibria as unbalanced.
 const BALANCED: f64 = 1e-12;
-/// Two equilibria whose forces or displacements differ by more than this part of the largest are two.
+/// Two equilibria are different if their forces or displacements differ by more than this part of the largest.
 const DIFFERENT: f64 = 1e-9;
 
-/// The equilibrium under Coulomb's law beside the minimum of the paper's quadratic program ([`MinimumEnergy`]). In space both are on the same
-/// polygonal cone.
+/// The equilibrium under Coulomb's law beside the minimum of the paper's quadratic program ([`MinimumEnergy`]). In space both use the same polygonal
+/// cone.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct Comparison<const C: usize> {
-    /// The answer of complementarity.
+    /// The outcome of complementarity.
     pub equilibrium: Outcome<C>,
-    /// The answer of the quadratic program, with the constraints that bind and its imbalance.
+    /// The outcome of the quadratic program, with its binding constraints and its imbalance.
     pub minimum: MinimumOutcome<C>,
-    /// How far they are apart, where both have one.
+    /// The difference between equilibrium and minimum, if both exist.
     pub difference: Option<Difference>,
-    /// What to make of it.
+    /// The classification of the load.
     pub verdict: ComparisonVerdict,
 }
 
@@ -36,11 +36,11 @@ pub struct Comparison<const C: usize> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Difference {
-    /// Of the displacements of the object at the contacts, m; motions that one of the two leaves free are not counted.
+    /// Largest difference of displacements of the object at a contact, m. Motions that are free in one of the two are not counted.
     pub displacement: f64,
-    /// Of the contact forces, N.
+    /// Largest difference of contact forces, N.
     pub force: f64,
-    /// Of the stored energies, J.
+    /// Difference of stored energies, J.
     pub energy: f64,
     /// The largest displacement of the object or drive (command less clearance) at a contact of the equilibrium, m.
     pub displacement_size: f64,
@@ -51,7 +51,7 @@ pub struct Difference {
 }
 
 impl Difference {
-    /// The largest of the three, each relative to its size; a difference of nothing is 0 whatever the size.
+    /// The largest of the three, each relative to its size; a difference of zero counts as 0 whatever the size.
     #[must_use]
     pub fn relative(&self) -> f64 {
         let part = |difference: f64, size: f64| if difference == 0.0 { 0.0 } else { difference / size };
@@ -61,30 +61,30 @@ impl Difference {
     }
 }
 
-/// What the comparison says of the quadratic program.
+/// Classification of a load by complementarity and the quadratic program.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum ComparisonVerdict {
-    /// Both give the same equilibrium; so it is called, too, where the minimum is one and complementarity found none.
+    /// Both give the same equilibrium. This is also the verdict if the minimum is an equilibrium and complementarity found no equilibrium.
     Agree,
-    /// The minimum is an equilibrium, and complementarity returned another one, by more than 1e-9 of forces or displacements: with friction
-    /// there may be several, and where a contact carries nothing the object may stand in several places.
+    /// The minimum is an equilibrium, and complementarity returned another one, by more than 1e-9 of forces or displacements. With friction there may
+    /// be several equilibria, and where a contact carries nothing the object may have several positions.
     TwoEquilibria,
-    /// An equilibrium exists; the program returned something else, which is none.
+    /// An equilibrium exists, but the minimum of the program is out of balance.
     OutOfEquilibrium {
         /// `|Σ F + W|`, N.
         force: f64,
         /// The same for moments about the origin, N m.
         moment: f64,
     },
-    /// No equilibrium exists; the program returned numbers all the same.
+    /// No equilibrium exists, but the program returned a minimum, which is out of balance.
     NoEquilibrium {
         /// `|Σ F + W|` of these numbers, N.
         force: f64,
         /// The same for moments about the origin, N m.
         moment: f64,
     },
-    /// The minimum is out of equilibrium; whether there is an equilibrium is not known.
+    /// The minimum is out of balance; it is not known whether an equilibrium exists.
     Unknown {
         /// `|Σ F + W|` of the minimum, N.
         force: f64,
@@ -127,8 +127,8 @@ impl fmt::Display for ComparisonVerdict {
 }
 
 impl<const C: usize> MinimumEnergy<C> {
-    /// Whether the minimum is in equilibrium: no friction constraint holds anything up. [`MinimumEnergy::imbalance`] may then be 1e-12 of the
-    /// largest force, moments divided by the size of the grasp.
+    /// Whether the minimum is in equilibrium: no multiplier of a friction constraint pushes the object. [`MinimumEnergy::imbalance`] may be up to
+    /// 1e-12 of the largest force, with moments divided by the size of the grasp.
     #[must_use]
     pub fn is_equilibrium(&self) -> bool {
         self.imbalance_size <= BALANCED * self.forces_size

@@ -1,8 +1,8 @@
-//! The rows of gaps and friction cones in energy coordinates, on the state in which everything sticks.
+//! The rows of gaps and friction cones in energy coordinates, evaluated at the state in which everything sticks.
 //!
-//! In `x = K^{-1/2} F` every row has unit length, so that stiffness ratios do not show. Let `K^{1/2}Gᵀ = Q R`, and
-//! Π = QQᵀ be the projector on the motions of the object. Every law of this module is made of the products `n·Π n'`
-//! and `n·(1 - Π) n'` of two rows n, n', and of the values `n·x⁰` when everything sticks.
+//! In `x = K^{-1/2} F` every row has unit length, so that ratios of stiffnesses cancel. Let `K^{1/2}Gᵀ = Q R`, and let Π = QQᵀ be the projector on
+//! the motions of the object. Every law of this module is expressed by the products `n·Π n'` and `n·(1 - Π) n'` of two rows n, n', and by the values
+//! `n·x⁰` if everything sticks.
 
 use nalgebra::{DMatrix, DVector, SVector};
 
@@ -14,13 +14,13 @@ use crate::numerics::{Map, Size, Vector, unit};
 use crate::object::{Piece, Problem};
 use crate::prelude::*;
 
-/// A row is on its edge, and a condition is satisfied, up to this part of the forces that it compares (no unit).
-/// Scenes with stiffness ratios of 1e14 leave rounding of 1e-14; a smaller part would refuse their answers.
+/// A row is on its edge, and a condition is satisfied, up to this part of the forces that it compares (no unit). Scenes with stiffness ratios of 1e14
+/// have rounding of 1e-14; a smaller part would refuse their answers.
 pub(super) const ROUNDING: f64 = 1e-12;
 
-/// Rows of a matrix of which all entries are kept, at most: some gigabyte. A thousand contacts in space on eight facets have 9 000.
+/// Upper limit of the rows of a dense matrix: it then takes about a gigabyte. A thousand contacts in space on eight facets have 9 000 rows.
 const MOST_ROWS: usize = 10_000;
-/// Operations on all entries of matrices, at most, unless the caller says how many pivots: they take some ten seconds.
+/// Upper limit of operations on matrix entries, unless the caller limits the pivots. They take about ten seconds.
 const MOST_OPERATIONS: f64 = 2e11;
 
 /// A condition `normal·x_i >= 0` on the force of a contact.
@@ -29,15 +29,15 @@ pub(super) struct ForceCondition<D: Size, const C: usize> {
     pub(super) contact: usize,
     /// The facet of the friction cone; `None` for the normal force.
     pub(super) facet: Option<usize>,
-    /// The same condition on forces: `law·F_i` is `μ F_n - h·F_t` or F_n.
+    /// The same condition on forces: `law·F_i` is `μ F_n - h·F_t`, or F_n.
     law: SVector<f64, C>,
     /// Unit vector along `K^{1/2} law`.
     pub(super) normal: SVector<f64, C>,
     /// `|K^{1/2} law|`.
     pub(super) length: f64,
-    /// What the rounding of [`Self::value`] is measured against, with forces of size one.
+    /// Scale of the rounding of [`Self::value`] for forces of size one.
     pub(super) weight: f64,
-    /// Qᵀ times the normal: what the object feels of the row.
+    /// Qᵀ times the normal: the component of the row along motions of the object.
     pub(super) seen: Vector<D>,
 }
 
@@ -82,7 +82,7 @@ impl<D: Size, const C: usize> ForceCondition<D, C> {
     }
 }
 
-/// The springs along the axes that `holds(contact, axis)` says.
+/// The springs of all axes for which `holds(contact, axis)` is true.
 pub(super) fn axis_springs<D: Size, const C: usize>(
     sites: &[Site<D, C>],
     holds: &dyn Fn(usize, usize) -> bool,
@@ -94,7 +94,7 @@ pub(super) fn axis_springs<D: Size, const C: usize>(
     })
 }
 
-/// The rows contact by contact: `F_n >= 0` where `presses` says so, and the facets of the cone if asked for.
+/// The rows contact by contact: `F_n >= 0` if `presses` is true, and the facets of the cone if `with_facets` is true.
 pub(super) fn rows<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     stuck: &Piece<D, C>,
@@ -115,7 +115,7 @@ pub(super) fn rows<D: Size, const C: usize>(
     rows
 }
 
-/// `n·x` of every row.
+/// `n·x` of every row, where x are the scaled forces.
 pub(super) fn values<'r, D: Size, const C: usize>(
     rows: impl IntoIterator<Item = &'r ForceCondition<D, C>>,
     forces: &[SVector<f64, C>],
@@ -127,12 +127,12 @@ pub(super) fn values<'r, D: Size, const C: usize>(
     DVector::from_vec(values)
 }
 
-/// The matrix with these entries; `None` if it has too many of them.
+/// The matrix with these entries; `None` if it has more than [`MOST_ROWS`] rows.
 pub(super) fn dense(rows: usize, entry: impl FnMut(usize, usize) -> f64) -> Option<DMatrix<f64>> {
     (rows <= MOST_ROWS).then(|| DMatrix::from_fn(rows, rows, entry))
 }
 
-/// Pivots on a dense matrix of so many rows, at most: what the caller says, else what is affordable.
+/// The limit of pivots on a dense matrix: the caller's, else the default limit or the affordable number, whichever is less.
 pub(super) fn most_pivots(rows: usize, settings: &Settings) -> Option<usize> {
     let entries = (rows * rows).max(1) as f64;
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // positive and far below 2^64
@@ -141,7 +141,7 @@ pub(super) fn most_pivots(rows: usize, settings: &Settings) -> Option<usize> {
     settings.max_pivots.or_else(|| Some(affordable).filter(|most| *most < default))
 }
 
-/// What Lemke's method says of one of the problems made of such rows; `None` if a number overflows.
+/// The outcome of Lemke's method on a problem of such rows; `None` if a number overflows.
 pub(super) fn by_pivots(matrix: DMatrix<f64>, vector: DVector<f64>, settings: &Settings) -> Option<Outcome> {
     let max_pivots = most_pivots(vector.len(), settings);
     let settings = lcp::Settings { max_pivots, enumerate_up_to: 0, ..lcp::Settings::default() };

@@ -1,8 +1,8 @@
-//! The minimum of the paper's program, solved so that stiffness ratios do not cost digits.
+//! The minimum of the paper's program, computed so that stiffness ratios do not cost digits.
 //!
-//! The program is solved through its optimality conditions (`optimality`). Lemke's method says which gaps open and which
-//! friction constraints bind; the springs that then hold say the rest. The multipliers of the constraints are forces on
-//! the **object** that no contact exerts: the minimum is an equilibrium exactly if they add up to nothing.
+//! The program is solved through its optimality conditions (`optimality`). Lemke's method finds the open gaps and the binding friction constraints.
+//! The remaining springs then determine the minimum. The multipliers of the constraints are forces on the **object** that no contact exerts: the
+//! minimum is an equilibrium exactly if their sum is zero.
 
 use nalgebra::SVector;
 
@@ -18,19 +18,19 @@ use crate::prelude::*;
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum MinimumOutcome<const C: usize> {
-    /// There is one.
+    /// A minimum exists.
     Minimum(Box<MinimumEnergy<C>>),
-    /// The friction constraints contradict each other, or the energy falls for ever as contacts open.
+    /// The friction constraints contradict each other, or the energy is unbounded below as contacts open.
     NoMinimum,
-    /// The load works on a motion that no spring resists: the energy falls for ever.
+    /// The load works on a motion that no spring resists: the energy is unbounded below.
     Unbounded {
-        /// The motion, of unit size as in [`Stability::softest`](super::Stability::softest), pointing the way the load drives it.
+        /// The motion, of unit size as in [`Stability::softest`](super::Stability::softest), in the direction in which the load drives it.
         motion: Twist<C>,
-        /// Work of the load on it, positive, J.
+        /// Work of the load on the motion, positive, J.
         work: f64,
     },
-    /// Rounding or a limit on pivots or rows kept the solver from an answer: its matrix is dense, and more than 10 000 rows (a thousand contacts
-    /// in space on eight facets) are not tried.
+    /// No answer because of rounding or a limit on pivots or rows. The matrix is dense; more than 10 000 rows (a thousand contacts in space on eight
+    /// facets) are not tried.
     Unsolved,
 }
 
@@ -45,43 +45,43 @@ impl<const C: usize> MinimumOutcome<C> {
     }
 }
 
-/// The minimum of potential energy under the friction constraints, everything that has friction sticking: what the
-/// paper's program returns. **An equilibrium only if [`Self::imbalance`] is zero.**
+/// The minimum of potential energy under the friction constraints, with all contacts that have friction sticking: the result of the paper's program.
+/// **It is an equilibrium only if [`Self::imbalance`] is zero.**
 ///
 /// ```text
 /// minimise  Σ ½ F_iᵀK_i⁻¹F_i - W·q,      F_i = K_i (a_i - G_iᵀq + e_n g_i)      over q and g
 /// subject to  g_i >= 0,   μ F_n - h·F_t >= 0 for every facet h of the cone
 /// ```
 ///
-/// The multiplier λ of a friction constraint acts on the object like a force that no contact exerts, `Σ G_i F_i + W = Σ λ G_i K_i (μ e_n - h)`.
-/// A contact with infinite friction has no gap here but the constraint F_n >= 0: with a gap it would carry F_t across it, as in
-/// [`PrintedQp`](super::PrintedQp). [`ReducedQp`](super::ReducedQp) is this program written out.
+/// The multiplier λ of a friction constraint acts on the object like a force that no contact exerts, `Σ G_i F_i + W = Σ λ G_i K_i (μ e_n - h)`. A
+/// contact with infinite friction has the constraint F_n >= 0 instead of a gap: with a gap it would carry F_t across it, as in
+/// [`PrintedQp`](super::PrintedQp). [`ReducedQp`](super::ReducedQp) is this program in matrices.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct MinimumEnergy<const C: usize> {
     /// The load of the question.
     pub load: Wrench<C>,
-    /// Motion of the object about the origin, m and rad; the least one where some motions stretch no spring.
+    /// Motion of the object about the origin, m and rad; the least one if some motions stretch no spring.
     pub twist: Twist<C>,
-    /// One a contact, in the order of the grasp.
+    /// One entry per contact, in the order of the grasp.
     pub contacts: Vec<MinimumContact<C>>,
     /// Friction constraints that bind, with their multipliers.
     pub binding: Vec<Binding>,
-    /// `Σ G_i F_i + W` about the origin, N and N m: its opposite is missing to equilibrium. Computed from the multipliers, so that it
-    /// is exactly zero when none is positive.
+    /// `Σ G_i F_i + W` about the origin, N and N m: the opposite of the wrench missing for equilibrium. It is computed from the multipliers, so that
+    /// it is exactly zero if all of them are zero.
     pub imbalance: Wrench<C>,
     /// Energy stored in the springs, `Σ ½ F²/k`, J.
     pub stored_energy: f64,
-    /// The minimum itself: stored energy less `W·q`, J.
+    /// The minimum of the energy: stored energy less `W·q`, J.
     pub potential_energy: f64,
-    /// Motions that stretch no spring that holds: the twist is known up to them. Of unit size as in
-    /// [`Stability::softest`](super::Stability::softest), at right angles to one another.
+    /// Motions that stretch no active spring: the twist is determined up to them. They have unit size as in
+    /// [`Stability::softest`](super::Stability::softest) and are orthogonal to each other.
     pub free_motions: Vec<Motion<C>>,
     /// Pivots of Lemke's method.
     pub pivots: usize,
-    /// Size of the largest force: what the imbalance is measured against.
+    /// Size of the largest force, the scale of the imbalance.
     pub(super) forces_size: f64,
-    /// Size of the imbalance with moments divided by the size of the grasp, N.
+    /// Size of the imbalance, with moments divided by the size of the grasp, N.
     pub(super) imbalance_size: f64,
     pub(super) inside: Inside<C>,
 }
@@ -99,7 +99,7 @@ pub(super) struct Inside<const C: usize> {
 pub struct MinimumContact<const C: usize> {
     /// Force on the object in the contact frame, N; the first entry is F_n >= 0 unless the contact is bonded or kept closed.
     pub force: SVector<f64, C>,
-    /// The same along the coordinate axes, N.
+    /// Force on the object along the coordinate axes, N.
     pub force_world: SVector<f64, C>,
     /// Displacement u_c of the body's core, coordinate axes, m.
     pub body_core: SVector<f64, C>,
@@ -107,7 +107,7 @@ pub struct MinimumContact<const C: usize> {
     pub gap: f64,
 }
 
-/// A friction constraint that stands on its edge.
+/// A friction constraint on its edge.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Binding {
@@ -116,7 +116,7 @@ pub struct Binding {
     /// The facet of the cone, in the plane 0 for F_t = μ F_n and 1 for F_t = -μ F_n, in space as in
     /// [`ReducedRow::Friction`](super::ReducedRow::Friction); `None` for F_n = 0 at infinite friction.
     pub facet: Option<usize>,
-    /// Its multiplier λ >= 0, m: energy per unit of `μ F_n - h·F_t`. Zero where the edge is just touched.
+    /// Multiplier λ >= 0, m: energy per unit of `μ F_n - h·F_t`. Zero if the force only touches the edge.
     pub multiplier: f64,
 }
 
@@ -139,7 +139,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             }
             Err(Unbalanced { motion: None }) => return Ok(MinimumOutcome::Unsolved),
         };
-        // Ties are the rule in symmetric grasps: what satisfies every constraint up to rounding needs no pivot.
+        // Ties are common in symmetric grasps. A point that satisfies every constraint up to rounding needs no pivot.
         let sticking = Faces { open: vec![false; self.sites().len()], binding: Vec::new() };
         let mut pivots = 0;
         let mut point = Some(program.sticking(&stuck)).filter(|point| program.holds(point, &sticking));

@@ -1,17 +1,16 @@
-//! The paper's principle of minimum potential energy, beside complementarity.
+//! The paper's principle of minimum potential energy, compared with complementarity.
 //!
-//! While nothing slides the springs are conservative and the object goes where the energy is least. The paper poses that
-//! as a quadratic program with the friction cones as constraints ([`PrintedQp`], [`ReducedQp`]). [`QuadraticProgram`]
-//! solves it as the linear complementarity problem of its optimality conditions, and
-//! [`Energy::minimum`](crate::ask::Energy::minimum) on orthogonal factors.
+//! While no contact slides the springs are conservative, and the equilibrium is a minimum of the potential energy. The paper poses this minimum as a
+//! quadratic program with the friction cones as constraints ([`PrintedQp`], [`ReducedQp`]). [`QuadraticProgram`] solves it as the linear
+//! complementarity problem of its optimality conditions. [`Energy::minimum`](crate::ask::Energy::minimum) solves it on orthogonal factors.
 //!
-//! As long as no friction constraint binds, the minimum is the equilibrium. Once a constraint binds, its multiplier acts on
-//! the object like a hand from outside: the program still returns numbers, but they are not in equilibrium. [`Comparison`]
-//! says which case a load is, [`Agreement`] up to which load factor all is well. [`ThreeLaws`] puts Coulomb's law, the
-//! program and the associated law of many simulators in one table.
+//! As long as no friction constraint binds, the minimum is the equilibrium. Once a constraint binds, its multiplier acts on the object like an
+//! external force: the program still returns numbers, but they are not in equilibrium. [`Comparison`] classifies one load, [`Agreement`] gives the
+//! load factor up to which the minimum is an equilibrium. [`ThreeLaws`] puts Coulomb's law, the program and the associated law of many simulators in
+//! one table.
 //!
-//! The three laws differ in one factor. Let x = K^{-1/2} F be the forces in energy coordinates, x⁰ those when everything
-//! sticks, and Π the projector on the motions of the object. N are the rows of the cones, S those of the slips alone:
+//! The three laws differ in one factor. Let x = K^{-1/2} F be the forces in energy coordinates, x⁰ those if everything sticks, and Π the projector on
+//! the motions of the object. N are the rows of the cones, S the rows of the slips alone:
 //!
 //! ```text
 //! Coulomb             x = x⁰ + (1 - Π) Sᵀz       0 <= z ⟂ N x >= 0      surfaces slip
@@ -19,20 +18,19 @@
 //! minimum energy      x = x⁰ +    Π    Nᵀz                              the object is held from outside
 //! ```
 //!
-//! [`Stability`] and [`SecondOrder`] are about what first order leaves out: the second-order term of the paper's
-//! equation 4.1.
+//! [`Stability`] and [`SecondOrder`] include the second-order displacement of the paper's equation 4.1, which all other questions neglect.
 //!
 //! | file | idea |
 //! |---|---|
 //! | `program` | a convex quadratic program and its optimality conditions |
-//! | `program_rows` | its rows, as they are written down |
+//! | `program_rows` | its rows, collected one by one |
 //! | `printed`, `reduced` | the paper's program, in all displacements and without those of the surfaces |
 //! | `energy_rows` | gaps and friction cones in energy coordinates |
 //! | `optimality` | the optimality conditions in energy coordinates, and their solution |
-//! | `minimum`, `agreement` | the minimum under a load, and how far along a ramp it is an equilibrium |
+//! | `minimum`, `agreement` | the minimum under a load, and the range of a ramp in which it is an equilibrium |
 //! | `associated` | the associated friction law |
 //! | `comparison`, `three_laws` | the laws side by side |
-//! | `stability`, `second_order` | what displacements do beyond first order |
+//! | `stability`, `second_order` | effects of second-order displacements |
 
 mod agreement;
 mod associated;

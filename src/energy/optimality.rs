@@ -1,7 +1,7 @@
 //! The optimality conditions of the paper's program on orthogonal factors, and their solution.
 //!
-//! Let everything stick: x⁰ = K^{1/2}(a - Gᵀq⁰) with equilibrium, K^{1/2}Gᵀ = QR. In these coordinates, with Π = QQᵀ, the
-//! scaled gaps ĝ = √k_n g (columns E) and the friction rows N x >= 0 (unit length), the program is
+//! Let everything stick: x⁰ = K^{1/2}(a - Gᵀq⁰) with equilibrium, K^{1/2}Gᵀ = QR. In these coordinates, with Π = QQᵀ, the scaled gaps ĝ = √k_n g
+//! (columns E) and the friction rows N x >= 0 (unit length), the program is
 //!
 //! ```text
 //! minimise ½|p|² - pᵀQᵀE ĝ + ½|ĝ|² + x⁰ᵀE ĝ      x = x⁰ - Q p + E ĝ,   p = R (q - q⁰)
@@ -16,12 +16,11 @@
 //! x = x⁰ + (1 - Π) E ĝ + Π Nᵀλ
 //! ```
 //!
-//! Multipliers enter the forces through Π: they push the **object**, as if a hand from outside helped. What they add to the
-//! balance of forces is `Aᵀx + W = AᵀNᵀλ`; the minimum is an equilibrium exactly if that is zero. Slips of Coulomb's law enter
-//! through 1 - Π and keep the balance.
+//! Multipliers enter the forces through Π: they push the **object** like an external force. They contribute `Aᵀx + W = AᵀNᵀλ` to the balance of
+//! forces; the minimum is an equilibrium exactly if this is zero. Slips of Coulomb's law enter through 1 - Π and preserve the balance.
 //!
-//! Lemke's method says which gaps open and which rows bind. The answer is then computed from the springs that hold,
-//! which does not depend on the rounding of the pivots, and every condition is checked.
+//! Lemke's method finds the open gaps and the binding rows. The answer is then computed from the remaining springs, so that it does not depend on the
+//! rounding of the pivots. Every condition is checked.
 
 use nalgebra::{DMatrix, DVector, SVector};
 
@@ -32,7 +31,7 @@ use crate::numerics::{Size, Vector};
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
-/// Gaps that may open, rows that may bind, and the springs when all of them hold.
+/// The gaps that may open, the rows that may bind, and the springs with all of them active.
 pub(super) struct EnergyProgram<'g, D: Size, const C: usize> {
     pub(super) problem: Problem<'g, D, C>,
     pub(super) stuck: Piece<D, C>,
@@ -40,7 +39,7 @@ pub(super) struct EnergyProgram<'g, D: Size, const C: usize> {
     pub(super) friction: Vec<ForceCondition<D, C>>,
 }
 
-/// Which gaps are open and which friction rows bind.
+/// The open gaps and the binding friction rows.
 #[derive(Debug, Clone)]
 pub(super) struct Faces {
     pub(super) open: Vec<bool>,
@@ -53,7 +52,7 @@ pub(super) struct ProgramPoint<D: Size, const C: usize> {
     pub(super) forces: Vec<SVector<f64, C>>,
     pub(super) twist: Vector<D>,
     pub(super) gaps: Vec<f64>,
-    /// Of every friction row, for rows of unit length.
+    /// Multipliers of all friction rows, scaled to unit length.
     pub(super) multipliers: Vec<f64>,
     pub(super) free: Vec<Vector<D>>,
 }
@@ -78,12 +77,12 @@ impl<'g, D: Size, const C: usize> EnergyProgram<'g, D, C> {
         self.gaps.iter().chain(&self.friction)
     }
 
-    /// The vector of the complementarity problem for the forces when everything sticks.
+    /// The vector of the complementarity problem, from the forces if everything sticks.
     pub(super) fn vector(&self, stuck: &[SVector<f64, C>]) -> DVector<f64> {
         values(self.rows(), stuck)
     }
 
-    /// Its matrix; `None` if it is too large.
+    /// The matrix of the complementarity problem; `None` if it is too large.
     pub(super) fn matrix(&self) -> Option<DMatrix<f64>> {
         let rows: Vec<_> = self.rows().collect();
         let gaps = self.gaps.len();
@@ -94,7 +93,7 @@ impl<'g, D: Size, const C: usize> EnergyProgram<'g, D, C> {
         })
     }
 
-    /// Which gaps open and which rows bind, by Lemke's method, with the number of pivots; and the twist that follows from the pivots.
+    /// The open gaps and binding rows found by Lemke's method, the number of pivots, and the twist that the pivots give.
     pub(super) fn faces(
         &self,
         stuck: &PieceState<D, C>,
@@ -126,7 +125,7 @@ impl<'g, D: Size, const C: usize> EnergyProgram<'g, D, C> {
         faces
     }
 
-    /// The springs that hold on these faces: an open gap takes out its normal spring.
+    /// The springs that act on these faces: an open gap removes the normal spring of its contact.
     pub(super) fn springs(&self, faces: &Faces) -> Piece<D, C> {
         axis_springs(self.problem.sites, &|contact, axis| axis > 0 || !faces.open[contact])
     }
@@ -142,8 +141,8 @@ impl<'g, D: Size, const C: usize> EnergyProgram<'g, D, C> {
         }
     }
 
-    /// The minimum on these faces; `None` if the binding rows depend on each other, or nothing there balances the load.
-    /// Where a motion is free, its part of `near` is taken if the least twist closes a gap too far.
+    /// The minimum on these faces; `None` if the binding rows are linearly dependent, or no forces there balance the load. If the least twist makes a
+    /// gap negative, the free part of `near` is added.
     pub(super) fn on_faces(
         &self,
         faces: &Faces,
@@ -170,7 +169,7 @@ impl<'g, D: Size, const C: usize> EnergyProgram<'g, D, C> {
         let mut gaps = gaps_at(&twist);
         let free = springs.free_motions().to_vec();
         if gaps.iter().any(|gap| *gap < 0.0) {
-            // Motions that stretch no spring still open and close gaps; the pivots found some that close none.
+            // Motions that stretch no spring still change gaps. The pivots found such motions with no gap negative.
             twist += free.iter().fold(Vector::zeros(), |sum, v| sum + v * v.dot(near));
             gaps = gaps_at(&twist);
         }
@@ -178,11 +177,11 @@ impl<'g, D: Size, const C: usize> EnergyProgram<'g, D, C> {
         finite.then_some(ProgramPoint { forces, twist, gaps, multipliers, free })
     }
 
-    /// Puts the binding rows on their edges, with the forces that balance without them. Returns the motion that this takes,
-    /// in the coordinates of the springs that hold.
+    /// Moves the binding rows onto their edges, starting from forces that balance without them. Returns the change of the motion, in the coordinates
+    /// of the active springs.
     ///
-    /// Springs of open gaps are taken out: there x_n is free, and the binding rows alone give it a value, `x_n = (Nᵀλ)_n`.
-    /// With `M = [N Q, N_n of the open]` on the binding rows,
+    /// Springs of open gaps are removed: x_n is free there, and the binding rows alone determine it, `x_n = (Nᵀλ)_n`. With
+    /// `M = [N Q, N_n of the open]` on the binding rows,
     ///
     /// ```text
     /// N x' + M Mᵀλ = 0,     x = x' + Q (first part of Mᵀλ)
@@ -217,7 +216,7 @@ impl<'g, D: Size, const C: usize> EnergyProgram<'g, D, C> {
         }
         let (q, r) = columns.qr().unpack();
         let mut travelled = Vector::zeros();
-        // The second time removes what rounding left of the rows.
+        // The second pass removes the rounding that the first left in the rows.
         for _ in 0..2 {
             let y = r.tr_solve_upper_triangular(&-values(rows.iter().copied(), forces))?;
             let lambda = r.solve_upper_triangular(&y)?;
@@ -238,7 +237,7 @@ impl<'g, D: Size, const C: usize> EnergyProgram<'g, D, C> {
         Some(travelled)
     }
 
-    /// What the multipliers push the object with, contact by contact, in the contact frames.
+    /// The forces of the multipliers on the object, contact by contact, in the contact frames, N.
     pub(super) fn held_from_outside(&self, multipliers: &[f64]) -> Vec<SVector<f64, C>> {
         let mut held = vec![SVector::zeros(); self.problem.len()];
         for (row, multiplier) in self.friction.iter().zip(multipliers) {

@@ -10,7 +10,7 @@ use crate::grasp::{Contact, Engine, Stiffness, Twist, Wrench, grasp_map};
 use crate::numerics::Size;
 use crate::prelude::*;
 
-/// What an equality row of the printed program says.
+/// The meaning of an equality row of the printed program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Equality {
@@ -33,7 +33,7 @@ pub enum Equality {
         /// The contact.
         contact: usize,
     },
-    /// u_c along this axis is that of the object. The multiplier is minus the contact force along it as long as no inequality
+    /// The component of u_c along this axis is that of the object. The multiplier is minus the contact force along the axis as long as no inequality
     /// of the contact binds.
     BodyMotion {
         /// The contact.
@@ -43,11 +43,11 @@ pub enum Equality {
     },
 }
 
-/// What an inequality row of the printed program says.
+/// The meaning of an inequality row of the printed program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Inequality {
-    /// The body's normal spring pushes.
+    /// The body's normal spring is compressed.
     BodyPushes {
         /// The contact.
         contact: usize,
@@ -57,12 +57,12 @@ pub enum Inequality {
         /// The contact.
         contact: usize,
     },
-    /// The finger's normal spring pushes.
+    /// The finger's normal spring is compressed.
     FingerPushes {
         /// The contact.
         contact: usize,
     },
-    /// The force does not pass this facet of the friction cone.
+    /// The force does not exceed this facet of the friction cone.
     Friction {
         /// The contact.
         contact: usize,
@@ -74,7 +74,7 @@ pub enum Inequality {
 
 /// The quadratic program as the paper prints it (section 5.1), for any number of contacts, with the meaning of its rows and columns.
 ///
-/// Every displacement is an unknown. With c axes a contact (n, t in the plane; n, t₁, t₂ in space) the unknowns are
+/// Every displacement is an unknown. With c axes per contact (n, t in the plane; n, t₁, t₂ in space) the unknowns are
 ///
 /// ```text
 /// Q   = (Q_1 … Q_N, Q_b)            Q_i = (u_c, u_d, u_e in the frame of contact i),   Q_b = the twist
@@ -96,23 +96,23 @@ pub enum Inequality {
 ///             μ (u_d - u_c)·n ∓ γ (u_d - u_c)·t >= 0    (μ F_n ∓ F_t) / k_nb, one row a facet of the cone
 /// ```
 ///
-/// after which c rows for each contact close A: `u_c - (displacement of the object at r_i) = 0`. Two corrections are made to the
-/// print: the last diagonal entry of H_i is k_tf, and A, which is not printed, is the only one that fits C.
+/// after which c rows for each contact complete A: `u_c - (displacement of the object at r_i) = 0`. Two corrections are made to the print: the last
+/// diagonal entry of H_i is k_tf, and A, which is not printed, is the only matrix that fits C.
 ///
-/// A frictionless contact has neither sticking rows nor friction rows: the surfaces move past each other as they like. A
-/// contact that is kept closed has `(u_d - u_e)·n = -clearance` among its equalities and no row against pulling; a bonded
-/// one, and one with infinite friction, have no friction rows. The latter keeps its sticking row when it opens, so that it may carry F_t across a
-/// gap: where it does the program is not the [reduced](super::ReducedQp) one.
+/// A frictionless contact has neither sticking rows nor friction rows: its surfaces slide freely. A contact that is kept closed has
+/// `(u_d - u_e)·n = -clearance` among its equalities and no row against pulling. Bonded contacts, and those with infinite friction, have no friction
+/// rows. With infinite friction a contact keeps its sticking row when it opens, so that it may carry F_t across a gap. If it does, the program
+/// differs from the [reduced](super::ReducedQp) one.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct PrintedQp<const C: usize> {
     /// G, H, A, C, B, D in 3 c N + d unknowns, N contacts: displacements in m, the twist in m and rad about the origin, the cost in J.
     pub program: QuadraticProgram,
-    /// What each row of A says, m.
+    /// The meaning of each row of A, m.
     pub equalities: Vec<Equality>,
-    /// What each row of B says, m.
+    /// The meaning of each row of B, m.
     pub inequalities: Vec<Inequality>,
-    /// `Σ ½ k_f u_f²`, J, which the printed cost leaves out.
+    /// `Σ ½ k_f u_f²`, J, which the printed cost omits.
     pub constant: f64,
     contacts: usize,
 }
@@ -130,7 +130,7 @@ pub struct Displacements<const C: usize> {
 }
 
 impl<const C: usize> PrintedQp<C> {
-    /// The twist Q_b in a vector of unknowns, about the origin, m and rad.
+    /// The twist Q_b of a vector of unknowns, about the origin, m and rad.
     ///
     /// # Panics
     /// If x is not a vector of unknowns of this program.
@@ -139,7 +139,7 @@ impl<const C: usize> PrintedQp<C> {
         Twist::from_components(&x.as_slice()[3 * C * self.contacts..])
     }
 
-    /// The displacements Q_i of a contact in a vector of unknowns.
+    /// The displacements Q_i of a contact from a vector of unknowns.
     ///
     /// # Panics
     /// If x is not a vector of unknowns of this program, or there is no such contact.
@@ -151,10 +151,10 @@ impl<const C: usize> PrintedQp<C> {
 
     /// Contact force in the contact frame, N, from the spring of the body: `k_b (u_d - u_c)`.
     ///
-    /// A difference of displacements: of a contact that is stiffer than the others by 10^p it has p digits less than x.
+    /// It is a difference of displacements: for a contact stiffer than the others by 10^p it has p digits less than x.
     ///
     /// # Panics
-    /// As [`Self::displacements`].
+    /// As for [`Self::displacements`].
     #[must_use]
     pub fn force(&self, x: &DVector<f64>, contact: usize) -> SVector<f64, C> {
         let u = self.displacements(x, contact);
@@ -162,11 +162,10 @@ impl<const C: usize> PrintedQp<C> {
         SVector::from_fn(|a, _| self.program.h[(C * 3 * contact + a, C * 3 * contact + a)] * stretch[a])
     }
 
-    /// What the balance of the object counts at a contact, in its frame, N: minus the multipliers of its
-    /// [`Equality::BodyMotion`] rows.
+    /// The force at a contact in the balance of the object, in the contact frame, N: minus the multipliers of its [`Equality::BodyMotion`] rows.
     ///
-    /// As long as no inequality of the contact binds this is the contact force, as exact as the multipliers whatever the
-    /// stiffness. Where an inequality binds, it is the force together with what the constraint adds to it.
+    /// As long as no inequality of the contact binds this is the contact force, as accurate as the multipliers for any stiffness. Where an inequality
+    /// binds, it also contains the contribution of the constraint.
     ///
     /// # Panics
     /// If y does not belong to this program, or there is no such contact.
@@ -216,17 +215,19 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 }
 
-/// Places of u_c, u_d and u_e among the displacements of a contact.
+/// Position of u_c among the three displacements of a contact.
 const BODY_CORE: usize = 0;
+/// Position of u_d.
 const BODY_SURFACE: usize = 1;
+/// Position of u_e.
 const FINGER_SURFACE: usize = 2;
 
-/// The column of a displacement along an axis.
+/// The column of one displacement of a contact along an axis.
 fn column<const C: usize>(contact: usize, displacement: usize, axis: usize) -> usize {
     C * (3 * contact + displacement) + axis
 }
 
-/// Stiffness of body and finger.
+/// The stiffnesses of body and finger of a contact.
 fn both_sides<const C: usize>(index: usize, contact: &Contact<C>) -> Result<[SVector<f64, C>; 2], Error> {
     const ALLOWED: &str = "from 1e-50 to 1e50 on both sides (the paper's program has two springs a contact)";
     let fault =
@@ -243,7 +244,7 @@ fn both_sides<const C: usize>(index: usize, contact: &Contact<C>) -> Result<[SVe
     Ok([*body, *finger])
 }
 
-/// The program as far as it is written down.
+/// The program under construction.
 struct Written {
     g: DVector<f64>,
     h: DMatrix<f64>,
@@ -253,7 +254,7 @@ struct Written {
 }
 
 impl Written {
-    /// The energy of both springs of a contact, and that they carry the same force.
+    /// Adds the energy of both springs of a contact, and the rows that make their forces equal.
     fn springs<const C: usize>(
         &mut self,
         contact: usize,
@@ -272,7 +273,7 @@ impl Written {
         }
     }
 
-    /// How the surfaces of a contact may move past each other, and what force they may carry.
+    /// Adds the rows for the motion between the surfaces of a contact and for its forces.
     fn surfaces<const C: usize>(
         &mut self,
         i: usize,

@@ -8,23 +8,23 @@
 //! 0 <= λ  ⟂  B x - D >= 0
 //! ```
 //!
-//! For a positive semidefinite H the second problem says the same as the first. Lemke's method was made for it
-//! (Lemke 1965) and cannot fail on it: it finds a minimum or a ray, and a ray means that there is no minimum.
+//! For a positive semidefinite H the two problems are equivalent. Lemke's method was made for the second (Lemke 1965) and cannot fail on it: it finds
+//! a minimum or a ray, and a ray means that there is no minimum.
 
 use nalgebra::{DMatrix, DVector};
 
 use crate::lcp::{LcpError, MixedLcp, MixedSolution, Outcome, Residuals};
 use crate::prelude::*;
 
-/// Steps of iterative refinement: two settle what a factorisation leaves, one more costs nothing.
+/// Steps of iterative refinement: two remove the error of a factorisation, one more costs almost nothing.
 const REFINEMENTS: usize = 3;
-/// A refined point is taken even if its largest relative residual is above that of the pivots, as long as both are rounding.
+/// A refined point is accepted if its largest relative residual is below this, even if the pivots had a smaller one.
 const ROUNDING: f64 = 1e-15;
 
-/// `minimise Gᵀx + ½ xᵀH x subject to A x = C, B x >= D`, with the letters of the paper (section 5.1).
+/// The program `minimise Gᵀx + ½ xᵀH x subject to A x = C, B x >= D`, with the letters of the paper (section 5.1).
 ///
-/// H must be symmetric and positive semidefinite; nothing here checks that. A program without equalities has an A of no rows and n columns. Memory
-/// and pivots are those of dense matrices of n + m + k rows.
+/// H must be symmetric and positive semidefinite; this is not checked. A program without equalities has an A with no rows and n columns. Memory and
+/// pivots are those for dense matrices of n + m + k rows.
 #[derive(Debug, Clone, PartialEq)]
 pub struct QuadraticProgram {
     /// G, linear cost (n).
@@ -47,8 +47,8 @@ pub struct QuadraticProgram {
 pub enum QpOutcome {
     /// A minimum.
     Minimum(QpMinimum),
-    /// The optimality conditions were not solved. With a positive semidefinite H [`Infeasible`](Outcome::Infeasible) means that the
-    /// constraints contradict each other or that the cost falls for ever.
+    /// The optimality conditions were not solved. With a positive semidefinite H [`Infeasible`](Outcome::Infeasible) means that the constraints
+    /// contradict each other or that the cost is unbounded below.
     NoMinimum(Box<Outcome<MixedSolution>>),
 }
 
@@ -92,8 +92,8 @@ impl QuadraticProgram {
     /// 0 <= λ  ⟂  B x - D >= 0
     /// ```
     ///
-    /// For a positive semidefinite H they say the same as the program, and Lemke's method was made for them (Lemke 1965).
-    /// In exact arithmetic it ends in a minimum, or on a ray, which means that there is no minimum.
+    /// For a positive semidefinite H they are equivalent to the program, and Lemke's method was made for them (Lemke 1965). In exact arithmetic it
+    /// ends at a minimum, or on a ray, which means that there is no minimum.
     ///
     /// # Errors
     /// [`LcpError::BlockShape`] if H, A or B does not fit G, C and D. [`LcpError::MatrixEntry`] or
@@ -119,7 +119,7 @@ impl QuadraticProgram {
         MixedLcp::new(&free, &pull, &rows, &DMatrix::zeros(k, k), &constant, &-&self.d)
     }
 
-    /// The minimum and its multipliers, by Lemke's method on [`Self::optimality_conditions`].
+    /// Computes the minimum and its multipliers by Lemke's method on [`Self::optimality_conditions`].
     ///
     /// ```
     /// use grasp_lcp::energy::QuadraticProgram;
@@ -170,9 +170,9 @@ impl QuadraticProgram {
         })
     }
 
-    /// The solution's point from the rows that bind, with iterative refinement. Each condition is then satisfied to the
-    /// rounding of its own terms (Skeel 1980): forces balance to the last digits beside springs a million times stiffer.
-    /// `None` where the rows that bind do not determine the point.
+    /// The solution recomputed from its binding rows with iterative refinement. Each condition is then satisfied to the rounding of its own terms
+    /// (Skeel 1980): forces balance to the last digits beside springs a million times stiffer. `None` where the binding rows do not determine the
+    /// point.
     fn refined(&self, solution: &MixedSolution) -> Option<(DVector<f64>, DVector<f64>)> {
         let (n, m) = (self.g.len(), self.c.len());
         let binding: Vec<usize> = solution.basis.iter().collect();
@@ -189,7 +189,7 @@ impl QuadraticProgram {
             i if i < n + m => self.c[i - n],
             i => self.d[binding[i - n - m]],
         });
-        // Rows and columns of like size first, so that pivots are chosen by their worth.
+        // Scaling makes rows and columns equally large, so that pivots are not chosen by their units.
         let mut scale = DVector::from_element(size, 1.0);
         for _ in 0..3 {
             for i in 0..size {
@@ -211,7 +211,7 @@ impl QuadraticProgram {
             let left = (&right - &matrix * &point).component_mul(&scale);
             point += factor.solve(&left)?.component_mul(&scale);
         }
-        // Motions that nothing resists make the matrix singular: rounding would send the point along them.
+        // Motions that nothing resists make the matrix singular: rounding would drive the point along them.
         if !point.iter().all(|x| x.abs() <= 2.0 * largest) {
             return None;
         }
@@ -222,10 +222,10 @@ impl QuadraticProgram {
         Some((point.rows(0, n + m).into_owned(), z))
     }
 
-    /// The cost `Gᵀx + ½ xᵀH x` at any x (n entries), allowed or not.
+    /// The cost `Gᵀx + ½ xᵀH x` at any x (n entries), feasible or not.
     ///
     /// # Panics
-    /// If x has another length than G, or H is not as large.
+    /// If x has another length than G, or H has another size.
     #[must_use]
     pub fn value(&self, x: &DVector<f64>) -> f64 {
         self.g.dot(x) + 0.5 * x.dot(&(&self.h * x))

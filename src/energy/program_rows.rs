@@ -1,10 +1,10 @@
-//! The rows of a quadratic program as they are written down, one after the other, with what each of them says.
+//! The rows of a quadratic program, collected one by one with their meaning.
 
 use nalgebra::{DMatrix, DVector};
 
 use crate::prelude::*;
 
-/// Rows in so many unknowns.
+/// Rows in `columns` unknowns.
 pub(super) struct ProgramRows<Says> {
     columns: usize,
     says: Vec<Says>,
@@ -23,7 +23,7 @@ impl<Says> ProgramRows<Says> {
         self.right.push(right);
     }
 
-    /// A row with few entries, each with its column.
+    /// Appends a row given by its non-zero entries, each with its column.
     pub(super) fn push_terms(
         &mut self,
         says: Says,
@@ -35,7 +35,7 @@ impl<Says> ProgramRows<Says> {
         self.push(says, row, right);
     }
 
-    /// What the rows say, their matrix, and their right-hand sides.
+    /// The meanings of the rows, their matrix, and their right-hand sides.
     pub(super) fn finish(self) -> (Vec<Says>, DMatrix<f64>, DVector<f64>) {
         let matrix = DMatrix::from_fn(self.rows.len(), self.columns, |i, j| self.rows[i][j]);
         (self.says, matrix, DVector::from_vec(self.right))

@@ -1,4 +1,4 @@
-//! The quadratic program that is left when the displacements of the surfaces are eliminated.
+//! The quadratic program without the displacements of the surfaces, which its equalities eliminate.
 
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
@@ -10,19 +10,19 @@ use crate::grasp::{Engine, Wrench, grasp_map};
 use crate::numerics::{Size, unit};
 use crate::prelude::*;
 
-/// Which unknowns a reduced program keeps.
+/// The unknowns that a reduced program keeps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum Unknowns {
-    /// The twist, and the gaps of contacts that may open, but not of those with infinite friction, which have F_n >= 0 instead: the same minimum
-    /// as the printed program as long as that opens none of these.
+    /// The twist, and the gaps of contacts that may open. Contacts with infinite friction have the row F_n >= 0 instead of a gap. The minimum is that
+    /// of the printed program, unless the printed program opens a contact with infinite friction.
     #[default]
     TwistAndGaps,
     /// The twist alone: contacts cannot open.
     Twist,
 }
 
-/// What an inequality row of a reduced program says.
+/// The meaning of an inequality row of a reduced program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ReducedRow {
@@ -40,25 +40,24 @@ pub enum ReducedRow {
     Friction {
         /// The contact.
         contact: usize,
-        /// The facet: in the plane 0 for F_t <= μ F_n, 1 for -F_t <= μ F_n. In space the normal of facet j stands at the angle (2j - 1) π/m from
-        /// the first tangent towards the second, m being the number of facets, and h·x = 1 is the facet of the cone over the unit circle.
+        /// The facet: in the plane 0 for F_t <= μ F_n, 1 for -F_t <= μ F_n. In space the normal of facet j is at the angle (2j - 1) π/m from the
+        /// first tangent towards the second, where m is the number of facets. Over the unit circle the facet of the cone is h·x = 1.
         facet: usize,
     },
 }
 
 /// A reduced program with the meaning of its unknowns and rows. It has no equalities.
 ///
-/// The equalities of the [printed program](super::PrintedQp) give u_c from the twist, and u_d and u_e from u_c and the gap.
-/// With the series stiffness K_i, the drive a_i (command less clearance) and the gaps g of the contacts that may open
+/// The equalities of the [printed program](super::PrintedQp) give u_c from the twist, and u_d and u_e from u_c and the gap. With the series stiffness
+/// K_i, the drive a_i (command less clearance) and the gaps g of the contacts that may open
 ///
 /// ```text
 /// minimise  Σ ½ F_iᵀK_i⁻¹F_i - W·q,      F_i = K_i (a_i - G_iᵀq + e_n g_i)
 /// subject to  g_i >= 0,   μ F_n - h·F_t >= 0 for every facet of the cone
 /// ```
 ///
-/// Without the gaps the twist alone is unknown: the problem that one would write down first. Then F_n >= 0 must be
-/// demanded, and a finger can hold the object back by being about to leave it; with its gap among the unknowns a
-/// frictionless contact just opens.
+/// Without the gaps only the twist is unknown, which is the most obvious program. It must then demand F_n >= 0, and that constraint can hold the
+/// object back where a finger is about to leave. With its gap among the unknowns a frictionless contact simply opens.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct ReducedQp<const C: usize> {
@@ -66,9 +65,9 @@ pub struct ReducedQp<const C: usize> {
     pub program: QuadraticProgram,
     /// The contacts whose gaps follow the twist among the unknowns, in this order.
     pub gaps: Vec<usize>,
-    /// What each row of B says, that it is not negative.
+    /// The meaning of each row of B, a quantity that must not be negative.
     pub rows: Vec<ReducedRow>,
-    /// `Σ ½ aᵀK a`, J, which the cost leaves out: with it the cost is stored energy less the work of the load.
+    /// `Σ ½ aᵀK a`, J, which the cost omits: with it the cost is stored energy less the work of the load.
     pub constant: f64,
 }
 

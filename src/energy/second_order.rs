@@ -12,30 +12,33 @@ use crate::numerics::{Map, Size, Square, Vector};
 use crate::object::{Lists, Load, Problem};
 use crate::prelude::*;
 use crate::search::{Settled, settle};
-/// More outer iterations than this are not made: each gains a digit or more where first order makes sense at all.
+
+/// Upper limit of outer iterations. Each gains a digit or more wherever first order is meaningful.
 const MOST_ITERATIONS: usize = 100;
-/// Changes of the displacements below this part of them are rounding.
+/// Relative changes of the displacements below this are rounding.
 const SETTLED: f64 = 1e-14;
-/// Where rounding keeps the changes from falling below that, this is good enough.
+/// Accepted relative change where rounding keeps the iterations from reaching [`SETTLED`].
 const GOOD_ENOUGH: f64 = 1e-11;
 
 /// How the search for a second-order equilibrium ends.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum SecondOrderOutcome<const C: usize> {
-    /// Found: the last iteration changed no displacement at a contact by more than 1e-14 of the largest (1e-11 where rounding allows no less).
+    /// An equilibrium: the last iteration changed no displacement at a contact by more than 1e-14 of the largest (1e-11 where rounding allows no
+    /// less).
     Equilibrium(Box<SecondOrder<C>>),
-    /// First order has no equilibrium, or none was found.
+    /// There is no first-order equilibrium, or it was not found.
     NoFirstOrder(Box<Outcome<C>>),
-    /// The outer iterations do not settle: the geometric stiffness is not small beside the elastic one, or the displacements
-    /// are too large for second order.
+    /// The outer iterations do not converge: the geometric stiffness is not small compared to the elastic one, or the displacements are too large for
+    /// second order.
     NotSettled {
         /// Iterations made.
         iterations: usize,
         /// The last change of a displacement at a contact, relative to the largest of them.
         change: f64,
     },
-    /// At some iteration no equilibrium of the linearised grasp was found: as a rule second order gives way where first order holds.
+    /// In some iteration no equilibrium of the linearised grasp was found: usually the grasp gives way in second order although it holds in first
+    /// order.
     GivesWay {
         /// Iterations made.
         iterations: usize,
@@ -55,37 +58,36 @@ impl<const C: usize> SecondOrderOutcome<C> {
 
 /// An equilibrium with second-order displacements.
 ///
-/// To second order the contact at r moves by `u = δ + θ × r + ½ θ × (θ × r)`; in the plane the last term is `-½ θ² r`.
-/// The moment of its force is taken with the moved arm: the wrench is `Jᵀ F` with J = ∂u/∂q. In each outer iteration, at
-/// the twist q_k, u is replaced by its tangent,
+/// To second order the contact at r moves by `u = δ + θ × r + ½ θ × (θ × r)`; in the plane the last term is `-½ θ² r`. The moment of its force is
+/// taken with the moved arm: the wrench is `Jᵀ F` with J = ∂u/∂q. In each outer iteration, at the twist q_k, u is replaced by its tangent,
 ///
 /// ```text
 /// u ≈ J_k q + (u(q_k) - J_k q_k)
 /// ```
 ///
-/// This is a first-order grasp with other maps and commands, solved as ever, with contacts that slide and open. Each
-/// iteration leaves an error of the order of (geometric stiffness / elastic stiffness) of the one before. Where that
-/// ratio is not small, the equilibrium is close to instability, and the outcome says that the iterations do not settle.
+/// This is a first-order grasp with other maps and commands, solved as usual, with contacts that slide and open. Each iteration reduces the error to
+/// about (geometric stiffness / elastic stiffness) of the one before. Where this ratio is not small the equilibrium is close to instability, and the
+/// outcome is that the iterations do not converge.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct SecondOrder<const C: usize> {
-    /// The first-order equilibrium it started from.
+    /// The first-order equilibrium at the start of the iterations.
     pub first_order: Equilibrium<C>,
     /// Motion of the object: translation of its point at the origin (m), rotation vector (rad).
     pub twist: Twist<C>,
-    /// Force on the object at each contact, in the contact frame as it was at first, N; F_n > 0 pushes.
+    /// Force on the object at each contact, in the contact frame before the motion, N; F_n > 0 pushes.
     pub forces: Vec<SVector<f64, C>>,
-    /// What each contact does, in the order of the grasp.
+    /// State of each contact, in the order of the grasp.
     pub states: Vec<ContactState<C>>,
-    /// The largest `|½ θ × (θ × r)|` of a contact, m: the term of equation 4.1 that first order drops.
+    /// The largest `|½ θ × (θ × r)|` of a contact, m: the term of equation 4.1 that first order neglects.
     pub dropped_displacement: f64,
-    /// The largest change of a contact force that comes of it, N.
+    /// The largest resulting change of a contact force, N.
     pub force_left_out: f64,
-    /// The largest change of the displacement of the object at a contact, m.
+    /// The largest resulting change of the displacement of the object at a contact, m.
     pub displacement_left_out: f64,
     /// Outer iterations made.
     pub iterations: usize,
-    /// Stability there, with the moved arms.
+    /// Stability at this equilibrium, with the moved arms.
     pub stability: Stability<C>,
 }
 
@@ -124,7 +126,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         Ok(SecondOrderOutcome::NotSettled { iterations: MOST_ITERATIONS, change: last })
     }
 
-    /// The first-order problem about a twist, solved.
+    /// Solves the first-order problem linearised about a twist.
     fn iterate(&self, twist: &Vector<D>, load: &Wrench<C>, settings: &Settings) -> Option<Step<D, C>> {
         let size = self.size();
         let in_units = Vector::from_fn(size, |k| if k < C { 1.0 } else { 1.0 / self.length() });
@@ -196,14 +198,14 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 }
 
-/// One outer iteration.
+/// The result of one outer iteration.
 struct Step<D: Size, const C: usize> {
     twist: Vector<D>,
     forces: Vec<SVector<f64, C>>,
     states: Vec<ContactState<C>>,
 }
 
-/// What a contact does in a state, in coordinate axes.
+/// The state of a contact, with directions along the coordinate axes.
 fn as_physics<D: Size, const C: usize>(
     ((local, site), state): ((LocalLaw<'_, C>, &Site<D, C>), &State<C>),
 ) -> ContactState<C> {

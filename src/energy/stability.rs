@@ -1,4 +1,4 @@
-//! Is an equilibrium stable? The second derivative of the potential energy.
+//! Stability of an equilibrium, from the second derivative of the potential energy.
 
 use core::ops::Range;
 
@@ -9,19 +9,19 @@ use crate::grasp::{Engine, Motion, grasp_map, of_the_object};
 use crate::numerics::{Any, Size, Square, Vector};
 use crate::prelude::*;
 
-/// An eigenvalue of the Hessian below this part of the largest is zero as far as rounding can tell.
+/// An eigenvalue of the Hessian below this part of the largest may be zero up to rounding. A smaller bound would decide stability by rounding.
 const ZERO: f64 = 1e-12;
 
 /// The second derivative of the potential energy at an equilibrium.
 ///
-/// The contact springs stand in space (fingers do not turn with the object). Let the object move from the equilibrium by a
+/// The contact springs keep their directions in space (fingers do not turn with the object). Let the object move from the equilibrium by a
 /// translation δ of its point at the origin and a rotation θ. A contact at r moves by
 ///
 /// ```text
 /// u = δ + θ × r + ½ θ × (θ × r)        in the plane (equation 4.1): ½ θ×(θ×r) = -½ θ² r
 /// ```
 ///
-/// and the energy of springs that carry F already is `Σ ½ (a-u)·K (a-u) - W·q`. Its second derivative has two parts,
+/// and the energy of springs that already carry F is `Σ ½ (a-u)·K (a-u) - W·q`. Its second derivative has two parts,
 ///
 /// ```text
 /// Hessian = Σ G_i K_i G_iᵀ  -  Σ F_i · ∂²u_i/∂q²
@@ -29,28 +29,26 @@ const ZERO: f64 = 1e-12;
 ///                              in space  (F·r) 1 - ½ (F rᵀ + r Fᵀ), summed, on the rotations
 /// ```
 ///
-/// The geometric part comes of the arms turning while the forces do not: seen from the object, the contact forces turn.
-/// Fingers that press against each other (F·r < 0) make it negative: a grasp squeezed hard between soft tangential springs
-/// tips over (Hanafusa & Asada 1977; Nguyen 1989). The load's force acts at the object's point at the origin and keeps its
-/// direction, the moment keeps its components. What sticks counts with all its springs, an open contact with none; where something slides
-/// friction is not conservative and no energy decides.
+/// In the geometric part the arms turn while the forces do not: relative to the object, the contact forces turn. Fingers that press against each
+/// other (F·r < 0) make it negative: a grasp squeezed hard between soft tangential springs tips over (Hanafusa & Asada 1977; Nguyen 1989). The load's
+/// force acts at the object's point at the origin and keeps its direction, and the moment keeps its components. A sticking contact counts with all
+/// its springs, an open contact with none. Where a contact slides, friction is not conservative and no energy decides.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct Stability<const C: usize> {
-    /// `Σ G_i K_i G_iᵀ` over the springs that hold, about the origin of the coordinates, N/m, N and N m: the stiffness that
-    /// the object feels. Springs of joints are included, with rows and columns for their displacements.
+    /// `Σ G_i K_i G_iᵀ` over the active springs, about the origin of the coordinates, N/m, N and N m: the elastic stiffness of the object. Springs of
+    /// joints are included, with rows and columns for their displacements.
     pub elastic: DMatrix<f64>,
-    /// What the contact forces add as their arms turn, on the rotations alone, same units.
+    /// Contribution of the contact forces as their arms turn, non-zero for rotations alone, in the same units.
     pub geometric: DMatrix<f64>,
-    /// Curvature of the energy along the softest motion, N/m: the least eigenvalue of the Hessian, rotations counted as in
-    /// `softest`.
+    /// Curvature of the energy along the softest motion, N/m: the least eigenvalue of the Hessian, with rotations measured as in `softest`.
     pub least_curvature: f64,
     /// The largest eigenvalue, N/m.
     pub most_curvature: f64,
-    /// The unit motion along which the energy rises least, as a twist about the origin; its sign means nothing. A rotation is counted in radians times
-    /// the root mean square distance of the contacts from their centroid, a translation is that of the centroid.
+    /// The unit motion along which the energy rises least, as a twist about the origin; its sign is arbitrary. A rotation is measured in radians
+    /// times the root mean square distance of the contacts from their centroid, a translation by that of the centroid.
     pub softest: Motion<C>,
-    /// What follows.
+    /// The conclusion from the least curvature.
     pub verdict: StabilityVerdict,
 }
 
@@ -60,12 +58,12 @@ pub struct Stability<const C: usize> {
 pub enum StabilityVerdict {
     /// The energy rises along every motion.
     Stable,
-    /// The energy does not change along the softest motion, to second order and as far as rounding can tell: its curvature is at most 1e-12 of
-    /// the one largest in size.
+    /// The energy does not change along the softest motion to second order, up to rounding: its curvature is at most 1e-12 of the curvature with the
+    /// largest absolute value.
     Neutral,
     /// The energy falls along the softest motion.
     Unstable,
-    /// Something slides: energy does not decide. The matrices count sliding contacts with their normal springs alone.
+    /// A contact slides, so that energy does not decide. The matrices include sliding contacts with their normal springs alone.
     Sliding,
 }
 
@@ -92,7 +90,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let (mut elastic, mut slips) = (Square::zeros(self.size()), false);
         let Some(linkage) = self.linkage() else { return (elastic, slips) };
         if !equilibrium.knows_all_of(self.sites().len()) {
-            // What is not known to hold decides nothing.
+            // A drive whose state is not known counts as slipping, so that energy does not decide.
             return (elastic, true);
         }
         let states = equilibrium.local.states.iter().zip(self.sites()).skip(self.len());
@@ -109,7 +107,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         (elastic, slips)
     }
 
-    /// What a contact's force does as bodies turn that are not in the coordinates of the object.
+    /// Adds the geometric stiffness of bodies that are not in the coordinates of the object.
     fn turning_bodies(&self, contact: usize, force: &SVector<f64, C>, geometric: &mut Square<D>) {
         let Some(bodies) = self.bodies() else { return };
         let object = of_the_object::<C>();
@@ -126,7 +124,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         }
     }
 
-    /// The same with given arms from the object's point at the origin.
+    /// Stability with given arms from the object's point at the origin.
     pub(super) fn stability_with(
         &self,
         arms: &[SVector<f64, C>],
@@ -157,7 +155,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             geometric += &turning_arm(size, arm, &(force * on_object));
             self.turning_bodies(i, force, &mut geometric);
         }
-        // Columns: the twists about the origin that are unit twists in inside coordinates.
+        // Columns are the twists about the origin of unit twists in inside coordinates.
         let units = Square::from_columns(size, |k| self.outside_coordinates(&Vector::unit(size, k)));
         let hessian = &(&units.transpose() * &(elastic.clone() + &geometric)) * &units;
         let (least, most, motion) = extremes(&hessian);
@@ -183,7 +181,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 }
 
-/// The stiffness that the first coordinates feel while those behind them, which nobody asks for, go where they are at rest.
+/// The Schur complement of the stiffness on the first coordinates: all others take the values at which no force acts on them.
 fn condensed<D: Size>(stiffness: &Square<D>, told: usize) -> DMatrix<f64> {
     let part = |rows: Range<usize>, columns: Range<usize>| {
         DMatrix::from_fn(rows.len(), columns.len(), |i, j| stiffness[(rows.start + i, columns.start + j)])

@@ -1,4 +1,4 @@
-//! One load, three laws of friction, one table.
+//! A table of one load under three laws of friction.
 
 use core::fmt;
 
@@ -14,8 +14,8 @@ use crate::grasp::{Engine, Wrench};
 use crate::numerics::Size;
 use crate::prelude::*;
 
-/// What Coulomb's law, the paper's minimum of energy and the associated law say of one load, in space all on the same polygonal cone. Printed, it is a
-/// table: forces in the contact frames, N, slips and gaps, m.
+/// The answers of Coulomb's law, the paper's minimum of energy and the associated law to one load; in space all use the same polygonal cone.
+/// `Display` prints a table: forces in the contact frames, N, slips and gaps, m.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct ThreeLaws<const C: usize> {
@@ -39,7 +39,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
 }
 
 impl<const C: usize> ThreeLaws<C> {
-    /// A line for each contact: its name, its force, and what else there is to say of it.
+    /// Writes a line for each contact: its name, its force, and the remaining text.
     fn lines(
         &self,
         f: &mut fmt::Formatter<'_>,

@@ -1,32 +1,32 @@
-//! Round cone or polygon, and how many facets.
+//! Choosing between round cone and polygon, and the number of facets.
 //!
-//! In the plane a friction cone has two edges and nothing is approximated: this page is about space.
+//! In the plane a friction cone has two edges and nothing is approximated: this page is for space.
 //!
-//! # Mostly: none
+//! # Usually none
 //!
-//! Equilibria, onsets of sliding and load paths in space are for the **round** cone. Newton's method finds them from the elastic trial state. Where it does not
-//! arrive Lemke's method proposes contact states on a polygon of 8 facets, turned at
-//! each contact so that a corner lies along the trial traction. Newton's method goes on from there to the round cone, and the answer says so
-//! ([`Cone::Round`](crate::equilibrium::Cone::Round), [`change_from_polygon`](crate::equilibrium::Equilibrium::change_from_polygon)). More facets make the
-//! proposal dearer, and the answer no better. An onset needs no facets at all: a quadratic equation a contact.
+//! Equilibria, onsets of sliding and load paths in space use the **round** cone. Newton's method finds them from the elastic trial state. If it does
+//! not converge, Lemke's method proposes contact states on a polygon of 8 facets. At each contact the polygon is turned so that a corner lies along
+//! the trial traction. Newton's method continues from this proposal to the round cone, and the answer says so
+//! ([`Cone::Round`](crate::equilibrium::Cone::Round), [`change_from_polygon`](crate::equilibrium::Equilibrium::change_from_polygon)). More facets
+//! make the proposal more expensive, and the answer no better. An onset needs no facets at all: one quadratic equation per contact.
 //!
-//! # Where facets come in
+//! # Where facets are used
 //!
-//! [`Settings::on_the_polygon`](crate::Settings::on_the_polygon), to compare with codes that have nothing else;
-//! [`Grasp::follow_patch`](crate::ask::Grasp::follow_patch), for thousands of contacts; the quadratic programs of [`energy`](crate::energy); and
-//! [`Grasp::bracket`](crate::ask::Grasp::bracket), which shows what they do.
+//! Polygons are used by [`Settings::on_the_polygon`](crate::Settings::on_the_polygon), for comparison with codes that have nothing else; by
+//! [`Grasp::follow_patch`](crate::ask::Grasp::follow_patch), for thousands of contacts; by the quadratic programs of [`energy`](crate::energy); and
+//! by [`Grasp::bracket`](crate::ask::Grasp::bracket), which shows their effect.
 //!
 //! A regular polygon of m facets inside a circle of radius `μ F_n` has its facets at `μ F_n cos(π/m)`; around it, its corners lie at `μ F_n / cos(π/m)`:
 //!
-//! | m | friction lost, at most | an onset's error falls like | a sliding state's like |
+//! | m | largest loss of friction | error of an onset | error of a sliding state |
 //! |---|---|---|---|
 //! | 4 | 29 % | | |
-//! | 8 | 7.6 % | 1/m² | 1/m: the direction of slip jumps from facet to facet |
+//! | 8 | 7.6 % | falls like 1/m² | falls like 1/m: the direction of slip jumps from facet to facet |
 //! | 16 | 1.9 % | | |
 //! | 64 | 0.12 % | | |
 //!
-//! Inscribed is safe for an onset from rest (what sticks on it sticks on the round cone), circumscribed for a proof that nothing holds.
-//! Once something slides neither bounds the other.
+//! An inscribed polygon is safe for an onset from rest: a contact that sticks on it sticks on the round cone. A circumscribed one is safe for a proof
+//! that nothing holds. Once a contact slides neither is a bound.
 //!
 //! ```
 //! use grasp_lcp::load_path::Ramp;
@@ -55,4 +55,4 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! What facets cost in time and error on real scenes: `cargo run --release -p reports --bin cone_error`.
+//! Time and error of facets on real scenes: `cargo run --release -p reports --bin cone_error`.

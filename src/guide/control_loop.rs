@@ -1,7 +1,8 @@
 //! A watch in a control loop, with an operating system and without one.
 //!
-//! [`Fingers::watch`](crate::screening::Fingers::watch) takes contact forces that were measured just now and the load that is to come. It says what the forces
-//! have left, when the first contact slides, and how much more squeeze holds. It allocates nothing and takes the same steps whatever the numbers.
+//! [`Fingers::watch`](crate::screening::Fingers::watch) takes contact forces that were measured just now and the load to come. It returns the margin
+//! of the forces, the load at which the first contact slides, and the extra squeeze that prevents it. It allocates nothing and takes the same steps
+//! for all numbers.
 //!
 //! # One tick
 //!
@@ -21,12 +22,13 @@
 //! }
 //! ```
 //!
-//! `cargo run --release -p grasp-lcp --example raise_the_squeeze` closes the loop about a bottle that is swung. `cargo run --release -p reports --bin watch_forces`
-//! prints the longest time that a tick has taken.
+//! `cargo run --release -p grasp-lcp --example raise_the_squeeze` closes the loop around a bottle that is swung.
+//! `cargo run --release -p reports --bin watch_forces` prints the longest time of a tick.
 //!
 //! # In C
 //!
-//! `cargo build --release --package grasp-lcp-c` in the repository makes `libgrasp_lcp_c.a` and `.so` for `examples/in_c/grasp_lcp.h`, with fingers in space:
+//! `cargo build --release --package grasp-lcp-c` in the repository builds `libgrasp_lcp_c.a` and `.so` for `examples/in_c/grasp_lcp.h`, for fingers
+//! in space:
 //!
 //! ```c
 //! grasp_lcp_fingers_t *fingers;
@@ -36,7 +38,8 @@
 //! if (wrong == NULL) squeeze += fmin(seen.extra_squeeze, FASTEST);
 //! ```
 //!
-//! What is wrong comes as a text, NULL if nothing is. A squeeze that is not known is NAN, of which `fmin` makes the other number. `examples/in_c/tests/watch.c` is a whole program.
+//! An error is returned as a text, and NULL without one. An unknown squeeze is NAN, in which case `fmin` returns its other argument.
+//! `examples/in_c/tests/watch.c` is a complete program.
 //!
 //! # On a controller without an operating system
 //!
@@ -44,13 +47,14 @@
 //! grasp-lcp = { version = "0.1", default-features = false, features = ["libm"] }
 //! ```
 //!
-//! The whole library is then `no_std`: equilibria, paths, verdicts and complementarity problems as well, on one core. These need an allocator; `onset` and `watch` of
-//! `Fingers` ask it for nothing. What is missing without std stands in the [root](crate#without-the-standard-library).
+//! The whole library is then `no_std`: equilibria, paths, verdicts and complementarity problems as well, on one core. These need an allocator;
+//! `onset` and `watch` of `Fingers` allocate nothing. The [root](crate#without-the-standard-library) lists the parts that need std.
 //!
-//! A program that asks `Fingers` alone links their kernels alone, for as many fingers as it has. A [`Grasp`](crate::ask::Grasp) brings all of its questions.
+//! A program that uses `Fingers` alone links their kernels alone, for its number of fingers. A [`Grasp`](crate::ask::Grasp) links all of its
+//! questions.
 //!
-//! Double precision is not in the hardware of a Cortex-M4: a tick there takes as long as software needs for it. A Cortex-M7 may have it. Times have to be
-//! measured on the controller; none are promised here.
+//! A Cortex-M4 has no hardware for double precision, so that a tick takes as long as its emulation in software. A Cortex-M7 may have it. Times must
+//! be measured on the controller; this guide promises none.
 //!
-//! `tests/without_std` in the repository is a program of that kind. It is compiled for `thumbv7em-none-eabihf`, and run on a desktop, where its answers are those
-//! with std to ten digits.
+//! `tests/without_std` in the repository is such a program. It is compiled for `thumbv7em-none-eabihf`, and run on a desktop, where its answers agree
+//! with those of std to ten digits.

@@ -1,7 +1,7 @@
-//! Twelve everyday questions, in the words in which people ask them, each one command.
+//! Twelve everyday questions in plain words, each answered by one command.
 //!
-//! The scenes are those of `examples/scenes/everyday`, of at most 12 lines each, and the commands are typed there. The first line of what is printed is the
-//! answer, and it is quoted here; more follows where there is more to say. Six of the scenes are also what `grasp-lcp new` writes, for a start of one's own.
+//! The scenes are in `examples/scenes/everyday`, each at most 12 lines long, and the commands are run there. The first line of the output is the
+//! answer, which is quoted here; further lines give details. `grasp-lcp new` writes six of these scenes as a starting point.
 //!
 //! # My gripper presses with 20 N on a box of half a kilogram. Does it hold while the arm starts upwards with 5 m/s²?
 //!
@@ -12,8 +12,8 @@
 //!
 //! Two jaws, 20 N, friction 0.6: 24 N, and the box pulls with 0.5 · (9.81 + 5) = 7.4 N.
 //!
-//! An arm that swings throws the box outwards, too: `--angular-velocity 0,0,90`, in degrees a second, `--about` a point of the axis, with
-//! `--angular-acceleration` and the box's `--inertia`; see [`Payload`](crate::grasp::Payload).
+//! An arm that swings also throws the box outwards: `--angular-velocity 0,0,90`, in degrees per second, `--about` a point of the axis, with
+//! `--angular-acceleration` and the `--inertia` of the box; see [`Payload`](crate::grasp::Payload).
 //!
 //! # I push a box on a table with 8 N. Does it slide or tip over?
 //!
@@ -22,7 +22,7 @@
 //! TIPS OVER at 6.53333 N of 8 N beside the load at rest: the object tips over about right edge, left edge opens. Nothing holds all of it, wherever the object goes
 //! ```
 //!
-//! Its weight of 19.6 N has an arm of 50 mm about the right edge, the push one of 150 mm. Sliding would take 0.4 · 19.6 = 7.84 N.
+//! The weight of 19.6 N has an arm of 50 mm about the right edge, the push an arm of 150 mm. Sliding would take 0.4 · 19.6 = 7.84 N.
 //!
 //! # Which friction does a wedge of 15 degrees need to stay in its gap?
 //!
@@ -31,7 +31,7 @@
 //! NEEDS a coefficient of friction of 0.131653 so that nothing slides, a coefficient of friction of 0.146281 if friction is 10 % less and the squeeze is 5 % less. With less: left face slides
 //! ```
 //!
-//! That is tan 7.5°, however hard it is driven in.
+//! The value is tan 7.5°, however hard the wedge is driven in.
 //!
 //! # Does a suction cup of 40 mm hold a plate of 2 kg that is pulled sideways with 10 N?
 //!
@@ -40,7 +40,8 @@
 //! HOLDS, everything sticks: 1.68979 times this load until the first slip (cup), 1.90303 times until it is lost
 //! ```
 //!
-//! 60 kPa on 1257 mm² pull with 75.4 N. The first slip is that of the lip where pull, shear and peel come together; see [`suction_cups`](super::suction_cups).
+//! 60 kPa on 1257 mm² pull with 75.4 N. The first slip is at the point of the lip where pull, shear and peel add up; see
+//! [`suction_cups`](super::suction_cups).
 //!
 //! # How far may I climb on a ladder?
 //!
@@ -49,7 +50,7 @@
 //! TAKES an arm of 1.98101 m and it is not lost. With more: TURNS OUT at once, under any part of 950 N: the object turns about (-6.9726, 2.266) m. Nothing holds all of it within 0.691007 mm and 0.0158355° of there
 //! ```
 //!
-//! So far out from its foot, 4.69 m of the 5 m of the ladder: friction of foot and wall is then used up at once.
+//! The arm is the horizontal distance from the foot, 4.69 m along the 5 m of the ladder. There friction of foot and wall is used up at the same time.
 //!
 //! # How hard do the clamps of my fixture have to press, whichever way the cutter pushes?
 //!
@@ -79,7 +80,7 @@
 //! TAKES 7 times the load, 7 N, and it is not lost. With more: SLIPS OUT at 7 N of 7 N: the object moves along −y, left front, left back, right front and right back slide (gross slip). Nothing holds all of it within 0.86424 mm and 0.919513° of there
 //! ```
 //!
-//! Four places, 5 N each, friction 0.35; the load of the scene is 1 N.
+//! The book is held at four places with 5 N each and friction 0.35; the load of the scene is 1 N.
 //!
 //! # Do my soft jaws carry a plate by its rim?
 //!
@@ -95,7 +96,8 @@
 //! HOLDS, everything sticks: 1.85897 times this load until the first slip (right motor gives way), 2.08333 times until it is lost
 //! ```
 //!
-//! The motor stalls at 0.5 N m, its finger is 60 mm long: it presses with 8.33 N at most, 2.08 times the 4 N of the load, once the other finger has let go.
+//! The motor stalls at 0.5 N m. Its finger of 60 mm then presses with at most 8.33 N. That is 2.08 times the load of 4 N, once the other finger has
+//! let go.
 //!
 //! # How far may I tilt a tray before the glass on it tips or slides?
 //!
@@ -104,4 +106,4 @@
 //! TAKES 23.1986° and it is not lost, 23.1986° if friction is 10 % less and the squeeze is 5 % less. With more: it is lost at 23.1986°
 //! ```
 //!
-//! It tips: half its foot of 30 mm over the 70 mm of its centre of mass is tan 23.2°. It would slide at tan⁻¹ 0.5 = 26.6°.
+//! The glass tips: half its foot of 30 mm over the 70 mm of its centre of mass is tan 23.2°. It would slide at tan⁻¹ 0.5 = 26.6°.

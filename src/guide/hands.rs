@@ -1,9 +1,9 @@
-//! Hands: what joints change, how to say them, and what theory promises.
+//! Hands: the effect of joints, their description, and the guarantees of theory.
 //!
-//! A finger with joint displacements φ, Jacobian `J` of its contact (m/rad) and joint stiffness `K_θ` (N m/rad: gears, tendons, the position
-//! controller's gain) gives way at the contact by its **compliance** `C = J K_θ⁻¹ Jᵀ` (m/N). Its off-diagonal part c_nt couples what springs along the axes of
-//! the contact keep apart: pushing a tilted finger also shifts its tip sideways, so a load along the object squeezes one side harder and lets the other go.
-//! That decides when a contact slides.
+//! Consider a finger with joint displacements φ, Jacobian `J` of its contact (m/rad) and joint stiffness `K_θ` (N m/rad: gears, tendons, the gain of
+//! the position controller). At the contact it gives way by its **compliance** `C = J K_θ⁻¹ Jᵀ` (m/N). The off-diagonal part c_nt couples
+//! displacements that springs along the axes of the contact would separate: pushing a tilted finger also shifts its tip sideways. A load along the
+//! object then squeezes one side harder and releases the other, which decides when a contact slides.
 //!
 //! ```
 //! use grasp_lcp::planar::Contact;
@@ -24,9 +24,9 @@
 //! # Ok::<(), grasp_lcp::Error>(())
 //! ```
 //!
-//! # How to say it
+//! # Describing a hand
 //!
-//! | what the hand has | how it is said |
+//! | part of the hand | description |
 //! |---|---|
 //! | joints that turn or slide | [`Joint::revolute`](crate::grasp::Joint), [`Joint::prismatic`](crate::grasp::Joint::prismatic) from the palm outwards, contacts on [links](crate::grasp::Finger::contact_on) |
 //! | a Jacobian from elsewhere | [`Joint::given`](crate::grasp::Joint::given) and [`Finger::contact_moved_by`](crate::grasp::Finger::contact_moved_by) |
@@ -34,33 +34,34 @@
 //! | a tendon, a whiffletree, a differential | [`Tendon`](crate::grasp::Tendon) over joints of any fingers, with a spring or with a given tension |
 //! | two jaws on one actuator | one joint without a spring for each jaw and a tendon over both; or one joint that moves both contacts |
 //! | a motor that stalls | [`Limit::Saturates`](crate::Limit::Saturates): the torque stays at its bound and follows its spring back |
-//! | a clutch, friction in a gear | [`Limit::Slips`](crate::Limit::Slips): what has slipped stays slipped |
+//! | a clutch, friction in a gear | [`Limit::Slips`](crate::Limit::Slips): the slipped angle remains |
 //! | a finger held by force | [`Contact::force`](crate::grasp::Contact::force), [`Joint::torque`](crate::grasp::Joint::torque) |
 //! | a squeeze in newtons | [`Contact::pressed_with`](crate::grasp::Contact::pressed_with) |
 //! | a compliance matrix, measured or from finite elements | [`Finger::compliant`](crate::grasp::Finger::compliant) over one contact, a finger, or all |
 //!
-//! [`Hand::grasp`](crate::grasp::Hand::grasp) makes a [`Grasp`](crate::ask::Grasp), however many joints there are.
-//! Questions are asked of it as of any other grasp. Loads are those on the object; [torques on joints](crate::ask::Grasp::with_joint_torques)
-//! from outside are zero unless said. Answers tell
-//! [joints](crate::equilibrium::Equilibrium::joints) and [tendons](crate::equilibrium::Equilibrium::tendons) beside contacts, events and onsets their
-//! [drives](crate::load_path::Event::drives).
+//! [`Hand::grasp`](crate::grasp::Hand::grasp) makes a [`Grasp`](crate::ask::Grasp), with any number of joints. Questions are the same as for any
+//! other grasp. Loads act on the object; [torques on joints](crate::ask::Grasp::with_joint_torques) from outside are zero unless given. Answers
+//! contain [joints](crate::equilibrium::Equilibrium::joints) and [tendons](crate::equilibrium::Equilibrium::tendons) beside contacts; events and
+//! onsets contain their [drives](crate::load_path::Event::drives).
 //!
-//! # What theory promises, and what not
+//! # Guarantees of theory, and their limits
 //!
-//! With C the compliance of all contacts together, pads included (symmetric, positive definite):
+//! Let C be the compliance of all contacts together, pads included (symmetric, positive definite):
 //!
-//! * **While everything sticks the forces are unique**: they minimise `½ FᵀC F - aᵀF` under balance, a strictly convex program (the paper's, its section 4, with
-//!   joints).
-//! * **One contact on a body that stands still** has one answer for every command if μ |c_nt| < c_nn, and up to three otherwise: the condition of Klarbring, *Examples of
-//!   non-uniqueness and non-existence of solutions to quasistatic contact problems with friction*, Ingenieur-Archiv 60 (1990).
-//! * **On a body that is free to move that is not enough**: two fingers that each meet it can still have several equilibria together.
-//! * **The force form stays copositive** for every positive semidefinite compliance, `zᵀMz = FᵀCF + Σ μ λ F_n >= 0`, so what Lemke's method is guaranteed without joints it
-//!   is with them: Cottle, Pang and Stone, *The Linear Complementarity Problem*, theorem 4.4.12.
-//! * **A symmetric pinch** with N on both sides slides at `2 μ N / (1 ∓ μ |c_nt|/c_nn)`; from μ |c_nt| >= c_nn on the side that tightens itself never slides.
+//! * **While everything sticks the forces are unique**: they minimise `½ FᵀC F - aᵀF` under balance, a strictly convex program (section 4 of the
+//!   paper, with joints).
+//! * **One contact on a body at rest** has one answer for every command if μ |c_nt| < c_nn, and up to three otherwise: the condition of Klarbring,
+//!   *Examples of non-uniqueness and non-existence of solutions to quasistatic contact problems with friction*, Ingenieur-Archiv 60 (1990).
+//! * **On a body that is free to move this does not suffice**: two fingers that each satisfy it can still have several equilibria together.
+//! * **The force form stays copositive** for every positive semidefinite compliance, `zᵀMz = FᵀCF + Σ μ λ F_n >= 0`. Guarantees of Lemke's method
+//!   without joints therefore hold with joints: Cottle, Pang and Stone, *The Linear Complementarity Problem*, theorem 4.4.12.
+//! * **A symmetric pinch** with N on both sides slides at `2 μ N / (1 ∓ μ |c_nt|/c_nn)`. From μ |c_nt| >= c_nn on, the side that tightens itself
+//!   never slides.
 //! * **Loads that are held need not include zero**: a squeeze alone can slide, and a weight can stop it.
 //!
-//! # What is left out
+//! # Limitations
 //!
-//! Displacements are small: J is that of the posture in which contacts were given. Under load joint stiffness gets a geometric part, `∂Jᵀ/∂φ F`, which matters where
-//! torque times angle comes near the elastic energy; give it with [`Finger::coupled`](crate::grasp::Finger::coupled) if you know it and the sum is positive semidefinite.
-//! [Screening](crate::screening) and [`Grasp::follow_patch`](crate::ask::Grasp::follow_patch) know no joints.
+//! Displacements are small: J is that of the posture in which contacts were given. Under load the joint stiffness has a geometric part, `∂Jᵀ/∂φ F`,
+//! which matters where torque times angle approaches the elastic energy. Add it with [`Finger::coupled`](crate::grasp::Finger::coupled) if it is
+//! known and the sum is positive semidefinite. [Screening](crate::screening) and [`Grasp::follow_patch`](crate::ask::Grasp::follow_patch) do not
+//! support joints.

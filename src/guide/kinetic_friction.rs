@@ -1,52 +1,61 @@
 //! Friction that is lower once a contact slides: is the object caught, or does it fall at the first slip?
 //!
-//! Most tables give two coefficients. A scene says the second one as `kinetic_friction` beside `friction`, Rust as
-//! [`kinetic`](crate::grasp::Contact::kinetic). Left out, a contact slides with the friction that it has at rest.
+//! Most tables have two coefficients. A scene has the second one as `kinetic_friction` beside `friction`, Rust as
+//! [`kinetic`](crate::grasp::Contact::kinetic). Without it a contact slides with its friction at rest.
 //!
-//! # A box is pulled that stands on a plastic foot and a rubber foot
+//! # A box on a plastic foot and a rubber foot is pulled
 //!
 //! ```text
 //! $ grasp-lcp hold feet.json
 //! HOLDS, but plastic foot slides from 0.9375 of it on, caught after slipping 0.6 mm at plastic foot; lost at 1.625 times this load
 //! ```
 //!
-//! Both feet press with 10 N. The plastic one is twice as stiff: of 7.5 N it carries 5 N, all that it can. It slides, keeps 4 N, and the rubber foot takes over what it loses. Both
-//! with the coefficients of plastic would be held if and only if the softer foot is at most `μ_k/μ_s` times as stiff as the other one. As stiff as each other they slide at once, and the box is gone.
+//! Both feet press with 10 N. The plastic one is twice as stiff: of 7.5 N it carries 5 N, its limit. It slides, keeps 4 N, and the rubber foot takes
+//! over the difference. If both feet had the coefficients of plastic, the box would be held if and only if the softer foot is at most `μ_k/μ_s` times
+//! as stiff as the other. With equal stiffness both slide at once, and the box is lost.
 //!
 //! ```text
 //! $ grasp-lcp hold feet.json --base 0,-20 --force 14,0
 //! SLIPS OUT at 13 N of 14 N beside the load at rest, caught at 7.5 N after slipping 0.6 mm at plastic foot, after which it takes 12 N: the object moves along +x, plastic foot and rubber foot slide (gross slip)
 //! ```
 //!
-//! Where nothing catches it the sentence says *falls at the first slip*. What it takes after that is the load that friction of sliding holds from the beginning.
+//! If nothing catches the object, the sentence has *falls at the first slip*. The load after that (12 N here) is the load that kinetic friction holds
+//! from the start.
 //!
-//! # What is told
+//! # Contents of the answer
 //!
-//! Contacts that begin to slide lose `(μ_s - μ_k) F_n` at once. What they lose goes over to the others at the same load; who reaches its friction of rest on that way begins to slide, too. At the end everything is in
-//! balance again, or nothing holds: [`Event::jump`](crate::load_path::Event::jump) has the state after, who slipped how far and the energy that is lost; [`Loss::jumped`](crate::load_path::Loss::jumped) who
-//! slipped before the object was lost. What goes on sliding as the load grows keeps its friction of sliding. What comes to rest has that of rest again: where it sticks, where the load turns back, and on a leg along
-//! which nothing changes, a pause.
+//! Contacts that begin to slide lose `(μ_s - μ_k) F_n` at once. The others take over this force at the same load; a contact that reaches its static
+//! limit in this process begins to slide, too. In the end either all forces balance again, or nothing holds.
+//! [`Event::jump`](crate::load_path::Event::jump) has the state after the jump, the slips of the contacts and the lost energy.
+//! [`Loss::jumped`](crate::load_path::Loss::jumped) has the contacts that slipped before the object was lost. A contact that continues to slide as
+//! the load grows keeps its kinetic friction. A contact that comes to rest regains its static friction: where it sticks, where the load reverses, and
+//! in a pause, a leg along which nothing changes.
 //!
-//! A load that repeats ([`shake`](crate::ask::Grasp::shake)) makes contacts jump again and again. It may take several cycles until everything repeats, *in every 4 cycles*; amounts are those of all of them together. Of 800 random
-//! grasps (`SHAKEN=200 cargo test --test shake what_jumps`) 798 verdicts are those of cycles that are followed, and two are undecided: one repeats itself after 88 cycles, and is not yet near that after 1000.
+//! Under a load that repeats ([`shake`](crate::ask::Grasp::shake)) contacts may jump again and again. It may take several cycles until everything
+//! repeats, *in every 4 cycles*; amounts then are those of all of them together. For 800 random grasps
+//! (`SHAKEN=200 cargo test --test shake what_jumps`) 798 verdicts agree with cycles followed one by one. Two are undecided: one of them has a period of 88 cycles, and is not yet close to
+//! it after 1000.
 //!
-//! The first slip is the same with and without: it is a matter of rest. So are all questions that know rest alone, such as onsets, screening, reserves and statics.
+//! The first slip is the same with and without kinetic friction, because it depends on static friction alone. The same holds for all questions about
+//! rest, such as onsets, screening, reserves and statics.
 //!
-//! # What it misses
+//! # Limitations
 //!
-//! * **It does not shoot over.** The object comes to rest where forces balance, as in oil. A slider on a spring falls from `μ_s N` to `μ_k N` and then slides steadily. One without damping falls twice as far,
-//!   to `(2 μ_k - μ_s) N`, sticks, and does so again: stick-slip. In such a jump others take up to about twice the change that is told here, and some that would catch do not.
-//!   `2 μ_k - μ_s` in place of `μ_k` shows what that would do; for one spring it is exact.
-//! * **Which way it goes.** Where several contacts join, or one sticks again on the way, the damping may decide. Of 400 random planar grasps the tests move through something viscous all were caught or lost as told here, and 14 came
-//!   to rest elsewhere.
-//! * **Another equilibrium.** Where a jump is not caught, [`LoadPath::beyond`](crate::load_path::Path::beyond) says whether anything holds with the friction that is left. Whether the object arrives there is not known here: it is told as lost.
-//! * **Stick and slip in turn.** Contacts that slide together may push each other back: each jump of one lets another one stick. The less friction falls the smaller and the more these jumps are, up to
-//!   [`Settings::most_steps`](crate::Settings::most_steps) a leg.
-//! * **Soft fingertips** slide point after point, and each point leaves to the others what it loses. The load at which they are lost converges as there are more of them: with r = 0.7 ten points in a row
-//!   hold 5 % more than so many that it no longer matters, forty 1.2 %.
-//! * **Speed and age.** Both coefficients are numbers. Friction that grows with the time at rest, or falls with the speed, is not in them.
+//! * **No overshoot.** The object comes to rest where forces balance, as in oil. A slider on a spring falls from `μ_s N` to `μ_k N` and then slides
+//!   steadily. Without damping it falls twice as far, to `(2 μ_k - μ_s) N`, sticks, and repeats this: stick-slip. In such a jump the change of force
+//!   at other contacts is up to about twice the computed one, and some that would catch the object do not. `2 μ_k - μ_s` in place of `μ_k` shows this
+//!   effect; for one spring it is exact.
+//! * **The path of a jump.** If several contacts join in, or one sticks again on the way, the damping may decide. The tests move 400 random planar
+//!   grasps through a viscous medium: all were caught or lost as computed, and 14 came to rest elsewhere.
+//! * **Another equilibrium.** If a jump is not caught, [`LoadPath::beyond`](crate::load_path::Path::beyond) says whether an equilibrium exists with
+//!   the remaining friction. It is not known whether the object arrives there, so that it counts as lost.
+//! * **Alternating stick and slip.** Contacts that slide together may push each other back: each jump of one lets another one stick. The less
+//!   friction falls, the smaller and more numerous these jumps are, up to [`Settings::most_steps`](crate::Settings::most_steps) per leg.
+//! * **Soft fingertips** slide point after point, and each point hands its lost force to the others. The load at which they are lost converges with
+//!   the number of points: with r = μ_k/μ_s = 0.7, ten points in a row hold 5 % more than the limit of many points, forty hold 1.2 % more.
+//! * **Speed and age.** Both coefficients are constants. Friction that grows with the time at rest, or falls with the speed, is not included.
 //!
 //! # Skin and rubber: friction that falls with force
 //!
-//! For `μ(N) = μ₁ N^(n-1)` ask twice, with the coefficients at the least and at the largest normal force that the contact has under the load. The answers bracket it where more friction is
-//! better. Skin loses about half of its coefficient from 1 N to 20 N.
+//! For `μ(N) = μ₁ N^(n-1)` ask twice, with the coefficients at the least and at the largest normal force of the contact under the load. The two
+//! answers are bounds if more friction is better. Skin loses about half of its coefficient from 1 N to 20 N.

@@ -1,23 +1,23 @@
-//! Guides: what the answers mean and how to ask for the right ones.
+//! Guides: the meaning of answers, and the right questions to ask.
 //!
 //! | question | page |
 //! |---|---|
-//! | What is there, from the program to the solvers? | [`tour`] |
-//! | How is it asked in twelve everyday cases? | [`everyday`] |
-//! | Of all the numbers, which may be trusted, and when? | [`which_answer`] |
+//! | What does the crate contain, from the program to the solvers? | [`tour`] |
+//! | Which commands answer twelve everyday questions? | [`everyday`] |
+//! | Which numbers may be trusted, and when? | [`which_answer`] |
 //! | Why are there several equilibria, and which one is real? | [`several_equilibria`] |
 //! | What does it mean that Lemke's method ended on a ray? | [`reading_a_ray`] |
 //! | Round cone or polygon, and how many facets? | [`choosing_facets`] |
 //! | Where should fingers be, and how hard should they press? | [`choosing_fingers`] |
-//! | How is a grasp watched a thousand times a second, on a controller without a system? | [`control_loop`] |
+//! | How is a grasp watched a thousand times a second, on a controller without an operating system? | [`control_loop`] |
 //! | Is the object caught, or does it fall at the first slip? | [`kinetic_friction`] |
-//! | How are wedges, vices, stacks and arches said, with more bodies than one? | [`several_bodies`] |
-//! | Does it survive shaking, and what walks out? | [`loads_that_repeat`] |
-//! | What do slips that were seen tell of friction, loads of supports and squeeze? | [`slips_that_were_seen`] |
-//! | How is a suction cup said, and when does it let go? | [`suction_cups`] |
-//! | How are joints, tendons, stalled motors and held forces said, and what do they change? | [`hands`] |
+//! | How are wedges, vices, stacks and arches described, with several bodies? | [`several_bodies`] |
+//! | Does it survive shaking, and which objects walk out? | [`loads_that_repeat`] |
+//! | Which friction, loads of supports and squeeze follow from observed slips? | [`slips_that_were_seen`] |
+//! | How is a suction cup described, and when does it let go? | [`suction_cups`] |
+//! | How are joints, tendons, stalled motors and held forces described, and what do they change? | [`hands`] |
 //!
-//! The pages have no items of their own; their examples are compiled and run with the tests.
+//! The pages have no items of their own; their examples are compiled and run as tests.
 
 pub mod choosing_facets;
 pub mod choosing_fingers;

@@ -1,14 +1,14 @@
-//! Reading a ray: what it means when Lemke's method does not end in a solution.
+//! Reading a ray: the meaning of a path of Lemke's method that does not end in a solution.
 //!
-//! Lemke's method follows a path of almost complementary solutions of `w = q + M z + d z₀` while the covering variable z₀ shrinks. The path ends where
-//! z₀ = 0, at a solution, or goes off to infinity on a *secondary ray*. For matrices of contact problems without friction (positive semidefinite) a ray
-//! proves that there is no solution. With friction M is not even symmetric, and **a ray alone proves nothing**: a solution may lie on another path.
-//! So the ray is looked at again.
+//! Lemke's method follows a path of almost complementary solutions of `w = q + M z + d z₀` while the covering variable z₀ shrinks. The path ends
+//! where z₀ = 0, at a solution, or goes to infinity on a *secondary ray*. For matrices of contact problems without friction (positive semidefinite) a
+//! ray proves that there is no solution. With friction M is not even symmetric, and **a ray alone proves nothing**: a solution may lie on another
+//! path. The ray is therefore only a reason to search for a proof.
 //!
 //! # On a linear complementarity problem
 //!
-//! [`lcp::Outcome`](crate::lcp::Outcome) says what is known. [`Infeasible`](crate::lcp::Outcome::Infeasible) has a vector y with `y ≥ 0`,
-//! `Mᵀy ≤ 0`, `qᵀy < 0`, which nobody has to believe:
+//! [`lcp::Outcome`](crate::lcp::Outcome) states what is known. [`Infeasible`](crate::lcp::Outcome::Infeasible) has a vector y with `y ≥ 0`,
+//! `Mᵀy ≤ 0`, `qᵀy < 0`, which anyone can check:
 //!
 //! ```
 //! use grasp_lcp::lcp::{Lcp, Outcome};
@@ -25,25 +25,25 @@
 //! # Ok::<(), grasp_lcp::lcp::LcpError>(())
 //! ```
 //!
-//! The check makes all sums without rounding. Data that were computed are infeasible but for rounding as a rule:
-//! [`NearlyInfeasible`](crate::lcp::Outcome::NearlyInfeasible) has a y for M and q that differ from those given by rounding, and
+//! The check computes all sums without rounding. Computed data usually are infeasible only up to rounding.
+//! [`NearlyInfeasible`](crate::lcp::Outcome::NearlyInfeasible) has a y for an M and q that differ from the given ones by rounding, and
 //! [`Lcp::least_feasible`](crate::lcp::Lcp::least_feasible) says how large every z would have to be.
 //!
 //! [`NoBasis`](crate::lcp::Outcome::NoBasis): each of the 2ⁿ bases is excluded.
 //!
-//! [`Ray`](crate::lcp::Outcome::Ray): nothing is known. Raise
-//! [`enumerate_up_to`](crate::lcp::Settings::enumerate_up_to), to 20 at most, or pose the problem otherwise.
+//! [`Ray`](crate::lcp::Outcome::Ray): nothing is known. Raise [`enumerate_up_to`](crate::lcp::Settings::enumerate_up_to), to 20 at most, or formulate
+//! the problem differently.
 //!
 //! # On a grasp
 //!
-//! A free motion is noticed before any path is followed. After a ray [`Grasp::solve`](crate::ask::Grasp::solve) tries
-//! another [form](crate::forms), then a proof on the scene itself, in this order:
+//! A free motion is detected before any path is followed. After a ray [`Grasp::solve`](crate::ask::Grasp::solve) tries another [form](crate::forms),
+//! then a proof on the scene itself, in this order:
 //!
-//! | [`Proof`](crate::equilibrium::Proof) | the motion in it | means | what helps |
+//! | [`Proof`](crate::equilibrium::Proof) | its motion | meaning | remedy |
 //! |---|---|---|---|
 //! | `FreeMotion` | nothing resists it in any state | a degree of freedom without springs | another contact, [`SoftFingertip`](crate::grasp::SoftFingertip)s |
-//! | `SeparatingMotion` | the load drives it, no admissible force works against it | too large a load, or in the wrong direction, for the friction cones; for any stiffness and squeeze | more friction, other contact points |
-//! | `EveryStateTried` | – | forces in the cones could balance the load, but springs and commands do not bring them about | more squeeze |
+//! | `SeparatingMotion` | the load drives it, no admissible force works against it | the load is too large for the friction cones, or has the wrong direction, for any stiffness and squeeze | more friction, other contact points |
+//! | `EveryStateTried` | – | forces in the cones could balance the load, but springs and commands do not produce them | more squeeze |
 //! | `EveryCaseContradicted` | – | the same on the round cone, where directions of friction are divided into cases | more squeeze |
 //! | `Undecided`: `RayWithoutProof` | – | none of these, and too many contacts to try all states | [`most_states`](crate::Settings::most_states), or the load path, which does not need the ray |
 //!

@@ -1,10 +1,10 @@
 //! Several bodies: wedges, vices, tongs, parts side by side, stacks on a tray, arches.
 //!
-//! A scene has a list of `bodies`, and each contact says which one its normal points into, `on`, and which one is on the other side, `against`; where that is left
-//! out it is the ground or a finger. Everything else is as with one object: the law of a contact, commands, hands, and all questions. A load of a question acts on
-//! the first body, or on the one that is `loaded`; with `shared_by_mass` it acts on all of them. What is always there, weights say, is the `load` of a body.
-//! What joins bodies stands in a list of `links`: a hinge, a slide, a rigid joint, a spring, or a cable that only pulls, `between` two bodies or `on`
-//! one, to the ground. The scenes are those of `examples/scenes/bodies`, and the commands are typed there.
+//! A scene has a list of `bodies`. Each contact names the body that its normal points into, `on`, and the body on the other side, `against`; without
+//! `against` it is the ground or a finger. Everything else is as with one object: the law of a contact, commands, hands, and all questions. A load of
+//! a question acts on the first body, or on the body marked as `loaded`; with `shared_by_mass` it acts on all of them. A permanent load, such as a
+//! weight, is the `load` of a body. A list of `links` joins bodies: a hinge, a slide, a rigid joint, a spring, or a cable that only pulls. A link is
+//! `between` two bodies, or `on` one body and attached to the ground. The scenes are in `examples/scenes/bodies`, and the commands are run there.
 //!
 //! # What does it take to drive a wedge under a machine?
 //!
@@ -13,7 +13,7 @@
 //! SLIPS OUT at 1902.12 N of 2000 N: machine moves along +y and wedge moves along −x; floor, incline and wall slide (gross slip). Nothing holds all of it within a kilometre of there
 //! ```
 //!
-//! `W tan(α + 2φ)` with W = 1800 N, α = 8° and tan φ = 0.35: at the limit forces are determined by friction alone, whatever the stiffness.
+//! The limit is `W tan(α + 2φ)` with W = 1800 N, α = 8° and tan φ = 0.35. At the limit friction alone determines the forces, for any stiffness.
 //!
 //! # How hard may I pull at a part in a vice?
 //!
@@ -22,8 +22,9 @@
 //! HOLDS, everything sticks: 1.13398 times this load until the first slip (fixed jaw), 1.2 times until it is lost
 //! ```
 //!
-//! 300 N, twice 0.3 · 500 N. The moving jaw is a body of its own: it runs on its guide as the screw pushes it and turns a little under the pull, so that the jaws share
-//! the pull unevenly, and the fixed one slips first. The table below the answer says what the guide, a link, carries: 119 N and 2.1 N m.
+//! The part is lost at 300 N, twice 0.3 · 500 N. The moving jaw is a body of its own. It runs on its guide as the screw pushes it and turns a little
+//! under the pull, so that the jaws share the pull unequally and the fixed jaw slips first. The table below the answer has the force and moment of
+//! the guide, a link: 119 N and 2.1 N m.
 //!
 //! # What do tongs carry?
 //!
@@ -32,7 +33,8 @@
 //! SLIPS OUT at 47.8723 N of 60 N: bar moves along −y; left jaw and right jaw slide. Nothing holds all of it within a kilometre of there
 //! ```
 //!
-//! `2 μ P a / (b - μ c)`: the bar hangs on the jaws and so presses them together. The pin is a hinge between the levers, and a stand holds one of them there.
+//! The limit is `2 μ P a / (b - μ c)`, with P = 50 N on each handle and the arms a = 0.3 m, b = 0.2 m and c = 0.04 m: the bar hangs on the jaws and
+//! presses them together. The pin is a hinge between the levers, and a stand holds one of them at the pin.
 //!
 //! # How rough must the jaws of lifting tongs be?
 //!
@@ -41,8 +43,9 @@
 //! NEEDS a coefficient of friction of 0.6 so that nothing slides, a coefficient of friction of 0.666667 if friction is 10 % less and the squeeze is 5 % less. With less: SLIPS OUT at once, under any part of 200 N: block moves along −y. Nothing holds all of it within 0.0333333 mm and 0.00763944° of there
 //! ```
 //!
-//! Ropes under 45° pull the levers up with W/2 each and together with as much. About the pin, with arms of 0.2 m and 0.15 m above it, 0.15 m and 0.3 m below,
-//! each jaw then presses with 0.25/0.3 W and has to carry W/2, whatever W is: `μ = 0.6`. Ropes are links that go slack where they would have to push.
+//! Ropes at 45° pull the levers up with W/2 each, and together with the same force. About the pin the arms are 0.2 m and 0.15 m above it, 0.15 m and
+//! 0.3 m below. Each jaw then presses with 0.25/0.3 W and has to carry W/2, for any W: `μ = 0.6`. Ropes are links that go slack where they would have
+//! to push.
 //!
 //! # Do three parts side by side stay in one gripper?
 //!
@@ -51,7 +54,7 @@
 //! HOLDS, everything sticks: 4.72128 times this load until the first slip (joint a–b and joint b–c), 6.79579 times until it is lost
 //! ```
 //!
-//! Only the part in the middle hangs on the joints: 2 · 0.2 · 40 N carry 8.2 times its weight. The parts turn before that, and so it is less.
+//! Only the part in the middle hangs on the joints: 2 · 0.2 · 40 N is 8.2 times its weight. The parts turn earlier, which lowers the limit.
 //!
 //! # How far may a tray be tilted with a stack on it?
 //!
@@ -69,7 +72,7 @@
 //! HOLDS, everything sticks: 1.95623 times this load until the first slip (right foot), 11.9657 times until it is lost
 //! ```
 //!
-//! Joints of masonry are two points each, which open where the thrust leaves the middle third; a hinge is a joint of which one point is open.
+//! A joint of masonry has two points, which open where the thrust leaves the middle third; a joint with one open point is a hinge.
 //!
 //! # In Rust
 //!
@@ -94,12 +97,14 @@
 //!
 //! # Could forces hold all of it?
 //!
-//! [`Statics::force_closure`](crate::ask::Statics::force_closure) says whether contact forces could balance any loads on all bodies at once, if everything pressed as needed, and else how
-//! bodies move with nothing against it: what lies on a table may go up. Springs and weights play no part in it.
+//! [`Statics::force_closure`](crate::ask::Statics::force_closure) says whether contact forces could balance any loads on all bodies at once, if every
+//! contact pressed as needed. If not, it returns a motion of the bodies that nothing opposes: a body on a table may go up. Springs and weights do not
+//! matter for it.
 //!
 //! # Loads of their own
 //!
-//! A question loads one body, or all by their mass. With `together_with` others have loads that grow in the same proportion, of `hold`, `need`, `solve` and `onset`; on the command line
+//! A question loads one body, or all of them in proportion to their mass. With `together_with` further bodies have loads that grow in the same
+//! proportion, in `hold`, `need`, `solve` and `onset`. On the command line:
 //!
 //! ```text
 //! $ grasp-lcp hold wedge.json --force -2000,0 --at 0.5,0.05 --together-with machine=0,-500@0.12,0.3
@@ -108,7 +113,7 @@
 //!
 //! While the wedge is driven in, 500 N more are put on the machine: `2000 λ = (1800 + 500 λ) tan(α + 2φ)`.
 //!
-//! Along a program each may go its own way, `body_loads_by` and `body_loads_to` of a leg:
+//! Along a program the load of each body may follow its own path, with `body_loads_by` and `body_loads_to` of a leg:
 //!
 //! ```
 //! use grasp_lcp::planar::{Bodies, Body, Contact, Leg, Wrench};
@@ -138,9 +143,10 @@
 //! # Ok::<(), grasp_lcp::Error>(())
 //! ```
 //!
-//! # What is not there yet
+//! # Limits
 //!
-//! The measure of Ferrari and Canny, limit analysis, the least squeeze over loads and screening are questions to one object. Links are exact to first order, as everything here: what a cable's tension does as its line turns is left out. Many
-//! bodies are solved in an order in which those that touch are near each other. A wall of 1 000 bricks settles in about a second, and `hold` follows a
-//! push until it is lost in some seconds: the reports `several_bodies` and `scaling` have the times. That is in the plane; in space half a brick stands on four
-//! points, and a wall of 36 bricks takes a tenth of a second, one of 100 some seconds. What cannot stand is told so as soon.
+//! The measure of Ferrari and Canny, limit analysis, the least squeeze over loads and screening accept a single object only. Links are exact to first
+//! order, like all displacements: the tension of a cable keeps its direction as its line turns. Many bodies are solved in an order in which bodies
+//! that touch are close to each other. A wall of 1 000 bricks settles in about a second, and `hold` follows a push until it is lost in some seconds:
+//! the reports `several_bodies` and `scaling` have the times. These are for the plane. In space half a brick rests on four points; a wall of 36
+//! bricks takes a tenth of a second, one of 100 bricks some seconds. A structure that cannot stand is reported as quickly.

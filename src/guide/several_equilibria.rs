@@ -1,9 +1,9 @@
 //! Several equilibria under one load, and which of them is real.
 //!
-//! Coulomb's law is not the condition of a minimum. Where friction is large enough to hold a body against its springs, the same load may be held by
-//! a contact that sticks, by one that slides and by none at all (A. Klarbring, "Examples of non-uniqueness and non-existence of solutions to
-//! quasistatic contact problems with friction", *Ingenieur-Archiv* 60, 1990). His example, with numbers: springs hold a body
-//! above a floor; pulled along the floor they lift it, since their stiffness
+//! Coulomb's law is not the condition of a minimum. Where friction is large enough to hold a body against its springs, the same load may have an
+//! equilibrium with a sticking contact, one with a sliding contact and one with an open contact (A. Klarbring, "Examples of non-uniqueness and
+//! non-existence of solutions to quasistatic contact problems with friction", *Ingenieur-Archiv* 60, 1990). In his example, with numbers, springs
+//! hold a body above a floor. Pulled along the floor the body is lifted by its springs, since their stiffness
 //!
 //! ```text
 //! K = ⎡ 2 -1⎤      couples the two directions,      K⁻¹ = ⅓ ⎡2 1⎤      and  μ = 3 > K_tt / |K_tn| = 2.
@@ -48,22 +48,23 @@
 //!
 //! # Which one is returned
 //!
-//! [`Grasp::solve`](crate::ask::Grasp::solve) takes the first that the ladder of [`Rung`](crate::equilibrium::Rung) finds, in this order:
+//! [`Grasp::solve`](crate::ask::Grasp::solve) returns the first equilibrium that the ladder of [`Rung`](crate::equilibrium::Rung) finds, in this
+//! order:
 //!
 //! * everything sticks;
 //! * everything that touches sticks;
-//! * in space and from 32 contacts on, where Newton's method arrives from the elastic trial state;
+//! * in space and from 32 contacts on, the state that Newton's method reaches from the elastic trial state;
 //! * the end of a path of Lemke's method;
-//! * the first of all combinations.
+//! * the first of all combinations of contact states.
 //!
-//! [`Equilibrium::rule`](crate::equilibrium::Equilibrium::rule) says which. The order is the same for every number of
-//! threads, but it is a rule, not physics.
+//! [`Equilibrium::rule`](crate::equilibrium::Equilibrium::rule) names the rung. The order is the same for every number of threads, but it is a
+//! convention, not physics.
 //!
 //! # Which one is real
 //!
-//! * Among few contacts [`Grasp::equilibria`](crate::ask::Grasp::equilibria) lists all of them. If there is only one, that is
-//!   it. (On the round cone the list has those that a polygon leads to.)
-//! * [`Grasp::follow`](crate::ask::Grasp::follow) has the physics: it starts where the history is known and goes on without jumps;
-//!   [`Event::other_continuations`](crate::load_path::Event::other_continuations) says where even that leaves a choice.
-//! * [`Energy::stability`](crate::ask::Energy::stability) tells of one in which nothing slides whether a small push leaves it alone.
-//! * A grasp that is to hold whatever happened before must hold in each of them.
+//! * Among few contacts [`Grasp::equilibria`](crate::ask::Grasp::equilibria) lists all of them. If there is only one, it is the real one. (On the
+//!   round cone the list has those to which a polygon leads.)
+//! * [`Grasp::follow`](crate::ask::Grasp::follow) has the physics: it starts where the history is known and continues without jumps.
+//!   [`Event::other_continuations`](crate::load_path::Event::other_continuations) says where even the path leaves a choice.
+//! * [`Energy::stability`](crate::ask::Energy::stability) says whether an equilibrium without sliding survives a small push.
+//! * A grasp that must hold after any history must hold in each of them.

@@ -1,24 +1,24 @@
-//! Suction cups: what a vacuum holds, and when it lets go.
+//! Suction cups: the loads that a vacuum holds, and when it lets go.
 //!
-//! The vacuum pulls object and cup together with the force `V = p A`, pressure difference times the area inside of the lip, whatever the load
-//! does. What touches the object is the lip: a ring of points that presses with V less what pulls at the object. A [`SuctionCup`](crate::grasp::SuctionCup) is both;
-//! in scenes it is `"suction": {"radius": 0.015, "pressure": 60000}` on a contact, whose normal points into the object.
+//! The vacuum pulls object and cup together with the force `V = p A`, pressure difference times the area inside the lip, for any load. The lip
+//! touches the object: a ring of points that presses with V less the pull on the object. A [`SuctionCup`](crate::grasp::SuctionCup) is both. In
+//! scenes it is `"suction": {"radius": 0.015, "pressure": 60000}` on a contact, whose normal points into the object.
 //!
-//! The vacuum is no load of the caller's: what an answer tells as the load is the weight and whatever else was asked. Unlike a force of a finger it needs
-//! nothing on the other side of the object, since it pulls at cup and object alike.
+//! The vacuum is not a load of the question: the load in an answer is the weight and whatever else was asked. Unlike the force of a finger, the
+//! vacuum needs no support on the other side of the object, because it pulls on cup and object alike.
 //!
-//! | load | the first point of the lip leaves at | how |
+//! | load | load at which the first point of the lip leaves | how |
 //! |---|---|---|
 //! | hang: a force away from the cup | V | all of the lip opens |
 //! | shear: a force along the lip, in its plane | μ V | all of it slides |
 //! | peel: a moment across the normal | V R / 2 | one point opens |
 //! | spin: a moment about the normal | μ V R | all of it slides |
 //!
-//! A point of a real lip that opens lets air in, so that the onset of peeling is the end. On a bellows that follows, the vacuum may last
-//! until the lip is open all around: [`Grasp::hold`](crate::ask::Grasp::hold) says at the latest there that the cup lets go, a path ends there, and an equilibrium
-//! beyond names it among its [`open_cups`](crate::equilibrium::Equilibrium::open_cups). [`SuctionCup`](crate::grasp::SuctionCup) lists what other questions say.
-//! A load of several kinds at once has no such short formula, and is what [`Grasp::onset`](crate::ask::Grasp::onset) answers. How much vacuum it takes answers
-//! [`Grasp::need`](crate::ask::Grasp::need) for a squeeze.
+//! A point of a real lip that opens lets air in, so that the onset of peeling is the end. With a bellows that follows, the vacuum may last until the
+//! lip is open all around. There at the latest [`Grasp::hold`](crate::ask::Grasp::hold) says that the cup lets go, and a path ends. An equilibrium
+//! beyond names the cup among its [`open_cups`](crate::equilibrium::Equilibrium::open_cups). [`SuctionCup`](crate::grasp::SuctionCup) lists the
+//! behaviour in other questions. A load of several kinds at once has no such short formula; [`Grasp::onset`](crate::ask::Grasp::onset) answers for
+//! it. [`Grasp::need`](crate::ask::Grasp::need) for a squeeze returns the required vacuum.
 //!
 //! ```
 //! use grasp_lcp::need::Need;

@@ -1,45 +1,46 @@
-//! Which answer to trust, and when.
+//! Trust in answers: which numbers to use, and when.
 //!
 //! # Three outcomes
 //!
 //! A question about equilibrium has one of three outcomes.
 //!
-//! | [`Outcome`](crate::equilibrium::Outcome) | what it says | what to do with it |
+//! | [`Outcome`](crate::equilibrium::Outcome) | meaning | use |
 //! |---|---|---|
-//! | `Equilibrium` | forces, motion and states that satisfy every condition, checked against the question | use it, after a look at the fields below |
-//! | `NoEquilibrium` | a [proof](crate::equilibrium::Proof) that quasi-static equilibrium is impossible | the grasp gives way; the motion in the proof says how |
-//! | `Undecided` | neither was found, and [why](crate::equilibrium::Doubt) | not "holds" and not "fails": raise [`most_states`](crate::Settings::most_states), or treat it as a failure |
+//! | `Equilibrium` | forces, motion and states that satisfy every condition, checked against the question | use it, after checking the fields below |
+//! | `NoEquilibrium` | a [proof](crate::equilibrium::Proof) that quasi-static equilibrium is impossible | the grasp gives way; the motion in the proof shows how |
+//! | `Undecided` | neither was found, with the [reason](crate::equilibrium::Doubt) | neither "holds" nor "fails": raise [`most_states`](crate::Settings::most_states), or treat it as a failure |
 //!
-//! `Undecided` comes in three cases. Many contacts may stand on the verge of what friction can do. The load may lie, to the
-//! last digit, on the boundary of what the grasp can hold. The numbers of a scene may lie so far apart that forces cannot
-//! be written down.
+//! `Undecided` has three causes. Many contacts may be at the limit of friction. The load may be, to the last digit, on the boundary of the loads that
+//! the grasp can hold. The numbers of a scene may be so different in size that forces cannot be represented.
 //!
-//! # What an equilibrium says of itself
+//! # The quality of an equilibrium
 //!
-//! * [`residuals`](crate::equilibrium::Equilibrium::residuals): by how much the numbers violate equilibrium, springs, cones and gaps, recomputed
-//!   from contacts, commands and load. Some 1e-16. This says that the answer solves the question, not that the question is known well.
-//! * [`accuracy`](crate::ask::Grasp::accuracy): estimated distance to the exact solution for these states, N and m (measured against exact arithmetic it is at most ten times that),
-//!   and the condition: how many times more the forces change than the data, both relative. Data from a sensor known to 1 % and a condition of 50 leave
-//!   no digit of a force, however small the residual.
-//! * [`distinct`](crate::ask::Grasp::distinct): whether a contact's state is told apart from its neighbour. At the very onset of
-//!   sliding, sticking and sliding are the same forces; which word is used depends on rounding, and the flag says so.
-//! * [`margin`](crate::equilibrium::ContactAnswer::margin): friction in reserve, N. Where friction is known to 10 %, a contact with a margin below
-//!   10 % of `μ F_n` may slide; [`Grasp::onset_of_samples`](crate::ask::Grasp::onset_of_samples) answers for samples of friction, stiffness and squeeze.
-//! * [`free_motions`](crate::equilibrium::Equilibrium::free_motions): motions that nothing resists. The forces are right, the twist is one of many.
-//! * [`rule`](crate::equilibrium::Equilibrium::rule): how it was found. Anything but [`EverythingSticks`](crate::equilibrium::Rung::EverythingSticks)
-//!   may be one of several: see [`several_equilibria`](super::several_equilibria).
+//! * [`residuals`](crate::equilibrium::Equilibrium::residuals): violations of equilibrium, springs, cones and gaps, recomputed from contacts,
+//!   commands and load; about 1e-16. They show that the answer solves the question, not that the question is known accurately.
+//! * [`accuracy`](crate::ask::Grasp::accuracy): the estimated distance to the exact solution for these states, N and m (measured against exact
+//!   arithmetic, the distance is at most ten times that), and the condition: the relative change of the forces divided by that of the data. Data from
+//!   a sensor known to 1 % and a condition of 50 leave no digit of a force, however small the residual.
+//! * [`distinct`](crate::ask::Grasp::distinct): whether the state of a contact is distinct from its neighbour. Exactly at the onset of sliding,
+//!   sticking and sliding have the same forces. The state then depends on rounding, and the flag says so.
+//! * [`margin`](crate::equilibrium::ContactAnswer::margin): friction in reserve, N. If friction is known to 10 %, a contact with a margin below 10 %
+//!   of `μ F_n` may slide; [`Grasp::onset_of_samples`](crate::ask::Grasp::onset_of_samples) answers for samples of friction, stiffness and squeeze.
+//! * [`free_motions`](crate::equilibrium::Equilibrium::free_motions): motions that nothing resists. The forces are right, and the twist is one of
+//!   many.
+//! * [`rule`](crate::equilibrium::Equilibrium::rule): the method that found the equilibrium. With any other rule than
+//!   [`EverythingSticks`](crate::equilibrium::Rung::EverythingSticks) it may be one of several: see
+//!   [`several_equilibria`](super::several_equilibria).
 //!
-//! # Which question to ask
+//! # Questions and methods
 //!
-//! | question | ask | why not another |
+//! | question | method | why no other method |
 //! |---|---|---|
 //! | Does it hold this load without sliding? | [`Grasp::onset`](crate::ask::Grasp::onset): a factor above 1 | `solve` also finds equilibria with sliding |
 //! | Does it hold at all? | [`Grasp::solve`](crate::ask::Grasp::solve), or [`follow`](crate::ask::Grasp::follow) to the limit load | the onset is often not the limit: other contacts take over |
 //! | Where does the object end up after loading and unloading? | [`Grasp::follow`](crate::ask::Grasp::follow) | `solve` knows no history: all slip starts from zero |
-//! | Which of a million grasps? | [`screening`](crate::screening) | the same onset, angle of onset or least squeeze, without the answer around it |
-//! | How does that change with every number of a million grasps? | [`onset_gradients_of_batch`](crate::sweep::onset_gradients_of_batch) | exact derivatives of the onset, and whether they are one-sided |
-//! | In a control loop: what have the forces left that are felt just now? | [`Fingers::watch`](crate::screening::Fingers::watch) | margin, first slip and extra squeeze, without an allocation |
-//! | Can the minimum of energy be used? | [`agreement_with_minimum_energy`](crate::ask::Energy::agreement) | beyond its factor the program returns numbers that balance nothing |
+//! | Which of a million grasps? | [`screening`](crate::screening) | the same onset, angle of onset or least squeeze, without the rest of the answer |
+//! | How do the onsets of a million grasps change with all their data? | [`onset_gradients_of_batch`](crate::sweep::onset_gradients_of_batch) | exact derivatives of the onset, and whether they are one-sided |
+//! | Which margin do the measured forces have, in a control loop? | [`Fingers::watch`](crate::screening::Fingers::watch) | margin, first slip and extra squeeze, without an allocation |
+//! | Can the minimum of energy be used? | [`agreement_with_minimum_energy`](crate::ask::Energy::agreement) | beyond its factor the program returns numbers that are not in balance |
 //!
 //! ```
 //! use grasp_lcp::load_path::{Leg, PathEnd};

@@ -1,4 +1,4 @@
-//! Where the fingers should be.
+//! Answer of the search for better finger places.
 
 use nalgebra::SVector;
 
@@ -8,89 +8,91 @@ use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// The answer to "where should the fingers be?"; its [`Display`](std::fmt::Display) says it in a sentence.
+/// The best places and squeezes found; its [`Display`](std::fmt::Display) says them in a sentence.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Improved<const C: usize> {
-    /// What `before` and `after` are.
+    /// The meaning of `before` and `after`.
     #[cfg_attr(feature = "serde", serde(default))]
     pub goal: ImproveGoal,
-    /// Of the grasp given: its least first slip, as so many times the loads, or its least reserve, N. `None` where something slides at rest or nothing
-    /// holds, and of a reserve where something slides under a load.
+    /// Value of the grasp given: its least first slip as a factor of the loads, or its least reserve, N. `None` where a contact slides at rest or
+    /// nothing holds, and for a reserve where a contact slides under a load.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub before: Option<f64>,
-    /// That of the best grasp found; `None` where no grasp was found that sticks at rest, or for a reserve under the loads. Infinite where nothing slides however large the loads are.
+    /// Value of the best grasp found. `None` where no grasp was found that sticks at rest, and for a reserve under the loads. Infinite where no
+    /// contact slides however large the loads are.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub after: Option<f64>,
-    /// What one time the loads is, where it is one force: its size, N.
+    /// The size of the load, N, if it is a single force: a first slip times this size is a force.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub force: Option<f64>,
-    /// Where each contact is then.
+    /// Places and commands of all contacts in the best grasp found.
     pub contacts: Vec<Placed<C>>,
-    /// What stands in the way of more: events that come first, and bounds that are met.
+    /// The active events and bounds that prevent a larger value, with their multipliers.
     pub in_the_way: Vec<InTheWay>,
-    /// How the search ended that found it.
+    /// How the search for this grasp ended.
     pub search: SearchEnd,
-    /// What its multipliers leave of zero: the sum of gradients of events and bounds, as a part of the first slip, or of the greatest force, for a step as large as the grasp, or
-    /// as the greatest force. `None` where no multipliers were found.
+    /// Residual of first-order optimality: the sum of gradients of events and bounds, weighted by their multipliers. It is relative to the first
+    /// slip, or for a reserve to the greatest force at rest. It refers to a step as large as the grasp or as the greatest allowed force. `None` where
+    /// no multipliers were found.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub residual: Option<f64>,
-    /// Starts that were gone up from.
+    /// Number of starts from which the search ascended.
     pub starts: usize,
-    /// Steps from all of them, those refused included.
+    /// Number of steps from all starts, including refused ones.
     pub steps: usize,
 }
 
-/// Where a contact is, and how it is told to press.
+/// The place of a contact, and its command.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Placed<const C: usize> {
-    /// Which contact, or point of a soft fingertip.
+    /// The contact, or the point of a soft fingertip.
     pub contact: WholeContact,
-    /// What it may move along, if it may move: "edge", "circle", …
+    /// Name of the surface that it may move along, if any: "edge", "circle", …
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub surface: Option<String>,
-    /// m.
+    /// Contact point, m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub point: SVector<f64, C>,
     /// Unit normal into the object.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub normal: SVector<f64, C>,
-    /// Unit first tangent: its frame has come along without turning about the normal.
+    /// Unit first tangent. The contact frame follows the normal without turning about it.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub tangent: SVector<f64, C>,
-    /// Command in that frame, m.
+    /// Command in the contact frame, m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub command: SVector<f64, C>,
-    /// How far it is from where it was, in a straight line, m.
+    /// Straight distance from the place given, m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub moved: f64,
-    /// What it is told to press with, N, where that may change.
+    /// Force that the command presses with, N, if it may change.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub pressed_with: Option<f64>,
-    /// Its normal force at rest, N.
+    /// Normal force at rest, N.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub normal_force: f64,
 }
 
-/// Something that stands in the way of a later first slip, or of more in reserve.
+/// One active event or bound that prevents a later first slip or a larger reserve.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct InTheWay {
-    /// Of which contact.
+    /// The contact that it belongs to.
     pub contact: WholeContact,
-    /// What.
+    /// The event or bound, with its multiplier.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub binds: Binds,
 }
 
-/// What stands in the way, with its multiplier. What is gained is first slip, as so many times the loads, or reserve, N.
+/// An active event or bound with its multiplier. A gain is an increase of the first slip, as a factor of the loads, or of the reserve, N.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -100,51 +102,51 @@ pub struct InTheWay {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Binds {
-    /// It slides or opens first.
+    /// The contact slides or opens first.
     FirstSlip {
-        /// Under which of the loads, from 0; `None` for a force of any direction.
+        /// Index of the load, from 0; `None` for a force of any direction.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         load: Option<usize>,
-        /// Its share: those of all that come first add up to one.
+        /// Its multiplier; those of all events add up to one.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         share: f64,
     },
-    /// It has least friction in reserve.
+    /// The contact has the least friction in reserve.
     Reserve {
-        /// Under which of the loads, from 0; `None` for a force of any direction.
+        /// Index of the load, from 0; `None` for a force of any direction.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         load: Option<usize>,
-        /// Its share, as for the first slip.
+        /// Its multiplier, as for the first slip.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         share: f64,
     },
-    /// At rest it presses as hard as it may.
+    /// At rest the contact presses with its greatest allowed force.
     Force {
-        /// What one more newton would gain.
+        /// Gain per newton of a larger limit.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         per_newton: f64,
     },
-    /// It is told to press as hard as it may.
+    /// The command of the contact presses with its greatest allowed force.
     Pressed {
-        /// As for the force.
+        /// Gain per newton of a larger limit.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         per_newton: f64,
     },
-    /// It is told not to press at all.
+    /// The command of the contact does not press at all.
     NotPressed {
-        /// What a pull of one newton would gain.
+        /// Gain per newton of a pull.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         per_newton: f64,
     },
-    /// Its surface ends, or the part of it that it is on.
+    /// The contact is at the end of its surface, or at the end of its part of the surface.
     End {
-        /// What one more metre would gain.
+        /// Gain per metre of a longer surface.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         per_metre: f64,
     },
-    /// At rest it stands on the edge of its friction.
+    /// At rest the contact is at the edge of its friction cone.
     Rest {
-        /// What one more newton of friction would gain.
+        /// Gain per newton of additional friction.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         per_newton: f64,
     },
@@ -156,22 +158,22 @@ pub enum Binds {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum SearchEnd {
-    /// To first order nothing nearby is better: gradients of what comes first and of bounds that are met cancel, up to a millionth.
+    /// To first order nothing nearby is better: gradients of active events and of active bounds cancel up to a millionth.
     Optimum,
-    /// No step gains more than rounding, and gradients do not cancel: two ways of one contact to slide may meet there.
+    /// No step gains more than rounding, but gradients do not cancel. Two ways of one contact to slide may meet there.
     Stalled,
-    /// It has made as many steps as it may.
+    /// The search used all of its steps.
     OutOfSteps,
-    /// At another place nothing would balance the loads, as for two point contacts in space that have to lie on one line with them.
+    /// At any other place nothing would balance the loads, as for two point contacts in space that must lie on one line with them.
     Unbalanced,
-    /// However large the loads are, nothing slides.
+    /// No contact slides, however large the loads are.
     NothingSlides,
-    /// No start sticks at rest and resists the loads, or for a reserve none sticks under them.
+    /// No start sticks at rest and resists the loads, or for a reserve no start sticks under them.
     NoStart,
 }
 
 impl<const C: usize> Improved<C> {
-    /// Whether it is proved that to first order no other place and squeeze nearby is better.
+    /// Whether it is proved that to first order no place and squeeze nearby is better.
     #[must_use]
     pub fn is_locally_best(&self) -> bool {
         self.search == SearchEnd::Optimum

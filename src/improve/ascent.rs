@@ -1,4 +1,4 @@
-//! From one start to where it ends.
+//! Ascent from one start to a local optimum.
 
 use nalgebra::DVector;
 
@@ -14,51 +14,54 @@ use crate::ask::Grasp;
 use crate::error::Error;
 use crate::prelude::*;
 
-/// The first box, in units of the variables, the largest, and the least.
+/// Half width of the trust region (a box): at first, at most and at least, in units of the variables.
 const RADII: [f64; 3] = [0.1, 1.0, 1e-11];
-/// A step is taken if the true value grows by this part of what it is to grow by; by this more the box grows, with less than this it shrinks.
+/// A step is accepted if the true gain is at least this part of the predicted gain.
 const TAKEN: f64 = 1e-4;
+/// Above this part the box grows.
 const GROWS: f64 = 0.75;
+/// Below this part the box shrinks.
 const SHRINKS: f64 = 0.25;
-/// Less is rounding, as a part of the scale of values.
+/// A predicted gain below this part of the scale of values is rounding.
 const NOTHING: f64 = 1e-14;
-/// Gradients that cancel up to this part are an optimum to first order; at this one nothing more is sought.
+/// A residual of the gradients up to this part is an optimum to first order.
 pub(super) const OPTIMAL: f64 = 1e-6;
+/// At this residual the ascent stops.
 const ARRIVED: f64 = 1e-10;
-/// A force at rest may break its condition by this part of the greatest force: rounding.
+/// A force at rest may violate its condition by this part of the greatest force, because of rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// A placing that holds at rest, with its forces.
+/// A placing that sticks at rest, with its forces.
 #[derive(Debug)]
 pub(super) struct Held<const C: usize> {
     pub(super) placing: Placing<C>,
     pub(super) sticking: StickingForces<C>,
-    /// What the goal counts of it: its least first slip, as a factor of the loads, or its least reserve, N.
+    /// Value of the goal: the least first slip as a factor of the loads, or the least reserve, N.
     pub(super) value: f64,
-    /// What values and gains are told as a part of: the first slip itself, or of a reserve the greatest force at rest, N.
+    /// Scale of values and gains: the first slip itself, or for a reserve the greatest force at rest, N.
     pub(super) scale: f64,
 }
 
-/// Where an ascent has ended.
+/// The end of an ascent.
 pub(super) struct Ascent<const C: usize> {
     pub(super) held: Held<C>,
     pub(super) search: SearchEnd,
-    /// Those before it included.
+    /// Steps so far, including those of earlier ascents.
     pub(super) steps: usize,
-    /// What stands in the way there.
+    /// The last step with its multipliers.
     pub(super) last: Option<LastStep<C>>,
 }
 
-/// A step, and the events and bounds that its multipliers are of.
+/// A step, and the events and bounds that its multipliers belong to.
 pub(super) struct LastStep<const C: usize> {
     pub(super) step: TrialStep,
     pub(super) events: Vec<SlipEvent<C>>,
     pub(super) bounds: Vec<Constraint>,
-    /// The contacts whose surfaces end in the bounds behind those.
+    /// The contacts of those bounds of the program that are ends of surfaces; they come after `bounds`.
     pub(super) rooms: Vec<usize>,
 }
 
-/// What is searched, for which loads.
+/// The question of the search, its loads and the grasp.
 pub(super) struct Climb<'q, const C: usize> {
     pub(super) choice: &'q Choice<'q, C>,
     pub(super) loaded: &'q Loaded<C>,
@@ -66,7 +69,7 @@ pub(super) struct Climb<'q, const C: usize> {
 }
 
 impl<const C: usize> Climb<'_, C> {
-    /// Greatest normal forces of contacts whose squeeze may change.
+    /// The greatest allowed normal forces of contacts whose squeeze may change.
     fn most(&self) -> Vec<Option<f64>> {
         let mut most = vec![None; self.choice.given.len()];
         for variable in &self.choice.variables {
@@ -77,7 +80,7 @@ impl<const C: usize> Climb<'_, C> {
         most
     }
 
-    /// A placing pressed less hard, where it presses harder than it may; `None` where it does not stick at rest.
+    /// A placing with its forces; all squeezes are reduced by a common factor if one exceeds its limit. `None` where it does not stick at rest.
     pub(super) fn held(&self, mut placing: Placing<C>) -> Result<Option<Held<C>>, Error> {
         let (Loaded { base, loads, .. }, most) = (self.loaded, self.most());
         let of = |placing: &Placing<C>| StickingForces::of(self.choice, placing, base, loads);
@@ -102,7 +105,7 @@ impl<const C: usize> Climb<'_, C> {
         self.counted(placing, sticking, &most)
     }
 
-    /// What is counted of the grasp given, pressed as it is; `None` where something slides.
+    /// Value of the grasp given, with its own commands; `None` where a contact slides.
     pub(super) fn before(&self, given: &Placing<C>) -> Result<Option<f64>, Error> {
         if self.loaded.asked.goal == ImproveGoal::FirstSlip {
             return Ok(self.loaded.first_slip(self.grasp)?.filter(|factor| *factor > 0.0));
@@ -135,7 +138,7 @@ impl<const C: usize> Climb<'_, C> {
                 let Some(factor) = factor else { return Ok(None) };
                 (factor, factor)
             }
-            // Below zero it slides under a load; how far below says where to go.
+            // A negative reserve means that a contact slides under a load. It is kept, because its gradient leads to a better place.
             ImproveGoal::Reserve => {
                 let least = events.iter().map(|event| event.value).fold(f64::INFINITY, f64::min);
                 (least, if size > 0.0 { size } else { self.choice.unit_of_force() })
@@ -144,7 +147,7 @@ impl<const C: usize> Climb<'_, C> {
         Ok(Some(Held { placing, sticking, value, scale }))
     }
 
-    /// Up from a start on the parts of surfaces that it is on, after so many steps.
+    /// Ascent from a start within its parts of surfaces, after `steps` steps.
     pub(super) fn up(&self, mut held: Held<C>, mut steps: usize) -> Result<Ascent<C>, Error> {
         let n = self.choice.variables.len();
         let (mut radius, mut curvature) = (RADII[0], Curvature::flat(n));
@@ -171,7 +174,7 @@ impl<const C: usize> Climb<'_, C> {
                 };
                 let arrived = step.residual <= ARRIVED || step.gain <= NOTHING || radius < RADII[2];
                 if arrived || steps >= self.choice.question.steps {
-                    // Curvature that was learnt elsewhere may hide where to go.
+                    // Curvature learnt elsewhere may hide an ascent direction, so that it is reset before the ascent may end.
                     if arrived && step.residual > OPTIMAL && curvature.0.amax() > 0.0 {
                         (curvature, radius) = (Curvature::flat(n), RADII[0].min(radius * 1e3));
                         continue;
@@ -201,7 +204,7 @@ impl<const C: usize> Climb<'_, C> {
         }
     }
 
-    /// The program of a step, and the contacts whose surfaces end in its last bounds.
+    /// The program of a step, and the contacts of its last bounds, which are ends of surfaces.
     fn program(
         &self,
         held: &Held<C>,
@@ -241,7 +244,7 @@ impl<const C: usize> Climb<'_, C> {
     }
 }
 
-/// By how much the gradient of events and bounds, weighed by multipliers, fell along a step.
+/// The decrease along a step of the gradient of the Lagrangian: events and bounds, weighted by their multipliers.
 fn fallen<const C: usize>(
     old: &LastStep<C>,
     (events, bounds): (&[SlipEvent<C>], &[Constraint]),
@@ -251,7 +254,7 @@ fn fallen<const C: usize>(
     let step = &old.step;
     let mut fell = DVector::zeros(step.d.len());
     for (event, share) in old.events.iter().zip(&step.events).filter(|(_, share)| **share > 0.0) {
-        // Of several alike, the one that comes next to the old one.
+        // Of several events of the same kind, the one with the nearest value.
         let same = events.iter().filter(|other| other.condition.is(&event.condition));
         let apart = |other: &&SlipEvent<C>| (other.value - event.value).abs();
         if let Some(same) = same.min_by(|a, b| apart(a).total_cmp(&apart(b))) {

@@ -1,12 +1,12 @@
-//! What steps have shown of how the binding events bend: the method of Broyden, Fletcher, Goldfarb and Shanno, damped as Powell has it, so that it stays
-//! positive semidefinite (Nocedal and Wright, Numerical Optimization, 2006, section 18.3).
+//! The curvature of the active events, learnt from steps by the method of Broyden, Fletcher, Goldfarb and Shanno. Powell's damping keeps it positive
+//! semidefinite (Nocedal and Wright, Numerical Optimization, 2006, section 18.3).
 
 use nalgebra::{DMatrix, DVector};
 
-/// Where less of the curvature told so far is confirmed, what is learnt is mixed with that.
+/// Powell's damping is applied where dᵀy is below this part of dᵀBd, with the step d and the change y of the gradient.
 const CONFIRMED: f64 = 0.2;
 
-/// Starts flat: the first steps are those of a linear program.
+/// The matrix B. It starts at zero, so that the first steps are those of a linear program.
 pub(super) struct Curvature(pub(super) DMatrix<f64>);
 
 impl Curvature {
@@ -14,7 +14,7 @@ impl Curvature {
         Self(DMatrix::zeros(size, size))
     }
 
-    /// After a step along which the gradient of what is least, with the multipliers as weights, fell by so much.
+    /// Updates B after a step along which the gradient of the Lagrangian (events and bounds, weighted by their multipliers) decreased by `fell`.
     pub(super) fn learn(&mut self, step: &DVector<f64>, fell: &DVector<f64>) {
         let length = step.norm_squared();
         if length == 0.0 {

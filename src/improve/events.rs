@@ -1,7 +1,7 @@
-//! When each condition of each contact is broken under each load, or what is left of it, and how that changes.
+//! The value of each condition of each contact under each load, and its derivative.
 //!
-//! A condition of a force is `a·F >= 0`: of friction `a = (μ, ∓1)` in the plane, `(μ, -cos φ, -sin φ)` at every angle φ in space; without
-//! friction, or with friction without limit, `a = (1, 0…)`.
+//! A condition of a force is `a·F >= 0`. With friction `a = (μ, ∓1)` in the plane, and `a = (μ, -cos φ, -sin φ)` for every angle φ in space. With
+//! zero or infinite friction `a = (1, 0…)`.
 
 use core::f64::consts::{PI, TAU};
 
@@ -12,33 +12,34 @@ use super::sticking::{BySource, FrameForces, StickingForces};
 use crate::grasp::{Contact, Hold};
 use crate::prelude::*;
 
-/// A friction force below this part of the normal force has no direction.
+/// A friction force below this part of the normal force has no reliable direction, so that several directions are used.
 const NO_FRICTION: f64 = 1e-9;
-/// At the tip of the round cone so many of its conditions stand for all of them.
+/// Number of conditions that represent the round cone at its tip, where all of them are equally close.
 const AT_THE_TIP: usize = 8;
-/// Of a force of any direction the worst angle of a round cone is looked for among so many, and found in so many steps of halving.
+/// For a force of any direction, the value is sampled at this number of angles of the round cone, and the least one is refined.
 const ANGLES: usize = 36;
+/// Steps of the golden section in that refinement.
 const HALVINGS: usize = 60;
 
 /// One condition of one contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct ConeRow<const C: usize> {
-    /// From 0; `None` for a force of any direction.
+    /// Index of the load; `None` for a force of any direction.
     pub(super) load: Option<usize>,
     pub(super) contact: usize,
-    /// Which of the conditions of this contact and load.
+    /// Number of the condition among those of this contact and load.
     pub(super) number: usize,
     row: SVector<f64, C>,
 }
 
 impl<const C: usize> ConeRow<C> {
-    /// Whether both are of one kind, at places nearby.
+    /// Whether both are the same condition, at places that may differ.
     pub(super) fn is(&self, other: &Self) -> bool {
         (self.load, self.contact, self.number) == (other.load, other.contact, other.number)
     }
 }
 
-/// A condition, what the goal counts of it – the factor of the loads at which it is broken, or what is left, N –, and its derivative by each variable.
+/// A condition, its value (the factor of the loads at which it is broken, or the reserve, N) and the derivatives of the value by each variable.
 #[derive(Debug, Clone)]
 pub(super) struct SlipEvent<const C: usize> {
     pub(super) condition: ConeRow<C>,
@@ -46,7 +47,7 @@ pub(super) struct SlipEvent<const C: usize> {
     pub(super) gradient: DVector<f64>,
 }
 
-/// Something that has to stay from 0, N, and its derivative by each variable.
+/// A quantity that must stay at or above zero, `left` in N, and its derivatives by each variable.
 #[derive(Debug, Clone)]
 pub(super) struct Constraint {
     pub(super) contact: usize,
@@ -57,13 +58,13 @@ pub(super) struct Constraint {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum ConstraintKind {
-    /// At rest it sticks.
+    /// The contact sticks at rest.
     Sticks,
-    /// At rest it does not press harder than it may.
+    /// The contact at rest presses at most with its greatest allowed force.
     Force,
 }
 
-/// The conditions of a contact that do not depend on its force; `None` of a round cone.
+/// The conditions of a contact that do not depend on its force; `None` for a round cone, where they do.
 fn rows<const C: usize>(contact: &Contact<C>) -> Option<Vec<SVector<f64, C>>> {
     let row = |tangential: f64| SVector::from_fn(|k, _| [contact.friction, tangential][k.min(1)]);
     let normal = SVector::from_fn(|k, _| if k == 0 { 1.0 } else { 0.0 });
@@ -81,7 +82,7 @@ fn round<const C: usize>(mu: f64, angle: f64) -> SVector<f64, C> {
     SVector::from_fn(|k, _| [mu, -cos, -sin][k])
 }
 
-/// The condition of a round cone that a force is nearest to breaking, or some of all around where it has no friction.
+/// The condition of a round cone with the least margin for a force. Without friction force, [`AT_THE_TIP`] conditions all around.
 fn worst<const C: usize>(mu: f64, force: &SVector<f64, C>) -> Vec<SVector<f64, C>> {
     let friction = force.rows(1, C - 1).norm();
     if friction > NO_FRICTION * force[0].abs() {
@@ -103,7 +104,7 @@ fn leaves<const C: usize>(mu: f64, force: &SVector<f64, C>, rate: &SVector<f64, 
     (first >= 0.0 && first.is_finite() && (a < 0.0 || b * b >= a * c && b < 0.0)).then_some(first)
 }
 
-/// What is asked of the forces.
+/// The value to compute from forces, and the kind of loads.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct AskedOfForces {
     pub(super) goal: ImproveGoal,
@@ -114,11 +115,11 @@ pub(super) struct AskedOfForces {
 pub(super) enum Acts {
     /// Each load, one at a time.
     Each,
-    /// A force of any direction: loads are its parts along the axes.
+    /// A force of any direction: the loads are its components along the axes.
     AnyForce,
 }
 
-/// A contact with its force at rest, and how forces change for one unit of each variable.
+/// A contact with its force at rest, and the derivatives of all forces by one unit of each variable.
 struct Pressed<'a, const C: usize> {
     number: usize,
     contact: &'a Contact<C>,
@@ -132,12 +133,12 @@ impl<const C: usize> Pressed<'_, C> {
         DVector::from_iterator(self.derivatives.len(), self.derivatives.iter().map(f))
     }
 
-    /// How its force at rest changes.
+    /// The change of its force at rest by one unit of a variable.
     fn change(&self, d: &BySource<FrameForces<C>>) -> SVector<f64, C> {
         d.rest[self.number] + d.squeeze[self.number]
     }
 
-    /// What has to stay at rest.
+    /// The constraints on the contact at rest.
     fn constraints(&self, most: Option<f64>) -> Vec<Constraint> {
         let constraint = |kind, row: &SVector<f64, C>, left| {
             let gradient = self.by_variable(&|d| row.dot(&self.change(d)));
@@ -153,7 +154,8 @@ impl<const C: usize> Pressed<'_, C> {
         all
     }
 
-    /// An event of each condition, if the load breaks it, which adds so much to what is left; how that changes, for one unit of a variable.
+    /// An event for each condition that the load can break. `added` is the part that the load adds to its margin, `added_changes` the change of that
+    /// by one unit of a variable.
     fn events(
         &self,
         load: Option<usize>,
@@ -173,7 +175,7 @@ impl<const C: usize> Pressed<'_, C> {
         rows.into_iter().enumerate().filter_map(event).collect()
     }
 
-    /// Under one load, of which it has this rate.
+    /// Events under one load, under which the force changes by `rate`.
     fn under(&self, load: usize, rate: &SVector<f64, C>) -> Vec<SlipEvent<C>> {
         let rows = rows(self.contact).unwrap_or_else(|| {
             let mu = self.contact.friction;
@@ -186,12 +188,12 @@ impl<const C: usize> Pressed<'_, C> {
         self.events(Some(load), rows, &|row| row.dot(rate), &|row, d| row.dot(&d.loads[load][self.number]))
     }
 
-    /// Under a force of any direction, whose parts along the axes are these loads.
+    /// Events under a force of any direction, whose components along the axes are `loads`.
     fn under_any_force(&self, loads: &[FrameForces<C>]) -> Vec<SlipEvent<C>> {
         let felt = |row: &SVector<f64, C>, loads: &[FrameForces<C>]| {
             SVector::<f64, C>::from_fn(|k, _| row.dot(&loads[k][self.number]))
         };
-        // In the worst direction it takes all that is felt of it.
+        // The worst direction reduces the margin by the norm of its gradient.
         let added = |row: &SVector<f64, C>| -felt(row, loads).norm();
         let mu = self.contact.friction;
         let rows = rows(self.contact).unwrap_or_else(|| {
@@ -207,7 +209,7 @@ impl<const C: usize> Pressed<'_, C> {
     }
 }
 
-/// All events and constraints of a placing; `most` has the greatest normal force of each contact that has one.
+/// All events and constraints of a placing; `most` has the greatest allowed normal force of each contact, if it has one.
 pub(super) fn events<const C: usize>(
     contacts: &[Contact<C>],
     asked: AskedOfForces,
@@ -232,14 +234,14 @@ pub(super) fn events<const C: usize>(
     (all, constraints)
 }
 
-/// Angles of all minima of a function of an angle.
+/// The angles of all local minima of a periodic function of an angle.
 fn worst_angles(of: &dyn Fn(f64) -> f64) -> Vec<f64> {
     let step = TAU / ANGLES as f64;
     let values: Vec<f64> = (0..ANGLES).map(|k| of(step * k as f64)).collect();
     let lowest =
         |k: &usize| values[*k] <= values[(k + ANGLES - 1) % ANGLES] && values[*k] < values[(k + 1) % ANGLES];
     let refine = |k: usize| {
-        // Between its neighbours, by the golden section.
+        // The neighbours enclose the minimum for a golden section.
         let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
         let (mut from, mut to) = (step * (k as f64 - 1.0), step * (k as f64 + 1.0));
         for _ in 0..HALVINGS {

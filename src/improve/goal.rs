@@ -1,24 +1,24 @@
-//! What is to be as large as possible.
+//! The value that fingers are placed for.
 //!
-//! A condition `a·F >= 0` has so much left at rest, `r = a·F⁰`, and a load adds `s = a·F¹`, as a rule less than nothing. Either it is asked how many
-//! times the load takes all of it, `r + τ s = 0`, or what the load leaves of it, `r + s`.
+//! A condition `a·F >= 0` has the margin `r = a·F⁰` at rest, and a load adds `s = a·F¹`, usually negative. The first slip asks for the factor of the
+//! load that takes all of the margin, `r + τ s = 0`. The reserve asks for the margin under the load, `r + s`.
 
-/// What is to be as large as possible where fingers are improved: the least of all loads.
+/// The value to be maximised where fingers are improved; it is the least over all loads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum ImproveGoal {
-    /// The first slip: how many times the loads it takes until something slides or opens. For loads that may become larger than they are known to be.
+    /// The first slip: the factor of the loads at which a contact slides or opens. For loads that may become larger than expected.
     #[default]
     FirstSlip,
-    /// Friction in reserve while each load acts in full, N: the [margin](crate::equilibrium::ContactAnswer::margin) of the contact that has
-    /// least, of one without friction or with friction without limit its normal force. For loads that are known, and disturbances that are not.
+    /// Friction in reserve while each load acts in full, N: the least [margin](crate::equilibrium::ContactAnswer::margin) of all contacts. For a
+    /// contact with zero or infinite friction it is the normal force. For loads that are known, with disturbances that are not.
     Reserve,
 }
 
 impl ImproveGoal {
-    /// What it counts of a condition that has so much left at rest, to which a load adds so much; `None` where the load never breaks it.
+    /// The value of a condition with margin `rest` at rest, to which a load adds `added`; `None` where the load never breaks the condition.
     pub(super) fn counts(self, rest: f64, added: f64) -> Option<f64> {
         let counted = match self {
             Self::FirstSlip => (added < 0.0).then(|| -rest / added),
@@ -27,7 +27,7 @@ impl ImproveGoal {
         counted.filter(|value| value.is_finite())
     }
 
-    /// How that changes with what is left, and what is added.
+    /// The derivative of the value, from those of the margin at rest and of the part that the load adds.
     pub(super) fn change(self, value: f64, added: f64, [rest_changes, added_changes]: [f64; 2]) -> f64 {
         match self {
             Self::FirstSlip => -(rest_changes + value * added_changes) / added,

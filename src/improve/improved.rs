@@ -14,18 +14,17 @@ use crate::numerics::{Draw, in_order};
 use crate::prelude::*;
 use crate::squeeze::Loads;
 
-/// For each start so many places are drawn, of which the best are gone up from.
+/// Number of random placings per start; the best of them become starts.
 const DRAWN_FOR_EACH: usize = 24;
-/// A start has to end this part above those before it to be taken: rounding would choose among equals.
+/// The value of an ascent must exceed the earlier ones by this part to replace them; otherwise rounding would choose among equals.
 const BETTER: f64 = 1e-9;
-/// Multipliers below this part of their unit are rounding.
+/// Multipliers below this are rounding, in the units of the step program; they are not reported.
 const SEEN: f64 = 1e-7;
 
 impl<const C: usize> Improve<C> {
-    /// Where should the fingers of this grasp be, and how hard should they press, so that the first slip comes as late as possible, or most
-    /// friction is left?
+    /// Finds places and squeezes of the fingers of this grasp for which the first slip comes as late as possible, or most friction is left.
     ///
-    /// On the round cone in space. The same bits for any number of threads.
+    /// Friction cones are round in space. The result has the same bits for any number of threads.
     ///
     /// ```
     /// use grasp_lcp::improve::{Improve, Surface};
@@ -49,8 +48,9 @@ impl<const C: usize> Improve<C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Surface`] for a surface that is none, or that a contact does not lie on; [`Error::Wrench`], [`Error::Argument`], [`Error::Contact`] and
-    /// [`Error::Question`] for loads, forces and contacts that are not for it; [`Error::NotForHands`] for a grasp by a hand.
+    /// [`Error::Surface`] for an invalid surface, or for a contact that does not lie on its surface. [`Error::Wrench`], [`Error::Argument`],
+    /// [`Error::Contact`] and [`Error::Question`] for loads, forces and contacts that this search does not accept. [`Error::NotForHands`] for a grasp
+    /// by a hand.
     #[doc(alias = "grasp synthesis", alias = "fixture design", alias = "optimise", alias = "best grasp")]
     pub fn answered_by(&self, grasp: &Grasp<C>) -> Result<Improved<C>, Error> {
         self.check(grasp)?;
@@ -64,7 +64,7 @@ impl<const C: usize> Improve<C> {
         let numbers: Vec<u64> = (0..(self.starts * DRAWN_FOR_EACH) as u64).collect();
         let drawn = in_order(&numbers, &|number| {
             let drawn = choice.drawn(&given, &mut Draw::new([self.seed, *number, IMPROVE]));
-            // Its forces are not kept: of thousands they would take room.
+            // Only places are kept here: the forces of thousands of them would take much memory.
             Ok::<_, Error>(climb.held(drawn)?.map(|held| (held.value, held.placing)))
         });
         let mut drawn: Vec<_> =
@@ -118,10 +118,10 @@ impl<const C: usize> Improve<C> {
 }
 
 impl<const C: usize> Improved<C> {
-    /// The grasp that was given, with contacts placed and commanded as they are here.
+    /// The given grasp with the places and commands of this answer.
     ///
     /// # Errors
-    /// [`Error::Size`] if that is of another number of contacts.
+    /// [`Error::Size`] if the grasp has another number of contacts than the answer.
     pub fn placed(&self, grasp: &Grasp<C>) -> Result<Grasp<C>, Error> {
         let (given, expected) = (self.contacts.len(), grasp.len());
         if given != expected {
@@ -137,7 +137,7 @@ impl<const C: usize> Improved<C> {
     }
 }
 
-/// Sets the places that are drawn apart from those of others.
+/// Seeds random placings apart from the random numbers of other questions.
 const IMPROVE: u64 = 48;
 
 fn placed<const C: usize>(choice: &Choice<'_, C>, held: &Held<C>) -> Vec<Placed<C>> {

@@ -1,4 +1,4 @@
-//! The loads of a question, and what they do to the grasp itself.
+//! The loads of a question, and the first slip of the given grasp under them.
 
 use super::events::{Acts, AskedOfForces};
 use super::question::Improve;
@@ -9,7 +9,7 @@ use crate::load_path::{Onset, Ramp};
 use crate::prelude::*;
 use crate::squeeze::{Loads, WeakestDirection};
 
-/// The loads of a question, what acts at rest, and what is counted.
+/// The loads of a question, the load at rest, and the value that is computed from the forces.
 pub(super) struct Loaded<const C: usize> {
     pub(super) base: Wrench<C>,
     pub(super) loads: Vec<Wrench<C>>,
@@ -37,7 +37,7 @@ impl<const C: usize> Loaded<C> {
         }
     }
 
-    /// The least first slip of a grasp; `None` where something slides at rest, or nothing holds.
+    /// The least first slip of a grasp; `None` where a contact slides at rest, or nothing holds.
     pub(super) fn first_slip(&self, grasp: &Grasp<C>) -> Result<Option<f64>, Error> {
         if let Some((point, size)) = self.any {
             return Ok(match grasp.weakest_direction(&self.base, point)? {

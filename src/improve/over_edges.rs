@@ -1,7 +1,7 @@
-//! From part to part of a surface where those meet: over the edges of a mesh, and the corners of a polyline.
+//! Ascent across the edges of a mesh and the corners of a polyline.
 //!
-//! Normals jump there, so that no derivative tells what lies beyond. Fingers that stand at the end of their part are put on the parts beside it, one by
-//! one and all at once, and go up from there as far as that leads. They stay if they have gained in the end.
+//! Normals jump there, so that derivatives on one side say nothing about the other. Fingers at the end of their part are moved to the adjacent parts,
+//! one by one and all at once, and the ascent continues from there. The new place is kept if the value has grown in the end.
 
 use super::ascent::{Ascent, Climb, Held};
 use super::placing::Placing;
@@ -9,11 +9,11 @@ use super::spot::Spot;
 use crate::error::Error;
 use crate::prelude::*;
 
-/// What is gained has to be this part of the scale of values: rounding would lead to and fro.
+/// The required gain, relative to the scale of values. A smaller one would let rounding move contacts back and forth.
 const GAINED: f64 = 1e-9;
 
 impl<const C: usize> Climb<'_, C> {
-    /// Up from a start, and from part to part as long as that gains and there are steps left.
+    /// Ascent from a start, and on from part to part as long as the value grows and steps are left.
     pub(super) fn over_edges(&self, held: Held<C>) -> Result<Ascent<C>, Error> {
         let mut best = self.up(held, 0)?;
         let mut steps = best.steps;
@@ -24,7 +24,7 @@ impl<const C: usize> Climb<'_, C> {
         Ok(best)
     }
 
-    /// An ascent from the parts beside one that has ended, if it leads to more.
+    /// The ascent from an adjacent part, if it ends at a larger value.
     fn beyond(&self, ended: &Ascent<C>, steps: &mut usize) -> Result<Option<Ascent<C>>, Error> {
         let here = &ended.held;
         for placing in self.beside(&here.placing) {
@@ -41,7 +41,8 @@ impl<const C: usize> Climb<'_, C> {
         Ok(None)
     }
 
-    /// The placing with each finger at the end of its part put on each part beside it, and with all of them on the first ones.
+    /// Placings with one finger moved from the end of its part to an adjacent part, and one placing with all such fingers moved to their first
+    /// adjacent part.
     fn beside(&self, from: &Placing<C>) -> Vec<Placing<C>> {
         let others = self.choice.question.surfaces.iter().map(|(contact, surface)| {
             let spot = from.spots[*contact].as_ref();

@@ -1,4 +1,4 @@
-//! What each curve or surface is at a place of it, which place is next to a point, and places drawn evenly.
+//! The geometry of each curve or surface at one place, the place nearest to a point, and uniformly random places.
 
 use nalgebra::SVector;
 
@@ -10,21 +10,21 @@ pub(super) fn unit_direction<const C: usize>(to: &SVector<f64, C>) -> [f64; 3] {
     core::array::from_fn(|k| to.get(k).copied().unwrap_or(0.0))
 }
 
-/// What a surface is at a place.
+/// The geometry of a surface at one place.
 pub(super) struct There<const C: usize> {
-    /// m.
+    /// The place, m.
     pub(super) point: SVector<f64, C>,
     /// Unit normal.
     pub(super) normal: SVector<f64, C>,
-    /// Unit directions to go.
+    /// Unit tangent directions.
     pub(super) along: Vec<SVector<f64, C>>,
-    /// How far the normal turns along each, 1/m.
+    /// Change of the normal per metre along each direction, 1/m.
     pub(super) bends: Vec<f64>,
-    /// Ends of the surface, each as what a step along the directions takes of the way there, and that way, m.
+    /// Distances to the ends of the surface: a step with `row·step <= room` (m, along the directions) stays on it.
     pub(super) rooms: Vec<([f64; 2], f64)>,
 }
 
-/// At a right angle to one direction in the plane, or to two in space.
+/// The unit vector at a right angle to one direction in the plane, or to two in space.
 fn across<const C: usize>(along: &[SVector<f64, C>]) -> SVector<f64, C> {
     let a = &along[0];
     if C == 2 {
@@ -34,7 +34,7 @@ fn across<const C: usize>(along: &[SVector<f64, C>]) -> SVector<f64, C> {
     SVector::from_fn(|k, _| a[(k + 1) % C] * b[(k + 2) % C] - a[(k + 2) % C] * b[(k + 1) % C])
 }
 
-/// Two directions at right angles to a third one, in space.
+/// Two unit directions at right angles to a third one, in space.
 fn both_across<const C: usize>(axis: &SVector<f64, C>) -> [SVector<f64, C>; 2] {
     let mut least = SVector::zeros();
     least[axis.iamin()] = 1.0;
@@ -42,14 +42,14 @@ fn both_across<const C: usize>(axis: &SVector<f64, C>) -> [SVector<f64, C>; 2] {
     [first, across(&[*axis, first])]
 }
 
-/// A place of a triangle, in its frame.
+/// A place on a triangle, at coordinates in its frame.
 fn on_triangle<const C: usize>(corners: &[SVector<f64, C>; 3], [a, b]: [f64; 2]) -> There<C> {
     let [x, y] = frame(corners);
     let point = corners[0] + x * a + y * b;
     let (along, normal) = (vec![x, y], across(&[x, y]));
     let room = |k: usize| {
         let (from, to) = (corners[k], corners[(k + 1) % 3]);
-        // Corners go around counterclockwise in their frame: outward is to the right of each side.
+        // Corners run counterclockwise in their frame, so that outward is to the right of each side.
         let out = across(&[(to - from).normalize(), normal]);
         ([out.dot(&x), out.dot(&y)], -out.dot(&(point - from)))
     };
@@ -77,7 +77,7 @@ impl<const C: usize> Surface<C> {
         }
     }
 
-    /// The largest coordinate of a corner at which parts meet, m; places there are rounded as a part of it.
+    /// The largest coordinate of a corner at which parts meet, m. The rounding of places is relative to it.
     pub(super) fn largest(&self) -> f64 {
         let of = |corners: &[SVector<f64, C>]| corners.iter().map(SVector::amax).fold(0.0, f64::max);
         match &self.0 {
@@ -119,7 +119,7 @@ impl<const C: usize> Surface<C> {
                 let speed = first.norm();
                 let along = vec![first / speed];
                 let normal = across(&along);
-                // n·p' = 0 for all parameters.
+                // This follows from the derivative of n·p' = 0 by the parameter.
                 let bends = vec![-normal.dot(&second) / (speed * speed)];
                 let open = !spline.is_closed();
                 let rooms =
@@ -158,7 +158,7 @@ impl<const C: usize> Surface<C> {
         }
     }
 
-    /// Coordinates of the place of a part next to a point.
+    /// Coordinates of the place of a part that is nearest to a point.
     pub(super) fn nearest_of(&self, part: usize, point: &SVector<f64, C>) -> [f64; 3] {
         match &self.0 {
             Shape::Segments(parts) => {
@@ -215,7 +215,7 @@ impl<const C: usize> Surface<C> {
         }
     }
 
-    /// Coordinates of a part, evenly over it, from two numbers between 0 and 1.
+    /// Coordinates of a place on a part, uniformly distributed if u and v are uniform between 0 and 1.
     pub(super) fn drawn(&self, part: usize, [u, v]: [f64; 2]) -> [f64; 3] {
         let turn = core::f64::consts::TAU;
         match &self.0 {

@@ -1,4 +1,4 @@
-//! A choice of places and squeezes, and the grasp that it makes.
+//! Values of places and squeezes, and the grasp with these values.
 
 use nalgebra::SVector;
 
@@ -10,48 +10,49 @@ use crate::grasp::{Contact, Hold};
 use crate::numerics::Draw;
 use crate::prelude::*;
 
-/// A point that lies off its surface by more than this part of the size of its coordinates is refused, and so is a normal by more than this angle, rad.
+/// Largest distance of a point from its surface relative to the size of its coordinates, and largest angle of its normal to that of the surface, rad.
+/// Beyond it the contact is refused.
 const OFF: f64 = 1e-6;
 
-/// One number that may change.
+/// One variable of the search.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct DesignVariable {
     pub(super) contact: usize,
     pub(super) what: DesignKind,
-    /// What counts as one in a step: m, N.
+    /// The unit of the variable in a step: m, N.
     pub(super) unit: f64,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum DesignKind {
-    /// Its place, along a direction of its spot.
+    /// The place of the contact, along a tangent direction of its spot.
     Along(usize),
-    /// The force that it is told to press with, from 0 to so much, N.
+    /// The force that its command presses with, from 0 to `most`, N.
     Press { most: f64 },
 }
 
-/// What may change of a grasp, and what stays.
+/// The variables of the search, and the data that stay fixed.
 #[derive(Debug)]
 pub(super) struct Choice<'q, const C: usize> {
     pub(super) question: &'q Improve<C>,
     pub(super) given: Vec<Contact<C>>,
-    /// The first tangents given.
+    /// The first tangents of the given contacts.
     tangents: Vec<SVector<f64, C>>,
     pub(super) variables: Vec<DesignVariable>,
 }
 
-/// Values of what may change.
+/// Values of all variables.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Placing<const C: usize> {
     pub(super) spots: Vec<Option<Spot<C>>>,
     /// The first tangents of all contacts.
     pub(super) tangents: Vec<SVector<f64, C>>,
-    /// Of contacts whose squeeze may change, N.
+    /// Pressing forces of contacts whose squeeze may change, N.
     pub(super) presses: Vec<Option<f64>>,
 }
 
 impl<'q, const C: usize> Choice<'q, C> {
-    /// With the placing that is given. A contact that does not lie on its surface is refused.
+    /// The variables of a question, and their values in the given grasp. A contact that does not lie on its surface is refused.
     pub(super) fn of(grasp: &Grasp<C>, question: &'q Improve<C>) -> Result<(Self, Placing<C>), Error> {
         let given = grasp.contacts().to_vec();
         let tangents: Vec<SVector<f64, C>> =
@@ -95,7 +96,7 @@ impl<'q, const C: usize> Choice<'q, C> {
         Ok((choice, Placing { spots, tangents, presses }))
     }
 
-    /// A placing drawn anywhere, everything pressed as hard as it may.
+    /// A random placing, with every variable squeeze at its limit.
     pub(super) fn drawn(&self, from: &Placing<C>, draw: &mut Draw) -> Placing<C> {
         let mut placing = from.clone();
         for (contact, surface) in &self.question.surfaces {
@@ -109,7 +110,7 @@ impl<'q, const C: usize> Choice<'q, C> {
         placing
     }
 
-    /// With one contact elsewhere.
+    /// The placing with one contact moved to another spot.
     pub(super) fn put(&self, from: &Placing<C>, contact: usize, spot: Spot<C>) -> Placing<C> {
         let mut placing = from.clone();
         placing.tangents[contact] = self.tangent(contact, &from.tangents[contact], Some(&spot));
@@ -117,7 +118,7 @@ impl<'q, const C: usize> Choice<'q, C> {
         placing
     }
 
-    /// Where a step leads, in units of each variable.
+    /// The placing after a step, given in units of each variable.
     pub(super) fn moved(&self, from: &Placing<C>, step: &[f64]) -> Placing<C> {
         let mut placing = from.clone();
         for (contact, surface) in &self.question.surfaces {
@@ -141,7 +142,7 @@ impl<'q, const C: usize> Choice<'q, C> {
         placing
     }
 
-    /// The first tangent of a frame that has come along without turning about its normal.
+    /// The first tangent of a frame that follows its normal without turning about it.
     fn tangent(&self, contact: usize, from: &SVector<f64, C>, spot: Option<&Spot<C>>) -> SVector<f64, C> {
         let Some(normal) = spot.map(|spot| spot.normal) else { return *from };
         if C == 2 {
@@ -159,7 +160,7 @@ impl<'q, const C: usize> Choice<'q, C> {
         (axis - normal * normal.dot(&axis)).normalize()
     }
 
-    /// What counts as one newton among forces: the greatest one that a contact may press with.
+    /// The unit of forces: the greatest force that a contact may press with, 1 N if none may change.
     pub(super) fn unit_of_force(&self) -> f64 {
         let press = |variable: &DesignVariable| {
             if let DesignKind::Press { most } = variable.what { most } else { 0.0 }

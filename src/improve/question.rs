@@ -1,4 +1,4 @@
-//! What may change, for which loads.
+//! The question: loads, the variables of the search, and its limits.
 
 use alloc::collections::BTreeMap;
 
@@ -9,20 +9,21 @@ use crate::error::{Error, Field, MODERATE, is_moderate};
 use crate::grasp::{Hold, Wrench};
 use crate::squeeze::Loads;
 
-/// More starts take minutes for what a few tell.
+/// Upper limit of the number of starts; more would take minutes and hardly find anything better.
 const MOST_STARTS: usize = 1_000;
 
-/// Which loads are to slide as late as possible, or to leave most friction, which contacts may move along what, and how hard they may press. Checked when
-/// it is asked.
+/// The question where fingers should be: the loads, the goal, the contacts that may move along a surface, and the limits of forces. It is checked
+/// when it is asked.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Improve<const C: usize> {
     pub(super) loads: Loads<C>,
-    /// What acts besides, however large the loads are.
+    /// A load that acts in addition and does not grow.
     pub(super) base: Wrench<C>,
     pub(super) goal: ImproveGoal,
     pub(super) surfaces: BTreeMap<usize, Surface<C>>,
-    /// The greatest force of contacts that have one of their own, and of all others.
+    /// The greatest allowed force of contacts with a limit of their own.
     pub(super) most: BTreeMap<usize, f64>,
+    /// The greatest allowed force of all other contacts.
     pub(super) most_of_all: Option<f64>,
     pub(super) starts: usize,
     pub(super) steps: usize,
@@ -30,7 +31,7 @@ pub struct Improve<const C: usize> {
 }
 
 impl<const C: usize> Improve<C> {
-    /// So that the least first slip of these loads comes as late as possible: each grows in proportion, one at a time, or a force of any direction.
+    /// Asks for the latest first slip under these loads: each grows in proportion, one at a time, or a force of any direction grows.
     #[must_use]
     pub fn new(loads: impl Into<Loads<C>>) -> Self {
         Self {
@@ -46,14 +47,14 @@ impl<const C: usize> Improve<C> {
         }
     }
 
-    /// Beside a load that is there at rest: the weight of the object, when a push is to slide late.
+    /// Adds a load that acts at rest, such as the weight of the object where a push is to slide late.
     #[must_use]
     pub fn on_top_of(mut self, base: Wrench<C>) -> Self {
         self.base = base;
         self
     }
 
-    /// With another goal than a late first slip.
+    /// Sets another goal than a late first slip.
     ///
     /// ```
     /// use grasp_lcp::improve::{Improve, ImproveGoal, Surface};
@@ -76,55 +77,55 @@ impl<const C: usize> Improve<C> {
         self
     }
 
-    /// A contact, from 0, that may move along a curve or surface, on which it has to lie; its normal follows.
+    /// Lets contact `contact` (from 0) move along a curve or surface, on which it has to lie; its normal follows.
     #[must_use]
     pub fn along(mut self, contact: usize, surface: Surface<C>) -> Self {
         self.surfaces.insert(contact, surface);
         self
     }
 
-    /// All contacts may press with another force than is given, up to this one, N: that which they are [told to press
-    /// with](crate::grasp::Contact::pressed_with), and the normal force at rest that comes of it. Without it commands stay as they are.
+    /// Lets all contacts press with another force than given, up to `force`, N. The limit applies to the force that they are [commanded to press
+    /// with](crate::grasp::Contact::pressed_with) and to the normal force at rest that results. Without it commands stay as given.
     #[must_use]
     pub fn pressing_at_most(mut self, force: f64) -> Self {
         self.most_of_all = Some(force);
         self
     }
 
-    /// One contact, from 0, that may press with another force than is given, up to this one, N.
+    /// Lets one contact (from 0) press with another force than given, up to `force`, N.
     #[must_use]
     pub fn contact_pressing_at_most(mut self, contact: usize, force: f64) -> Self {
         self.most.insert(contact, force);
         self
     }
 
-    /// From so many starts beside the grasp given (default 8): the best of many that are scattered over the surfaces.
+    /// Sets the number of starts beside the given grasp (default 8). They are the best of many random placings on the surfaces.
     #[must_use]
     pub fn with_starts(mut self, starts: usize) -> Self {
         self.starts = starts;
         self
     }
 
-    /// With so many steps from each start at most, those refused included (default 200).
+    /// Sets the largest number of steps from each start, including refused ones (default 200).
     #[must_use]
     pub fn with_steps(mut self, steps: usize) -> Self {
         self.steps = steps;
         self
     }
 
-    /// With other starts: they depend on nothing but this number (default 0).
+    /// Sets the seed (default 0). Random starts depend on nothing else.
     #[must_use]
     pub fn with_seed(mut self, seed: u64) -> Self {
         self.seed = seed;
         self
     }
 
-    /// The greatest force of a contact, if it may press with another one than is given.
+    /// The greatest allowed force of a contact, if its squeeze may change.
     pub(super) fn most_of(&self, contact: usize) -> Option<f64> {
         self.most.get(&contact).copied().or(self.most_of_all)
     }
 
-    /// Refuses numbers out of range, loads that turn, and what does not stick alone.
+    /// Refuses numbers out of range, loads that turn, soft fingertips as variables, suction and questions without variables.
     pub(crate) fn check(&self, grasp: &Grasp<C>) -> Result<(), Error> {
         grasp.refuse_hands("improve")?;
         self.base.check("base load")?;

@@ -1,10 +1,10 @@
-//! A cubic spline through points, whose second derivative is continuous: normals and curvatures change without a jump.
+//! A cubic spline through points with a continuous second derivative, so that normals and curvatures have no jumps.
 
 use nalgebra::{DMatrix, SVector};
 
 use crate::prelude::*;
 
-/// Points, the parameters at which they are met, and second derivatives there.
+/// Points, their parameters, and the second derivatives there.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Spline<const C: usize> {
     points: Vec<SVector<f64, C>>,
@@ -14,7 +14,7 @@ pub(crate) struct Spline<const C: usize> {
 }
 
 impl<const C: usize> Spline<C> {
-    /// Of points that follow each other; a closed one comes back to the first.
+    /// The spline through consecutive points; a closed one returns to the first.
     pub(super) fn through(mut points: Vec<SVector<f64, C>>, closed: bool) -> Self {
         let closed = closed && points.len() > 2;
         if let (true, Some(first)) = (closed, points.first().copied()) {
@@ -30,7 +30,7 @@ impl<const C: usize> Spline<C> {
         spline
     }
 
-    /// Second derivatives such that first ones have no jump.
+    /// Computes second derivatives for which the first derivatives are continuous.
     fn bend(&mut self) {
         let n = self.points.len();
         if n < 3 {
@@ -62,13 +62,13 @@ impl<const C: usize> Spline<C> {
         &self.points
     }
 
-    /// Those that were given: a closed one has its first point twice.
+    /// The points that were given, without the second copy of the first point of a closed spline.
     #[cfg(feature = "serde")]
     pub(crate) fn given(&self) -> &[SVector<f64, C>] {
         &self.points[..self.points.len() - usize::from(self.closed)]
     }
 
-    /// Of points that follow each other; zero of fewer than two.
+    /// The least distance of consecutive points; zero for fewer than two.
     pub(super) fn least_distance(&self) -> f64 {
         let least = self.at.windows(2).map(|ends| ends[1] - ends[0]).fold(f64::INFINITY, f64::min);
         if self.points.len() < 2 { 0.0 } else { least }
@@ -83,7 +83,7 @@ impl<const C: usize> Spline<C> {
         self.closed
     }
 
-    /// This parameter on the spline: around a closed one, at the end of an open one.
+    /// The parameter mapped onto the spline: modulo its length if closed, clamped if open.
     pub(super) fn within(&self, t: f64) -> f64 {
         if self.closed { t.rem_euclid(self.end()) } else { t.clamp(0.0, self.end()) }
     }
@@ -99,7 +99,7 @@ impl<const C: usize> Spline<C> {
         [point, first, (a * right + b * left) / h]
     }
 
-    /// The parameter of the point next to one.
+    /// The parameter of the point nearest to another one.
     pub(super) fn nearest(&self, point: &SVector<f64, C>) -> f64 {
         let pieces = (self.at.len() - 1) * PER_PIECE;
         let t = |k: usize| self.end() * k as f64 / pieces as f64;
@@ -120,6 +120,7 @@ impl<const C: usize> Spline<C> {
     }
 }
 
-/// The nearest point is looked for among so many of each piece, and found from there by so many steps of Newton's method.
+/// Number of samples per piece; the nearest of them starts Newton's method.
 const PER_PIECE: usize = 32;
+/// Upper limit of Newton's steps for the nearest point.
 const NEWTON: usize = 30;

@@ -1,4 +1,4 @@
-//! A place on a curve or surface: its normal, directions to go, how it bends there, and how far it goes.
+//! A place on a curve or surface: its normal, tangent directions, curvature, and distance to the ends.
 
 use nalgebra::SVector;
 
@@ -7,19 +7,19 @@ use super::surface::{Shape, Surface};
 use crate::numerics::Draw;
 use crate::prelude::*;
 
-/// A place on a part of a surface. Coordinates there are those of the part: lengths or angles, of a sphere a unit direction.
+/// A place on a part of a surface. Its coordinates `at` are those of the part: lengths or angles, and on a sphere a unit direction.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Spot<const C: usize> {
     part: usize,
     at: [f64; 3],
-    /// On which side of the surface its normal is.
+    /// 1 or -1: the sign of its normal relative to that of the surface.
     side: f64,
     pub(super) point: SVector<f64, C>,
-    /// Into the object.
+    /// Unit normal into the object.
     pub(super) normal: SVector<f64, C>,
-    /// Unit directions along the surface, at right angles: those in which it bends most and least.
+    /// Unit tangent directions at right angles to each other: the principal directions of curvature.
     pub(super) along: Vec<SVector<f64, C>>,
-    /// The normal changes by so much along each for a metre that way: 1/m.
+    /// Change of the normal per metre along each direction, 1/m.
     pub(super) bends: Vec<f64>,
     /// Steps with `row·step <= room` stay on the part, m.
     pub(super) rooms: Vec<([f64; 2], f64)>,
@@ -32,14 +32,14 @@ impl<const C: usize> Spot<C> {
         Self { part, at, side, point: there.point, normal, along: there.along, bends, rooms: there.rooms }
     }
 
-    /// The place next to a point, on the side that a normal tells.
+    /// The place nearest to a point, on the side of the surface that the normal points to.
     pub(super) fn nearest(surface: &Surface<C>, point: &SVector<f64, C>, normal: &SVector<f64, C>) -> Self {
         let spots = (0..surface.parts()).map(|part| {
             let spot = Self::new(surface, part, surface.nearest_of(part, point), 1.0);
             let side = if spot.normal.dot(normal) < 0.0 { -1.0 } else { 1.0 };
             if side > 0.0 { spot } else { Self::new(surface, part, spot.at, side) }
         });
-        // Where parts meet, the one whose normal it is.
+        // Where parts meet, the part with the most similar normal is taken.
         let off = |spot: &Self| (spot.point - point).norm();
         let turned = |spot: &Self| 1.0 - spot.normal.dot(normal) / normal.norm();
         let edge = ON_AN_EDGE * surface.largest();
@@ -56,7 +56,7 @@ impl<const C: usize> Spot<C> {
         best.unwrap_or_else(|| Self::new(surface, 0, [0.0; 3], 1.0))
     }
 
-    /// Where a step along its directions leads, m.
+    /// The place after a step along its directions, m.
     pub(super) fn moved(&self, surface: &Surface<C>, step: &[f64]) -> Self {
         let [a, b, c] = self.at;
         let (first, second) = (step[0], step.get(1).copied().unwrap_or(0.0));
@@ -87,7 +87,7 @@ impl<const C: usize> Spot<C> {
         };
         let mut moved = Self::new(surface, self.part, at, self.side);
         if let Shape::Sphere { .. } = surface.0 {
-            // Directions go along: what steps have shown of curvature is told in them.
+            // The directions are transported along: the curvature learnt from steps is expressed in them.
             let across = self.along[0] - moved.normal * self.along[0].dot(&moved.normal);
             if across.norm() > 0.5 {
                 let first = across.normalize();
@@ -98,7 +98,7 @@ impl<const C: usize> Spot<C> {
         moved
     }
 
-    /// The same place on the other parts that end there, if it is at the end of its own.
+    /// The same place on the adjacent parts, if it is at the end of its own.
     pub(super) fn beside(&self, surface: &Surface<C>) -> Vec<Self> {
         let near = MEET * surface.largest();
         if surface.parts() == 1 || self.rooms.iter().all(|(_, room)| *room > near) {
@@ -110,7 +110,7 @@ impl<const C: usize> Spot<C> {
         there.filter(|spot| (spot.point - self.point).norm() <= near).collect()
     }
 
-    /// A place drawn anywhere on the surface, as likely on each part as that is large; on the same side.
+    /// A uniformly random place on the whole surface, on the same side.
     pub(super) fn drawn(&self, surface: &Surface<C>, draw: &mut Draw) -> Self {
         let sizes: Vec<f64> = (0..surface.parts()).map(|part| surface.size(part)).collect();
         let mut left = draw.uniform() * sizes.iter().sum::<f64>();
@@ -120,21 +120,21 @@ impl<const C: usize> Spot<C> {
             part += 1;
         }
         let [u, v] = [draw.uniform(), draw.uniform()];
-        // Triangles of a mesh have their corners in one order all over it, edges their ends: the side is the same.
+        // The corners of all triangles have one order, and so have the ends of all edges, so that the side stays the same.
         Self::new(surface, part, surface.drawn(part, [u, v]), self.side)
     }
 }
 
-/// Parts whose distances are this much alike meet, of the largest coordinate.
+/// Distances to two parts that differ by less than this count as equal, relative to the largest coordinate.
 const ON_AN_EDGE: f64 = 1e-12;
-/// After some steps, this much.
+/// Distance within which parts meet after some steps, relative to the largest coordinate.
 const MEET: f64 = 1e-9;
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// A corner of two edges, in metres as in parts of a nanometre and in light years.
+    /// A corner of two edges, with lengths from 1e-10 m to 1e16 m.
     #[test]
     fn only_an_end_has_parts_beside_it_whatever_the_unit() {
         for unit in [1e-10, 1.0, 1e16] {

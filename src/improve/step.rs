@@ -1,24 +1,24 @@
-//! The program of one step: the least of linearised events is greatest within a box, less what curvature takes.
+//! The program of one step: the least of the linearised events is maximised within a box, less a quadratic term of the curvature.
 //!
 //! ```text
 //! min  t + ½ dᵀB d     such that     t + τ_k + g_k·d >= top,     h_b·d + left_b >= 0,     low <= d <= high
 //! ```
 //!
-//! Its conditions of an optimum are a complementarity problem, whose matrix `[B, -Aᵀ; A, 0]` is positive semidefinite as B is: Lemke's method ends at a
-//! solution, and there is one. What the box of the step adds to the multipliers, and B d, is what stationarity lacks at d = 0.
+//! Its optimality conditions are a complementarity problem with the matrix `[B, -Aᵀ; A, 0]`, which is positive semidefinite like B. Lemke's method
+//! therefore ends at a solution, and a solution exists. The multipliers of the box and B d are the residual of stationarity at d = 0.
 
 use nalgebra::{DMatrix, DVector};
 
 use crate::lcp::{Lcp, Outcome, Settings};
 use crate::prelude::*;
 
-/// Numbers near one: factors in parts of the present first slip, variables in their units.
+/// A program in numbers near one: factors relative to the present value, variables in their units.
 pub(super) struct StepProgram {
     pub(super) factors: Vec<f64>,
     pub(super) gradients: Vec<DVector<f64>>,
-    /// Rows `h·d + left >= 0`.
+    /// Linear bounds `h·d + left >= 0`.
     pub(super) bounds: Vec<(DVector<f64>, f64)>,
-    /// How far each variable may go down and up at all.
+    /// Limits of each variable, down and up.
     pub(super) reach: Vec<[f64; 2]>,
 }
 
@@ -26,34 +26,35 @@ pub(super) struct StepProgram {
 #[derive(Debug, Clone)]
 pub(super) struct TrialStep {
     pub(super) d: DVector<f64>,
-    /// By how much the first slip grows if everything is as told here.
+    /// Predicted gain of the first slip, relative to its present value.
     pub(super) gain: f64,
-    /// Of each event; they add up to one.
+    /// Multipliers of the events; they add up to one.
     pub(super) events: Vec<f64>,
     pub(super) bounds: Vec<f64>,
-    /// Of the ends of each variable, down and up.
+    /// Multipliers of the limits of each variable, down and up.
     pub(super) ends: Vec<[f64; 2]>,
-    /// What the multipliers leave of `Σ λ ∇τ + Σ ν ∇b = 0`, and of events and bounds that are met.
+    /// Residual of `Σ λ ∇τ + Σ ν ∇b = 0` and of complementarity of events and bounds.
     pub(super) residual: f64,
 }
 
-/// What a solution of the program says.
+/// The solution of the program.
 struct Solved {
     d: DVector<f64>,
-    /// Multipliers of all events and of the bounds.
+    /// Multipliers of all events.
     events: Vec<f64>,
+    /// Multipliers of the bounds.
     bounds: Vec<f64>,
 }
 
 impl StepProgram {
-    /// The step within a box of this half width; `None` where rounding is in the way.
+    /// The step within a box of half width `radius`; `None` where rounding prevents it.
     pub(super) fn step(&self, radius: f64, curvature: &DMatrix<f64>) -> Option<TrialStep> {
         let n = self.reach.len();
         let curvature = curvature + DMatrix::identity(n, n) * SHORT;
         let Solved { d, events, bounds } = self.solved(radius, &curvature)?;
         let least = self.after(&d).fold(f64::INFINITY, f64::min);
         let now = self.factors.iter().copied().fold(f64::INFINITY, f64::min);
-        // What is left of the gradients is what the ends of variables take, where they are met, and else a residual.
+        // At a limit of a variable the remaining gradient is its multiplier; elsewhere it is a residual.
         let mut left = DVector::zeros(n);
         events.iter().zip(&self.gradients).for_each(|(y, g)| left += g * *y);
         bounds.iter().zip(&self.bounds).for_each(|(y, (h, _))| left += h * *y);
@@ -73,12 +74,12 @@ impl StepProgram {
         Some(TrialStep { d, gain, events, bounds, ends, residual })
     }
 
-    /// Linearised factors of all events after a step.
+    /// Linearised values of all events after a step.
     fn after<'s>(&'s self, d: &'s DVector<f64>) -> impl Iterator<Item = f64> + 's {
         self.factors.iter().zip(&self.gradients).map(|(factor, g)| factor + g.dot(d))
     }
 
-    /// The complementarity problem of the program, solved.
+    /// Solves the complementarity problem of the program.
     fn solved(&self, radius: f64, curvature: &DMatrix<f64>) -> Option<Solved> {
         let n = self.reach.len();
         let low = DVector::from_fn(n, |j, _| (-radius).max(self.reach[j][0].min(0.0)));
@@ -94,7 +95,7 @@ impl StepProgram {
         if !top.is_finite() {
             return None;
         }
-        // No other event can come first within the box.
+        // All other events stay above this value within the box.
         let near: Vec<usize> =
             events().enumerate().filter(|(_, (f, g))| *f + ends(g)[0] < top).map(|(k, _)| k).collect();
         let near = if near.is_empty() { vec![0] } else { near };
@@ -142,9 +143,9 @@ impl StepProgram {
     }
 }
 
-/// The top of the program lies so far above what can be reached that its t is above zero, and multipliers of events add up to one.
+/// Distance of the constant `top` above every reachable value. It keeps t positive, so that the multipliers of events add up to one.
 const ABOVE: f64 = 0.5;
-/// Of several steps that gain as much the shortest is taken: nothing moves for nothing.
+/// Regularisation added to the curvature: of several steps with equal gain the shortest is taken.
 const SHORT: f64 = 1e-4;
-/// An end of a variable this near, in its unit, is met.
+/// A variable this close to its limit, in its unit, is at the limit.
 const AT_AN_END: f64 = 1e-12;

@@ -1,7 +1,7 @@
-//! Forces while everything sticks, and their exact derivatives by places and squeezes.
+//! Forces while every contact sticks, and their exact derivatives by places and squeezes.
 //!
-//! A grasp whose contacts neither open nor slide, whatever they carry, is linear: its forces are those of what acts at rest, of the squeeze, and of each
-//! load, asked apart and added up.
+//! A grasp whose contacts neither open nor slide at any force is linear. Its forces are the sum of those by the load at rest, by the squeeze, and by
+//! each load, which are computed separately.
 
 use nalgebra::SVector;
 
@@ -16,14 +16,14 @@ use crate::prelude::*;
 /// Forces of all contacts in their frames, N.
 pub(super) type FrameForces<const C: usize> = Vec<SVector<f64, C>>;
 
-/// The parts that forces are made of.
+/// One value for each source of forces.
 #[derive(Debug, Clone)]
 pub(super) struct BySource<F> {
-    /// Of what acts whatever the squeeze.
+    /// Forces that do not depend on the squeeze.
     pub(super) rest: F,
-    /// Of the squeeze that may change.
+    /// Forces of the squeeze that may change.
     pub(super) squeeze: F,
-    /// Of each load.
+    /// Forces of each load.
     pub(super) loads: Vec<F>,
 }
 
@@ -34,7 +34,7 @@ impl<F> BySource<F> {
     }
 }
 
-/// A grasp that sticks whatever it carries.
+/// The forces of a grasp whose contacts stick at any force.
 #[derive(Debug)]
 pub(super) struct StickingForces<const C: usize> {
     states: BySource<(Grasp<C>, Equilibrium<C>)>,
@@ -42,7 +42,7 @@ pub(super) struct StickingForces<const C: usize> {
 }
 
 impl<const C: usize> StickingForces<C> {
-    /// Of a placing, under what acts at rest and under each of some loads; `None` where nothing resists one of them.
+    /// The forces of a placing, under the load at rest and under each of `loads`; `None` where nothing resists one of them.
     pub(super) fn of(
         choice: &Choice<'_, C>,
         placing: &Placing<C>,
@@ -98,7 +98,7 @@ impl<const C: usize> StickingForces<C> {
         self.forces.rest[contact] + self.forces.squeeze[contact]
     }
 
-    /// How all forces change for one unit of each variable; `None` where another place leaves a load unbalanced.
+    /// Changes of all forces by one unit of each variable; `None` where another place leaves a load unbalanced.
     pub(super) fn derivatives(
         &self,
         choice: &Choice<'_, C>,
@@ -157,7 +157,7 @@ impl<const C: usize> StickingForces<C> {
     }
 }
 
-/// A contact that neither opens nor slides.
+/// The contact without opening and sliding.
 fn glued<const C: usize>(mut contact: Contact<C>) -> Contact<C> {
     contact.kinetic = None;
     if contact.hold != Hold::Bonded {

@@ -7,8 +7,8 @@ use super::spot::Spot;
 use crate::error::{ContactLabel, Error, MODERATE, is_moderate};
 use crate::prelude::*;
 
-/// A curve in the plane or a surface in space that a contact may move along; the normal of the contact follows. On which side the object lies is told by
-/// the normal that the contact is given with. Checked when it is asked about.
+/// A curve in the plane or a surface in space that a contact may move along; the normal of the contact follows it. The normal that the contact is
+/// given with points into the object. The surface is checked when a question is asked.
 ///
 /// ```
 /// use grasp_lcp::improve::Surface;
@@ -23,23 +23,23 @@ pub struct Surface<const C: usize>(pub(super) Shape<C>);
 
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Shape<const C: usize> {
-    /// Ends of each.
+    /// The two ends of each segment.
     Segments(Vec<[SVector<f64, C>; 2]>),
-    /// In the plane, from one angle counterclockwise over another; all around if that is `None`.
+    /// An arc in the plane from angle `from` counterclockwise over the angle `over`, rad; a full circle if `over` is `None`.
     Arc {
         centre: SVector<f64, C>,
         radius: f64,
         from: f64,
         over: Option<f64>,
     },
-    /// In the plane.
+    /// A spline in the plane.
     Spline(Spline<C>),
-    /// A corner, and the sides from there, at a right angle.
+    /// A corner and the two sides from it, at a right angle.
     Rectangle {
         corner: SVector<f64, C>,
         sides: [SVector<f64, C>; 2],
     },
-    /// All around its axis, from one end of it to the other.
+    /// The whole circumference, from one end of the axis to the other.
     Cylinder {
         ends: [SVector<f64, C>; 2],
         radius: f64,
@@ -48,11 +48,11 @@ pub(crate) enum Shape<const C: usize> {
         centre: SVector<f64, C>,
         radius: f64,
     },
-    /// Corners of each.
+    /// The corners of each triangle.
     Triangles(Vec<[SVector<f64, C>; 3]>),
 }
 
-/// Sides of a rectangle whose angle is this far off a right one are refused.
+/// Largest cosine of the angle between the sides of a rectangle; other sides are refused.
 const SKEWED: f64 = 1e-9;
 
 impl Surface<2> {
@@ -62,7 +62,7 @@ impl Surface<2> {
         Self(Shape::Segments(vec![[from.into().into(), to.into().into()]]))
     }
 
-    /// Straight edges from point to point, m. Where it gains a contact goes over from one to the next.
+    /// Straight edges from point to point, m. A contact moves from one edge to the next where that increases the value.
     #[must_use]
     pub fn polyline(points: impl IntoIterator<Item = [f64; 2]>) -> Self {
         Self(Shape::polyline(&points.into_iter().map(SVector::from).collect::<Vec<_>>()))
@@ -74,13 +74,13 @@ impl Surface<2> {
         Self(Shape::Arc { centre: centre.into().into(), radius, from: 0.0, over: None })
     }
 
-    /// Part of a circle: from an angle, counted from x to y, over another one, rad.
+    /// Part of a circle, from an angle (counted from x to y) over another one, rad.
     #[must_use]
     pub fn arc(centre: impl Into<[f64; 2]>, radius: f64, from: f64, over: f64) -> Self {
         Self(Shape::Arc { centre: centre.into().into(), radius, from, over: Some(over) })
     }
 
-    /// A cubic spline through points, m, at their distances as parameters; without curvature at its ends, or closed.
+    /// A cubic spline through points, m, with the distances of points as parameters; its curvature at the ends is zero unless it is closed.
     #[must_use]
     pub fn spline(points: impl IntoIterator<Item = [f64; 2]>, closed: bool) -> Self {
         Self(Shape::spline(points.into_iter().map(SVector::from).collect(), closed))
@@ -94,7 +94,7 @@ impl Surface<3> {
         Self(Shape::Rectangle { corner: corner.into().into(), sides: sides.map(SVector::from) })
     }
 
-    /// A cylinder all around, between the ends of its axis, m.
+    /// A cylinder over its whole circumference, between the ends of its axis, m.
     #[must_use]
     pub fn cylinder(from: impl Into<[f64; 3]>, to: impl Into<[f64; 3]>, radius: f64) -> Self {
         Self(Shape::Cylinder { ends: [from.into().into(), to.into().into()], radius })
@@ -106,7 +106,8 @@ impl Surface<3> {
         Self(Shape::Sphere { centre: centre.into().into(), radius })
     }
 
-    /// Triangles, such as those of a mesh, by their corners, m, all in one order seen from outside. Where it gains a contact goes over from one to the next.
+    /// Triangles, such as those of a mesh, by their corners, m, all in the same order seen from outside. A contact moves from one triangle to the
+    /// next where that increases the value.
     #[must_use]
     pub fn triangles(corners: impl IntoIterator<Item = [[f64; 3]; 3]>) -> Self {
         Self(Shape::Triangles(corners.into_iter().map(|corners| corners.map(SVector::from)).collect()))
@@ -114,8 +115,8 @@ impl Surface<3> {
 }
 
 impl<const C: usize> Surface<C> {
-    /// The point of it that is nearest to another one, m, and the unit normal there that makes no more than a right angle with the one given, of any
-    /// length: where a contact has to be that may then move along it.
+    /// The point of the surface nearest to `point`, m, and the unit normal there. Of its two signs the normal has the one that makes at most a right
+    /// angle with `normal`, whose length does not matter. A contact that may move along the surface has to be at such a point.
     ///
     /// ```
     /// use grasp_lcp::improve::Surface;
@@ -127,7 +128,7 @@ impl<const C: usize> Surface<C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Argument`] for a surface that is none, a coordinate that is not finite or above 1e50 m, or a normal that has no direction.
+    /// [`Error::Argument`] for an invalid surface, a coordinate that is not finite or above 1e50 m, or a normal without direction.
     pub fn nearest(
         &self,
         point: impl Into<[f64; C]>,
@@ -150,7 +151,7 @@ impl<const C: usize> Surface<C> {
     }
 }
 
-/// Why a surface is none.
+/// The reason why a surface is invalid.
 struct NoSurface {
     field: &'static str,
     value: f64,
@@ -179,7 +180,7 @@ impl<const C: usize> Surface<C> {
 }
 
 impl<const C: usize> Surface<C> {
-    /// What it is called: "edge", "circle", …
+    /// The name of the kind of surface: "edge", "circle", …
     pub(super) fn name(&self) -> &'static str {
         match &self.0 {
             Shape::Segments(parts) if parts.len() > 1 => "edges",
@@ -195,7 +196,7 @@ impl<const C: usize> Surface<C> {
         }
     }
 
-    /// Refuses what is no curve or surface, and numbers that are not finite.
+    /// Refuses invalid curves or surfaces, and numbers that are not finite.
     pub(super) fn check(&self, contact: &ContactLabel) -> Result<(), Error> {
         self.is_one().map_err(|NoSurface { field, value, allowed }| Error::Surface {
             contact: contact.clone(),

@@ -1,4 +1,4 @@
-//! Where the fingers should be in a sentence, as one would say it to a colleague.
+//! The answer in a sentence, as one would say it to a colleague.
 
 use core::fmt;
 
@@ -7,9 +7,9 @@ use super::goal::ImproveGoal;
 use crate::prelude::*;
 use crate::words::{Words, listed};
 
-/// Less is rounding, as a part of the largest length or force that is told.
+/// Differences below this part of the largest length or force in the sentence are rounding.
 const ALIKE: f64 = 1e-6;
-/// More contacts are not told one by one.
+/// Above this number contacts are counted instead of named.
 const MANY: usize = 9;
 
 impl<const C: usize> fmt::Display for Improved<C> {
@@ -85,7 +85,7 @@ impl<const C: usize> Improved<C> {
         told.join("; ")
     }
 
-    /// What stands in the way, or why the search ended.
+    /// The active events and bounds, or the reason why the search ended.
     fn proof(&self, words: Words) -> String {
         match self.search {
             SearchEnd::Optimum => {

@@ -1,4 +1,4 @@
-//! Joints and tendons of a hand, as far as pictures show them: those that yield at their limit.
+//! Joints and tendons of a hand in pictures, which mark those that yield at their limit.
 
 use nalgebra::SVector;
 
@@ -6,7 +6,7 @@ use crate::ask::Grasp;
 use crate::equilibrium::{DriveState, Equilibrium};
 use crate::grasp::HandPart;
 
-/// Names of joints and tendons, and where the joints turn.
+/// Names of joints and tendons, and the centres of the joints.
 #[derive(Debug, Clone)]
 pub(super) struct Actuators<const C: usize> {
     pub(super) joints: Vec<(String, Option<SVector<f64, C>>)>,
@@ -21,7 +21,7 @@ impl<const C: usize> Actuators<C> {
         Self { joints, tendons: (0..tendons).map(|t| grasp.label_of(HandPart::Tendon(t))).collect() }
     }
 
-    /// Those that stand at their limit, and where.
+    /// Joints and tendons at their limit; joints with their centres, if these are known.
     pub(super) fn that_yield(
         &self,
         state: &Equilibrium<C>,

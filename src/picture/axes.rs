@@ -1,4 +1,4 @@
-//! Where metres of a plane lie on paper, and the axes beside them.
+//! The map from metres in a plane to pixels, and the axes beside it.
 
 use nalgebra::Vector2;
 use plotters::style::colors::BLACK;
@@ -8,22 +8,22 @@ use super::round_numbers::{in_steps, round_up, whole_above, whole_below};
 use super::sheet::{Place, Sheet};
 use super::window::Window;
 
-/// About how many numbers there are at an axis, and their height.
+/// Approximate count of numbers along an axis.
 const NUMBERS: f64 = 11.0;
+/// Letter height of these numbers, pixels.
 const SIZE: f64 = 14.0;
 
-/// A metre is as long upwards as sideways.
+/// A map with the same scale in both directions.
 pub(super) struct EqualScales {
     window: Window,
-    /// What lies in the middle of the window, m.
+    /// The point at the middle of the window, m.
     middle: Vector2<f64>,
     /// Pixels per metre.
     scale: f64,
 }
 
 impl EqualScales {
-    /// Axes along a window, of which these points take as much as leaves a border (pixels to either
-    /// side, and above and below).
+    /// The largest scale at which all `points` fit into the window less a border (pixels to either side, and above and below).
     pub(super) fn new(
         window: Window,
         border: (f64, f64),
@@ -36,7 +36,7 @@ impl EqualScales {
         Self { window, middle: low / 2.0 + high / 2.0, scale }
     }
 
-    /// Whether everything has a place.
+    /// Whether scale and middle are finite, so that everything can be drawn.
     pub(super) fn are_finite(&self) -> bool {
         self.scale > 0.0 && self.scale.is_finite() && self.middle.iter().all(|x| x.is_finite())
     }
@@ -47,7 +47,7 @@ impl EqualScales {
         (x + away.x, y - away.y)
     }
 
-    /// The part of a straight line through a point that is inside.
+    /// The ends of the part of a straight line inside the window.
     pub(super) fn across(&self, point: Vector2<f64>, along: Vector2<f64>) -> [Place; 2] {
         let half = Vector2::new(self.window.wide, self.window.high) / (2.0 * self.scale);
         let (mut from, mut to) = (f64::NEG_INFINITY, f64::INFINITY);
@@ -69,7 +69,7 @@ impl EqualScales {
         for (axis, size) in [(0, wide), (1, high)] {
             let [low, up] = [-0.5, 0.5].map(|side| (self.middle[axis] + side * size / self.scale) / step);
             let first = whole_above(low);
-            // So many at most, whatever rounding makes of them.
+            // The limit of twenty numbers guards against rounding of the bounds.
             let numbers = (0..20).map(|k| first + f64::from(k)).take_while(|k| *k <= whole_below(up));
             for number in numbers.map(|k| k * step) {
                 let (x, y) = self
@@ -89,7 +89,7 @@ impl EqualScales {
     }
 }
 
-/// The smallest and the largest coordinates.
+/// The smallest and the largest coordinates of points.
 pub(super) fn bounds(points: impl IntoIterator<Item = Vector2<f64>>) -> (Vector2<f64>, Vector2<f64>) {
     let none = (Vector2::repeat(f64::INFINITY), Vector2::repeat(f64::NEG_INFINITY));
     points.into_iter().fold(none, |(low, high), p| (low.inf(&p), high.sup(&p)))

@@ -1,27 +1,26 @@
-//! The bands of a map: levels between them, and their colours.
+//! The bands of a map: the levels between them, and their colours.
 
 use plotters::style::RGBColor;
 use plotters::style::colors::colormaps::{ColorMap, ViridisRGB};
 
 use super::round_numbers::{in_steps, round_up, whole_above, whole_below};
 
-/// Levels between which a map has one colour each: round numbers, evenly spaced, or in ratios where
-/// the largest value is several times the smallest.
+/// Levels of a map with one colour between each two: round numbers, evenly spaced. Where the largest value is several times the smallest, they are
+/// spaced in ratios.
 pub(super) struct Bands {
-    /// Lower ends, and the upper end of the last.
+    /// Lower ends of the bands, and the upper end of the last.
     pub(super) levels: Vec<f64>,
-    /// What the levels are written to.
+    /// Spacing of the levels, which determines their digits; `None` if they are spaced in ratios.
     step: Option<f64>,
 }
 
-/// From this ratio of the largest to the smallest value on.
+/// From this ratio of the largest to the smallest value on, levels are spaced in ratios.
 const IN_RATIOS: f64 = 4.0;
-/// Levels in ratios that are written without an exponent: six digits behind the point show all of a
-/// preferred number.
+/// Levels in ratios in this range are written without an exponent: six digits after the point show a preferred number completely.
 const PLAIN: std::ops::Range<f64> = 1e-3..1e5;
-/// About how many bands.
+/// Approximate largest number of bands.
 const MOST: f64 = 12.0;
-/// Preferred numbers (ISO 3), ten, five and three to a decade, and the decades.
+/// Preferred numbers (ISO 3), ten, five and three per decade, and decades alone.
 const PREFERRED: [&[f64]; 4] = [
     &[1.0, 1.25, 1.6, 2.0, 2.5, 3.15, 4.0, 5.0, 6.3, 8.0],
     &[1.0, 1.6, 2.5, 4.0, 6.3],
@@ -30,7 +29,7 @@ const PREFERRED: [&[f64]; 4] = [
 ];
 
 impl Bands {
-    /// For finite values from `low` to `high`.
+    /// Bands for finite values from `low` to `high`.
     pub(super) fn new(low: f64, high: f64) -> Self {
         if low > 0.0 && high > IN_RATIOS * low { Self::in_ratios(low, high) } else { Self::even(low, high) }
     }
@@ -53,7 +52,7 @@ impl Bands {
         while levels.last().is_none_or(|last| *last < high) {
             for number in *series {
                 let level = number * decade;
-                // The last level not above the lowest value is the first that counts.
+                // The last level not above the lowest value becomes the first.
                 if level <= low {
                     levels.clear();
                 }
@@ -70,8 +69,7 @@ impl Bands {
         self.levels.len() - 1
     }
 
-    /// A value so that levels between two others are met where they are drawn: its logarithm, where
-    /// levels go in ratios.
+    /// The quantity in which contours are interpolated linearly: the value, or its logarithm if levels are spaced in ratios.
     pub(super) fn measure(&self, value: f64) -> f64 {
         if self.step.is_some() { value } else { value.ln() }
     }

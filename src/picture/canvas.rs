@@ -1,4 +1,4 @@
-//! A plane with coordinates to draw on, as plotters has it, with round numbers at its axes.
+//! A drawing plane of plotters with round numbers at its axes.
 
 use std::ops::Range;
 
@@ -11,22 +11,21 @@ use plotters::prelude::{Cartesian2d, DrawingArea, SVGBackend};
 use super::round_numbers::{in_steps, round_up, whole_above, whole_below};
 
 pub(super) type Canvas<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<AxisRange, AxisRange>>;
-/// Where one chart is drawn.
+/// The part of the paper for one chart.
 pub(super) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-/// What plotters says of each stroke.
+/// The result of a drawing call of plotters.
 pub(super) type Plotted = Result<(), Box<dyn std::error::Error>>;
 
-/// Plotters rounds to whole pixels; drawn this many times as large and shown at its size, a chart
-/// has smooth curves.
+/// Magnification while drawing: plotters rounds to whole pixels, and a chart drawn larger and shown at its size has smooth curves.
 pub(super) const FINE: u32 = 4;
-/// About how many numbers stand at an axis.
+/// Approximate count of numbers along an axis.
 const NUMBERS: f64 = 10.0;
 
-/// From one number to another.
+/// The range of an axis.
 pub(super) struct AxisRange {
     coordinates: RangedCoordf64,
     step: f64,
-    /// Numbers are decimal logarithms of what they stand for.
+    /// Whether positions on the axis are decimal logarithms of the values at its numbers.
     logarithmic: bool,
 }
 
@@ -49,7 +48,7 @@ impl Ranged for AxisRange {
     fn key_points<H: KeyPointHint>(&self, _: H) -> Vec<f64> {
         let Range { start, end } = self.range();
         let first = whole_above(start / self.step);
-        // So many at most, whatever rounding makes of them.
+        // The limit of twenty numbers guards against rounding of the bounds.
         let steps = (0..20).map(|k| first + f64::from(k));
         steps.take_while(|k| *k <= whole_below(end / self.step)).map(|k| k * self.step).collect()
     }
@@ -65,7 +64,7 @@ impl ValueFormatter<f64> for AxisRange {
     }
 }
 
-/// The label of a decade.
+/// The label of a decade, such as 10⁻³.
 fn power_of_ten(exponent: f64) -> String {
     let raised = |c| match c {
         '-' => '⁻',

@@ -10,23 +10,25 @@ use super::legend_corner::{emptiest_corner, legend_width};
 use super::palette::{FONT, GREY, PALETTE};
 use super::series::{ChartSeries, Stroke};
 
-/// Pixels of one chart, and heights of its letters.
+/// Size of one chart, pixels.
 const SIZE: (u32, u32) = (860, 540);
+/// Letter height of the title, fine pixels.
 const TITLE: u32 = 23 * FINE;
+/// Letter height of axes and legend, fine pixels.
 const LETTERS: u32 = 17 * FINE;
-/// Names of more series stand beside the chart.
+/// With more series than this their names are written beside the chart.
 const MOST_INSIDE: usize = 6;
-/// Letters at most of a name beside the chart, and of one on it.
+/// Most letters of a name beside the chart.
 const LONGEST_BESIDE: usize = 26;
+/// Most letters of a name on the chart.
 const LONGEST_INSIDE: usize = 70;
-/// Width of a letter in parts of the height that plotters takes for it.
+/// Width of a letter relative to the height that plotters assumes for it.
 const LETTER: f64 = 0.5;
-/// Room for what has a size in pixels, beside and above points that are not in lines, in parts of
-/// the chart.
+/// Margins beside and above points that are not joined by lines, as parts of the chart: circles and dots have a size in pixels.
 const ROOM: (f64, f64) = (0.02, 0.06);
 
-/// A chart of one or more series; build it up, then [`Chart::to_svg`]. Points, labels and marks that are
-/// not finite are left out; a line ends before such a point and goes on behind it.
+/// A chart of one or more series: add to it, then call [`Chart::to_svg`]. Points, labels and marks that are not finite are omitted; a line is
+/// interrupted at such a point.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Chart {
     title: String,
@@ -41,7 +43,7 @@ pub struct Chart {
 }
 
 impl Chart {
-    /// An empty chart with its title and the labels of its axes (say the units).
+    /// An empty chart with its title and the labels of its axes (including units).
     ///
     /// ```
     /// use grasp_lcp::picture::{Chart, Stroke};
@@ -62,72 +64,67 @@ impl Chart {
         Self { title: title.into(), x_label: x_label.into(), y_label: y_label.into(), ..Self::default() }
     }
 
-    /// Adds a series of points (x, y), with its name in the legend; lines go from point to point in
-    /// their order.
+    /// Adds a series of points (x, y) with its name in the legend; lines join the points in their order.
     #[must_use]
     pub fn series(mut self, name: impl Into<String>, points: Vec<(f64, f64)>, stroke: Stroke) -> Self {
         self.series.push(ChartSeries { name: name.into(), points, stroke });
         self
     }
 
-    /// Marks an event by a vertical line at x with a label; the axis is made long enough for it.
+    /// Marks an event by a vertical line at x with a label; the axis is extended to include x.
     #[must_use]
     pub fn mark(mut self, x: f64, label: impl Into<String>) -> Self {
         self.marks.push((x, label.into()));
         self
     }
 
-    /// Names a point (x, y), a few letters on a plaque: numbers, for what happens one after the
-    /// other.
+    /// Labels a point (x, y) with a few letters on a plaque, such as numbers that count events.
     #[must_use]
     pub fn label(mut self, point: (f64, f64), words: impl Into<String>) -> Self {
         self.labels.push((point, words.into()));
         self
     }
 
-    /// Shades everything to the right of x and says why.
+    /// Shades everything to the right of x, with a label for the reason.
     #[must_use]
     pub fn shade_from(mut self, x: f64, label: impl Into<String>) -> Self {
         self.shaded = Some((x, label.into()));
         self
     }
 
-    /// Adds a sentence below the chart, in as many lines as it takes; another one takes its place.
+    /// Sets a sentence below the chart, broken into lines; it replaces an earlier one.
     #[must_use]
     pub fn note(mut self, words: impl Into<String>) -> Self {
         self.note = Some(words.into());
         self
     }
 
-    /// Whether there is no finite point to draw.
+    /// Whether the chart has no finite point to draw.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         let mut points = self.series.iter().flat_map(|series| &series.points);
         !points.any(|(x, y)| x.is_finite() && y.is_finite())
     }
 
-    /// Both axes logarithmic. Points and marks without a logarithm are left out.
+    /// Makes both axes logarithmic. Points and marks without a logarithm are omitted.
     #[must_use]
     pub fn log_log(mut self) -> Self {
         self.logarithmic = true;
         self
     }
 
-    /// Draws it, 860 by 540 pixels.
+    /// Draws the chart, 860 by 540 pixels.
     ///
     /// # Errors
-    /// [`PictureError`] if there is no finite point to draw, or points and marks are so far apart
-    /// that their distance is not finite.
+    /// [`PictureError`] if there is no finite point to draw, or if the distances between points and marks are not finite.
     pub fn to_svg(&self) -> Result<String, PictureError> {
         Self::sheet(std::slice::from_ref(self), 1)
     }
 
-    /// Draws several charts on one sheet, row by row, with so many columns or as many as there are
-    /// charts.
+    /// Draws several charts on one sheet, row by row, in `columns` columns or as many as there are charts, whichever is less.
     ///
     /// # Errors
-    /// [`PictureError`] if there is no chart or no column, or one cannot be drawn by
-    /// [`Chart::to_svg`].
+    /// [`PictureError`] if there is no chart or no column, or if [`Chart::to_svg`] fails for one of them.
     pub fn sheet(charts: &[Self], columns: usize) -> Result<String, PictureError> {
         if charts.is_empty() || columns == 0 {
             return Err(PictureError("no chart".into()));
@@ -172,7 +169,7 @@ impl Chart {
         chart.draw(area, window).map_err(PictureError::from_backend)
     }
 
-    /// This chart with decimal logarithms for numbers.
+    /// The chart with decimal logarithms in place of its numbers.
     fn in_decades(&self) -> Self {
         let mut chart = self.clone();
         for (x, y) in chart.series.iter_mut().flat_map(|s| &mut s.points) {
@@ -192,7 +189,7 @@ impl Chart {
 
     fn draw(&self, root: &Area<'_>, window: [f64; 4]) -> Plotted {
         let [x0, x1, y0, y1] = window;
-        // Smaller where it would not fit.
+        // The title is written smaller where it would not fit.
         let room = f64::from(SIZE.0 * FINE) / self.title.chars().count() as f64;
         let title = (FONT, f64::from(TITLE).min(room / LETTER))
             .into_font()
@@ -201,13 +198,13 @@ impl Chart {
         let (wide, _) = root.dim_in_pixel();
         root.draw(&Text::new(self.title.as_str(), (wide.cast_signed() / 2, 26 * FINE.cast_signed()), title))?;
         let below = draw_note(root, self.note.as_deref().unwrap_or_default())?;
-        // Many names stand beside the chart: on it they would hide it.
+        // Many names would hide the curves, so they are written beside the chart.
         let beside = (self.series.len() > MOST_INSIDE).then(|| legend_width(&self.series, LONGEST_BESIDE));
         let mut chart = ChartBuilder::on(root)
             .margin(14 * FINE)
-            // The title.
+            // Room for the title.
             .margin_top(46 * FINE)
-            // Half of the last number at the axis.
+            // Room for half of the last number at the axis.
             .margin_right(30 * FINE + beside.unwrap_or(0))
             .margin_bottom(14 * FINE + below)
             .x_label_area_size(50 * FINE)
@@ -219,7 +216,7 @@ impl Chart {
         if let Some((from, label)) = &self.shaded {
             let corners = [(from.max(x0), y0), (x1, y1)];
             chart.draw_series([Rectangle::new(corners, GREY.mix(0.15).filled())])?;
-            // To the left of the right edge where there is little room.
+            // Where there is little room, the label ends at the right edge.
             let little = *from > x0 + 0.75 * (x1 - x0);
             let (x, side) = if little { (x1, HPos::Right) } else { (*from, HPos::Left) };
             let shift = 0.01 * (x1 - x0) * if little { -1.0 } else { 1.0 };
@@ -277,13 +274,13 @@ impl Chart {
     }
 }
 
-/// So many charts of so many pixels beside each other, in fine pixels.
+/// The size of `count` charts of `each` pixels side by side, in fine pixels.
 fn fine_pixels(count: usize, each: u32) -> Result<u32, PictureError> {
     let all = u32::try_from(count).ok().and_then(|count| count.checked_mul(each * FINE));
     all.ok_or_else(|| PictureError(format!("{count} are too many to be drawn")))
 }
 
-/// Smallest and largest value, with some room; a range of zero width gets one.
+/// Smallest and largest value with margins; a range of zero width is widened.
 fn range(values: impl Iterator<Item = f64>, room: f64) -> (f64, f64) {
     let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
     let width = if high > low { high - low } else { low.abs().max(1.0) * 0.1 };

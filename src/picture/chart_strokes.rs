@@ -12,24 +12,27 @@ use super::words::{lines, shortened};
 
 /// Length and half the width of an arrow on a line, pixels.
 const ARROW: (f64, f64) = (11.0, 4.5);
-/// A piece of a line that is shorter has no arrow, pixels.
+/// A piece of a line shorter than this has no arrow, pixels.
 const SHORTEST: f64 = 14.0;
-/// Pixels drawn and left out of a dashed line.
+/// Lengths of dashes and gaps of a dashed line, fine pixels.
 const DASH: (u32, u32) = (7 * FINE, 5 * FINE);
-/// Height of letters, and of those on plaques.
+/// Letter height, fine pixels.
 const LETTERS: u32 = 16 * FINE;
+/// Letter height on plaques and in notes, fine pixels.
 const NUMBERS: u32 = 14 * FINE;
-/// Height of a line of a note, and its letters.
+/// Line height of a note, fine pixels.
 const NOTE_LINE: u32 = 18 * FINE;
+/// Most letters of a line of a note.
 const NOTE_LETTERS: usize = 105;
 
-/// Samples of the legend around which there is a line: one with a dot, and one with an arrow.
+/// Contour of the legend sample of a line with dots, pixels.
 const DOTTED: [(i32, i32); 10] =
     [(0, -1), (7, -1), (10, -4), (13, -1), (20, -1), (20, 1), (13, 1), (10, 4), (7, 1), (0, 1)];
+/// Contour of the legend sample of a line with arrows, pixels.
 const ARROWED: [(i32, i32); 10] =
     [(0, -1), (6, -1), (6, -5), (15, -1), (20, -1), (20, 1), (15, 1), (6, 5), (6, 1), (0, 1)];
 
-/// Draws a series and its entry in the legend, a name of so many letters at most.
+/// Draws a series and its entry in the legend, with a name of at most `letters` letters.
 pub(super) fn draw_series<'a, 'b: 'a>(
     chart: &mut Canvas<'a, 'b>,
     series: &ChartSeries,
@@ -66,7 +69,7 @@ pub(super) fn draw_series<'a, 'b: 'a>(
     Ok(())
 }
 
-/// What stands for a series in a legend.
+/// The legend sample of a stroke.
 fn sample<'b>(
     stroke: Stroke,
     color: RGBColor,
@@ -92,7 +95,7 @@ fn sample<'b>(
     }
 }
 
-/// Names of series one below the other, from a place in the sheet downwards.
+/// Writes the names of series below each other from a place in the sheet.
 pub(super) fn draw_names(
     root: &Area<'_>,
     (x, y): (i32, i32),
@@ -109,7 +112,7 @@ pub(super) fn draw_names(
     Ok(())
 }
 
-/// What is drawn of a cloud of points and of bars, so that others can be seen through them.
+/// Half-transparent ink for clouds of points and bars, so that strokes below remain visible.
 fn faint(color: RGBColor) -> ShapeStyle {
     color.mix(0.65).filled()
 }
@@ -135,19 +138,19 @@ fn draw_arrows(chart: &mut Canvas, line: &[(f64, f64)], color: RGBColor) -> Plot
     Ok(())
 }
 
-/// Vertical lines with labels at the top, below each other where they would meet.
+/// Draws vertical lines with labels at the top; labels that would overlap are moved down.
 pub(super) fn draw_marks(chart: &mut Canvas, [x0, x1, y0, y1]: [f64; 4], marks: &[(f64, String)]) -> Plotted {
     let (wide, high) = chart.plotting_area().dim_in_pixel();
     let mut taken: Vec<[f64; 3]> = Vec::new();
     for (x, label) in marks {
         let style = BLACK.stroke_width(FINE);
         chart.draw_series(DashedLineSeries::new([(*x, y0), (*x, y1)], 4 * FINE, 4 * FINE, style))?;
-        // To the side on which there is room.
+        // The label is written on the side with more room.
         let part = (x - x0) / (x1 - x0);
         let (anchor, side) = if part > 0.6 { (HPos::Right, -1.0) } else { (HPos::Left, 1.0) };
         let long = plaque_size(label, f64::from(LETTERS)).0 / f64::from(wide);
         let from = if side > 0.0 { part } else { part - long };
-        // One that would go beyond the chart is moved.
+        // A label that would leave the chart is moved back.
         let moved = from.min(1.0 - long).max(0.0) - from;
         let from = from + moved;
         let meets = |row: f64| taken.iter().any(|[at, to, r]| *r == row && from < *to && from + long > *at);
@@ -161,7 +164,7 @@ pub(super) fn draw_marks(chart: &mut Canvas, [x0, x1, y0, y1]: [f64; 4], marks: 
     Ok(())
 }
 
-/// Writes a sentence at the foot of a chart, in as many lines as it takes; returns how high they are.
+/// Writes a sentence at the foot of a chart, broken into lines, and returns their height in fine pixels.
 pub(super) fn draw_note(root: &Area<'_>, words: &str) -> Result<u32, Box<dyn std::error::Error>> {
     let note = lines(words, NOTE_LETTERS);
     let (_, high) = root.dim_in_pixel();
@@ -174,7 +177,7 @@ pub(super) fn draw_note(root: &Area<'_>, words: &str) -> Result<u32, Box<dyn std
     Ok(NOTE_LINE * u32::try_from(note.len()).unwrap_or(0))
 }
 
-/// A few letters on a plaque.
+/// Writes a few letters on a plaque.
 pub(super) fn draw_label(chart: &mut Canvas, point: (f64, f64), words: &str) -> Plotted {
     let (wide, high) = plaque_size(words, f64::from(NUMBERS));
     #[expect(clippy::cast_possible_truncation, reason = "some pixels")]

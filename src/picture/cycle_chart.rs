@@ -1,4 +1,4 @@
-//! How far contacts have slipped while a load repeats, and the loop of friction against slip that remains.
+//! Slips of contacts while a load repeats, and the loop of friction against slip in the last cycle.
 
 use nalgebra::SVector;
 
@@ -13,15 +13,15 @@ use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::load_path::Leg;
 
-/// Slips below this part of the longest are none.
+/// Slips below this part of the longest count as zero.
 const NO_SLIP: f64 = 1e-6;
 /// Millimetres in a metre.
 const MILLIMETRES: f64 = 1e3;
 
-/// Two charts of so many cycles from rest: how far each contact has slipped, against cycles, and its friction against its slip in the last of them. What the
-/// loop encloses is the heat of that cycle. Both along the direction in which a contact slips farthest; of a soft fingertip the mean of its
-/// points and the sum of their forces. What never slides is named below. Without anything that slides there is no chart, and no second one where it rests in
-/// the last cycle.
+/// Two charts of `count` cycles from rest: the slip of each contact against cycles, and its friction against its slip in the last cycle. The area
+/// that the loop encloses is the heat of that cycle. Slip and friction are components along the direction in which the contact slips farthest. For a
+/// soft fingertip they are the mean slip of its points and the sum of their forces. Contacts that never slide are named below the chart. If no
+/// contact slides there is no chart; if none slides in the last cycle there is no second chart.
 ///
 /// ```
 /// use grasp_lcp::picture::charts_of_cycles;
@@ -89,11 +89,11 @@ pub fn charts_of_cycles<const C: usize>(
     Ok(vec![slips, loops].into_iter().filter(|chart| !chart.is_empty()).collect())
 }
 
-/// What a contact has slipped, and its friction, along its own direction.
+/// Slip and friction of a contact along its direction of largest slip.
 struct Rubbing {
-    /// In millimetres, from where it was at rest.
+    /// Largest slip from the start, mm.
     farthest: f64,
-    /// Where on the axis, slip in millimetres and force in newtons.
+    /// Position on the axis, slip in millimetres, and friction in newtons.
     curve: Vec<(f64, f64, f64)>,
 }
 

@@ -1,4 +1,4 @@
-//! Contacts that are drawn as one: a point contact, or all points of a soft fingertip.
+//! Contacts that pictures show as one: a point contact, or all points of a soft fingertip.
 
 use std::ops::Range;
 
@@ -9,30 +9,30 @@ use crate::equilibrium::{ContactAnswer, ContactState, Equilibrium};
 use crate::grasp::{Contact, WholeContacts};
 use crate::words::{LinkKind, Words};
 
-/// Consecutive contacts of a grasp.
+/// Consecutive contacts of a grasp with a common name.
 #[derive(Debug, Clone)]
 pub(super) struct ContactGroup {
     pub(super) name: String,
     pub(super) contacts: Range<usize>,
-    /// The kind of link that it is, if it is no contact.
+    /// The kind of link, if the group is a link between bodies.
     pub(super) link: Option<LinkKind>,
 }
 
-/// What a fingertip does as a whole.
+/// Force and state of a fingertip as a whole.
 pub(super) struct Resultant<const C: usize> {
-    /// Where the force acts: the centre of pressure; where nothing presses, the middle.
+    /// The point at which the force acts: the centre of pressure, or the middle of the points if none of them presses.
     pub(super) at: SVector<f64, C>,
     pub(super) force: SVector<f64, C>,
     pub(super) normal_force: f64,
-    /// Displacement of the object there.
+    /// Displacement of the object at that point, m.
     pub(super) displacement: SVector<f64, C>,
-    /// Where all of it slides, the direction of the finger over the object.
+    /// If the whole fingertip slides, the direction of the finger over the object.
     pub(super) slides: Option<SVector<f64, C>>,
-    /// It slides where nothing sticks, and is open where nothing touches.
+    /// The state in a word: "sliding" if no point sticks, "separated" if no point touches.
     pub(super) word: &'static str,
 }
 
-/// The contacts of a grasp as people count them.
+/// The groups of contacts of a grasp: point contacts, soft fingertips and links.
 pub(super) fn fingertips<const C: usize>(contacts: &[Contact<C>]) -> Vec<ContactGroup> {
     let whole = WholeContacts::of(contacts);
     let group = |(k, range): (usize, &Range<usize>)| ContactGroup {
@@ -43,24 +43,24 @@ pub(super) fn fingertips<const C: usize>(contacts: &[Contact<C>]) -> Vec<Contact
     whole.ranges().iter().enumerate().map(group).collect()
 }
 
-/// A force in what is drawn and written of an equilibrium: zero where it is rounding, as in tables and sentences.
+/// A force for pictures and tables, N; zero if it is rounding beside the largest force.
 pub(super) fn without_rounding<const C: usize>(force: f64, state: &Equilibrium<C>) -> f64 {
     Words::default().beside(force, state.largest_force())
 }
 
 impl ContactGroup {
-    /// Whether it is more than a point.
+    /// Whether the group has several points.
     pub(super) fn is_soft(&self) -> bool {
         self.contacts.len() > 1
     }
 
-    /// The middle of its points.
+    /// The mean of its contact points, m.
     pub(super) fn middle<const C: usize>(&self, contacts: &[Contact<C>]) -> SVector<f64, C> {
         let points = contacts[self.contacts.clone()].iter().map(|contact| contact.point);
         points.sum::<SVector<f64, C>>() / self.contacts.len() as f64
     }
 
-    /// Of a link its ends: those of a line, or its first two bearings; of a single point twice the same.
+    /// The ends of a link: those of a line, or its first two bearings. A link with a single point has the same end twice.
     pub(super) fn ends_of_link<const C: usize>(
         &self,
         contacts: &[Contact<C>],
@@ -68,7 +68,7 @@ impl ContactGroup {
         let own = &contacts[self.contacts.clone()];
         let (first, second) = (own.first()?, own.get(1).or(own.first())?);
         match self.link? {
-            // The normal of a line goes from its beginning to its end.
+            // The normal of a line is the vector from its beginning to its end.
             LinkKind::Spring | LinkKind::Cable => Some([first.point, first.point + first.normal]),
             _ => Some([first.point, second.point]),
         }
@@ -81,7 +81,7 @@ impl ContactGroup {
     ) -> Resultant<C> {
         let answers = &state.contacts[self.contacts.clone()];
         let pressed: f64 = answers.iter().map(|answer| answer.normal_force().max(0.0)).sum();
-        // A point of its own has no mean to be rounded.
+        // For a single point the share is exactly one, without rounding.
         let share = |answer: &ContactAnswer<C>| match pressed > 0.0 {
             _ if answers.len() == 1 => 1.0,
             true if self.link.is_none() => answer.normal_force().max(0.0) / pressed,

@@ -1,4 +1,4 @@
-//! How much of its friction each contact uses along the path of a load: of a soft fingertip all of it, not its points.
+//! The part of its friction that each contact uses along the path of a load; a soft fingertip counts as one contact.
 
 use super::chart::Chart;
 use super::fingertip::{ContactGroup, fingertips, without_rounding};
@@ -12,36 +12,39 @@ use crate::grasp::{Contact, Hold, Wrench};
 use crate::load_path::{Change, Event, Leg, LoadPath, PathEnd};
 use crate::words::opens;
 
-/// Places at which states are drawn on a leg along which the load turns, events besides.
+/// Number of intervals between drawn states on a leg along which the load turns; events are added.
 const OF_A_TURN: usize = 180;
-/// The same on straight legs, where little happens between events: on all of them together, and on each at least.
+/// Number of such intervals on all straight legs together, where little happens between events.
 const STRAIGHT: usize = 48;
+/// Least number of intervals on each straight leg.
 const LEAST: usize = 16;
-/// Events closer than this part of what is drawn have one label.
+/// Events closer than this part of the axis share one label.
 const APART: f64 = 0.15;
-/// Curves are told apart by so many colours, in lines and then in dashes; more are not drawn but named.
+/// Most curves in a chart: each colour is used for a line and for a dashed line. Further curves are only named.
 pub(super) const MOST_CURVES: usize = 2 * PALETTE.len();
-/// Curves that are nowhere farther apart are one on paper.
+/// Curves whose distance is nowhere larger than this coincide on paper.
 const SAME: f64 = 4e-3;
-/// Letters of a name, and names, in what is written at a mark.
+/// Most letters of a name at a mark.
 const MARK_LETTERS: usize = 26;
+/// Most names at a mark.
 const MARK_NAMES: usize = 2;
-/// Names at most in a list of what is not drawn.
+/// Most names in a list of curves that are not drawn.
 pub(super) const MOST_NAMES: usize = 12;
+/// Most letters of a name in such a list.
 pub(super) const NAME_LETTERS: usize = 60;
 
-/// A program whose friction is drawn against what its axis says.
+/// A load program whose states are drawn against an axis.
 pub(super) struct Drawn<'a, const C: usize> {
     pub(super) grasp: &'a Grasp<C>,
     pub(super) start: Wrench<C>,
     pub(super) legs: &'a [Leg<C>],
     pub(super) axis: &'a str,
-    /// Where on the axis a part of a leg lies.
+    /// The position on the axis of a fraction of a leg.
     pub(super) place: &'a dyn Fn(usize, f64) -> f64,
 }
 
 impl<const C: usize> Drawn<'_, C> {
-    /// One curve a contact, from the start to the end of the path; when the first stops sticking is marked, and so is the end.
+    /// The chart with one curve per contact, from the start to the end of the path. The first slip or opening and the end are marked.
     pub(super) fn chart(&self, title: &str) -> Result<Chart, Error> {
         let mut path = self.grasp.follow(&self.start, self.legs)?;
         let events = path.run();
@@ -69,13 +72,13 @@ impl<const C: usize> Drawn<'_, C> {
         Ok(marks.into_iter().fold(chart, |chart, (x, label)| chart.mark(x, label)))
     }
 
-    /// How far the path goes: the last leg, and the part of it.
+    /// The end of the path: the last leg, and the fraction of it.
     pub(super) fn reach(&self, path: &LoadPath<C>) -> (usize, f64) {
         let last = path.end().and_then(|end| Some((end.leg()?, end.fraction()?)));
         last.unwrap_or((self.legs.len().saturating_sub(1), 1.0))
     }
 
-    /// Equilibria along the path, and where on the axis they are.
+    /// Positions on the axis, and the equilibria there.
     pub(super) fn states(&self, path: &LoadPath<C>, events: &[Event<C>]) -> Vec<(f64, Equilibrium<C>)> {
         let (last, end) = self.reach(path);
         let on_leg = |leg: usize| {
@@ -88,7 +91,7 @@ impl<const C: usize> Drawn<'_, C> {
             fractions.into_iter().map(move |fraction| (leg, fraction))
         };
         let on_the_way = (0..=last).flat_map(on_leg);
-        // A jump leads straight up or down.
+        // A jump at an event adds the state after it at the same position.
         let after = |leg: usize, part: f64| {
             let here = events.iter().find(|event| (event.leg, event.fraction) == (leg, part))?;
             Some(here.jump.as_ref()?.state.clone())
@@ -137,10 +140,10 @@ impl<const C: usize> Drawn<'_, C> {
     }
 }
 
-/// The part of their friction that points use together: 1 where all of them slide. Not a number where that says nothing.
+/// The part of their friction that the points of a fingertip use together: 1 where all of them slide. NaN where it is not defined.
 fn part_used<const C: usize>(tip: &ContactGroup, contacts: &[Contact<C>], state: &Equilibrium<C>) -> f64 {
     let (answers, contacts) = (&state.contacts[tip.contacts.clone()], &contacts[tip.contacts.clone()]);
-    // Of a force that is rounding the ratio is anything.
+    // The ratio is meaningless for forces that are rounding.
     let force = answers.iter().map(|answer| answer.force.norm()).fold(0.0, f64::max);
     if force > 0.0 && without_rounding(force, state) == 0.0 {
         return f64::NAN;
@@ -156,20 +159,20 @@ fn part_used<const C: usize>(tip: &ContactGroup, contacts: &[Contact<C>], state:
             f64::NAN
         };
     }
-    // A margin is what is left of the friction.
+    // The margin is the friction left, so that friction and margin add up to the limit.
     let (used, all) = answers.iter().filter(rubs).fold((0.0, 0.0), |(used, all), answer| {
         (used + answer.friction_force(), all + answer.friction_force() + answer.margin)
     });
     if all > 0.0 { used / all } else { f64::NAN }
 }
 
-/// Curves that are drawn, and words for those that are not.
+/// The curves to draw, and words for the others.
 struct Shared {
     drawn: Vec<ChartSeries>,
     left_out: Vec<String>,
 }
 
-/// All curves that there are, or as many as can be told apart: those that come highest.
+/// All curves, or the highest of them if there are more than colours allow.
 fn shared<const C: usize>(curves: Vec<(&ContactGroup, ChartSeries)>, contacts: &[Contact<C>]) -> Shared {
     let most = |series: &ChartSeries| series.points.iter().map(|(_, y)| *y).fold(f64::NEG_INFINITY, f64::max);
     let mut left_out = Vec::new();
@@ -203,7 +206,7 @@ fn shared<const C: usize>(curves: Vec<(&ContactGroup, ChartSeries)>, contacts: &
     Shared { drawn: drawn.into_iter().map(|(_, series)| series).collect(), left_out }
 }
 
-/// Whether two curves can hardly be told apart: the second one is dashed, so that both are seen.
+/// Whether two curves coincide on paper. The second is then dashed, so that both are visible.
 fn coincide(a: &ChartSeries, b: &ChartSeries) -> bool {
     let near = |(p, q): (&(f64, f64), &(f64, f64))| match (p.1.is_nan(), q.1.is_nan()) {
         (false, false) => (p.1 - q.1).abs() <= SAME,
@@ -212,7 +215,7 @@ fn coincide(a: &ChartSeries, b: &ChartSeries) -> bool {
     a.points.iter().zip(&b.points).all(near)
 }
 
-/// Why a contact has no curve.
+/// The reason why a contact has no curve.
 fn no_curve<const C: usize>(contact: &Contact<C>) -> &'static str {
     let friction = contact.friction_coefficient();
     if contact.hold == Hold::Bonded {
@@ -226,7 +229,7 @@ fn no_curve<const C: usize>(contact: &Contact<C>) -> &'static str {
     }
 }
 
-/// Names in a row, the first of them if there are many, in so many letters each.
+/// The names joined by commas, each shortened to `letters`; beyond `most` of them only their number.
 pub(super) fn some(names: &[&str], most: usize, letters: usize) -> String {
     let more = names.len().saturating_sub(most);
     let shown: Vec<_> = names[..names.len() - more].iter().map(|name| shortened(name, letters)).collect();
@@ -234,7 +237,7 @@ pub(super) fn some(names: &[&str], most: usize, letters: usize) -> String {
     if more > 0 { format!("{shown} and {more} more") } else { shown }
 }
 
-/// Who stops sticking at an event, and how, if anybody does.
+/// The first contact or drive that leaves at an event in words, such as "left slides"; `None` if all of them stay.
 fn left_by<const C: usize>(event: &Event<C>, tips: &[ContactGroup]) -> Option<String> {
     let name = |index: usize| tips.iter().find(|tip| tip.contacts.contains(&index));
     let contact = event.changes.iter().find_map(|change| {

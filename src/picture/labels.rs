@@ -1,32 +1,33 @@
-//! Places for names, beside their points, where they cover least and no other name.
+//! Placement of names beside their points, where they hide as little as possible and no other name.
 
 use super::palette::GREY;
 use super::sheet::{Place, Sheet, plaque_size};
 use super::window::Window;
 use super::words::{lines, shortened};
 
-/// Ways from a point to its name, to the right and downwards, the best first.
+/// Directions from a point to its name, to the right and downwards, in order of preference.
 const SIDES: [(f64, f64); 8] =
     [(1.0, -1.0), (-1.0, -1.0), (1.0, 0.0), (-1.0, 0.0), (1.0, 1.0), (-1.0, 1.0), (0.0, -1.0), (0.0, 1.0)];
-/// Pixels between the point and its name.
+/// Distances between the point and its name, pixels.
 const AWAY: [f64; 4] = [8.0, 14.0, 22.0, 32.0];
-/// A pixel further away is as bad as so many pixels of a thin line covered.
+/// Cost of a pixel of distance, in pixels of a thin line that the name covers.
 const CLOSE: f64 = 1.2;
-/// Pixels from place to place where a name that has no room beside its point looks for one, with a line to its point.
+/// Spacing of the candidate places of a name without room beside its point, pixels. A line joins such a name to its point.
 const STEP: f64 = 9.0;
-/// Letters at most of a line beside a point, and in the corner.
+/// Most letters of a line beside a point.
 const LETTERS: usize = 36;
+/// Most letters of a line in the corner.
 const CORNER_LETTERS: usize = 80;
 
-/// Middle, width, height.
+/// The middle of a rectangle, and its width and height, pixels.
 type Plate = (Place, (f64, f64));
 
 pub(super) struct Labels {
     window: Window,
-    /// What is better not covered, with weights.
+    /// Places of strokes that names should not cover, with weights.
     ink: Vec<(Place, f64)>,
     taken: Vec<Plate>,
-    /// How many found no place at all.
+    /// Number of names without any place.
     pub(super) left_out: usize,
 }
 
@@ -47,7 +48,7 @@ impl Labels {
         }
     }
 
-    /// Writes lines that belong to a point beside it, or the first of them where there is no room for all, and nowhere upon other names.
+    /// Writes lines beside their point without touching other names; only the first line if there is no room for all.
     pub(super) fn write(&mut self, paper: &mut Sheet, point: Place, words: &[&str], size: f64) {
         let words: Vec<_> = words.iter().map(|line| shortened(line, LETTERS)).collect();
         for count in [words.len(), 1] {
@@ -65,7 +66,7 @@ impl Labels {
         self.left_out += 1;
     }
 
-    /// The best place beside the point, or the best one anywhere with a line to the point; none where the paper is full.
+    /// The best place beside the point, or the best place anywhere with a line to the point; `None` if the paper is full.
     fn place(&mut self, paper: &mut Sheet, point: Place, size: (f64, f64)) -> Option<Place> {
         let plate = if let Some(plate) = self.best(point, self.beside(point, size)) {
             plate
@@ -80,7 +81,7 @@ impl Labels {
         Some(plate.0)
     }
 
-    /// That of these plates which covers least, among those that meet no other.
+    /// The rectangle with the least cost among those that touch no other name.
     fn best(&self, point: Place, plates: Vec<Plate>) -> Option<Plate> {
         let free = plates.into_iter().filter(|plate| !self.meets(plate));
         let best = free.map(|plate| (self.cost(point, &plate), plate)).min_by(|a, b| a.0.total_cmp(&b.0));
@@ -90,7 +91,7 @@ impl Labels {
     fn beside(&self, point: Place, (wide, high): (f64, f64)) -> Vec<Plate> {
         let middles = AWAY.iter().flat_map(|away| {
             SIDES.map(|(x, y)| {
-                // At a corner the same distance is shared by both ways.
+                // At a corner the distance is split between both directions.
                 let away = if x * y == 0.0 { *away } else { 0.6 * away };
                 (point.0 + x * (wide / 2.0 + away), point.1 + y * (high / 2.0 + away))
             })
@@ -117,7 +118,7 @@ impl Labels {
         (within(x, left, self.window.wide, wide), within(y, top, self.window.high, high))
     }
 
-    /// Whether a name stands there already.
+    /// Whether another name overlaps this rectangle.
     fn meets(&self, (middle, (wide, high)): &Plate) -> bool {
         self.taken.iter().any(|(other, (w, h))| {
             let (x, y) = ((other.0 - middle.0).abs(), (other.1 - middle.1).abs());

@@ -5,7 +5,7 @@ use plotters::chart::SeriesLabelPosition;
 use super::canvas::FINE;
 use super::series::{ChartSeries, Stroke};
 
-/// Places for the legend: how much of the room beside and below it is on its left and below.
+/// Places of the legend: the parts of the free width and height that are to its left and below it.
 const PLACES: [(SeriesLabelPosition, f64, f64); 6] = [
     (SeriesLabelPosition::UpperRight, 1.0, 1.0),
     (SeriesLabelPosition::LowerRight, 1.0, 0.0),
@@ -15,20 +15,20 @@ const PLACES: [(SeriesLabelPosition, f64, f64); 6] = [
     (SeriesLabelPosition::LowerLeft, 0.0, 0.0),
 ];
 
-/// Fine pixels that names of series take beside a chart, of so many letters at most.
+/// Width of the names of series beside a chart, fine pixels, with at most `longest` letters each.
 pub(super) fn legend_width(series: &[ChartSeries], longest: usize) -> u32 {
     let letters = series.iter().map(|series| series.name.chars().count().min(longest)).max().unwrap_or(0);
     FINE * (52 + 9 * u32::try_from(letters).unwrap_or(0))
 }
 
-/// Where the legend hides least of the curves, of labels of marks, and of that of a shaded area.
+/// The place where the legend hides least of the curves, of the labels of marks, and of the label of a shaded area.
 pub(super) fn emptiest_corner(
     [x0, x1, y0, y1]: [f64; 4],
     series: &[ChartSeries],
     marked: bool,
     shaded: bool,
 ) -> SeriesLabelPosition {
-    // Part of the plot that a legend of so many lines and letters covers.
+    // The parts of the plot that the legend covers, estimated from its lines and letters.
     let height = 0.08 + 0.06 * series.len() as f64;
     let letters = series.iter().map(|s| s.name.chars().count()).max().unwrap_or(0);
     let width = (0.08 + 0.009 * letters as f64).max(0.32);
@@ -52,7 +52,7 @@ pub(super) fn emptiest_corner(
                 }
             }
         }
-        // Labels of marks stand at the top, that of a shaded area at the bottom right.
+        // Labels of marks are at the top, the label of a shaded area is at the bottom right.
         let marked = marked && anchor == 1.0;
         let shaded = shaded && side > 0.0 && anchor == 0.0;
         count + 10 * (usize::from(marked) + usize::from(shaded))

@@ -1,8 +1,6 @@
-//! Grasps, load curves and maps over all directions as SVG, grasps also as pages, spatial ones to turn
-//! (feature `plot`).
+//! Grasps, load curves and maps over all directions as SVG; grasps also as HTML pages, spatial ones of which can be turned (feature `plot`).
 //!
-//! Every function returns the text of an SVG or HTML file; writing it somewhere is the caller's
-//! business.
+//! Every function returns the text of an SVG or HTML file; the caller writes it to a file.
 
 mod actuators;
 mod axes;

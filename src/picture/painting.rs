@@ -7,24 +7,22 @@ use plotters::style::{Color, RGBAColor, RGBColor, colors::WHITE};
 
 use super::sheet::{Place, Sheet};
 
-/// Pixels by which a dot comes before the lines that end there, and a tenth of it the head of an
-/// arrow before its line: less than anything is seen by, and far more than rounding of places on
-/// paper.
+/// Depth in pixels by which a dot lies in front of the lines that end at it; a tenth of it separates the head of an arrow from its line. It is
+/// invisible, and far above the rounding of places on paper.
 const IN_FRONT: f64 = 1e-2;
-/// An arrow of fewer pixels points to the eye or has no length: its direction on paper would be
-/// rounding.
+/// An arrow of fewer pixels points to the eye or has no length: its direction on paper would be rounding.
 const SHORTEST: f64 = 1e-6;
 /// Length and half the width of the head of an arrow, in widths of its line.
 const HEAD: (f64, f64) = (4.5, 1.6);
-/// Places at most on a line at which it may hide a name.
+/// Most places on a line at which it counts as ink for the placement of names.
 const MOST: f64 = 1e4;
-/// Pieces of an arc.
+/// Number of pieces of an arc.
 const PIECES: u32 = 48;
 
-/// Pixels to the right and downwards, and towards the eye.
+/// Pixels to the right and downwards, and depth towards the eye in pixels.
 pub(super) type EyePoint = Vector3<f64>;
 
-/// One stroke of the brush.
+/// One stroke of a painting.
 enum Shape {
     Line { places: Vec<Place>, ink: RGBColor, width: f64 },
     Dashes { ends: [Place; 2], ink: RGBColor, width: f64 },
@@ -32,13 +30,13 @@ enum Shape {
     Dot { at: Place, radius: f64, ink: RGBColor, open: bool },
 }
 
-/// Strokes with how far they are towards the eye.
+/// Strokes with their depths towards the eye.
 #[derive(Default)]
 pub(super) struct Painting {
     strokes: Vec<(f64, Shape)>,
 }
 
-/// A place that lies on the paper.
+/// A place with depth zero.
 pub(super) fn flat((x, y): Place) -> EyePoint {
     EyePoint::new(x, y, 0.0)
 }
@@ -56,12 +54,12 @@ impl Painting {
         self.strokes.push((depth, Shape::Line { places, ink, width }));
     }
 
-    /// A dashed line on the paper, behind what is painted there.
+    /// A dashed line just behind depth zero.
     pub(super) fn dashes(&mut self, ends: [Place; 2], ink: RGBColor, width: f64) {
         self.strokes.push((-IN_FRONT, Shape::Dashes { ends, ink, width }));
     }
 
-    /// A dashed line in front of the paper.
+    /// A dashed line at depth zero.
     pub(super) fn dashed_line(&mut self, ends: [Place; 2], ink: RGBColor, width: f64) {
         self.strokes.push((0.0, Shape::Dashes { ends, ink, width }));
     }
@@ -70,7 +68,7 @@ impl Painting {
         self.strokes.push((depth, Shape::Area { corners: corners.into_iter().collect(), ink }));
     }
 
-    /// A contact; an open circle carries nothing. It is in front of the lines that end there.
+    /// A dot in front of the lines that end there; an open circle is a contact that carries nothing.
     pub(super) fn dot(&mut self, at: EyePoint, radius: f64, ink: RGBColor, open: bool) {
         self.strokes.push((at.z + IN_FRONT, Shape::Dot { at: place(&at), radius, ink, open }));
     }
@@ -79,7 +77,7 @@ impl Painting {
         let along = (tip - from).xy();
         let size = along.norm();
         if size < SHORTEST {
-            // Towards the eye, or of no length.
+            // The arrow points to the eye or has no length.
             return;
         }
         let long = (HEAD.0 * width).min(size);
@@ -93,7 +91,7 @@ impl Painting {
         }
     }
 
-    /// An arrow that points to the eye, a dot in a circle, or away from it, a cross in one.
+    /// An arrow along the line of sight: a dot in a circle if it points to the eye, a cross in a circle otherwise.
     pub(super) fn end_on(&mut self, at: EyePoint, to_the_eye: bool, ink: RGBColor, width: f64) {
         let radius = 3.0 * width;
         self.dot(at, radius, ink, true);
@@ -109,8 +107,8 @@ impl Painting {
         }
     }
 
-    /// Three quarters of a circle with an arrow at its end, clockwise or against it, open towards
-    /// the direction `gap`, rad from the right upwards.
+    /// Three quarters of a circle with an arrow at its end, clockwise or counterclockwise, with the gap in the direction `gap`, rad from the right
+    /// upwards.
     pub(super) fn arc(
         &mut self,
         middle: Place,
@@ -135,7 +133,7 @@ impl Painting {
         self.head(tip, (tip - base).xy(), ink, width);
     }
 
-    /// The head of an arrow, as long as `along`.
+    /// The head of an arrow, of length `along`.
     fn head(&mut self, tip: EyePoint, along: Vector2<f64>, ink: RGBColor, width: f64) {
         let base = tip.xy() - along;
         let across = Vector2::new(-along.y, along.x).normalize() * (HEAD.1 * width);
@@ -159,7 +157,7 @@ impl Painting {
         }
     }
 
-    /// Places that a name had better not cover, and how much each matters.
+    /// Places that names should not cover, with weights.
     pub(super) fn ink(&self) -> Vec<(Place, f64)> {
         let mut inked = Vec::new();
         for (_, shape) in &self.strokes {
@@ -182,7 +180,7 @@ impl Painting {
     }
 }
 
-/// Places on a line, some pixels apart, and how much of its ink each has.
+/// Places on a line a few pixels apart, each with its share of the ink.
 fn along(from: Place, to: Place, width: f64) -> impl Iterator<Item = (Place, f64)> {
     let (x, y) = (to.0 - from.0, to.1 - from.1);
     let size = x.hypot(y);

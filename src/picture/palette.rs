@@ -1,4 +1,4 @@
-//! Colours and letters of all pictures.
+//! Colours and font of all pictures.
 
 use plotters::style::RGBColor;
 

@@ -9,22 +9,24 @@ use super::palette::GREY;
 use crate::grasp::Contact;
 use crate::words::LinkKind;
 
-/// Radius of a hinge, and how far rails are from the middle, pixels.
+/// Radius of a hinge, pixels.
 const PIN: f64 = 7.0;
+/// Distance of the rails of a slide from its middle, pixels.
 const RAIL: f64 = 4.0;
-/// Turns of a spring, and how far they go to either side, pixels.
+/// Number of pieces of a spring's zigzag.
 const TURNS: usize = 12;
+/// Amplitude of a spring's zigzag, pixels.
 const COIL: f64 = 6.0;
 
-/// Where a link is drawn.
+/// A link with the places of its ends.
 pub(super) struct PlanarLink {
     kind: LinkKind,
-    /// Its ends; of a hinge twice the same.
+    /// Both ends, m; for a hinge they coincide.
     pub(super) ends: [Vector2<f64>; 2],
 }
 
 impl PlanarLink {
-    /// A group of contacts that is a link.
+    /// The link of a group of contacts; `None` if the group is no link.
     pub(super) fn of(group: &ContactGroup, contacts: &[Contact<2>]) -> Option<Self> {
         Some(Self { kind: group.link?, ends: group.ends_of_link(contacts)? })
     }

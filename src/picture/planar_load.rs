@@ -1,4 +1,4 @@
-//! A planar load as it is drawn: a force on its line of action, or in the middle with a moment.
+//! The arrows of a planar load: a force on its line of action, or a force in the middle of the object with a moment.
 
 use nalgebra::Vector2;
 use plotters::style::colors::BLACK;
@@ -11,27 +11,26 @@ use super::sheet::{Place, Sheet};
 use super::words::short;
 use crate::planar::Wrench;
 
-/// Parts of the size of the object: a line of action that passes its middle at a larger distance is
-/// beside it.
+/// A line of action whose distance from the middle exceeds this part of the size of the object passes beside it.
 const BESIDE: f64 = 0.5;
-/// A force of a smaller part of the moment over the size of the object is the rounding of none.
+/// A force below this part of the moment divided by the size of the object is rounding of zero.
 const ROUNDING: f64 = 1e-12;
 
 /// Radius of the arc of a moment, pixels.
 const ARC: f64 = 30.0;
-/// A shorter arrow of a force would hardly be seen, pixels.
+/// Least length of the arrow of a force, pixels; a shorter one would hardly be visible.
 const SHORTEST: f64 = 18.0;
 
-/// N, N m, m.
+/// A load prepared for drawing: force in N, moment in N m, place in m.
 pub(super) struct PlanarLoad {
     pub(super) at: Vector2<f64>,
     pub(super) force: Vector2<f64>,
-    /// About the point at which the force is drawn.
+    /// Moment about the point `at`, N m.
     pub(super) moment: f64,
 }
 
 impl PlanarLoad {
-    /// For an object of a size (m) with this middle.
+    /// The load on an object of size `size` (m) with this middle.
     pub(super) fn new(load: &Wrench, middle: Vector2<f64>, size: f64) -> Self {
         let load = load.components();
         let (force, about_origin) = (Vector2::new(load[0], load[1]), load[2]);
@@ -39,7 +38,7 @@ impl PlanarLoad {
         if force.norm() * size <= ROUNDING * moment.abs() {
             return Self { at: middle, force: Vector2::zeros(), moment };
         }
-        // From the middle to the nearest point of the line of action.
+        // The vector from the middle to the nearest point of the line of action.
         let away = Vector2::new(force.y, -force.x) * (moment / force.norm_squared());
         if away.norm() <= BESIDE * size {
             Self { at: middle + away, force, moment: 0.0 }
@@ -48,23 +47,23 @@ impl PlanarLoad {
         }
     }
 
-    /// Of the force against x, rad; zero where there is none.
+    /// Angle of the force from the x axis, rad; zero without force.
     pub(super) fn angle(&self) -> f64 {
         self.force.y.atan2(self.force.x)
     }
 }
 
-/// A load as it is drawn.
+/// A load in pixels.
 pub(super) struct LoadOnPaper<'l> {
     load: &'l PlanarLoad,
     from: Place,
     tip: Place,
-    /// The arrow is as long as forces of its size are.
+    /// Whether the arrow has the same scale as other forces.
     is_to_scale: bool,
 }
 
 impl<'l> LoadOnPaper<'l> {
-    /// On these axes, with so many metres for a newton.
+    /// The load on these axes, with `scale` metres per newton.
     pub(super) fn new(load: &'l PlanarLoad, axes: &EqualScales, scale: f64) -> Self {
         let (from, to) = (axes.place(load.at), axes.place(load.at + load.force * scale));
         let long = (to.0 - from.0).hypot(to.1 - from.1);
@@ -81,11 +80,11 @@ impl<'l> LoadOnPaper<'l> {
             painting.arrow([self.from, self.tip].map(flat), BLACK, 3.0, 1);
         }
         if moment == 0.0 && acts {
-            // As long as it is: a square of a tiny force may be zero.
+            // The force is scaled first, because the square of a tiny force may be zero.
             painting.dashes(axes.across(at, (force / force.amax()).normalize()), GREY, 1.0);
         }
         if moment != 0.0 {
-            // Open where the force leaves.
+            // The gap of the arc is in the direction of the force.
             painting.arc(self.from, ARC, self.load.angle(), moment < 0.0, BLACK, 2.0);
             painting.dot(flat(self.from), 3.0, BLACK, false);
         }
@@ -98,7 +97,7 @@ impl<'l> LoadOnPaper<'l> {
             labels.write(paper, self.tip, &[&format!("load {} N{scale}", short(force.norm()))], size);
         }
         if moment != 0.0 {
-            // Beside the arc, where it is closed.
+            // The name is written on the closed side of the arc.
             let ((x, y), (sin, cos)) = (self.from, self.load.angle().sin_cos());
             let words = format!("moment {} N m", short(moment));
             labels.write(paper, (x - ARC * cos, y + ARC * sin), &[&words], size);

@@ -1,4 +1,4 @@
-//! What a picture of a planar grasp shows.
+//! The content of a picture of a planar grasp.
 
 use nalgebra::Vector2;
 
@@ -7,19 +7,17 @@ use super::grasp_picture::Picture;
 use crate::grasp::Motion;
 use crate::planar::{Equilibrium, Grasp, Wrench};
 
-/// The outline of the object: corners (x, y) in order, m; the last is joined to the first. It is
-/// only drawn.
+/// The outline of the object: corners (x, y) in order, m; the last is joined to the first. Outlines affect nothing but the drawing.
 pub type Outline<'a> = &'a [[f64; 2]];
 
-/// A planar grasp on paper; build it up, then [`Self::to_svg`]. Without an equilibrium the grasp alone is drawn, and the load if it is given.
+/// A picture of a planar grasp: add to it, then call [`Self::to_svg`]. Without an equilibrium it shows the grasp alone, and the load if given.
 ///
-/// Arrows are forces on the object, at one scale, so short that they do not go through it; friction cones are a little longer than the
-/// normal forces in them. The load is drawn on its line of action, which is dashed. Where that line passes the grasp by, or the load is a
-/// moment alone, its force is drawn in the middle of the grasp and its moment about that point as an arc. A force of the load that would be
-/// too short to be seen is drawn longer, and that is said beside it. All points of a [soft fingertip](crate::planar::SoftFingertip) have one
-/// force and one cone, at their centre of pressure; dots are the points, in the colours of what they do. Links of a
-/// [hand](crate::grasp::Hand) are drawn where they were before anything moved; joints and tendons that yield at their limit are marked. No
-/// name covers another.
+/// Arrows are forces on the object. They have one scale, short enough that no force passes through the object. Friction cones are a little longer
+/// than the normal forces in them. The load is drawn on its line of action, which is dashed. If that line does not pass near the grasp, the force is
+/// drawn in the middle of the grasp, with its moment about that point as an arc. A load that is a moment alone is such an arc, too. A force of the
+/// load that would be too short to be visible is drawn longer, and its label says so. All points of a [soft fingertip](crate::planar::SoftFingertip)
+/// have one force and one cone, at their centre of pressure; dots in the colours of their states are the points. Links of a
+/// [hand](crate::grasp::Hand) are drawn at their initial places; joints and tendons that yield at their limit are marked. No name covers another one.
 ///
 /// ```
 /// use grasp_lcp::picture::PlanarPicture;
@@ -42,7 +40,7 @@ pub struct PlanarPicture<'a> {
     pub(super) grasp: &'a Grasp,
     pub(super) title: &'a str,
     pub(super) says: Vec<&'a str>,
-    /// Of the object, or of each of several bodies in their order.
+    /// The outlines of the object, or of each of several bodies in order.
     pub(super) outlines: Vec<Vec<Vector2<f64>>>,
     pub(super) state: Option<&'a Equilibrium>,
     pub(super) load: Option<Wrench>,
@@ -56,20 +54,20 @@ impl<'a> PlanarPicture<'a> {
         Self { grasp, title, says: Vec::new(), outlines: Vec::new(), state: None, load: None, leaving: None }
     }
 
-    /// Adds a sentence below the title, in as many lines as it takes.
+    /// Adds a sentence below the title, broken into lines.
     #[must_use]
     pub fn says(mut self, sentence: &'a str) -> Self {
         self.says.push(sentence);
         self
     }
 
-    /// Draws the object.
+    /// Draws the outline of the object.
     #[must_use]
     pub fn outline(self, corners: Outline) -> Self {
         self.outlines([corners])
     }
 
-    /// Draws each of [several bodies](crate::grasp::Bodies), in their order; an empty list for one that is not drawn.
+    /// Draws the outline of each of [several bodies](crate::grasp::Bodies), in order; an empty outline omits a body.
     #[must_use]
     pub fn outlines<'o>(mut self, outlines: impl IntoIterator<Item = Outline<'o>>) -> Self {
         let points = |corners: Outline| corners.iter().map(|corner| Vector2::from(*corner)).collect();
@@ -83,39 +81,39 @@ impl<'a> PlanarPicture<'a> {
         self.maybe_state(Some(state))
     }
 
-    /// Draws the forces of an equilibrium if there is one.
+    /// Draws the forces of an equilibrium and its load, if there is one.
     #[must_use]
     pub fn maybe_state(mut self, state: Option<&'a Equilibrium>) -> Self {
         self.state = state;
         self
     }
 
-    /// The load to be drawn where there is no equilibrium.
+    /// Sets the load that is drawn if there is no equilibrium.
     #[must_use]
     pub fn load(mut self, load: Wrench) -> Self {
         self.load = Some(load);
         self
     }
 
-    /// Draws the way the object takes with a motion, if there is one, such as that of a [loss](crate::hold::Lost::motion): where the outline,
-    /// or the contact points, would be next. Of the motion only its direction counts.
+    /// Draws the way of the object along a motion, if there is one, such as that of a [loss](crate::hold::Lost::motion): the next position of the
+    /// outline, or of the contact points. Only the direction of the motion matters.
     #[must_use]
     pub fn maybe_leaving(mut self, motion: Option<&'a Motion<2>>) -> Self {
         self.leaving = motion;
         self
     }
 
-    /// Draws it, 860 pixels wide.
+    /// Draws the picture, 860 pixels wide.
     ///
     /// # Errors
-    /// [`PictureError`] if the equilibrium has not as many contacts as the grasp, or if a corner of the
-    /// outline is not finite. Also if a length or force is too large or too small to be drawn.
+    /// [`PictureError`] if the number of contacts of the equilibrium differs from that of the grasp, or if a corner of an outline is not finite. Also
+    /// if a length or force is too large or too small to be drawn.
     pub fn to_svg(&self) -> Result<String, PictureError> {
         self.check()?;
         Picture::new(self).draw()
     }
 
-    /// Whether it can be drawn.
+    /// Checks that the equilibrium belongs to the grasp and all corners are finite.
     pub(super) fn check(&self) -> Result<(), PictureError> {
         let (expected, given) = (self.grasp.len(), self.state.map(|state| state.contacts.len()));
         if let Some(given) = given.filter(|given| *given != expected) {

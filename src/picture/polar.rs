@@ -13,11 +13,9 @@ use super::series::{ChartSeries, Stroke};
 use super::sheet::{Sheet, sheet};
 use super::words::lines;
 
-/// A polar chart: radius over direction, angles from x towards y; build it up, then
-/// [`Polar::to_svg`].
+/// A polar chart: radius over direction, with angles from x towards y. Add to it, then call [`Polar::to_svg`].
 ///
-/// Radii that are infinite, or beyond the rim, are shown as an arc along the rim, which is how far
-/// the picture goes; where a radius is not a number the curve has a gap.
+/// Radii that are infinite or beyond the rim appear as an arc along the rim. Where a radius is NaN the curve has a gap.
 ///
 /// ```
 /// use grasp_lcp::picture::{Polar, Stroke};
@@ -39,19 +37,21 @@ pub struct Polar {
 }
 
 const SIZE: (f64, f64) = (860.0, 640.0);
-/// Left edge of the legend, and the length of its lines.
+/// Left edge of the legend, pixels.
 const LEGEND: f64 = 630.0;
+/// Length of the samples in the legend, pixels.
 const SAMPLE: f64 = 22.0;
-/// Letters of a line beside a sample, and of a note.
+/// Most letters of a line beside a sample.
 const LETTERS: usize = 24;
+/// Most letters of a line of a note.
 const NOTE_LETTERS: usize = 30;
-/// Directions closer than this, rad, have no room for two texts: beside each other, or outside the
-/// rim.
+/// Two texts beside each other do not fit between directions closer than this, rad.
 const BESIDE: f64 = 0.12;
+/// Two texts outside the rim do not fit between directions closer than this, rad.
 const MEET: f64 = 0.06;
-/// A ring beyond this part of the rim is the rim itself, but for rounding.
+/// A ring beyond this part of the rim is the rim itself up to rounding.
 const INSIDE: f64 = 1.0 - 1e-6;
-/// Letters of a name that has room outside the rim.
+/// Most letters of a name that fits outside the rim.
 const SHORT: usize = 10;
 
 impl Polar {
@@ -61,16 +61,16 @@ impl Polar {
         Self { title: title.into(), unit: unit.into(), ..Self::default() }
     }
 
-    /// Adds a curve of points (angle in rad, radius) in order of their angles; the last is joined
-    /// to the first. [`Stroke::Bars`] are spokes from the middle.
+    /// Adds a curve of points (angle in rad, radius) in order of their angles; the last is joined to the first. [`Stroke::Bars`] draws spokes from
+    /// the middle.
     #[must_use]
     pub fn curve(mut self, name: impl Into<String>, points: Vec<(f64, f64)>, stroke: Stroke) -> Self {
         self.curves.push(ChartSeries { name: name.into(), points, stroke });
         self
     }
 
-    /// Marks one or more points (angle in rad, radius), with a spoke from the middle to each; the
-    /// label stands in the legend. A radius beyond the rim is drawn on it.
+    /// Marks one or more points (angle in rad, radius), each with a spoke from the middle; the legend has the label. A radius beyond the rim is drawn
+    /// on the rim.
     #[must_use]
     pub fn mark(mut self, points: Vec<(f64, f64)>, label: impl Into<String>) -> Self {
         self.marks.push((points, label.into()));
@@ -84,25 +84,24 @@ impl Polar {
         self
     }
 
-    /// A line of text below the legend.
+    /// Adds a line of text below the legend.
     #[must_use]
     pub fn note(mut self, text: impl Into<String>) -> Self {
         self.notes.push(text.into());
         self
     }
 
-    /// A radius that the rim is to hold, instead of all finite radii; in either case the rim is the
-    /// next ring at or outside it.
+    /// Sets the radius that the rim must contain, instead of all finite radii. The rim is the next ring at or outside it.
     #[must_use]
     pub fn rim(mut self, radius: f64) -> Self {
         self.rim = Some(radius);
         self
     }
 
-    /// Draws it.
+    /// Draws the chart.
     ///
     /// # Errors
-    /// [`PictureError`] if there is no positive finite radius to draw, or the rim is none.
+    /// [`PictureError`] if there is no positive finite radius to draw, or the radius of the rim is not positive and finite.
     pub fn to_svg(&self) -> Result<String, PictureError> {
         let radii = self.curves.iter().flat_map(|curve| &curve.points).map(|point| point.1);
         let most = radii.filter(|r| r.is_finite()).fold(0.0, f64::max);
@@ -118,7 +117,7 @@ impl Polar {
         Ok(sheet(SIZE, |paper| {
             paper.title(&self.title);
             self.draw_grid(paper, rim, step);
-            // The first curve lies on top.
+            // The first curve is drawn last and lies on top.
             for (k, curve) in self.curves.iter().enumerate().rev() {
                 draw_curve(paper, rim, k, curve);
             }
@@ -151,22 +150,21 @@ impl Polar {
                 _ => "",
             };
             let words = if strong { axis.to_owned() } else { format!("{}°", 30 * k) };
-            // A little aside of a named direction.
+            // The text is moved aside if a direction is named there.
             let named = |(ray, _): &(f64, String)| turn(angle, *ray).abs() < BESIDE;
             let aside = if self.rays.iter().any(named) { 0.17 } else { 0.0 };
             outside(paper, angle + aside, RADIUS + 19.0, &words, 14.0);
         }
     }
 
-    /// Small arrows outside the arcs, with their names, or with letters for the legend where names
-    /// are long or meet.
+    /// Draws small arrows outside the arcs, with their names. Where names are long or too close they have letters, which the legend explains.
     fn draw_rays(&self, paper: &mut Sheet) {
         let lettered = self.rays_have_letters();
         for (k, (angle, label)) in self.rays.iter().enumerate() {
             let (tip, side) = (at(*angle, RADIUS + 26.0), 0.022);
             let tail = [at(angle - side, RADIUS + 13.0), at(angle + side, RADIUS + 13.0)];
             paper.area([tip, tail[0], tail[1]], BLACK);
-            // Letters of rays that meet stand one after the other.
+            // Letters of directions that are too close are written one outside the other.
             let before = self.rays[..k].iter().filter(|(other, _)| meet(*other, *angle)).count();
             let words = if lettered { letter(k) } else { label.clone() };
             outside(paper, *angle, RADIUS + 36.0 + 16.0 * before as f64, &words, 14.0);
@@ -179,7 +177,7 @@ impl Polar {
         })
     }
 
-    /// Along the spoke on which the curves leave most room.
+    /// Writes the radii of the rings along the spoke with the fewest points of curves nearby.
     fn draw_numbers(&self, paper: &mut Sheet, rim: f64, step: f64) {
         let numbered: Vec<f64> = rings(rim, step).chain([rim]).collect();
         let crowd = |angle: f64| {
@@ -236,7 +234,7 @@ fn meet(angle: f64, other: f64) -> bool {
     turn(other, angle).abs() < MEET
 }
 
-/// a, b, c … and numbers after z.
+/// a, b, c …; beyond z the index.
 fn letter(k: usize) -> String {
     u8::try_from(k)
         .ok()
@@ -244,7 +242,7 @@ fn letter(k: usize) -> String {
         .map_or_else(|| k.to_string(), |k| char::from(b'a' + k).to_string())
 }
 
-/// Line by line; returns where the next entry goes.
+/// Writes a text of the legend line by line and returns the height of the next entry.
 fn legend_text(paper: &mut Sheet, y: f64, words: &str) -> f64 {
     let mut at = y;
     for line in words.lines().flat_map(|line| lines(line, LETTERS)) {
@@ -258,7 +256,7 @@ fn rings(rim: f64, step: f64) -> impl Iterator<Item = f64> {
     (1..100).map(move |k| f64::from(k) * step).take_while(move |radius| *radius < rim * INSIDE)
 }
 
-/// A text that grows away from the middle.
+/// Writes a text outside the rim that extends away from the middle.
 fn outside(paper: &mut Sheet, angle: f64, radius: f64, words: &str, size: f64) {
     let left = match angle.cos() {
         c if c > 0.2 => 0.0,

@@ -7,7 +7,7 @@ use super::polar_plane::{MIDDLE, RADIUS, at, width_of};
 use super::series::{ChartSeries, Stroke};
 use super::sheet::{Place, Sheet};
 
-/// Draws the curve with this index, which says its colour.
+/// Draws the curve with this index, which determines its colour.
 pub(super) fn draw_curve(paper: &mut Sheet, rim: f64, index: usize, curve: &ChartSeries) {
     let ChartSeries { points, stroke, .. } = curve;
     let ink = PALETTE[index % PALETTE.len()];
@@ -59,8 +59,8 @@ pub(super) fn draw_curve(paper: &mut Sheet, rim: f64, index: usize, curve: &Char
     draw(paper, line);
 }
 
-/// Where between two directions a curve crosses the rim: linear in the reciprocal, which infinite
-/// radii have, too.
+/// The fraction of the way between two directions at which the curve crosses the rim. It is linear in the reciprocal of the radius, which is defined
+/// for infinite radii, too.
 fn crossing(from: f64, to: f64, rim: f64) -> f64 {
     let part = (1.0 / from - 1.0 / rim) / (1.0 / from - 1.0 / to);
     if part.is_finite() { part.clamp(0.0, 1.0) } else { 0.0 }

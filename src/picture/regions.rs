@@ -1,18 +1,18 @@
-//! Where a function on a net of triangles is at least some level, as one area.
+//! The region of a triangle mesh where a function is at least some level, as one area.
 //!
-//! Linear on each triangle, the function cuts a piece off each. Edges that two pieces share cancel,
-//! so that what is left runs around the whole region and no renderer shows seams.
+//! The function is linear on each triangle, and the level cuts a piece off each. Edges shared by two pieces cancel. The remaining edges surround the
+//! whole region, so that no renderer shows seams.
 
 use std::collections::BTreeMap;
 
 use super::sheet::{Pixel, Place, pixel};
 
-/// A corner of a triangle: where it is, and the function there.
+/// A corner of a triangle: its place, and the value of the function there.
 pub(super) type Corner = (Place, f64);
 
 /// The closed lines around `{f >= level}`.
 pub(super) fn outlines(triangles: &[[Corner; 3]], level: f64) -> Vec<Vec<Pixel>> {
-    // How often an edge is gone in its direction, less how often against it.
+    // Number of traversals of each edge in its direction, less the number against it.
     let mut edges: BTreeMap<(Pixel, Pixel), i32> = BTreeMap::new();
     for triangle in triangles {
         let piece = above(triangle, level);
@@ -32,7 +32,7 @@ pub(super) fn outlines(triangles: &[[Corner; 3]], level: f64) -> Vec<Vec<Pixel>>
             onward.entry(from).or_default().push(to);
         }
     }
-    // As many edges end at a corner as begin there: every walk comes back to where it began.
+    // At every corner as many edges end as begin, so that every walk returns to its start.
     let mut loops = Vec::new();
     while let Some((&start, _)) = onward.iter().next() {
         let mut line = vec![start];
@@ -54,7 +54,7 @@ pub(super) fn outlines(triangles: &[[Corner; 3]], level: f64) -> Vec<Vec<Pixel>>
     loops
 }
 
-/// The part of a triangle in which the function is at least `level`, its corners in their order.
+/// The part of a triangle in which the function is at least `level`, as corners in order.
 fn above(triangle: &[Corner; 3], level: f64) -> Vec<Pixel> {
     let mut piece = Vec::with_capacity(4);
     for (k, corner) in triangle.iter().enumerate() {
@@ -69,7 +69,7 @@ fn above(triangle: &[Corner; 3], level: f64) -> Vec<Pixel> {
     piece
 }
 
-/// Where the function has the level on an edge; the same bits from either side.
+/// The point on an edge where the function has the level; the same bits for both triangles at the edge.
 fn cut(a: &Corner, b: &Corner, level: f64) -> Place {
     let (low, high) = if a.1 < b.1 { (a, b) } else { (b, a) };
     let part = (level - low.1) / (high.1 - low.1);

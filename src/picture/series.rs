@@ -1,31 +1,31 @@
-//! Points of a curve, and how they are drawn.
+//! The series of a chart, and their strokes.
 
 /// One series of a chart.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct ChartSeries {
-    /// Its name in the legend.
+    /// The name in the legend.
     pub name: String,
-    /// Its points (x, y).
+    /// The points (x, y).
     pub points: Vec<(f64, f64)>,
-    /// How it is drawn.
+    /// The stroke.
     pub stroke: Stroke,
 }
 
 impl ChartSeries {
-    /// Two corners of each bar.
+    /// Two opposite corners of each bar.
     pub(super) fn bars(&self) -> impl Iterator<Item = [(f64, f64); 2]> {
         let wide = self.points.windows(2).next().map_or(1.0, |pair| pair[1].0 - pair[0].0);
         self.points.iter().map(move |(x, y)| [(x - 0.48 * wide, 0.0), (x + 0.48 * wide, *y)])
     }
 
-    /// What has to be inside of a chart.
+    /// The points that the chart must contain.
     pub(super) fn corners(&self) -> Vec<(f64, f64)> {
         if self.stroke == Stroke::Bars { self.bars().flatten().collect() } else { self.points.clone() }
     }
 }
 
-/// How a series is drawn.
+/// The way a series is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum Stroke {
@@ -42,6 +42,6 @@ pub enum Stroke {
     Circles,
     /// Small dots, for clouds of points.
     Dots,
-    /// Bars from zero to y around x, as wide as the first two points are apart.
+    /// Bars from zero to y around x, as wide as the distance of the first two points.
     Bars,
 }

@@ -1,4 +1,4 @@
-//! Paper to draw on in pixels: lines, areas, circles and texts, written as SVG where they are.
+//! A sheet of paper in pixels: lines, areas, circles and texts are written as SVG in the order of drawing.
 
 use std::fmt::{self, Display, Formatter, Write};
 
@@ -7,16 +7,17 @@ use plotters::style::{BLACK, Color, RGBAColor, RGBColor, WHITE};
 use super::palette::FONT;
 use super::words::escaped;
 
-/// Parts of a pixel in which places are written: finer than any screen shows.
+/// Parts of a pixel to which places are rounded: finer than any screen shows.
 const FINE: f64 = 100.0;
-/// Pixels from the corner of the paper beyond which nothing is drawn any farther: a hundred times
-/// the paper, and far below the largest integer.
+/// Coordinates beyond this are clamped, pixels: a hundred times the paper, and far below the largest integer.
 const FARTHEST: f64 = 1e5;
-/// Widths of letters of a sans serif face, in parts of their height; few are wider.
+/// Width of a letter of a sans serif font on plaques, relative to its height; few letters are wider.
 const LETTER: f64 = 0.57;
+/// The same in titles.
 const WIDE_LETTER: f64 = 0.6;
-/// Height of a title, and its distance from the edges.
+/// Letter height of a title, pixels.
 const TITLE: f64 = 20.0;
+/// Distance of a title from the edges, pixels.
 const ASIDE: f64 = 18.0;
 
 /// A colour, with or without its opacity.
@@ -27,14 +28,14 @@ impl<T: Into<RGBAColor>> Ink for T {}
 /// A place on the paper, pixels to the right and downwards.
 pub(super) type Place = (f64, f64);
 
-/// A length in hundredths of a pixel: rounded, there is no −0, and shared places are the same bits.
+/// A length in hundredths of a pixel. Rounding removes −0 and makes shared places equal in all bits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Fine(i32);
 
 /// A place rounded to hundredths of a pixel.
 pub(super) type Pixel = (Fine, Fine);
 
-/// The nearest place that can be written; far outside it is kept away from the limits of integers.
+/// The nearest place that can be written; places far outside are clamped.
 pub(super) fn pixel((x, y): Place) -> Pixel {
     (fine(x), fine(y))
 }
@@ -56,7 +57,7 @@ pub(super) struct Sheet {
     wide: f64,
 }
 
-/// Draws on a white sheet of so many pixels.
+/// Draws on a white sheet of the given size, pixels.
 pub(super) fn sheet((wide, high): Place, draw: impl FnOnce(&mut Sheet)) -> String {
     let size = pixel((wide, high));
     let mut paper = Sheet { svg: String::new(), wide };
@@ -72,7 +73,7 @@ pub(super) fn sheet((wide, high): Place, draw: impl FnOnce(&mut Sheet)) -> Strin
 }
 
 impl Sheet {
-    /// Strings take whatever is written into them.
+    /// Writing into a string cannot fail.
     fn put(&mut self, element: fmt::Arguments) {
         let _ = writeln!(self.svg, "{element}");
     }
@@ -104,7 +105,7 @@ impl Sheet {
         self.put(format_args!("<polygon{ink} points=\"{points}\"/>"));
     }
 
-    /// An area inside closed lines that leave it on one side, with a line of some ink around it.
+    /// A filled area bounded by closed lines of one orientation, with an optional line of another ink around it.
     pub(super) fn region(&mut self, loops: &[Vec<Pixel>], ink: impl Ink, around: Option<(RGBAColor, f64)>) {
         let closed = |line: &Vec<Pixel>| {
             format!("M{}Z", line.iter().copied().map(written).collect::<Vec<_>>().join(" "))
@@ -116,7 +117,7 @@ impl Sheet {
         self.put(format_args!("<path{ink}{around} d=\"{way}\"/>"));
     }
 
-    /// A circle, filled or drawn with a line of some width.
+    /// A circle, filled or as a line of the given width.
     pub(super) fn circle(&mut self, middle: Place, radius: f64, ink: impl Ink, line: Option<f64>) {
         let style = match line {
             Some(width) => {
@@ -128,13 +129,12 @@ impl Sheet {
         self.put(format_args!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\"{style}/>"));
     }
 
-    /// A line of text, with a part of its width (0, 1/2 or 1) to the left of the place and half of
-    /// its height above.
+    /// A line of text, vertically centred at the place; `left` (0, 1/2 or 1) is the part of its width to the left of the place.
     pub(super) fn text(&mut self, place: Place, words: &str, size: f64, left: f64, color: RGBColor) {
         self.letters(place, words, size, left, color, "");
     }
 
-    /// A line of text that is read upwards, its middle at the place.
+    /// A line of text that runs upwards, its middle at the place.
     pub(super) fn text_upwards(&mut self, place: Place, words: &str, size: f64, color: RGBColor) {
         let (x, y) = pixel(place);
         self.letters(place, words, size, 0.5, color, &format!(" transform=\"rotate(-90 {x} {y})\""));
@@ -146,7 +146,7 @@ impl Sheet {
             l if l > 0.75 => "end",
             _ => "middle",
         };
-        // Letters without tails have their middle there.
+        // This shift centres letters without descenders at the place.
         let (x, y) = pixel((place.0, place.1 + 0.36 * size));
         let (ink, size, words) = (paint("fill", color), fine(size), escaped(words));
         self.put(format_args!(
@@ -159,13 +159,13 @@ impl Sheet {
         self.title_line(0.0, words);
     }
 
-    /// A further line of it, so many pixels below.
+    /// A further line of the title, `below` pixels lower.
     pub(super) fn title_line(&mut self, below: f64, words: &str) {
         let room = (self.wide - 2.0 * ASIDE) / (WIDE_LETTER * words.chars().count() as f64);
         self.text((ASIDE, 26.0 + below), words, TITLE.min(room), 0.0, BLACK);
     }
 
-    /// A line of text on a light ground, so that it can be read on anything.
+    /// A line of text on a light background, legible on any ground.
     pub(super) fn plaque(&mut self, place: Place, words: &str, size: f64, left: f64) {
         let (wide, high) = plaque_size(words, size);
         let (x, y) = (place.0 - left * wide - (1.0 - 2.0 * left) * 2.0, place.1);
@@ -176,7 +176,7 @@ impl Sheet {
     }
 }
 
-/// Width and height of a text with the ground it stands on.
+/// Width and height of a text with its background, pixels.
 pub(super) fn plaque_size(words: &str, size: f64) -> (f64, f64) {
     (LETTER * size * words.chars().count() as f64 + 4.0, 1.24 * size)
 }
@@ -193,7 +193,7 @@ fn written((x, y): Pixel) -> String {
     format!("{x},{y}")
 }
 
-/// What an element is filled or drawn with.
+/// The attributes for filling or stroking an element with an ink.
 fn paint(what: &str, ink: impl Ink) -> String {
     let ink: RGBAColor = ink.into();
     let ((r, g, b), opacity) = (ink.rgb(), ink.alpha());

@@ -1,4 +1,4 @@
-//! A number for every direction in space, as a map of equal areas.
+//! A map of a value for every direction in space, with equal areas.
 
 use std::f64::consts::{FRAC_PI_2, SQRT_2, TAU};
 
@@ -12,9 +12,8 @@ use super::sheet::{Place, Sheet, sheet};
 use super::sphere_grid::SphereGrid;
 use super::words::lines;
 
-/// A map of a sphere on two discs of equal areas (Lambert's azimuthal projection): directions that
-/// point upwards (z > 0) on the left and downwards on the right, both seen from above, x to the
-/// right and y up. A disc's middle is ±z, its rim the directions across z.
+/// A map of a sphere on two discs with equal areas (Lambert's azimuthal projection): directions that point upwards (z > 0) on the left and downwards
+/// on the right. Both are seen from above, x to the right and y up. The middle of a disc is ±z, its rim the directions perpendicular to z.
 ///
 /// ```
 /// use grasp_lcp::picture::{SphereGrid, SphereMap};
@@ -41,30 +40,27 @@ pub struct SphereMap {
 const WIDE: f64 = 860.0;
 const HIGH: f64 = 530.0;
 const RADIUS: f64 = 165.0;
-/// Middles of the discs.
+/// Middles of the discs, pixels.
 const DISCS: [Place; 2] = [(200.0, 268.0), (590.0, 268.0)];
-/// Letters of a line of a note.
+/// Most letters of a line of a note.
 const LETTERS: usize = 114;
-/// Where the notes begin.
+/// Height of the first line of notes, pixels.
 const FOOT: f64 = 510.0;
-/// Right edge of the colour scale, and its height.
+/// Right edge of the colour scale, and its height, pixels.
 const BAR: (f64, f64) = (848.0, 320.0);
-/// A direction that rises or falls by less than this part of its length lies across z, on the rims
-/// of both discs. It is a ten-millionth of a pixel away from them; without it rounding would choose
-/// one of the discs.
+/// A direction whose z component is below this part of its length is drawn on the rims of both discs. It is a ten-millionth of a pixel away from
+/// them; without the bound rounding would choose one of the discs.
 const LEVEL: f64 = 1e-9;
 const UNBOUNDED: RGBColor = RGBColor(255, 246, 214);
 const MISSING: RGBColor = RGBColor(190, 190, 190);
 
 impl SphereMap {
-    /// A map of one value for each of the grid's [directions](SphereGrid::directions), in their
-    /// order; `quantity` stands at the scale of colours (say the unit). An infinite value means
-    /// that there is no bound that way. A value that is not a number means that no bound is known.
-    /// Both get colours of their own.
+    /// A map with one value for each of the grid's [directions](SphereGrid::directions), in their order. `quantity` is written at the colour scale
+    /// (include the unit). An infinite value means that there is no bound in this direction, NaN means that no bound is known. Both have colours of
+    /// their own.
     ///
     /// # Errors
-    /// [`PictureError`] if there are more or fewer values than directions, or none of them is
-    /// finite.
+    /// [`PictureError`] if the number of values differs from that of directions, or if no value is finite.
     pub fn new(
         title: impl Into<String>,
         quantity: impl Into<String>,
@@ -91,40 +87,38 @@ impl SphereMap {
         })
     }
 
-    /// Marks a direction, of any length but zero, with a dot and a label.
+    /// Marks a direction (a non-zero vector) with a dot and a label.
     #[must_use]
     pub fn mark(mut self, direction: impl Into<[f64; 3]>, label: impl Into<String>) -> Self {
         self.marks.push((direction.into(), label.into()));
         self
     }
 
-    /// Marks a direction, of any length but zero, with a cross and a label, for what the map is
-    /// about: a contact normal.
+    /// Marks a direction (a non-zero vector) with a cross and a label, for a datum of the map such as a contact normal.
     #[must_use]
     pub fn ray(mut self, direction: impl Into<[f64; 3]>, label: impl Into<String>) -> Self {
         self.rays.push((direction.into(), label.into()));
         self
     }
 
-    /// A line of text below the map.
+    /// Adds a line of text below the map.
     #[must_use]
     pub fn note(mut self, text: impl Into<String>) -> Self {
         self.notes.push(text.into());
         self
     }
 
-    /// What infinite values, and values that are not numbers, mean, for the legend; "no bound" and
-    /// "not known" unless said otherwise.
+    /// Sets the words of the legend for infinite values and for NaN; "no bound" and "not known" by default.
     #[must_use]
     pub fn meanings(mut self, unbounded: impl Into<String>, missing: impl Into<String>) -> Self {
         (self.unbounded, self.missing) = (unbounded.into(), missing.into());
         self
     }
 
-    /// Draws it.
+    /// Draws the map.
     ///
     /// # Errors
-    /// [`PictureError`] if a direction that is marked has no length or is not finite.
+    /// [`PictureError`] if a marked direction has no length or is not finite.
     pub fn to_svg(&self) -> Result<String, PictureError> {
         let finite = || self.values.iter().copied().filter(|value| value.is_finite());
         let (low, high) =
@@ -151,7 +145,7 @@ impl SphereMap {
     }
 
     fn draw_disc(&self, paper: &mut Sheet, side: usize, middle: Place, bands: &Bands) {
-        // What has no finite value is painted over afterwards.
+        // Regions without finite values are painted over afterwards.
         let filled = self.filled();
         let triangles = self.triangles(side, middle, |index| bands.measure(filled[index]));
         for band in 0..bands.count() {
@@ -193,8 +187,8 @@ impl SphereMap {
         paper.text((middle.0, 60.0), words, 15.0, 0.5, BLACK);
     }
 
-    /// The values, with the mean of their neighbours for those that are not finite: what is painted
-    /// over must not bend contours beside it.
+    /// The values, where infinite values and NaN are replaced by the mean of their neighbours. These regions are painted over and must not bend
+    /// contours beside them.
     fn filled(&self) -> Vec<f64> {
         let SphereGrid { rings, around } = self.grid;
         let finite = || self.values.iter().copied().filter(|value| value.is_finite());
@@ -222,8 +216,7 @@ impl SphereMap {
         filled
     }
 
-    /// Triangles of one hemisphere, all turning the same way, with a function of the directions at
-    /// their corners.
+    /// Triangles of one hemisphere with one orientation, with the values of `field` at their corners.
     fn triangles(&self, side: usize, middle: Place, field: impl Fn(usize) -> f64) -> Vec<[Corner; 3]> {
         let SphereGrid { rings, around } = self.grid;
         let corner = |ring: usize, k: usize| {
@@ -276,7 +269,7 @@ impl SphereMap {
     }
 }
 
-/// A direction that is marked, with length one.
+/// The unit vector of a marked direction.
 fn way(direction: [f64; 3], label: &str) -> Result<[f64; 3], PictureError> {
     let [x, y, z] = direction;
     let size = x.hypot(y).hypot(z);
@@ -286,7 +279,7 @@ fn way(direction: [f64; 3], label: &str) -> Result<[f64; 3], PictureError> {
     Ok(direction.map(|part| part / size))
 }
 
-/// On the disc to which it points; across z on both.
+/// Draws a mark on the disc of its hemisphere; on both discs if the direction is perpendicular to z.
 fn draw_mark(paper: &mut Sheet, [x, y, z]: [f64; 3], label: &str, dot: bool) {
     let level = z.abs() <= LEVEL;
     for (side, middle) in DISCS.into_iter().enumerate() {
@@ -308,7 +301,7 @@ fn draw_mark(paper: &mut Sheet, [x, y, z]: [f64; 3], label: &str, dot: bool) {
                 }
             }
         }
-        // Towards the middle, where there is room.
+        // The label extends towards the middle, where there is room.
         let left = if place.0 > middle.0 { 1.0 } else { 0.0 };
         let aside = if left > 0.0 { -10.0 } else { 10.0 };
         paper.plaque((place.0 + aside, place.1), label, 12.0, left);

@@ -1,8 +1,8 @@
-//! Directions all over the sphere, at which a map asks for values.
+//! Directions covering the sphere, at which a map takes its values.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// Directions all over the sphere: circles of latitude from +z to −z, each divided evenly.
+/// Directions covering the sphere: circles of latitude from +z to −z, each divided evenly.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct SphereGrid {
     pub(super) rings: usize,
@@ -10,15 +10,13 @@ pub struct SphereGrid {
 }
 
 impl SphereGrid {
-    /// `rings` steps from the pole to the equator and `around` steps along each circle; smaller
-    /// numbers than 2 and 8 count as these.
+    /// A grid of `rings` steps from the pole to the equator and `around` steps along each circle; smaller numbers than 2 and 8 are raised to these.
     #[must_use]
     pub fn new(rings: usize, around: usize) -> Self {
         Self { rings: rings.max(2), around: around.max(8) }
     }
 
-    /// Unit vectors, ring by ring: +z, the rings below it with growing azimuth from x towards y,
-    /// −z. They are 2 + (2 rings − 1) around in number.
+    /// Unit vectors ring by ring: +z, the rings below it with azimuth growing from x towards y, −z. Their number is 2 + (2 rings − 1) around.
     #[must_use]
     pub fn directions(&self) -> Vec<[f64; 3]> {
         let mut directions = vec![[0.0, 0.0, 1.0]];
@@ -33,7 +31,7 @@ impl SphereGrid {
         directions
     }
 
-    /// From +z.
+    /// Angle from +z, rad.
     pub(super) fn polar_angle(&self, ring: usize) -> f64 {
         FRAC_PI_2 * ring as f64 / self.rings as f64
     }
@@ -46,7 +44,7 @@ impl SphereGrid {
         2 + (2 * self.rings - 1) * self.around
     }
 
-    /// Place of a direction in [`Self::directions`].
+    /// Index of a direction in [`Self::directions`].
     pub(super) fn index(&self, ring: usize, k: usize) -> usize {
         match ring {
             0 => 0,

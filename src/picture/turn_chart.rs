@@ -1,4 +1,4 @@
-//! How much of its friction each contact uses while the load turns, grows, or follows a program.
+//! Charts of the part of its friction that each contact uses while the load turns, grows, or follows a program.
 
 use super::chart::Chart;
 use super::friction_chart::Drawn;
@@ -7,10 +7,10 @@ use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::load_path::{Leg, Ramp, Turn};
 
-/// A chart of `|F_t| / (μ F_n)` of each contact against the angle, from angle 0 on along the path under the load that turns: to its last
-/// angle, or to where the path ends. The first contact that stops sticking is marked, and so is the end. A [soft
-/// fingertip](crate::grasp::SoftFingertip) is one contact, sums over its points stand for it: 1 where all of it slides. What is not drawn is
-/// named below: contacts that are open, without friction or glued, and of more than sixteen those that use least.
+/// A chart of `|F_t| / (μ F_n)` of each contact against the angle, along the path under a turning load. The path begins at angle 0 and goes to the
+/// last angle, or to its end. The first contact that stops sticking and the end are marked. A [soft fingertip](crate::grasp::SoftFingertip) counts as
+/// one contact by sums over its points: 1 where all of it slides. Contacts without a curve are named below: those that are open, without friction or
+/// glued, and of more than sixteen contacts those that use least friction.
 ///
 /// ```
 /// use grasp_lcp::picture::chart_of_turn;
@@ -39,7 +39,8 @@ pub fn chart_of_turn<const C: usize>(grasp: &Grasp<C>, turn: &Turn<C>, title: &s
         .chart(title)
 }
 
-/// The same chart against the factor of a ramp, from 0 up to so many times: what is put on, as a multiple of it, where the ramp is a load.
+/// A chart of `|F_t| / (μ F_n)` of each contact against the factor of a ramp, from 0 to `most`. If the ramp is a load, the factor is the multiple of
+/// this load.
 ///
 /// ```
 /// use grasp_lcp::picture::chart_of_load;
@@ -66,7 +67,7 @@ pub fn chart_of_load<const C: usize>(
     Drawn { grasp, start: ramp.base, legs: &legs, axis: "factor of the load", place: &place }.chart(title)
 }
 
-/// The same chart along a program of legs, leg by leg from a load at the start.
+/// A chart of `|F_t| / (μ F_n)` of each contact along a program of legs, leg by leg from the load `start`.
 ///
 /// ```
 /// use grasp_lcp::picture::chart_of_program;

@@ -1,4 +1,4 @@
-//! Where a planar object would be next on its way out.
+//! The way out of a planar object: its next position along a motion.
 
 use std::ops::Range;
 
@@ -10,21 +10,21 @@ use super::sheet::Place;
 use crate::grasp::Motion;
 use crate::planar::Twist;
 
-/// Part of the size of the scene by which the fastest point is moved.
+/// Distance by which the fastest point is moved, as a part of the size of the scene.
 const FAR: f64 = 0.13;
-/// Arrows at most.
+/// Most arrows.
 const ARROWS: usize = 6;
 
-/// Points of the object, or of several bodies, and where they would be next.
+/// Points of the object, or of several bodies, and their next places.
 pub(super) struct MovedOutlines {
     from: Vec<Vector2<f64>>,
     to: Vec<Vector2<f64>>,
-    /// Corners of closed lines among these points.
+    /// Ranges of points that form closed lines.
     closed: Vec<Range<usize>>,
 }
 
 impl MovedOutlines {
-    /// Of outlines, or else of contact points, in a scene of this size; none without a motion.
+    /// Moves the outlines, or else the contact points, in a scene of size `size` (m); `None` without a motion.
     pub(super) fn new(
         motion: &Motion<2>,
         outlines: &[Vec<Vector2<f64>>],
@@ -51,12 +51,12 @@ impl MovedOutlines {
         Some(Self { from: points.into_iter().map(|(point, _)| point).collect(), to, closed })
     }
 
-    /// Places that have to be in the picture.
+    /// The points that the picture must contain.
     pub(super) fn points(&self) -> &[Vector2<f64>] {
         &self.to
     }
 
-    /// Paints it, and returns where its name goes.
+    /// Paints the way out and returns the place for its name.
     pub(super) fn paint(
         &self,
         painting: &mut Painting,

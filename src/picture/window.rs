@@ -2,7 +2,7 @@
 
 use super::sheet::Place;
 
-/// Pixels from the upper left corner of the paper, and its size.
+/// A rectangle on the paper: distances from its upper left corner, and size, pixels.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Window {
     pub(super) left: f64,
@@ -12,7 +12,7 @@ pub(super) struct Window {
 }
 
 impl Window {
-    /// Without a border.
+    /// The window less a border on all sides.
     pub(super) fn within(&self, border: f64) -> Self {
         let Self { left, top, wide, high } = *self;
         Self { left: left + border, top: top + border, wide: wide - 2.0 * border, high: high - 2.0 * border }

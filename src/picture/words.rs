@@ -1,14 +1,14 @@
-//! Texts and numbers as pictures and pages need them.
+//! Texts and numbers for pictures and pages.
 
 use crate::equilibrium::Equilibrium;
 use crate::words::TOO_FAR;
 
-/// Numbers that are written without an exponent.
+/// Sizes in this range are written without an exponent.
 const PLAIN: std::ops::Range<f64> = 1e-3..1e5;
 /// The least number with five digits before the point.
 const FIVE_DIGITS: f64 = 1e4;
 
-/// A text as HTML or XML, for content and for attributes in quotes.
+/// A text escaped for HTML or XML, as content and as attributes in quotes.
 pub(super) fn escaped(text: &str) -> String {
     text.chars().fold(String::with_capacity(text.len()), |mut out, c| {
         match c {
@@ -17,7 +17,7 @@ pub(super) fn escaped(text: &str) -> String {
             '>' => out.push_str("&gt;"),
             '"' => out.push_str("&quot;"),
             '\'' => out.push_str("&#39;"),
-            // XML has no place for these.
+            // XML does not allow these characters.
             c if (c.is_control() && !c.is_whitespace()) || matches!(c, '\u{fffe}' | '\u{ffff}') => {
                 out.push('\u{fffd}');
             }
@@ -27,7 +27,7 @@ pub(super) fn escaped(text: &str) -> String {
     })
 }
 
-/// Five digits, without zeros at the end.
+/// A number with five digits, without trailing zeros.
 pub(super) fn short(x: f64) -> String {
     let size = x.abs();
     let written = if size == 0.0 {
@@ -48,7 +48,7 @@ pub(super) fn short(x: f64) -> String {
     if x < 0.0 { format!("−{written}") } else { written }
 }
 
-/// A text in lines of so many letters at most; a longer word is broken.
+/// A text in lines of at most `letters` letters; a longer word is broken.
 pub(super) fn lines(text: &str, letters: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split_whitespace() {
@@ -67,7 +67,7 @@ pub(super) fn lines(text: &str, letters: usize) -> Vec<String> {
     lines
 }
 
-/// What is said of an equilibrium that is no small motion, unless a sentence says it.
+/// The caution about an equilibrium whose motion is not small, unless one of the sentences in `said` contains it.
 pub(super) fn caution<'w, const C: usize>(
     state: Option<&Equilibrium<C>>,
     mut said: impl Iterator<Item = &'w str>,
@@ -76,7 +76,7 @@ pub(super) fn caution<'w, const C: usize>(
     (!said.any(|sentence| sentence.contains(TOO_FAR))).then(|| format!("CAUTION: {caution}"))
 }
 
-/// A name in so many letters at most.
+/// A name shortened to at most `letters` letters.
 pub(super) fn shortened(name: &str, letters: usize) -> String {
     if name.chars().count() <= letters {
         return name.to_owned();

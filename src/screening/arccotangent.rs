@@ -1,14 +1,14 @@
 //! Angles from cotangents, in lanes.
 //!
-//! The mathematical library of a system may round differently on another processor, and works on
-//! one number at a time. This is arithmetic alone.
+//! The mathematical library of a system may round differently on another processor, and works on one number at a time. This file uses plain
+//! arithmetic alone, so that every lane has the same bits everywhere.
 
 use super::lanes::Packed;
 
-/// tan(π/8): up to here the series serves, beyond it the angle is taken from π/4.
+/// tan(π/8). Up to this size the series is evaluated at the argument itself, beyond it at the tangent of the difference to π/4.
 const EIGHTH: f64 = core::f64::consts::SQRT_2 - 1.0;
-/// `(atan x - x) / x³` in powers of x² for |x| <= tan(π/8), interpolated at the roots of a
-/// Chebyshev polynomial: atan to 7e-18 of its value. With a term less it would lose a digit.
+/// `(atan x - x) / x³` in powers of x² for |x| <= tan(π/8), interpolated at the roots of a Chebyshev polynomial. The relative error of atan is 7e-18.
+/// With one term less it would lose a digit.
 const SERIES: [f64; 11] = [
     -0.333_333_333_333_333_3,
     0.199_999_999_999_955_2,
@@ -23,7 +23,7 @@ const SERIES: [f64; 11] = [
     -0.019_176_885_636_589_053,
 ];
 
-/// The angle θ from 0 to 2π with `cot(θ/2) = u`. What is not a number gives one that means nothing.
+/// The angle θ from 0 to 2π, rad, with `cot(θ/2) = u`. For NaN the result has no meaning.
 #[inline(always)]
 pub(super) fn angle_of<X: Packed>(u: X) -> X {
     let (zero, one) = (X::all(0.0), X::all(1.0));
@@ -39,7 +39,7 @@ pub(super) fn angle_of<X: Packed>(u: X) -> X {
     }
     let eighth = X::all(core::f64::consts::FRAC_PI_4);
     let steep = small.above(bound, eighth, zero) + (x + x * square * sum);
-    // So far the angle whose tangent is the smaller one over the larger.
+    // `steep` is the angle whose tangent is min(|u|, 1) / max(|u|, 1).
     let half = size.above(one, steep, X::all(core::f64::consts::FRAC_PI_2) - steep);
     let half = zero.above(u, X::all(core::f64::consts::PI) - half, half);
     half + half

@@ -1,25 +1,25 @@
-//! The stiffness of the object with every contact sticking, `T = Σ G_i K_i G_iᵀ`, in factors.
+//! The stiffness of the object with every contact sticking, `T = Σ G_i K_i G_iᵀ`, factorised.
 //!
-//! With one tangential stiffness a contact `K_i = k_t I + (k_n - k_t) n nᵀ` in coordinate axes.
+//! With one tangential stiffness per contact `K_i = k_t I + (k_n - k_t) n nᵀ` in coordinate axes.
 
 use super::block::{Block, count};
 use super::factors::LaneFactors;
 use super::finger::{Force, LaneFinger, moment, world};
 use super::lanes::{Packed, dot};
 
-/// Stiffness of the object about the centroid of its contacts, in factors.
+/// Factorised stiffness of the object about the centroid of its contacts.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct RigidBody<const D: usize, const C: usize, const M: usize, X: Packed> {
     contacts: usize,
     fingers: [LaneFinger<C, X>; M],
     centre: [X; C],
-    /// Largest entry of an arm.
+    /// Largest coordinate of an arm, m.
     pub(super) reach: X,
     factors: LaneFactors<D, X>,
 }
 
 impl<const D: usize, const C: usize, const M: usize, X: Packed> RigidBody<D, C, M, X> {
-    /// Nothing yet.
+    /// An empty value that [`Self::ready`] fills.
     pub(super) fn none() -> Self {
         let none = [X::all(0.0); C];
         Self {
@@ -31,7 +31,7 @@ impl<const D: usize, const C: usize, const M: usize, X: Packed> RigidBody<D, C, 
         }
     }
 
-    /// From the contacts of a block.
+    /// Computes arms and factors from the contacts of a block.
     #[inline(always)]
     pub(super) fn ready(&mut self, block: &Block<'_, C, X>) {
         let contacts = count::<M, X>(block.contacts);
@@ -60,25 +60,24 @@ impl<const D: usize, const C: usize, const M: usize, X: Packed> RigidBody<D, C, 
         self.factors.factorize();
     }
 
-    /// Its contacts.
     #[inline(always)]
     pub(super) fn fingers(&self) -> &[LaneFinger<C, X>] {
         &self.fingers[..count::<M, X>(self.contacts)]
     }
 
-    /// Positive if something moves freely.
+    /// Positive if some motion of the object stretches no spring.
     #[inline(always)]
     pub(super) fn free(&self) -> X {
         self.factors.free
     }
 
-    /// `T⁻¹ w`, zero for what moves freely.
+    /// The motion `T⁻¹ w`, zero along motions that stretch no spring.
     #[inline(always)]
     pub(super) fn motion(&self, w: &[X; D]) -> [X; D] {
         self.factors.solve(w)
     }
 
-    /// The load about the centroid.
+    /// The load with its moment about the centroid instead of the origin.
     #[inline(always)]
     pub(super) fn carried(&self, load: &[X; D]) -> [X; D] {
         let mut force = [X::all(0.0); C];
@@ -91,7 +90,7 @@ impl<const D: usize, const C: usize, const M: usize, X: Packed> RigidBody<D, C, 
         carried
     }
 
-    /// What the forces leave of the load, and which part of it that is.
+    /// The residual of the balance, and its size relative to the forces and moments.
     #[inline(always)]
     pub(super) fn unbalanced(&self, forces: &[Force<C, X>], load: &[X; D]) -> ([X; D], X) {
         let mut left = *load;
@@ -119,15 +118,15 @@ impl<const D: usize, const C: usize, const M: usize, X: Packed> RigidBody<D, C, 
                 moments += load[k].abs();
             }
         }
-        // Nothing of nothing is nothing.
+        // Adding the smallest normal number makes 0 / 0 zero.
         let tiny = X::all(f64::MIN_POSITIVE);
         let part = worst_force / (size + tiny) + worst_moment / (moments + tiny);
-        // Comparisons above pass over what is not a number.
+        // Comparisons ignore NaN; the added term carries it into `part`.
         (left, part + X::all(0.0) * left[0])
     }
 }
 
-/// Adds `G K Gᵀ` of a contact, the entries on and below the diagonal.
+/// Adds `G K Gᵀ` of a contact to t, the entries on and below the diagonal.
 #[inline(always)]
 fn add<const D: usize, const C: usize, X: Packed>(t: &mut [[X; D]; D], finger: &LaneFinger<C, X>) {
     let arm = &finger.arm;

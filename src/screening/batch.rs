@@ -1,4 +1,4 @@
-//! Many grasps of as many contacts each, laid out so that several are screened at once.
+//! Many grasps of equally many contacts, laid out so that several are screened at once.
 
 use super::block::Layout;
 use super::fingers::Fingers;
@@ -16,16 +16,14 @@ use super::turning_pull::TurningPull;
 use crate::numerics::each_taken;
 use crate::prelude::*;
 
-/// Blocks of scenes that one thread screens in one go. Blocks are four or eight scenes: far more
-/// work than handing it out, and small enough that every core gets some of a batch of ten thousand.
+/// Blocks that one thread screens as one task. A block is four or eight scenes. This makes a task far larger than the cost of handing it out, and
+/// leaves every core a share of a batch of ten thousand.
 const BLOCKS: usize = 256;
 
-/// Many grasps of `N` contacts each, two to five, to be screened under common loads. `D` and `C`
-/// are 3 and 2 in the plane, 6 and 3 in space.
+/// Many grasps of `N` contacts each, two to five, to be screened under common loads. `D` and `C` are 3 and 2 in the plane, 6 and 3 in space.
 ///
-/// Numbers of eight grasps lie side by side, so that one instruction works on several of them. A
-/// grasp gets the same answer, to the last bit, as from [`Fingers::onset`] on its own, whatever the
-/// batch, the processor and the number of threads.
+/// Numbers of several grasps lie side by side (eight with the feature `simd`, else four), so that one instruction works on all of them. A grasp gets
+/// the same answer as from [`Fingers::onset`], to the last bit, whatever the batch, the processor and the number of threads.
 ///
 /// ```
 /// use grasp_lcp::planar::{Batch, Contact, Fingers, Pull, Wrench};
@@ -45,7 +43,7 @@ const BLOCKS: usize = 256;
 /// ```
 #[derive(Debug, Clone)]
 pub struct Batch<const D: usize, const C: usize, const N: usize> {
-    /// The numbers of one block after the other, as [`Block`] has them.
+    /// The numbers of all blocks in order, laid out as in [`Block`](super::block::Block).
     numbers: Vec<Lanes>,
     parted: Vec<Lanes>,
     len: usize,
@@ -58,10 +56,10 @@ impl<const D: usize, const C: usize, const N: usize> Default for Batch<D, C, N> 
 }
 
 impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
-    /// Of a block.
+    /// Lengths of `numbers` and `parted` of one block.
     const SIZES: [usize; 2] = [Layout::<C>::numbers(N), 2 * N];
 
-    /// An empty batch with room for so many grasps.
+    /// An empty batch with room for `grasps` grasps.
     #[must_use]
     pub fn with_capacity(grasps: usize) -> Self {
         let blocks = grasps.div_ceil(LANES);
@@ -69,7 +67,7 @@ impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
         Self { numbers, parted, len: 0 }
     }
 
-    /// Appends a grasp; its answers come in the place of its number.
+    /// Appends a grasp. Its answers have the index at which it was appended.
     pub fn push(&mut self, fingers: &Fingers<D, C, N>) {
         let lane = self.len % LANES;
         let scene = fingers.grasp.scene.block();
@@ -78,7 +76,7 @@ impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
             if lane == 0 {
                 numbers.resize(numbers.len() + of_scene.len(), Lanes::all(0.0));
             }
-            // Lanes that stay empty hold the last scene again.
+            // Unused lanes of the last block repeat the last scene.
             let block = numbers.len() - of_scene.len();
             for (number, of_scene) in numbers[block..].iter_mut().zip(of_scene) {
                 number.fill(lane, *of_scene);
@@ -93,7 +91,7 @@ impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
         self.len
     }
 
-    /// Whether there are none.
+    /// Whether the batch has no grasps.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len == 0
@@ -106,11 +104,9 @@ impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
         self.len = 0;
     }
 
-    /// When the first contact of each grasp stops sticking as each of the loads grows, on one
-    /// thread; for all cores there is [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch).
-    /// The answers come grasp by grasp, for each in the order of the loads: what does not depend on
-    /// the load is done once. What `answers` held before is lost; then it holds the one of grasp g and pull
-    /// p at `g * pulls.len() + p`; with room for all of them nothing is allocated.
+    /// Onsets of every grasp under each of the growing loads, on one thread; [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch) uses all
+    /// cores. The earlier content of `answers` is replaced: the answer of grasp g to pull p is at `g * pulls.len() + p`. What does not depend on the
+    /// load is computed once per grasp. Nothing is allocated if `answers` has the capacity.
     ///
     /// ```
     /// use grasp_lcp::planar::{Batch, Contact, Fingers, Pull, Wrench};
@@ -140,24 +136,22 @@ impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
         self.ask_into(&Kernels::get().pull, pulls, answers);
     }
 
-    /// At which angle the first contact of each grasp stops sticking while each of the loads turns, on
-    /// one thread; for all cores there is [`sweep::turn_onsets_of_batch`](crate::sweep::turn_onsets_of_batch).
-    /// Answers come as from [`Self::onsets_into`], each with the bits of [`Fingers::onset_of_turn`].
+    /// Onsets of every grasp under each of the turning loads, on one thread; [`sweep::turn_onsets_of_batch`](crate::sweep::turn_onsets_of_batch) uses
+    /// all cores. Answers are ordered as in [`Self::onsets_into`], each with the bits of [`Fingers::onset_of_turn`].
     pub fn turn_onsets_into(&self, turns: &[TurningPull<C>], answers: &mut Vec<ScreenedTurn>) {
         self.ask_into(&Kernels::get().turning_pull, turns, answers);
     }
 
-    /// The least factor of the commands with which each grasp holds every load of a list, for each of
-    /// the lists, on one thread; for all cores there is
-    /// [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch). Answers come as from
-    /// [`Self::onsets_into`], each with the bits of [`Fingers::least_squeeze`].
+    /// The least factor of the commands with which each grasp holds every load of a list, for each of the lists, on one thread;
+    /// [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch) uses all cores. Answers are ordered as in [`Self::onsets_into`],
+    /// each with the bits of [`Fingers::least_squeeze`].
     pub fn least_squeezes_into(&self, cases: &[LoadCases<C>], answers: &mut Vec<ScreenedSqueeze>) {
         self.ask_into(&Kernels::get().load_cases, cases, answers);
     }
 
-    /// How the onset of each grasp changes with all of its data, for each of the loads, on one thread; for all cores
-    /// there is [`sweep::onset_gradients_of_batch`](crate::sweep::onset_gradients_of_batch), with an example. They come as
-    /// from [`Self::onsets_into`], each with the bits of [`Fingers::onset_gradients`].
+    /// Derivatives of the onset of each grasp by all of its data, for each of the loads, on one thread;
+    /// [`sweep::onset_gradients_of_batch`](crate::sweep::onset_gradients_of_batch) uses all cores and has an example. Gradients are ordered as in
+    /// [`Self::onsets_into`], each with the bits of [`Fingers::onset_gradients`].
     pub fn onset_gradients_into(&self, pulls: &[Pull<C>], gradients: &mut ScreenedGradients<C>) {
         gradients.contacts = N;
         self.ask_into(&Kernels::get().gradient, &of_the_first(pulls), &mut gradients.numbers);
@@ -206,14 +200,14 @@ impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
         each_taken(self.parts(questions, BLOCKS, answers), &kernel.many);
     }
 
-    /// The batch in parts of so many blocks of scenes, each with the places for its answers.
+    /// Parts of at most `blocks` blocks of the batch, each with the slots for its answers.
     fn parts<'a, Q: ScreeningQuestion<C>>(
         &'a self,
         questions: &'a [Q],
         blocks: usize,
         answers: &'a mut Vec<Q::Answer>,
     ) -> impl Iterator<Item = Part<'a, C, Q>> {
-        // Every place is written below: what an earlier batch left there need not be wiped.
+        // Every slot is written later, so that old answers need not be wiped.
         let of_grasp = questions.len() * Q::answers(N);
         answers.resize(self.len * of_grasp, Q::UNKNOWN);
         let (blocks, [numbers, parted]) = (blocks.max(1), Self::SIZES);

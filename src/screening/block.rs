@@ -2,37 +2,34 @@
 
 use super::lanes::Packed;
 
-/// Contacts that a grasp has at most.
+/// Upper limit of the number of contacts of a grasp.
 pub(super) const MOST_CONTACTS: usize = 5;
-/// How many contacts there are, where there is room for `M`: as many, but in kernels of batches with the largest room. So all other loops are
-/// unrolled.
+/// The number of contacts where arrays have room for `M`. It equals `M`, and loops are unrolled, except in kernels of batches with the largest room.
 #[inline(always)]
 pub(super) fn count<const M: usize, X: Packed>(contacts: usize) -> usize {
     if M < MOST_CONTACTS || X::ALONE { M } else { contacts.min(M) }
 }
 
-/// `L` scenes of as many contacts each: rows of numbers, one for each contact, then three sizes. How many contacts there are is known at run
-/// time alone, so that kernels are compiled once for the plane and once for space.
+/// Scenes of equally many contacts, one in each lane: rows of one number per contact, then three sizes. The number of contacts is known at run time
+/// alone, so that kernels are compiled once for the plane and once for space.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Block<'a, const C: usize, X: Packed> {
     pub(super) contacts: usize,
     pub(super) numbers: &'a [X],
-    /// Commands along the normals and clearances apart, of which `numbers` has the difference: only who
-    /// changes the commands asks for them.
+    /// Commands along the normals, then clearances; `numbers` holds their difference. Only questions that change the commands need both.
     pub(super) parted: &'a [X],
 }
 
-/// Commanded displacements less the clearance: along the normal, and across it as in
-/// [`super::finger::Force`]. Kept apart, for a stiff tangential spring would make a force of
-/// what rounding turns of a long way along the normal.
+/// Commanded displacements less the clearance, m: along the normal, and across it as in [`super::finger::Force`]. Both are kept apart: rotating a
+/// long way along the normal leaves rounding across it, and a stiff tangential spring would turn that into a force.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Commanded<'a, const C: usize, X: Packed> {
     pub(super) pressed: &'a [X],
     pub(super) sheared: [&'a [X]; C],
 }
 
-/// What the rounding of forces is measured against, for the commands, for a unit moment, and for a
-/// unit force: the sum of the sizes of all terms. Zero where forces are found by motions.
+/// Scales of the rounding of forces, for the commands, for a unit moment, and for a unit force: the sum of the sizes of all terms. Zero where forces
+/// are found by motions of the object.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Sizes<X: Packed> {
     pub(super) commands: X,
@@ -40,7 +37,7 @@ pub(super) struct Sizes<X: Packed> {
     pub(super) force: X,
 }
 
-/// What stands in which row.
+/// The rows of a block, as offsets.
 pub(super) struct Layout<const C: usize>;
 
 impl<const C: usize> Layout<C> {
@@ -48,14 +45,14 @@ impl<const C: usize> Layout<C> {
     /// Unit normals into the object.
     pub(super) const NORMAL: usize = C;
     pub(super) const SHEARED: usize = 2 * C;
-    /// Normal and tangential stiffness; compliances where forces go along edges, see [`super::method`].
+    /// Normal and tangential stiffness, N/m; compliances where forces are found along edges, see [`super::method`].
     pub(super) const SPRINGS: usize = 3 * C;
     pub(super) const PRESSED: usize = 3 * C + 2;
     /// Friction coefficients, or codes; see [`super::cone`].
     pub(super) const FRICTION: usize = 3 * C + 3;
     const ALL: usize = 3 * C + 4;
 
-    /// The numbers of a scene.
+    /// The count of numbers of one scene.
     pub(super) const fn numbers(contacts: usize) -> usize {
         Self::ALL * contacts + 3
     }
@@ -76,13 +73,13 @@ impl<'a, const C: usize, X: Packed> Block<'a, C, X> {
         rows
     }
 
-    /// By axes.
+    /// Contact points, m, one row per axis.
     #[inline(always)]
     pub(super) fn points(&self) -> [&'a [X]; C] {
         self.vectors(Layout::<C>::POINT)
     }
 
-    /// By axes.
+    /// Unit normals into the object, one row per axis.
     #[inline(always)]
     pub(super) fn normals(&self) -> [&'a [X]; C] {
         self.vectors(Layout::<C>::NORMAL)
@@ -117,16 +114,16 @@ impl<'a, const C: usize, X: Packed> Block<'a, C, X> {
     }
 }
 
-/// One scene, as it is written.
+/// The data of one scene, row by row, before it becomes a [`Block`].
 #[derive(Debug, Clone, Copy)]
 pub(super) struct OneScene<const C: usize, const N: usize> {
-    /// With room for the rows in space, and for the sizes in two more.
+    /// Room for the rows in space, and two more rows for the three sizes.
     numbers: [[f64; N]; 15],
     parted: [[f64; N]; 2],
 }
 
 impl<const C: usize, const N: usize> OneScene<C, N> {
-    /// Nothing yet.
+    /// All numbers zero.
     pub(super) const EMPTY: Self = Self { numbers: [[0.0; N]; 15], parted: [[0.0; N]; 2] };
 
     #[inline(always)]
@@ -135,12 +132,12 @@ impl<const C: usize, const N: usize> OneScene<C, N> {
         Block { contacts: N, numbers, parted: self.parted.as_flattened() }
     }
 
-    /// A number of a contact.
+    /// The number of one contact in a row.
     pub(super) fn at(&mut self, row: usize, contact: usize) -> &mut f64 {
         &mut self.numbers[row][contact]
     }
 
-    /// Command along the normal and clearance of a contact.
+    /// Sets the command along the normal and the clearance of a contact, m.
     pub(super) fn part(&mut self, contact: usize, [command, clearance]: [f64; 2]) {
         self.parted[0][contact] = command;
         self.parted[1][contact] = clearance;

@@ -3,24 +3,22 @@
 use super::finger::Force;
 use super::lanes::{Packed, dot};
 
-/// A force times a rate outside of these bounds, squared, loses its digits to underflow or
-/// overflows.
+/// Lower bound of `(|F| |F'|)` for margins in space: below it squares underflow and lose their digits.
 pub(super) const LEAST: f64 = 1e-140;
+/// Upper bound of the same product: above it squares overflow.
 pub(super) const MOST: f64 = 1e150;
 
-/// What a contact must obey to stick, `α F_n >= β |F_t|`: α and β are the friction coefficient and
-/// one, 1 and 0 if it can only open, both zero if it never leaves.
+/// The condition for a contact to stick, `α F_n >= β |F_t|`. α is the friction coefficient and β one; (1, 0) if the contact can only open, (0, 0) if
+/// it never leaves.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct StickingCone<X: Packed> {
     pub(super) alpha: X,
     pub(super) beta: X,
 }
 
-/// Instead of a friction coefficient: the contact stops sticking only by opening, for it has no
-/// friction, or infinite friction.
+/// Code in place of a friction coefficient: the contact stops sticking only by opening, because its friction is zero or infinite.
 pub(super) const OPENS_ONLY: f64 = -1.0;
-/// Instead of a friction coefficient: the contact never leaves, for it is bonded, or kept closed
-/// without or with infinite friction.
+/// Code in place of a friction coefficient: the contact never leaves. It is bonded, or kept closed with zero or infinite friction.
 pub(super) const STAYS: f64 = 0.0;
 
 impl<X: Packed> StickingCone<X> {
@@ -44,31 +42,32 @@ impl<X: Packed> StickingCone<X> {
     }
 }
 
-/// A line of forces `F + τ F'` and a round cone. With n and t for `α F_n` and `β F_t` it crosses
-/// the cone, or the other half of it, where
+/// A line of forces `F + τ F'` and a round cone. With n and t for `α F_n` and `β F_t` the line crosses the cone, or its mirror image at the apex,
+/// where
 ///
 /// ```text
 /// c + 2 b τ - a τ² = 0,   c = n² - |t|²,   b = n n' - t·t',   a = |t'|² - n'²,   Δ = b² + a c = |n t' - n' t|² - |t × t'|²
 /// ```
 ///
-/// In its second form Δ keeps its digits where the line passes close to the apex.
+/// The second form of Δ keeps its digits where the line passes close to the apex.
 pub(super) struct Crossing<X: Packed> {
     /// `n - |t|` at τ = 0.
     pub(super) margin: X,
-    /// The rate `|t'| - n'` at which it closes in the long run.
+    /// The rate `|t'| - n'` at which the margin closes for large τ.
     pub(super) closing: X,
     pub(super) a: X,
     pub(super) b: X,
     pub(super) c: X,
-    /// √Δ, zero if there is none.
+    /// √Δ, zero if Δ is negative.
     pub(super) root: X,
-    /// `|t|` and `|t'|`.
+    /// `|t|`.
     pub(super) friction: X,
+    /// `|t'|`.
     pub(super) friction_rate: X,
 }
 
 impl<X: Packed> Crossing<X> {
-    /// From (n, t) and their rates.
+    /// From (n, t) at τ = 0 and their rates (n', t').
     #[inline(always)]
     pub(super) fn new<const C: usize>((n, t): (X, &[X; C]), (dn, dt): (X, &[X; C])) -> Self {
         let zero = X::all(0.0);
@@ -89,15 +88,15 @@ impl<X: Packed> Crossing<X> {
         Self { margin, closing, a, b, c, root, friction, friction_rate }
     }
 
-    /// The larger root, where the line leaves the cone: of `c / (√Δ - b)` and `(√Δ + b) / a` the one in
-    /// which nothing cancels.
+    /// The larger root, where the line leaves the cone. It has the two forms `c / (√Δ - b)` and `(√Δ + b) / a`; the one without cancellation is
+    /// taken.
     #[inline(always)]
     pub(super) fn last(&self) -> X {
         let Self { a, b, c, root, .. } = *self;
         b.above(X::all(0.0), root + b, c) / b.above(X::all(0.0), a, root - b)
     }
 
-    /// The other one, where a line from outside enters the cone.
+    /// The smaller root, where a line from outside enters the cone.
     #[inline(always)]
     pub(super) fn first(&self) -> X {
         let Self { a, b, c, root, .. } = *self;

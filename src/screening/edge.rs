@@ -1,4 +1,4 @@
-//! The contact that stops sticking first, on the edge of its cone.
+//! The contact that stops sticking first, at the edge of its cone.
 
 use super::block::{Commanded, count};
 use super::cone::StickingCone;
@@ -6,30 +6,31 @@ use super::forces::Forces;
 use super::lanes::{Packed, dot};
 use super::screened::Screened;
 
-/// Friction at the onset below this part of what it was made of has no direction of its own: the force leaves through the apex of its cone. With a
-/// smaller part a direction would have fewer than six digits.
+/// Friction at the onset below this part of the terms it is the sum of has no reliable direction: the force leaves through the apex of its cone. With
+/// a smaller bound a direction would have fewer than six digits.
 const APEX: f64 = 1e-9;
 
-/// The margin `m = α F_n - β |F_t|` that vanishes first, and what it changes by. Of the contact that leaves, zero for all others; not a number where
-/// none leaves.
+/// The margin `m = α F_n - β |F_t|` that vanishes first, and its derivatives. Arrays are zero at all contacts but the leaving one; all is NaN where
+/// no contact leaves.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LeavingEdge<const C: usize, const M: usize, X: Packed> {
+    /// The factor of the load at which it vanishes.
     pub(super) factor: X,
-    /// The number of that contact; -1 where there is none.
+    /// The index of the leaving contact; -1 where there is none.
     pub(super) contact: X,
-    /// `∂m/∂F`, along the normal and across it: a command in its place asks for the forces whose work says how m changes.
+    /// `∂m/∂F`, along the normal and across it. Used as a command it gives the forces from which the derivatives of m follow.
     normal: [X; M],
     tangential: [[X; M]; C],
     /// `∂m/∂μ`.
     pub(super) by_friction: [X; M],
-    /// m' along the load.
+    /// The rate m' along the load.
     pub(super) rate: X,
-    /// Positive if the least factor has a kink here, so that derivatives are those to one side.
+    /// Positive if the least factor has a kink here, so that derivatives are one-sided.
     pub(super) kink: X,
 }
 
 impl<const C: usize, const M: usize, X: Packed> LeavingEdge<C, M, X> {
-    /// Nothing yet.
+    /// All zero, before [`Self::reach`].
     pub(super) fn none() -> Self {
         let zero = X::all(0.0);
         Self {
@@ -43,7 +44,8 @@ impl<const C: usize, const M: usize, X: Packed> LeavingEdge<C, M, X> {
         }
     }
 
-    /// Takes forces along to the factor at which the first contact leaves, or one of those that leave there.
+    /// Advances `forces` to the factor at which the first contact leaves. The edge is that of contact `which` if it leaves there, else of the first
+    /// that does.
     #[inline(always)]
     pub(super) fn reach(
         &mut self,
@@ -71,7 +73,7 @@ impl<const C: usize, const M: usize, X: Packed> LeavingEdge<C, M, X> {
             let (force, rate) = (&mut forces.of[i], &rates.of[i]);
             let mut size = force.normal.abs() + self.factor * rate.normal.abs();
             force.normal += self.factor * rate.normal;
-            // In the plane there is one tangent, and no number behind it.
+            // In the plane only the first tangential entry is used.
             for axis in 0..if C == 2 { 1 } else { C } {
                 let changed = self.factor * rate.tangential[axis];
                 size += force.tangential[axis].abs() + changed.abs();
@@ -93,7 +95,7 @@ impl<const C: usize, const M: usize, X: Packed> LeavingEdge<C, M, X> {
         }
     }
 
-    /// `∂m/∂F` as if it were commands.
+    /// `∂m/∂F` as commands.
     #[inline(always)]
     pub(super) fn probe(&self, contacts: usize) -> Commanded<'_, C, X> {
         let contacts = count::<M, X>(contacts);

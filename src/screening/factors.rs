@@ -1,28 +1,27 @@
-//! Symmetric matrices in factors, `T = L D Lᵀ`, lane by lane.
+//! Factors `T = L D Lᵀ` of symmetric matrices, lane by lane.
 
 use super::lanes::Packed;
 
-/// A pivot below this part of its diagonal entry is rounding: that motion stretches no spring. With
-/// a smaller part motions that are free would get a stiffness of rounding, with a larger one stiff
-/// motions beside very soft ones would be called free.
+/// A pivot below this part of its diagonal entry counts as rounding: the motion stretches no spring. With a smaller bound free motions would get a
+/// stiffness made of rounding. With a larger one stiff motions beside very soft ones would be called free.
 pub(super) const NOTHING: f64 = 1e-13;
 
 /// The factors of a matrix of `R` rows.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LaneFactors<const R: usize, X: Packed> {
-    /// L below the diagonal, and D⁻¹ on it: zero where the pivot is rounding.
+    /// L below the diagonal, and D⁻¹ on it; zero in place of 1/d where the pivot is rounding.
     pub(super) entries: [[X; R]; R],
     /// Positive if some pivot is rounding.
     pub(super) free: X,
 }
 
 impl<const R: usize, X: Packed> LaneFactors<R, X> {
-    /// Of nothing.
+    /// All zero.
     pub(super) fn none() -> Self {
         Self { entries: [[X::all(0.0); R]; R], free: X::all(0.0) }
     }
 
-    /// Those of the matrix whose entries on and below the diagonal are the entries so far.
+    /// Factorises in place the matrix whose entries on and below the diagonal are stored.
     #[inline(always)]
     pub(super) fn factorize(&mut self) {
         let (zero, one) = (X::all(0.0), X::all(1.0));
@@ -30,11 +29,11 @@ impl<const R: usize, X: Packed> LaneFactors<R, X> {
         let mut free = zero;
         for column in 0..R {
             let whole = t[column][column];
-            // Column by column: what stands left of it holds L already.
+            // Columns to the left hold L already.
             let mut scaled = [zero; R];
             let mut pivot = whole;
             for k in 0..column {
-                // t[k][k] holds 1/d_k; L_ck d_k was kept above the diagonal.
+                // t[k][k] holds 1/d_k; L_ck d_k is stored above the diagonal.
                 scaled[k] = t[k][column];
                 pivot -= t[column][k] * scaled[k];
             }
@@ -54,7 +53,7 @@ impl<const R: usize, X: Packed> LaneFactors<R, X> {
         self.free = free;
     }
 
-    /// `T⁻¹ w`, zero where the pivot is rounding.
+    /// `T⁻¹ w`; rows whose pivot is rounding contribute zero.
     #[inline(always)]
     pub(super) fn solve(&self, w: &[X; R]) -> [X; R] {
         let f = &self.entries;
@@ -75,7 +74,7 @@ impl<const R: usize, X: Packed> LaneFactors<R, X> {
         q
     }
 
-    /// `D⁻¹` of a row.
+    /// `1/d` of a row.
     #[inline(always)]
     pub(super) fn one_over_pivot(&self, row: usize) -> X {
         self.entries[row][row]

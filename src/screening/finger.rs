@@ -1,25 +1,25 @@
-//! One contact: its springs, and what forces and motions do at the end of its arm.
+//! One contact: its springs, and the wrench and displacement at the end of its arm.
 
 use super::lanes::{Packed, dot};
 
-/// One contact.
+/// One contact of each scene.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LaneFinger<const C: usize, X: Packed> {
     pub(super) normal: [X; C],
     pub(super) springs: [X; 2],
-    /// From the centroid of the contacts.
+    /// The vector from the centroid of the contacts to the contact, m.
     pub(super) arm: [X; C],
 }
 
-/// Its force, or how its springs are stretched: normal, and tangential in space a vector, in the
-/// plane the first entry, that along (n_y, -n_x).
+/// The force of a contact, N, or the stretch of its springs, m. The tangential part is a vector in space; in the plane its first entry is the
+/// component along (n_y, -n_x).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Force<const C: usize, X: Packed> {
     pub(super) normal: X,
     pub(super) tangential: [X; C],
 }
 
-/// The moment of a force at an arm, in the first entries.
+/// The moment `arm × f`; in the plane its only component is the first entry.
 #[inline(always)]
 pub(super) fn moment<const C: usize, X: Packed>(arm: &[X; C], f: &[X; C]) -> [X; 3] {
     let zero = X::all(0.0);
@@ -34,7 +34,7 @@ pub(super) fn moment<const C: usize, X: Packed>(arm: &[X; C], f: &[X; C]) -> [X;
     }
 }
 
-/// The displacement at an arm.
+/// The displacement of the point at `arm` under the motion q of the object (translation, then rotation).
 #[inline(always)]
 pub(super) fn displacement<const D: usize, const C: usize, X: Packed>(arm: &[X; C], q: &[X; D]) -> [X; C] {
     let mut u = *arm;
@@ -50,7 +50,7 @@ pub(super) fn displacement<const D: usize, const C: usize, X: Packed>(arm: &[X; 
     u
 }
 
-/// The force, or a displacement in its place, in coordinate axes; from the normal.
+/// The force, or a displacement in its place, in coordinate axes.
 #[inline(always)]
 pub(super) fn world<const C: usize, X: Packed>(n: &[X; C], force: &Force<C, X>) -> [X; C] {
     let mut world = force.tangential;
@@ -65,7 +65,7 @@ pub(super) fn world<const C: usize, X: Packed>(n: &[X; C], force: &Force<C, X>) 
     world
 }
 
-/// The force of a contact whose springs are stretched so.
+/// The force of a contact whose springs are stretched by `s`, in coordinate axes.
 #[inline(always)]
 pub(super) fn stretched<const C: usize, X: Packed>(finger: &LaneFinger<C, X>, s: &[X; C]) -> Force<C, X> {
     let [normal, tangential] = finger.springs;

@@ -1,4 +1,4 @@
-//! The contacts of one grasp, checked once and made ready.
+//! One grasp, checked and prepared for screening.
 
 use super::gradient::GradientOf;
 use super::gradient_row::GradientRow;
@@ -14,8 +14,7 @@ use crate::error::Error;
 use crate::grasp::Contact;
 use crate::prelude::*;
 
-/// A grasp of `N` contacts, two to five, made ready for the question at which load the first of
-/// them stops sticking: what does not depend on the load is done once.
+/// A grasp of two to five contacts, `N` of them, prepared for screening: everything that does not depend on the load is computed once.
 ///
 /// `D` and `C` are 3 and 2 in the plane, 6 and 3 in space; see
 /// [`planar::Fingers`](crate::planar::Fingers) and [`spatial::Fingers`](crate::spatial::Fingers).
@@ -39,25 +38,24 @@ pub struct Fingers<const D: usize, const C: usize, const N: usize> {
 }
 
 impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
-    /// Checks the contacts and makes them ready. Other numbers of contacts than two to five do not
-    /// compile.
+    /// Checks and prepares the contacts. Any other number of contacts than two to five does not compile.
     ///
     /// # Errors
-    /// [`Error::Contact`] naming the first contact, field and value that is out of range. In space
-    /// a contact's stiffness must be equal along both tangents, and no force holds a contact.
+    /// [`Error::Contact`] naming the first contact, field and value that is out of range. In space the stiffness of a contact must be equal along
+    /// both tangents. A contact must not be held by a force or by suction.
     pub fn new(contacts: &[Contact<C>; N]) -> Result<Self, Error> {
         Ok(Self { grasp: (Kernels::get().prepare)(contacts)? })
     }
 
-    /// When the first contact stops sticking as the load grows, and which ones do; or why screening
-    /// does not know.
+    /// The factor at which the first contact stops sticking as the load grows, and the contacts that leave there. Where screening cannot decide, the
+    /// verdict says why.
     #[must_use]
     pub fn onset(&self, pull: &Pull<C>) -> Screened {
         Kernels::get().pull.ask(&self.grasp, pull)
     }
 
-    /// How the onset changes with all data of the grasp and the load: one gradient for each contact that leaves there, in rising order, none without
-    /// a factor.
+    /// Derivatives of the onset by all data of the grasp and the load: one gradient for each contact that leaves there, in rising order. Without a
+    /// factor there is none.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Fingers, Pull, Wrench};
@@ -87,8 +85,8 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
         ScreenedGradients { contacts: N, numbers: gradients }
     }
 
-    /// How the onset changes, the first of [`Self::onset_gradients`] alone, in memory that is used again: after it `gradients` has this one, without
-    /// numbers if there is no factor, and once it had one of as many contacts nothing is allocated.
+    /// Derivatives of the onset, the first of [`Self::onset_gradients`] alone, written into memory that is reused. Afterwards `gradients` holds this
+    /// one gradient, with NaN if there is no factor. Nothing is allocated if it held a gradient of as many contacts before.
     pub fn onset_gradient_into(&self, pull: &Pull<C>, gradients: &mut ScreenedGradients<C>) {
         gradients.contacts = N;
         gradients.numbers.clear();
@@ -97,8 +95,8 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
         (Kernels::get().gradient.one)(&self.grasp, &question, &mut gradients.numbers);
     }
 
-    /// At which angle the first contact stops sticking while the load turns, and which ones do; or why
-    /// screening does not know.
+    /// The angle at which the first contact stops sticking while the load turns, and the contacts that leave there. Where screening cannot decide,
+    /// the verdict says why.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Fingers, Turn, TurningPull};
@@ -122,8 +120,8 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
         Kernels::get().turning_pull.ask(&self.grasp, turn)
     }
 
-    /// The least common factor of all commands with which every contact touches and sticks under each
-    /// of the loads; or why screening does not know. Clearances stay as they are.
+    /// The least common factor of all commands with which every contact touches and sticks under each of the loads. Clearances are not scaled. Where
+    /// screening cannot decide, the verdict says why.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Fingers, LoadCases, Wrench};

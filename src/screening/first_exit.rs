@@ -1,4 +1,4 @@
-//! Where forces that change in proportion to the load leave their friction cones.
+//! Where forces that grow in proportion to the load leave their friction cones.
 
 use super::block::count;
 use super::cone::{Crossing, LEAST, MOST, StickingCone};
@@ -8,25 +8,25 @@ use super::lanes::Packed;
 use super::screened::Screened;
 use super::verdict::{Start, TOGETHER, verdicts};
 
-/// A margin that closes at less than so many times the rounding of its rate closes at a factor of
-/// fewer than six digits, which is no answer.
+/// A margin must close at this multiple of the rounding of its rate. A slower one closes at a factor of fewer than six digits, and the verdict is
+/// unclear.
 pub(super) const SHARP: f64 = 1e6;
 
-/// The way of one contact out of its cone.
+/// Where one contact leaves its cone.
 struct Exit<X: Packed> {
-    /// Infinite if there is none, a code if it is not known.
+    /// Infinite if the contact never leaves, a code if that is not known.
     factor: X,
-    /// The margin to the edge at factor zero, and the margin less its rounding.
+    /// The margin to the edge at factor zero.
     margin: X,
+    /// The margin less its rounding; minus infinity where squares over- or underflow.
     sure: X,
 }
 
-/// Where `F + factor · F'` leaves the cone. The margin at factor zero must not be negative.
+/// The factor at which `F + factor · F'` leaves the cone. The margin at factor zero must not be negative.
 ///
-/// With n and t for `α F_n` and `β F_t` the margin `n - |t|` is concave along the line, and in the
-/// long run it closes at the rate `|t'| - n'`: whether that is more than rounding decides whether
-/// the line leaves at all. In the plane it is two straight lines. In space the first root of a
-/// quadratic is wanted, see [`Crossing`].
+/// With n and t for `α F_n` and `β F_t` the margin `n - |t|` is concave along the line. For large factors it closes at the rate `|t'| - n'`; the line
+/// leaves at all only if that exceeds its rounding. In the plane the margin is the least of two straight lines. In space its first root solves a
+/// quadratic equation, see [`Crossing`].
 #[inline(always)]
 fn exit<const C: usize, const M: usize, X: Packed>(
     cone: &StickingCone<X>,
@@ -40,7 +40,7 @@ fn exit<const C: usize, const M: usize, X: Packed>(
     let (force, rate) = (&base.of[contact], &rates.of[contact]);
     let (n, dn) = (cone.alpha * force.normal, cone.alpha * rate.normal);
     let (factor, margin);
-    // Minus infinity where nothing is sure.
+    // Minus infinity where squares over- or underflow, so that nothing is certain.
     let mut lost = zero;
     if C == 2 {
         let [t, dt] = [cone.beta * force.tangential[0], cone.beta * rate.tangential[0]];
@@ -62,8 +62,7 @@ fn exit<const C: usize, const M: usize, X: Packed>(
     Exit { factor, margin, sure: margin - weight * base.rounding[contact] + lost }
 }
 
-/// A factor as far as it is known from the rate at which the margin closes there: infinite if that
-/// is rounding, a code if it is close to it.
+/// The factor, qualified by the rate at which the margin closes there. It is infinite if that rate is rounding, a code if it is close to rounding.
 #[inline(always)]
 fn known<X: Packed>(factor: X, closing: X, noise: X) -> X {
     let factor = closing.above(X::all(SHARP) * noise, factor, X::all(UNCLEAR));

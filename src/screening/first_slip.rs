@@ -1,24 +1,23 @@
-//! When the first contact of one grasp stops sticking, at a factor or an angle.
+//! The first slip of one grasp, at a factor or an angle.
 
 use core::fmt;
 
 use crate::prelude::*;
 
-/// When the first contact of one grasp stops sticking: a plain number, so that kernels choose it
-/// without a branch.
+/// The first slip of one grasp encoded as numbers, so that kernels select it without a branch.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct SlipCode {
-    /// The factor or the angle, infinite if nothing leaves, or one of the codes below.
+    /// The factor or the angle (rad), infinite if no contact leaves, or one of the codes below.
     pub(super) code: f64,
     /// Sum of 2^i over the contacts i that leave there.
     pub(super) leaving: f64,
 }
 
-/// Neither factor nor angle: [`ScreeningVerdict::NotSticking`].
+/// Code for [`ScreeningVerdict::NotSticking`].
 pub(super) const NOT_STICKING: f64 = -1.0;
-/// Neither factor nor angle: [`ScreeningVerdict::GivesWay`].
+/// Code for [`ScreeningVerdict::GivesWay`].
 pub(super) const GIVES_WAY: f64 = -2.0;
-/// Neither factor nor angle: [`ScreeningVerdict::Unclear`], as what is not a number.
+/// Code for [`ScreeningVerdict::Unclear`]; NaN means the same.
 pub(super) const UNCLEAR: f64 = -3.0;
 
 /// How the screening of one grasp ended.
@@ -30,27 +29,25 @@ pub enum ScreeningVerdict {
     Leaves,
     /// However large the load grows, or as far as it turns, no contact stops sticking.
     Never,
-    /// Not every contact sticks at factor or angle zero: one would slide or be open there, perhaps
-    /// there is no equilibrium. [`Grasp::onset`](crate::ask::Grasp::onset) and
-    /// [`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn) say more.
+    /// Not every contact sticks at factor or angle zero: one would slide or be open there, or there may be no equilibrium.
+    /// [`Grasp::onset`](crate::ask::Grasp::onset) and [`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn) decide which.
     NotSticking,
     /// The load works on a motion that no contact resists, at factor or angle zero or beyond.
     GivesWay,
-    /// Single passes of floating-point arithmetic do not tell; ask
-    /// [`Grasp::onset`](crate::ask::Grasp::onset) or
-    /// [`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn).
+    /// Single passes of floating-point arithmetic cannot decide. [`Grasp::onset`](crate::ask::Grasp::onset) or
+    /// [`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn) can.
     ///
-    /// * A contact stands on the edge of its cone at factor or angle zero.
+    /// * A contact is within rounding of the edge of its cone at factor or angle zero.
     /// * A margin closes so slowly that rounding would show in the factor or the angle.
-    /// * While the load turns, a contact comes as near to the edge of its cone as rounding and may
-    ///   touch it or leave; or it leaves where the turn ends.
+    /// * While the load turns, the margin of a contact comes within rounding of zero, so that the contact may or may not leave. Or it leaves where
+    ///   the turn ends.
     /// * Two contacts in the plane do not hold the object because friction is missing.
-    /// * Numbers are too extreme.
+    /// * Forces or stiffnesses are so large or small that squares overflow or lose digits.
     Unclear,
 }
 
 impl SlipCode {
-    /// Not asked yet.
+    /// The answer before a kernel has written one.
     pub(super) const UNKNOWN: Self = Self { code: UNCLEAR, leaving: 0.0 };
 
     pub(super) fn verdict(self) -> ScreeningVerdict {

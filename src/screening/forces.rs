@@ -1,28 +1,27 @@
-//! The forces of all contacts of scenes side by side.
+//! The forces of all contacts, one scene in each lane.
 
 use super::block::count;
 use super::finger::Force;
 use super::lanes::Packed;
 
-/// A contact this close to the edge of its cone at factor zero, relative to the forces there, may
-/// be on it. With a smaller part rounding would decide whether it sticks; with a larger one more
-/// grasps would be unclear.
+/// A contact whose margin at factor zero is below this part of the forces there may be on the edge of its cone. With a smaller part rounding would
+/// decide whether it sticks; with a larger one more grasps would be unclear.
 pub(super) const ON_THE_EDGE: f64 = 1e-12;
 
 /// The forces of all contacts, or their rates, with room for `M` of them.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Forces<const C: usize, const M: usize, X: Packed> {
     pub(super) of: [Force<C, X>; M],
-    /// What of them may be rounding.
+    /// Bound of the rounding of each force, N.
     pub(super) rounding: [X; M],
-    /// What part of the load they leave unbalanced; not a number if there are no such forces.
+    /// The part of the load that the forces leave unbalanced; NaN if there are no such forces.
     pub(super) unbalanced: X,
     /// Positive if the load works on a motion that no contact resists.
     pub(super) free: X,
 }
 
 impl<const C: usize, const M: usize, X: Packed> Forces<C, M, X> {
-    /// No forces.
+    /// Zero forces without rounding.
     pub(super) fn none() -> Self {
         let zero = X::all(0.0);
         Self {
@@ -33,7 +32,7 @@ impl<const C: usize, const M: usize, X: Packed> Forces<C, M, X> {
         }
     }
 
-    /// Adds these forces of so many contacts to others; the rounding of these counts so many times.
+    /// Adds the forces `others` of `contacts` contacts to these; the rounding of these is multiplied by `rounding` first.
     #[inline(always)]
     pub(super) fn add_to(&mut self, contacts: usize, others: &Self, rounding: f64) {
         for i in 0..count::<M, X>(contacts) {

@@ -1,8 +1,8 @@
-//! How the factor of a pull changes with every number of a grasp.
+//! Derivatives of the factor of a pull by all data of a grasp.
 //!
-//! The factor is where the margin m of the contact that leaves vanishes, `dτ = -dm / m'`. With g = ∂m/∂F of that contact the springs are
-//! asked once more: how would they answer if its finger went by g, and nothing else happened? The forces P and the motion (v, ω̄) of the object that
-//! answer hold all derivatives. With the forces F and the motion (u, ω) at the onset, at each contact,
+//! The factor is where the margin m of the leaving contact vanishes, so that `dτ = -dm / m'`. Let g = ∂m/∂F of that contact. The springs are solved
+//! once more, with g as the command of its finger and nothing else. All derivatives follow from the forces P and the motion (v, ω̄) of the object in
+//! that solution. With the forces F and the motion (u, ω) at the onset, at each contact,
 //!
 //! ```text
 //! ∂m/∂a = P                          command                 ∂m/∂p = ω̄ × F + ω × P        point
@@ -10,7 +10,7 @@
 //! ∂m/∂k_t = F_t·P_t / k_t²                                   ∂m/∂W = -(v, ω̄) at the origin   load
 //! ```
 //!
-//! So a gradient takes one more answer of the springs than its value, however many numbers there are.
+//! A gradient thus costs one more solve of the springs than its value, whatever the number of data.
 
 use super::block::Block;
 use super::edge::LeavingEdge;
@@ -29,7 +29,7 @@ use crate::numerics::Vectors;
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GradientOf<const C: usize> {
     pub(super) pull: Pull<C>,
-    /// Of which contact, if it leaves; else of the first that does.
+    /// The contact whose margin is differentiated, if it leaves; else the first contact that leaves.
     pub(super) contact: Option<usize>,
 }
 

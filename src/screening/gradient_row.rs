@@ -10,7 +10,7 @@ use super::moved::{ObjectMotion, worked};
 use super::screened::Screened;
 use super::told::Told;
 
-/// What stands where in a row: the answer of screening, then each field contact by contact, then the load.
+/// Offsets in a row: the answer of screening, then each field contact by contact, then the load.
 pub(super) struct GradientRow<const C: usize>;
 
 impl<const C: usize> GradientRow<C> {
@@ -19,7 +19,7 @@ impl<const C: usize> GradientRow<C> {
     pub(super) const CONTACT: usize = 2;
     pub(super) const KINK: usize = 3;
     pub(super) const POINT: usize = 4;
-    /// Components of the load.
+    /// The number of components of the load.
     pub(super) const LOADS: usize = 3 * (C - 1);
 
     pub(super) const fn normal(contacts: usize) -> usize {
@@ -42,22 +42,22 @@ impl<const C: usize> GradientRow<C> {
     }
 }
 
-/// Numbers of the longest row: that of five contacts in space.
+/// The length of the longest row, of five contacts in space.
 const MOST: usize = GradientRow::<3>::numbers(MOST_CONTACTS);
 
-/// What derivatives are made of; see [`super::gradient`].
+/// The quantities that derivatives are products of; see [`super::gradient`].
 pub(super) struct Slopes<'a, const C: usize, const M: usize, X: Packed> {
     pub(super) method: Method,
     pub(super) edge: &'a LeavingEdge<C, M, X>,
-    /// F and P.
+    /// F and P of [`super::gradient`].
     pub(super) forces: [&'a Forces<C, M, X>; 2],
-    /// u with ω, and v with ω̄.
+    /// (u, ω) and (v, ω̄) of [`super::gradient`].
     pub(super) motions: [&'a ObjectMotion<C, M, X>; 2],
     pub(super) first: X::Each<Screened>,
 }
 
 impl<const C: usize, const M: usize, X: Packed> Slopes<'_, C, M, X> {
-    /// Writes the rows of the scenes of a block.
+    /// Computes the row of each scene of a block and stores it.
     #[inline(always)]
     pub(super) fn tell(&self, block: &Block<'_, C, X>, told: &mut Told<'_, f64, X>) {
         let contacts = count::<M, X>(block.contacts);
@@ -69,7 +69,7 @@ impl<const C: usize, const M: usize, X: Packed> Slopes<'_, C, M, X> {
             self.contact(block, i, scale, &mut row);
             row[GradientRow::<C>::friction(contacts) + i] = scale * by_friction[i];
         }
-        // The motion at the origin, where moments of loads are about.
+        // The motion (v, ω̄) is taken to the origin, the point that moments of loads refer to.
         let virtually = self.motions[1];
         let mut turn = [X::all(0.0); C];
         turn.copy_from_slice(&virtually.turn[..C]);
@@ -98,7 +98,7 @@ impl<const C: usize, const M: usize, X: Packed> Slopes<'_, C, M, X> {
         }
     }
 
-    /// The fields of one contact.
+    /// Writes the derivatives by the data of one contact.
     #[inline(always)]
     fn contact(&self, block: &Block<'_, C, X>, i: usize, scale: X, row: &mut [X; MOST]) {
         let (zero, contacts) = (X::all(0.0), count::<M, X>(block.contacts));
@@ -111,7 +111,8 @@ impl<const C: usize, const M: usize, X: Packed> Slopes<'_, C, M, X> {
             Method::Motions => [give(k_n), give(k_t)],
         };
         if C == 2 && self.method == Method::Edges {
-            // A finger without friction leaves no squeeze between two: its compliances only tell how the object moves.
+            // If one contact of a pair has no friction, commands leave no forces; c_n = 0 marks such a pair. P is then zero, and the compliances
+            // serve for the motion of the object alone.
             let squeezes = k_n.above(zero, scale, zero);
             answered.normal = squeezes * answered.normal;
             for entry in &mut answered.tangential {

@@ -1,7 +1,7 @@
-//! What is compiled for screening: once for the plane and once for space, in this crate.
+//! The compiled kernels of screening: once for the plane and once for space, in this crate.
 //!
-//! Whoever links the library knows the number of axes and of contacts as parameters of types. Functions with such parameters would be compiled again
-//! by everyone who calls them, for minutes; so they are called by pointer.
+//! A program that links the library knows the number of axes and of contacts as parameters of types. Functions with such parameters would be compiled
+//! again in every such program, for minutes. They are therefore called by pointer.
 
 use core::any::Any;
 
@@ -17,7 +17,7 @@ use super::watch::{Measured, Watched};
 use crate::error::Error;
 use crate::grasp::{Contact, assert_plane_or_space};
 
-/// All that is asked in the plane, or in space.
+/// All questions of screening, for `N` contacts in the plane or in space.
 pub(super) struct Kernels<const D: usize, const C: usize, const N: usize> {
     pub(super) prepare: fn(&[Contact<C>; N]) -> Result<OneGrasp<D, C, N>, Error>,
     pub(super) pull: Kernel<D, C, N, Pull<C>>,
@@ -27,15 +27,15 @@ pub(super) struct Kernels<const D: usize, const C: usize, const N: usize> {
     pub(super) watch: fn(&OneGrasp<D, C, N>, &Measured<'_, C>) -> Watched,
 }
 
-/// One question, to one grasp and to many.
+/// One question, for one grasp and for a batch.
 pub(super) struct Kernel<const D: usize, const C: usize, const N: usize, Q: ScreeningQuestion<C>> {
     pub(super) one: fn(&OneGrasp<D, C, N>, &Q, &mut [Q::Answer]),
     pub(super) many: fn(Part<'_, C, Q>),
 }
 
-// Each a static of its own: a program for a small controller links those that it asks.
+// Each entry is a static of its own, so that a program for a small controller links only those that it uses.
 static PLANE_2: Kernels<3, 2, 2> = Kernels::new::<MOST>();
-/// Batches of three contacts in the plane have kernels of their own, which are a quarter faster there; all others share them.
+/// Batches of three contacts in the plane have kernels of their own, which are a quarter faster there. All other batches share theirs.
 static PLANE_3: Kernels<3, 2, 3> = Kernels::new::<3>();
 static PLANE_4: Kernels<3, 2, 4> = Kernels::new::<MOST>();
 static PLANE_5: Kernels<3, 2, 5> = Kernels::new::<MOST>();
@@ -52,7 +52,7 @@ impl<const D: usize, const C: usize, const N: usize> Kernels<D, C, N> {
         Self { prepare, pull, turning_pull, load_cases, gradient, watch: OneGrasp::watch }
     }
 
-    /// Those of so many contacts in the plane, or in space.
+    /// The kernels for this number of axes and contacts.
     #[inline]
     pub(super) fn get() -> &'static Self {
         const { assert_plane_or_space::<D, C>() };
@@ -76,7 +76,7 @@ impl<const D: usize, const C: usize, const N: usize, Q: ScreeningQuestion<C>> Ke
         Self { one: OneGrasp::ask, many: screen::<D, C, M, Q> }
     }
 
-    /// The answer to a question that has one.
+    /// The answer to a question with one answer per scene.
     #[inline]
     pub(super) fn ask(&self, grasp: &OneGrasp<D, C, N>, question: &Q) -> Q::Answer {
         let mut answer = [Q::UNKNOWN];

@@ -1,17 +1,17 @@
-//! One number of each of several scenes, side by side.
+//! One number of each of several scenes, in the lanes of a vector.
 //!
-//! With `simd` everything here is inlined wherever it is used: what is not is compiled for the vectors of every processor. Without, that would only cost time
-//! to compile.
+//! With `simd` everything here is inlined into its callers. A function that is not inlined would be compiled for the instruction set that every
+//! processor has, instead of the wider vectors of its caller. Without `simd` inlining would only lengthen compilation.
 
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 use crate::numerics::square_root;
 
-/// Scenes side by side in a batch.
+/// Number of lanes: scenes side by side in a block of a batch.
 pub(super) const LANES: usize = if cfg!(feature = "simd") { 8 } else { 4 };
 
-/// A number of one scene, or of each of several. Of several each is computed as if it stood alone.
+/// A number of one scene, or one number of each of several. Each lane is computed as if it stood alone.
 pub(super) trait Packed:
     Copy
     + Debug
@@ -23,29 +23,29 @@ pub(super) trait Packed:
     + AddAssign
     + SubAssign
 {
-    /// Something of each scene.
+    /// A value of any type for each scene.
     type Each<T: Copy>: Copy + AsRef<[T]>;
-    /// Whether it is one scene.
+    /// Whether there is one scene only.
     const ALONE: bool;
 
-    /// The same number of each scene.
+    /// The same number in every lane.
     fn all(value: f64) -> Self;
-    /// Something of each scene, by its number.
+    /// A value for each scene, computed from its lane.
     fn each<T: Copy>(of: impl FnMut(usize) -> T) -> Self::Each<T>;
-    /// From the numbers of the scenes.
+    /// Packs the numbers of the scenes.
     fn of(numbers: Self::Each<f64>) -> Self;
     /// The number of one scene.
     fn lane(self, lane: usize) -> f64;
     fn abs(self) -> Self;
     fn sqrt(self) -> Self;
-    /// The larger; the second where they do not compare.
+    /// The larger number; `other` where one of them is NaN.
     fn max(self, other: Self) -> Self;
-    /// The smaller; the second where they do not compare.
+    /// The smaller number; `other` where one of them is NaN.
     fn min(self, other: Self) -> Self;
-    /// `yes` where this is larger than `bound`, else `no`, also where they do not compare.
+    /// `yes` where this is larger than `bound`, else `no`; also `no` where one of them is NaN.
     fn above(self, bound: Self, yes: Self, no: Self) -> Self;
 
-    /// Whether it is this one of every scene.
+    /// Whether every lane equals `value`.
     #[cfg_attr(not(feature = "simd"), inline)]
     #[cfg_attr(feature = "simd", inline(always))]
     fn is_all(self, value: f64) -> bool {
@@ -112,7 +112,7 @@ impl Packed for f64 {
     }
 }
 
-/// One number of each scene. Every operation is a loop over the lanes, which the compiler turns into vector instructions.
+/// One number of each of [`LANES`] scenes. Every operation is a loop over the lanes, which the compiler turns into vector instructions.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Lanes([f64; LANES]);
 
@@ -133,7 +133,7 @@ impl Lanes {
         self.zip(self, |x, _| f(x))
     }
 
-    /// Gives a number to the scenes from this one on.
+    /// Sets the lanes from `from` on.
     #[cfg_attr(not(feature = "simd"), inline)]
     #[cfg_attr(feature = "simd", inline(always))]
     pub(super) fn fill(&mut self, from: usize, number: f64) {
@@ -246,7 +246,6 @@ impl Neg for Lanes {
 in_place!(AddAssign, add_assign, +);
 in_place!(SubAssign, sub_assign, -);
 
-/// Scalar product.
 #[inline]
 pub(super) fn dot<X: Packed, const C: usize>(a: &[X; C], b: &[X; C]) -> X {
     let mut sum = a[0] * b[0];
@@ -256,7 +255,7 @@ pub(super) fn dot<X: Packed, const C: usize>(a: &[X; C], b: &[X; C]) -> X {
     sum
 }
 
-/// Vector product, in space.
+/// Vector product in space.
 #[inline(always)]
 pub(super) fn cross<const C: usize, X: Packed>(a: &[X; C], b: &[X; C]) -> [X; C] {
     let mut product = *a;

@@ -1,10 +1,9 @@
-//! How much squeeze is enough.
+//! The least factor of the commands that holds a list of loads.
 //!
-//! Of the commands times s and a load the forces at a contact are `F + s F'`. With n and t for `α F_n`
-//! and `β F_t` the margin `n - |t|` is concave in s, and not negative from where the line enters the
-//! cone to where it leaves: an interval of factors, perhaps empty. The answer is the least point that
-//! the intervals of all contacts and loads have in common. In the plane a margin is two straight lines;
-//! in space both ends are roots of one quadratic, see [`Crossing`].
+//! With the commands times s and a load the forces at a contact are `F + s F'`. With n and t for `α F_n` and `β F_t` the margin `n - |t|` is concave
+//! in s. It is not negative from where the line enters the cone to where it leaves: an interval of factors, perhaps empty. The answer is the least
+//! common point of the intervals of all contacts and loads. In the plane a margin is the least of two straight lines; in space both ends are roots of
+//! one quadratic, see [`Crossing`].
 
 use super::block::count;
 use super::cone::{Crossing, LEAST, MOST, StickingCone};
@@ -13,21 +12,20 @@ use super::forces::Forces;
 use super::lanes::{Packed, dot};
 use super::verdict::balanced;
 
-/// A line must pass through the cone by so many times the rounding of its margin, or it may miss it.
+/// A line must pass inside the cone by this multiple of the rounding of its margin; with less it may miss the cone, and the answer is unclear.
 const DEPTH: f64 = 4.0;
-/// A margin without squeeze that falls short by its rounding, but for this factor, may be broken or
-/// not. Sums without structure stay below; with a larger one more grasps that need no squeeze would
-/// be unclear.
+/// A margin without squeeze is unclear if its shortfall lies between its rounding divided by this factor and its rounding times it. The rounding of
+/// ordinary sums stays below. With a larger factor more grasps that need no squeeze would be unclear.
 const ABOUT: f64 = 4.0;
 
-/// Not a factor: no factor is enough.
+/// Code: no factor suffices.
 pub(super) const NO_FACTOR: f64 = -1.0;
-/// Not a factor: a load works on a motion that no contact resists.
+/// Code: a load works on a motion that no contact resists.
 pub(super) const GIVES_WAY: f64 = -2.0;
-/// Not a factor: not clear, as what is not a number.
+/// Code: unclear; NaN means the same.
 pub(super) const UNCLEAR: f64 = -3.0;
 
-/// From where to where factors are enough, and how far both ends may be off.
+/// An interval of sufficient factors, with error bounds of both ends.
 struct Interval<X: Packed> {
     first: X,
     first_off: X,
@@ -35,7 +33,7 @@ struct Interval<X: Packed> {
     last_off: X,
 }
 
-/// A margin and its gain by the whole squeeze, with the rounding of both.
+/// A margin without squeeze and its gain per unit of the factor, with the rounding of both.
 struct Margin<X: Packed> {
     value: X,
     gain: X,
@@ -44,14 +42,14 @@ struct Margin<X: Packed> {
 }
 
 impl<X: Packed> Margin<X> {
-    /// Where a straight margin is not negative.
+    /// The interval in which a straight margin is not negative.
     #[inline(always)]
     fn straight(&self) -> Interval<X> {
         let (zero, infinite) = (X::all(0.0), X::all(f64::INFINITY));
         let Self { value, gain, noise, gain_noise } = *self;
         let root = -(value / gain);
         let off = |at: X, rate: X| (noise + at * gain_noise) / rate;
-        // What is broken without squeeze needs some, if that helps.
+        // A margin that is broken without squeeze needs some, if squeeze raises it.
         let entered = gain.above(gain_noise, root, infinite);
         let first = self.broken(entered, zero);
         let first_off = self.broken(gain.above(gain_noise, off(root, gain), zero), zero);
@@ -62,13 +60,13 @@ impl<X: Packed> Margin<X> {
         Interval { first, first_off, last, last_off }
     }
 
-    /// A choice by whether the margin is broken without any squeeze.
+    /// `yes` if the margin is broken without any squeeze, else `no`.
     #[inline(always)]
     fn broken(&self, yes: X, no: X) -> X {
         (-self.noise).above(self.value, yes, no)
     }
 
-    /// Where that of a round cone is not negative.
+    /// The interval in which the margin of a round cone is not negative.
     #[inline(always)]
     fn round<const C: usize>(
         &self,
@@ -77,7 +75,7 @@ impl<X: Packed> Margin<X> {
     ) -> Interval<X> {
         let (zero, infinite) = (X::all(0.0), X::all(f64::INFINITY));
         let Self { noise, gain_noise, .. } = *self;
-        // The deepest place of a line that enters and leaves.
+        // The deepest point inside the cone of a line that enters and leaves.
         let deepest = line.b / line.a;
         let mut at = *t;
         for axis in 0..C {
@@ -88,8 +86,8 @@ impl<X: Packed> Margin<X> {
         let crossing = line.closing.above(gain_noise, X::all(1.0), zero);
         let unknown = X::all(f64::NAN);
         let through = |yes, no| depth.above(needed, yes, (-depth).above(needed, no, unknown));
-        // A line that closes in the long run is inside for a while, if it ever comes there; the others
-        // stay where they come to. Where rounding decides which, only commands without force are clear.
+        // A margin that closes for large factors is positive on a bounded interval or nowhere; any other stays positive once it is. Where rounding
+        // decides between the two, the result is clear only if the commands cause no force at all.
         let rate = dn.abs().max(line.friction_rate);
         let idle = rate.above(gain_noise, unknown, infinite);
         let (first, last) = (line.first(), line.last());
@@ -99,7 +97,7 @@ impl<X: Packed> Margin<X> {
         let first_off = (noise + first * gain_noise) / slope;
         let is_entered = X::all(f64::MAX);
         let first_off = entered.above(is_entered, zero, first_off);
-        // At the apex the rates alone decide.
+        // At the apex only the rates count.
         let weight = n.abs() + line.friction;
         let left = weight.above(noise, last.max(zero), zero);
         let chord = self.broken(depth / (last - deepest), self.value / last);
@@ -117,25 +115,25 @@ impl<X: Packed> Margin<X> {
     }
 }
 
-/// What the contacts of scenes ask of the factor, as far as they have been asked.
+/// The conditions of all contacts on the factor, gathered so far.
 pub(super) struct LeastFactor<X: Packed> {
-    /// The largest first end of an interval, as it is, and at least and at most.
+    /// The largest lower end of all intervals: as computed, at least, and at most.
     first: X,
     first_sure: X,
     first_most: X,
-    /// The least last end, at least and at most.
+    /// The least upper end of all intervals: at least, and at most.
     last_sure: X,
     last_most: X,
-    /// Positive if something is not clear.
+    /// Positive if some condition is unclear.
     doubt: X,
     /// Positive if a load works on a motion that no contact resists.
     free: X,
-    /// The contact and the load, `8 load + contact`, that need most.
+    /// The contact and the load with the largest lower end, `8 load + contact`.
     binding: X,
 }
 
 impl<X: Packed> LeastFactor<X> {
-    /// Nothing is asked yet.
+    /// No conditions yet.
     #[inline(always)]
     pub(super) fn new() -> Self {
         let (zero, infinite) = (X::all(0.0), X::all(f64::INFINITY));
@@ -151,7 +149,7 @@ impl<X: Packed> LeastFactor<X> {
         }
     }
 
-    /// What the contacts ask under one load: forces of the commands, and all others.
+    /// Adds the conditions of all contacts under one load, from the forces of the commands and of all else.
     #[inline(always)]
     pub(super) fn under<const C: usize, const M: usize>(
         &mut self,
@@ -189,7 +187,7 @@ impl<X: Packed> LeastFactor<X> {
         self.doubt += balanced(commands.unbalanced + others.unbalanced, zero, one);
     }
 
-    /// Leaves of the factors so far those with which a margin is not negative.
+    /// Intersects the interval so far with that of one margin.
     #[inline(always)]
     fn narrow(&mut self, margin: &Margin<X>, interval: &Interval<X>, binding: X) {
         let (short, about) = (-margin.value, X::all(ABOUT));
@@ -205,7 +203,7 @@ impl<X: Packed> LeastFactor<X> {
         self.know([first, first_off, last.abs(), last_off]);
     }
 
-    /// Nothing is clear unless these are numbers, and not negative: comparisons pass over what is none.
+    /// Raises a doubt unless all sizes are numbers and not negative. Comparisons would ignore NaN.
     #[inline(always)]
     fn know<const K: usize>(&mut self, sizes: [X; K]) {
         for size in sizes {
@@ -213,7 +211,7 @@ impl<X: Packed> LeastFactor<X> {
         }
     }
 
-    /// The factors or codes, and what binds them.
+    /// The factors or codes, and their binding contacts and loads.
     #[inline(always)]
     pub(super) fn least(&self) -> (X, X) {
         let (zero, unclear) = (X::all(0.0), X::all(UNCLEAR));

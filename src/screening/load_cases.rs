@@ -1,4 +1,4 @@
-//! The loads that a grasp is to hold, one at a time.
+//! A list of loads that a grasp must hold one at a time.
 
 use super::forces::Forces;
 use super::lanes::Packed;
@@ -12,7 +12,7 @@ use crate::grasp::Wrench;
 use crate::numerics::Vectors;
 use crate::prelude::*;
 
-/// Loads on a grasp in screening, each of which it is to hold: one at a time, at least one.
+/// A list of at least one load in screening. The grasp must hold each of them, one at a time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadCases<const C: usize> {
     pub(super) loads: Vec<Wrench<C>>,
@@ -22,8 +22,7 @@ impl<const C: usize> LoadCases<C> {
     /// The loads on the object: forces in N, moments in N m. Moments are about the origin of the coordinates of each grasp.
     ///
     /// # Errors
-    /// [`Error::Argument`] if there are none, [`Error::Wrench`] if a component of one is not finite or
-    /// larger than 1e50.
+    /// [`Error::Argument`] if the list is empty, [`Error::Wrench`] if a component of a load is not finite or larger than 1e50.
     pub fn new(loads: &[Wrench<C>]) -> Result<Self, Error> {
         if loads.is_empty() {
             return Err(Error::Argument { what: "number of loads", value: 0.0, allowed: "at least 1" });

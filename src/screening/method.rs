@@ -1,17 +1,16 @@
-//! Which grasps of three contacts in space go by the edges of their triangle.
+//! Choice between edges and motions for grasps of three contacts in space.
 //!
-//! Along edges the forces that bear a load are split off before compliances share it out. Where the
-//! triangle is slim these are larger than the forces at all; where compliances differ much, a soft
-//! contact is left with a small difference of them. Such grasps go by motions, and so do those that
-//! lack friction, for their compliance is infinite. It is decided once, when a grasp is made ready:
-//! batches find it in their data, and its answer does not depend on its neighbours.
+//! Along edges a first set of forces balances the load, and compliances then add forces along the edges. Where the triangle is slim, the first set is
+//! larger than the result. Where compliances differ much, a soft contact keeps a small difference of large forces. Such grasps are solved by motions.
+//! So are contacts without friction, whose compliance is infinite. The choice is made once, when a grasp is prepared. Batches read it from their
+//! data, so that an answer does not depend on neighbouring lanes.
 
 use super::block::{Block, Layout, OneScene, Sizes};
 use super::lanes::Packed;
 use super::springs::StickingSprings;
 use super::triangle::{self, N, Triangle, others};
 
-/// A way to the forces of a scene.
+/// A method for the forces of a scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Method {
     /// Compliances, and forces along edges.
@@ -21,7 +20,7 @@ pub(super) enum Method {
 }
 
 impl Method {
-    /// Which scenes go this way: all pairs in the plane by edges, all but triangles by motions else.
+    /// Which scenes use this method. Pairs in the plane use edges, triangles in space the method chosen for them, all others motions.
     #[inline(always)]
     pub(super) fn of<const C: usize, X: Packed>(self, block: &Block<'_, C, X>) -> X::Each<bool> {
         let edges = self == Self::Edges;
@@ -33,30 +32,26 @@ impl Method {
     }
 }
 
-/// Whether forces go along the line through both contacts.
+/// Whether the forces follow from the line through two contacts in the plane.
 #[inline(always)]
 pub(super) fn is_a_pair<const C: usize, X: Packed>(block: &Block<'_, C, X>) -> bool {
     C == 2 && block.contacts == 2
 }
 
-/// Whether forces may go along the edges of a triangle.
+/// Whether the forces may be found along the edges of a triangle.
 #[inline(always)]
 pub(super) fn is_a_triangle<const C: usize, X: Packed>(block: &Block<'_, C, X>) -> bool {
     C == 3 && block.contacts == triangle::N
 }
 
-/// Forces on the way to the answer are at most so many times the load, in sums of sizes; for an even
-/// triangle of equal springs they are seven times as large. Their rounding is bounded by that: with a
-/// larger number margins that close slowly would be called unclear, with a smaller one more grasps
-/// would take twice the time.
+/// Upper limit of intermediate forces relative to the load, in sums of sizes; an even triangle of equal springs has seven. It bounds the rounding:
+/// with a larger limit slowly closing margins would be called unclear. With a smaller one more grasps would take twice the time.
 const LARGEST: f64 = 1e3;
-/// The largest compliance is at most so many times the least one. With a larger number what a soft
-/// contact bears would lose more than three digits, with a smaller one more grasps would take twice
-/// the time.
+/// Upper limit of the ratio of the largest compliance to the least. With a larger one the force of a soft contact would lose more than three digits.
+/// With a smaller one more grasps would take twice the time.
 const UNEVEN: f64 = 1e3;
 
-/// Turns stiffnesses into compliances, where forces go by edges, and says so by sizes that are not
-/// zero.
+/// Replaces stiffnesses by compliances where forces are to be found along edges. Non-zero sizes mark this choice.
 pub(super) fn to_compliances<const C: usize, const N: usize>(scene: &mut OneScene<C, N>) {
     let mut compliant = *scene;
     let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
@@ -75,13 +70,13 @@ pub(super) fn to_compliances<const C: usize, const N: usize>(scene: &mut OneScen
     }
 }
 
-/// What rounding is measured against, zero if that is too much.
+/// Scales of the rounding along edges; moment and force are zero where it would be too large.
 fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
     let mut triangle = <Triangle<C, f64> as StickingSprings<C, N, f64>>::none();
     triangle.ready(scene);
     let length = triangle.edge.map(|edge| edge.iter().map(|x| x * x).sum::<f64>().sqrt());
     let [c_n, c_t] = scene.springs();
-    // What forces P bring about along edges: `|N| |A⁻¹| |Nᵀ| C P`, in sizes.
+    // Forces along edges caused by forces P, in sizes: `|N| |A⁻¹| |Nᵀ| C P`.
     let mut gives = 1.0;
     for k in 0..N {
         let mut unit = [0.0; N];
@@ -116,7 +111,7 @@ mod tests {
     type OneScene = super::OneScene<3, 3>;
     type Row = Layout<3>;
 
-    /// Fingers around a triangle, so much narrower than even, with stiffnesses over so many decades.
+    /// Contacts around a triangle, narrower than an even one by the factor `narrow`, with stiffnesses spread over `decades` decades.
     fn scene(draw: &mut Draw, narrow: f64, decades: f64) -> OneScene {
         let mut scene = OneScene::EMPTY;
         for i in 0..3 {
@@ -127,7 +122,7 @@ mod tests {
                 *scene.at(Row::POINT + axis, i) = width * (0.2 * draw.normal() - inward[axis] / length) + 0.5;
                 *scene.at(Row::NORMAL + axis, i) = inward[axis] / length;
             }
-            // Across the normal.
+            // The shear command lies across the normal.
             let shear = 0.1 * draw.normal();
             *scene.at(Row::SHEARED, i) = shear * *scene.at(Row::NORMAL + 1, i);
             *scene.at(Row::SHEARED + 1, i) = -(shear * *scene.at(Row::NORMAL, i));
@@ -139,7 +134,7 @@ mod tests {
         scene
     }
 
-    /// How far forces are from others, in parts of the bounds of both.
+    /// The largest difference of two sets of forces, relative to the sum of the bounds of both.
     fn off(forces: &Forces<3, 3, f64>, others: &Forces<3, 3, f64>, part: f64) -> f64 {
         let mut off = 0.0_f64;
         for i in 0..3 {
@@ -152,7 +147,7 @@ mod tests {
         off
     }
 
-    /// Forces by a load, and by the commands.
+    /// Forces of a load, and of the commands.
     fn forces<P: StickingSprings<3, 3, f64>>(
         scene: &Block<'_, 3, f64>,
         load: &[f64],
@@ -164,7 +159,7 @@ mod tests {
         [loaded, squeezed]
     }
 
-    /// How many scenes of a hundred go by edges; both ways lead to the same forces there.
+    /// The percentage of a thousand scenes that use edges; both methods must agree on their forces.
     fn by_edges(narrow: f64, decades: f64) -> u32 {
         let mut draw = Draw::new([3, narrow.to_bits(), decades.to_bits()]);
         let (mut count, mut worst) = (0, 0.0_f64);
@@ -196,7 +191,7 @@ mod tests {
         assert!(by_edges(1e-4, 0.0) == 0 && by_edges(1.0, 12.0) < 5);
     }
 
-    /// A tangential stiffness of zero is an infinite compliance.
+    /// A tangential stiffness of zero is an infinite compliance, so that motions are used.
     #[test]
     fn without_friction_by_motions() {
         let mut scene = scene(&mut Draw::new([0; 3]), 1.0, 0.0);

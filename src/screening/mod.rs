@@ -1,15 +1,12 @@
-//! At which load does the first contact stop sticking, for millions of grasps of two to five
-//! contacts?
+//! Screening: the load at which the first contact stops sticking, for millions of grasps of two to five contacts.
 //!
-//! This is the commonest question of a planner. Screening answers it without memory of its own and
-//! without a branch: it stretches all springs as if every contact stuck, once at factor zero of
-//! the load and once for its rate. A ratio test on the exact cone then says where the first contact
-//! leaves.
+//! This is the commonest question of a planner. Screening answers it without allocating and without a branch. It stretches all springs as if every
+//! contact stuck, once at factor zero of the load and once for its rate. A ratio test on the exact cone then finds where the first contact leaves.
 //!
-//! | question | as | answer | where that is unclear |
+//! | question | type | answer | method for unclear cases |
 //! |---|---|---|---|
-//! | At which factor does a load slide? | [`Pull`] | [`Screened`] | [`Grasp::onset`] |
-//! | At which angle does a load that turns? | [`TurningPull`] | [`ScreenedTurn`] | [`Grasp::onset_of_turn`] |
+//! | At which factor of a growing load does the first contact leave? | [`Pull`] | [`Screened`] | [`Grasp::onset`] |
+//! | At which angle of a turning load does the first contact leave? | [`TurningPull`] | [`ScreenedTurn`] | [`Grasp::onset_of_turn`] |
 //! | Which least squeeze holds each load of a list? | [`LoadCases`] | [`ScreenedSqueeze`] | [`Grasp::least_squeeze`] |
 //!
 //! ```text
@@ -18,20 +15,17 @@
 //! F_i(s) = s F_iᵃ + F_i(W)             a = s times the commands           squeeze: the least s >= 0 with |F_t| <= μ F_n at every contact
 //! ```
 //!
-//! How the factor of a load changes with every number of a grasp comes as [`ScreenedGradients`], all derivatives at the price of a few values:
-//! [`Fingers::onset_gradients`], and of many [`sweep::onset_gradients_of_batch`](crate::sweep::onset_gradients_of_batch).
+//! Derivatives of the factor of a load by all data of a grasp are [`ScreenedGradients`]; all of them together cost a few values. One grasp:
+//! [`Fingers::onset_gradients`]. Many: [`sweep::onset_gradients_of_batch`](crate::sweep::onset_gradients_of_batch).
 //!
-//! In a control loop [`Fingers::watch`] says what measured forces have left: their margin, the first slip under a load to come, and how much
-//! more squeeze that takes.
+//! In a control loop [`Fingers::watch`] evaluates measured forces: their margins, the first slip under a load to come, and the extra squeeze that
+//! this load needs.
 //!
-//! The method of the whole finds the same wherever every contact sticks to begin with and the numbers
-//! are not extreme. Elsewhere screening says why it has no answer ([`ScreeningVerdict`], [`SqueezeVerdict`])
-//! and leaves the question to it. Screening does not ask what comes beyond the onset.
+//! [`Grasp::onset`] and its siblings agree with screening wherever every contact sticks at the start and the numbers are not extreme. Elsewhere the
+//! verdict of screening says why it has no answer ([`ScreeningVerdict`], [`SqueezeVerdict`]). Screening does not follow the grasp beyond the onset.
 //!
-//! One scene at a time: [`Fingers`]. Many under common loads: [`Batch`], and on all cores
-//! [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch),
-//! [`sweep::turn_onsets_of_batch`](crate::sweep::turn_onsets_of_batch) and
-//! [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch).
+//! One grasp at a time: [`Fingers`]. Many under common loads: [`Batch`], and on all cores [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch),
+//! [`sweep::turn_onsets_of_batch`](crate::sweep::turn_onsets_of_batch) and [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch).
 //!
 //! [`Grasp::onset`]: crate::ask::Grasp::onset
 //! [`Grasp::onset_of_turn`]: crate::ask::Grasp::onset_of_turn

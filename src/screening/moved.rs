@@ -1,7 +1,7 @@
-//! How the object moves while every contact sticks, seen at its contacts.
+//! The motion of the object while every contact sticks, at its contacts.
 //!
-//! Where forces are found in compliances the springs say how far the object went at each contact, `u = a - C F`. Of displacements along an edge e the
-//! difference is `ω × e`, which tells the rotation.
+//! Where forces are found in compliances, the springs give the displacement of the object at each contact, `u = a - C F`. The difference of
+//! displacements along an edge e is `ω × e`, from which the rotation follows.
 
 use super::block::{Block, Commanded};
 use super::finger::{Force, world};
@@ -10,12 +10,12 @@ use super::lanes::{Packed, cross, dot};
 use super::springs::Cause;
 use super::triangle::{self, Triangle, others};
 
-/// A small motion of the object.
+/// A small motion of the object, m and rad.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ObjectMotion<const C: usize, const M: usize, X: Packed> {
     /// Displacements at the contacts along the coordinate axes.
     pub(super) at: [[X; C]; M],
-    /// Rotation about the coordinate axes; in the plane the first entry.
+    /// Rotation about the coordinate axes, rad; in the plane the first entry alone.
     pub(super) turn: [X; 3],
 }
 
@@ -26,7 +26,7 @@ impl<const C: usize, const M: usize, X: Packed> ObjectMotion<C, M, X> {
     }
 }
 
-/// What the springs of a contact in compliances leave of its command.
+/// The displacement `a - C F` of the object at a contact, along the coordinate axes.
 #[inline(always)]
 fn off_the_spring<const C: usize, X: Packed>(
     block: &Block<'_, C, X>,
@@ -43,7 +43,7 @@ fn off_the_spring<const C: usize, X: Packed>(
     world(&block.normals().map(|row| row[i]), &left)
 }
 
-/// That of an object between two contacts in the plane.
+/// The motion of an object held by two contacts in the plane.
 #[inline(always)]
 pub(super) fn with_pair<const C: usize, const M: usize, X: Packed>(
     block: &Block<'_, C, X>,
@@ -60,7 +60,7 @@ pub(super) fn with_pair<const C: usize, const M: usize, X: Packed>(
     moved.turn[0] = (x * v - y * u) / (x * x + y * y);
 }
 
-/// That of an object between three contacts in space: `ω = (m·d₂ e₁ - m·d₁ e₂ + ½ (e₂·d₁ - e₁·d₂) m) / |m|²` with `d = ω × e` of two edges.
+/// The motion of an object held by three contacts in space: `ω = (m·d₂ e₁ - m·d₁ e₂ + ½ (e₂·d₁ - e₁·d₂) m) / |m|²` with `d = ω × e` of two edges.
 #[inline(always)]
 pub(super) fn with_triangle<const C: usize, const M: usize, X: Packed>(
     triangle: &Triangle<C, X>,
@@ -89,8 +89,8 @@ pub(super) fn with_triangle<const C: usize, const M: usize, X: Packed>(
     }
 }
 
-/// What a motion and a force make of each other at a contact: the change of their work if the contact moves, `ω × F`, and if its frame turns, `u × F`. The latter
-/// is told as a change of the normal, `(u × F) × n`.
+/// The derivatives of the work of a force under a motion at a contact: `ω × F` by the point, and by a turn of the contact frame `u × F`, expressed as
+/// the change of the normal, `(u × F) × n`.
 #[inline(always)]
 pub(super) fn worked<const C: usize, X: Packed>([turn, at, force, normal]: [&[X; C]; 4]) -> ([X; C], [X; C]) {
     if C == 2 {

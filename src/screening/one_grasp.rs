@@ -1,4 +1,4 @@
-//! The contacts of one grasp made ready.
+//! One grasp prepared for screening.
 
 use super::balance::RigidBody;
 use super::block::{Block, Layout, OneScene};
@@ -15,7 +15,7 @@ use crate::error::{Error, Field};
 use crate::grasp::{Contact, Hold};
 use crate::numerics::Compiled;
 
-/// What does not depend on the load, of one grasp.
+/// The data of one grasp that do not depend on the load.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct OneGrasp<const D: usize, const C: usize, const N: usize> {
     pub(super) scene: OneScene<C, N>,
@@ -26,16 +26,16 @@ pub(super) struct OneGrasp<const D: usize, const C: usize, const N: usize> {
 #[derive(Debug, Clone, Copy)]
 #[allow(clippy::large_enum_variant)] // none is ever moved about alone
 enum Ready<const D: usize, const C: usize, const N: usize> {
-    /// In closed form.
+    /// Closed form for a pair in the plane.
     Pair(Pair<f64>),
-    /// Along the edges of a triangle.
+    /// Forces along the edges of a triangle.
     Triangle(Triangle<C, f64>),
-    /// By the factors of the stiffness of the object.
+    /// Factorised stiffness of the object.
     RigidBody(RigidBody<D, C, N, f64>),
 }
 
 impl<const D: usize, const C: usize, const N: usize> OneGrasp<D, C, N> {
-    /// Checks the contacts.
+    /// Checks and prepares the contacts.
     pub(super) fn new(contacts: &[Contact<C>; N]) -> Result<Self, Error> {
         let pair = C == 2 && N == 2;
         let ready = if pair {
@@ -65,7 +65,7 @@ impl<const D: usize, const C: usize, const N: usize> OneGrasp<D, C, N> {
         Ok(grasp)
     }
 
-    /// Answers a question, in as many places as it has answers.
+    /// Answers a question; `answers` has as many slots as the question has answers.
     pub(super) fn ask<Q: ScreeningQuestion<C>>(&self, question: &Q, answers: &mut [Q::Answer]) {
         let (block, squeezed) = (self.scene.block(), &self.squeezed);
         match &self.ready {
@@ -75,7 +75,7 @@ impl<const D: usize, const C: usize, const N: usize> OneGrasp<D, C, N> {
         }
     }
 
-    /// What measured forces have left.
+    /// Evaluates the margins of measured forces.
     pub(super) fn watch(&self, measured: &Measured<'_, C>) -> Watched {
         let mut watched = [Watched::UNKNOWN];
         self.ask(measured, &mut watched);
@@ -91,14 +91,14 @@ fn answer<P: StickingSprings<C, N, f64>, const C: usize, const N: usize, Q: Scre
     answers: &mut [Q::Answer],
 ) {
     block.contacts = P::CONTACTS.unwrap_or(block.contacts);
-    // Room that a question does not need is none.
+    // Forces that a question does not use are optimised away.
     let (mut a, mut b, mut c) = (Forces::none(), Forces::none(), Forces::none());
     let scenes = Scenes { vectors: Compiled, block, ready, squeezed };
     let mut told = Told::new(answers, [true], [0, 1], Q::answers(N));
     question.ask(&scenes, [&mut a, &mut b, &mut c], &mut told);
 }
 
-/// Makes a scene ready, and finds the forces of its commands.
+/// Prepares a scene, and computes the forces of its commands.
 fn prepare<P: StickingSprings<C, N, f64>, const C: usize, const N: usize>(
     ready: &mut P,
     block: &Block<'_, C, f64>,
@@ -108,7 +108,7 @@ fn prepare<P: StickingSprings<C, N, f64>, const C: usize, const N: usize>(
     ready.squeeze(Compiled, block, None, squeezed);
 }
 
-/// Checks a contact and writes it down.
+/// Checks a contact and stores its numbers.
 fn write<const C: usize, const N: usize>(
     scene: &mut OneScene<C, N>,
     index: usize,
@@ -141,7 +141,7 @@ fn write<const C: usize, const N: usize>(
     if C == 3 {
         a = frame * a;
     } else {
-        // Along (n_y, -n_x), whichever way the user's tangent points.
+        // Across the normal, the direction is (n_y, -n_x), whichever way the caller's tangent points.
         let turned = frame[(0, 1)] * frame[(1, 0)] - frame[(1, 1)] * frame[(0, 0)];
         a.swap_rows(0, 1);
         a[0] *= turned.signum();

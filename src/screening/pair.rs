@@ -1,20 +1,20 @@
 //! Two contacts in the plane: forces in closed form, in compliances.
 //!
-//! The way from contact 1 to contact 2 is p, with `p_1 = p` and `p_2 = -p`; `p_i⊥` is a quarter
-//! turn further and m the midpoint. The compliances are `C_i = K_i⁻¹` in coordinate axes. Balance
-//! of forces and moments leaves one unknown λ, the force along the line through both:
+//! The vector from contact 1 to contact 2 is p, with `p_1 = p` and `p_2 = -p`. `p_i⊥` is p_i turned by a quarter turn, and m the midpoint. The
+//! compliances are `C_i = K_i⁻¹` in coordinate axes. Balance of forces and moments leaves one unknown λ, the force along the line through both
+//! contacts:
 //!
 //! ```text
 //! F_i = λ p_i + s p_i⊥ - W_f / 2,   s = (W_m - m × W_f) / |p|²
 //! ```
 //!
-//! The object does not change its length, which fixes λ:
+//! The distance of the contact points on the object stays constant, which fixes λ:
 //!
 //! ```text
 //! Σ p_i·(a_i - C_i F_i) = 0
 //! ```
 //!
-//! The factor of λ there is a sum of positive terms: no stiffness cancels, whatever the ratios.
+//! The coefficient of λ in it is a sum of positive terms. No stiffness cancels, whatever their ratios.
 
 use super::block::{Block, Commanded, Layout, OneScene, Sizes};
 use super::factors::NOTHING;
@@ -26,12 +26,11 @@ use super::springs::{Cause, StickingSprings};
 use crate::contact::ZERO_SLACK as ROUNDING;
 use crate::numerics::Vectors;
 
-/// Turns stiffnesses into compliances.
+/// Replaces stiffnesses by compliances.
 ///
-/// A contact without friction has an infinite compliance along its tangent: the condition on λ
-/// reads `F_t = 0` there, and all its other terms vanish. Two such contacts do not hold anything
-/// together. Nor does one whose normal points along the line: the object turns about the other
-/// contact. The compliances of both are then not numbers.
+/// A contact without friction has an infinite tangential compliance: the condition on λ reads `F_t = 0` there, and all its other terms vanish. Two
+/// such contacts hold nothing. Neither does one whose normal points along the line, because the object turns about the other contact. In these cases
+/// the compliances are NaN.
 pub(super) fn to_compliances<const C: usize, const N: usize>(scene: &mut OneScene<C, N>) {
     let block = scene.block();
     let (points, normals, [k_n, k_t]) = (block.points(), block.normals(), block.springs());
@@ -61,7 +60,7 @@ pub(super) fn to_compliances<const C: usize, const N: usize>(scene: &mut OneScen
     scene.measure(&sizes);
 }
 
-/// The sizes of a pair of contacts with compliances.
+/// Scales of the rounding of forces of a pair with compliances.
 fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
     let pair = Pair::new(scene);
     let [x, y] = [0, 1].map(|axis| scene.points()[axis][1] - scene.points()[axis][0]);
@@ -78,21 +77,20 @@ fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
     Sizes { commands, moment, force: moment * (x.abs() + y.abs()) + gives }
 }
 
-/// Two contacts and the line through them. Arrays run over the contacts.
+/// Two contacts and the line through them. Arrays have an entry for each contact.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pair<X: Packed> {
     normal: [[X; 2]; 2],
     midpoint: [X; 2],
-    /// Entries of `p_i` along normals and tangents.
+    /// Components of `p_i` along normals and tangents.
     n: [X; 2],
     t: [X; 2],
-    /// Those of `C_i p_i`.
+    /// Components of `C_i p_i` along normals and tangents.
     u: [X; 2],
     v: [X; 2],
     one_over_give: X,
     one_over_square: X,
-    /// How much the line would have to give if s were one, and what the fingers take from it by
-    /// going where they are told.
+    /// `Σ p_i·C_i p_i⊥` and `Σ p_i·a_i`: stretch of the line for s = 1, and the part of it that the commands take up, each in m times |p|.
     sheared: X,
     commanded: X,
     sizes: Sizes<X>,
@@ -138,7 +136,7 @@ impl<X: Packed> Pair<X> {
         }
     }
 
-    /// What the rounding of forces by commands is measured against.
+    /// Scale of the rounding of forces by commands.
     #[inline(always)]
     fn size_of<const C: usize>(&self, length: X, asked: &Commanded<'_, C, X>) -> X {
         let mut commands = X::all(0.0);
@@ -180,7 +178,7 @@ impl<const C: usize, const M: usize, X: Packed> StickingSprings<C, M, X> for Pai
         let zero = [X::all(0.0); 2];
         let load = [0, 1, 2].map(|k| X::all(load[k]));
         let s = (load[2] - (self.midpoint[0] * load[1] - self.midpoint[1] * load[0])) * self.one_over_square;
-        // Minus half of the load.
+        // Half of the load, with the opposite sign.
         let (x, y) = (X::all(-0.5) * load[0], X::all(-0.5) * load[1]);
         let (mut halves, mut given) = ([zero; 2], zero);
         for i in 0..2 {
@@ -198,7 +196,7 @@ impl<const C: usize, const M: usize, X: Packed> StickingSprings<C, M, X> for Pai
         (forces.unbalanced, forces.free) = (X::all(0.0), X::all(0.0));
     }
 
-    /// Along the line through both.
+    /// The forces act along the line through both contacts.
     #[inline(always)]
     fn squeeze<V: Vectors>(
         &self,
@@ -235,7 +233,7 @@ impl<const C: usize, const M: usize, X: Packed> StickingSprings<C, M, X> for Pai
     }
 }
 
-/// What a finger takes from the line through both by going where it is told.
+/// `p_i·a_i`, the command of a finger along the line through both contacts.
 #[inline(always)]
 fn taken<const C: usize, X: Packed>(i: usize, commands: &Commanded<'_, C, X>, (n, t): (X, X)) -> X {
     commands.pressed[i] * n + commands.sheared[0][i] * t

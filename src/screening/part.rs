@@ -1,4 +1,4 @@
-//! A part of a batch is screened on one thread.
+//! Screening of a part of a batch on one thread.
 
 use super::balance::RigidBody;
 use super::block::{Block, Layout};
@@ -12,18 +12,18 @@ use super::told::Told;
 use super::triangle::Triangle;
 use crate::numerics::{Compiled, OnVectors, Vectors, on_the_widest};
 
-/// The scenes, what is asked of them, and the places for its answers.
+/// Scenes, the questions about them, and the slots for their answers.
 pub(super) struct Part<'a, const C: usize, Q: ScreeningQuestion<C>> {
     pub(super) contacts: usize,
-    /// As [`Block`] has them, block after block.
+    /// Laid out as in [`Block`], block after block.
     pub(super) numbers: &'a [Lanes],
     pub(super) parted: &'a [Lanes],
     pub(super) questions: &'a [Q],
-    /// Scene by scene, for each in the order of the questions.
+    /// Ordered by scene, then by question.
     pub(super) answers: &'a mut [Q::Answer],
 }
 
-/// Answers the questions to a part, by motions with room for `M` contacts.
+/// Answers the questions for a part; the method of motions has room for `M` contacts.
 pub(super) fn screen<const D: usize, const C: usize, const M: usize, Q: ScreeningQuestion<C>>(
     part: Part<'_, C, Q>,
 ) {
@@ -64,7 +64,7 @@ impl<const C: usize, Q: ScreeningQuestion<C>> Part<'_, C, Q> {
     }
 }
 
-/// All of the shortest method, in one function.
+/// Pairs have the shortest method, which is compiled as one function.
 #[inline(never)]
 fn answer_pairs<V: Vectors, const C: usize, Q: ScreeningQuestion<C>>(
     vectors: V,
@@ -81,7 +81,7 @@ fn answer_pairs<V: Vectors, const C: usize, Q: ScreeningQuestion<C>>(
     );
 }
 
-/// What one method needs for a block of scenes.
+/// The working memory of one method for a block of scenes.
 struct Answering<V, P, const C: usize, const M: usize> {
     vectors: V,
     ready: P,
@@ -95,7 +95,7 @@ impl<V: Vectors, P: StickingSprings<C, M, Lanes>, const C: usize, const M: usize
         Self { vectors, ready: P::none(), squeezed: Forces::none(), room: [Forces::none(); 3] }
     }
 
-    /// Asks the scenes that go this way.
+    /// Answers the questions for those scenes of a block that use this method.
     #[inline(always)]
     fn answer<Q: ScreeningQuestion<C>>(
         &mut self,

@@ -12,20 +12,18 @@ use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::numerics::Vectors;
 
-/// The load on a grasp in screening: where it begins, and the direction in which it grows from
-/// there.
+/// A load on a grasp in screening that grows from a base in a fixed direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pull<const C: usize> {
     pub(super) base: Wrench<C>,
     pub(super) direction: Wrench<C>,
-    /// Whether the base load is any.
+    /// Whether the base load is not zero.
     pub(super) loaded: bool,
 }
 
 impl<const C: usize> Pull<C> {
-    /// The load on the object `base + factor · direction`, factor >= 0: forces in N, moments in N m
-    /// about the origin of the coordinates of each grasp. The factor has no unit, and no length is
-    /// asked of the direction.
+    /// The load on the object `base + factor · direction`, factor >= 0: forces in N, moments in N m about the origin of the coordinates of each
+    /// grasp. The factor has no unit, and the direction may have any length.
     ///
     /// # Errors
     /// [`Error::Wrench`] if a component of either is not finite or larger than 1e50.
@@ -48,7 +46,7 @@ impl<const C: usize> ScreeningQuestion<C> for Pull<C> {
         told: &mut Told<'_, Screened, X>,
     ) {
         scenes.under(&self.direction, rates);
-        // Not a choice of forces: what is compiled as one function keeps them in registers.
+        // Two calls instead of a choice between forces: a method compiled as one function then keeps them in registers.
         if self.loaded {
             scenes.squeezed_under(&self.base, base);
             told.each(judged(scenes, base, rates));
@@ -58,7 +56,7 @@ impl<const C: usize> ScreeningQuestion<C> for Pull<C> {
     }
 }
 
-/// The verdicts on scenes from their forces at factor zero and the rates.
+/// The verdicts on scenes from their forces at factor zero and the rates of these.
 #[inline(always)]
 pub(super) fn judged<V: Vectors, P: StickingSprings<C, M, X>, const C: usize, const M: usize, X: Packed>(
     scenes: &Scenes<'_, V, P, C, M, X>,

@@ -1,4 +1,4 @@
-//! A question to the scenes of a block.
+//! A question about the scenes of a block.
 
 use super::block::{Block, Commanded, count};
 use super::forces::{Forces, ON_THE_EDGE};
@@ -9,29 +9,29 @@ use crate::contact::ZERO_SLACK as ROUNDING;
 use crate::grasp::Wrench;
 use crate::numerics::Vectors;
 
-/// Scenes side by side, made ready: only borrowed, for they are too large to be moved for every block.
+/// Prepared scenes, one in each lane. They are borrowed because they are too large to be moved for every block.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Scenes<'a, V, P, const C: usize, const M: usize, X: Packed> {
     pub(super) vectors: V,
     pub(super) block: Block<'a, C, X>,
     pub(super) ready: &'a P,
-    /// Forces that the commands alone bring about, clearances included.
+    /// Forces of the commands less the clearances, without load.
     pub(super) squeezed: &'a Forces<C, M, X>,
 }
 
-/// Room for the forces that a question asks for. It is made once for all blocks.
+/// Working memory for the forces of a question, created once for all blocks.
 pub(crate) type Room<'a, const C: usize, const M: usize, X> = [&'a mut Forces<C, M, X>; 3];
 
-/// What is asked of every scene alike.
+/// A question that every scene of a batch gets alike.
 pub(crate) trait ScreeningQuestion<const C: usize>: Sync + Sized {
     type Answer: Copy + Send;
-    /// Before it is asked.
+    /// The answer before the question has been asked.
     const UNKNOWN: Self::Answer;
-    /// How many of them a scene of so many contacts gets, side by side.
+    /// The number of answers of a scene with `contacts` contacts, stored side by side.
     fn answers(_contacts: usize) -> usize {
         1
     }
-    /// Must be inlined for the caller's vectors to be used.
+    /// Implementations must be inlined, or the caller's vector instructions would not be used.
     fn ask<V: Vectors, P: StickingSprings<C, M, X>, const M: usize, X: Packed>(
         &self,
         scenes: &Scenes<'_, V, P, C, M, X>,
@@ -43,7 +43,7 @@ pub(crate) trait ScreeningQuestion<const C: usize>: Sync + Sized {
 impl<V: Vectors, P: StickingSprings<C, M, X>, const C: usize, const M: usize, X: Packed>
     Scenes<'_, V, P, C, M, X>
 {
-    /// The forces that a load alone brings about.
+    /// The forces of a load alone.
     #[inline(always)]
     pub(super) fn under(&self, load: &Wrench<C>, forces: &mut Forces<C, M, X>) {
         self.ready.load(self.vectors, &self.block, load.components(), forces);
@@ -56,8 +56,7 @@ impl<V: Vectors, P: StickingSprings<C, M, X>, const C: usize, const M: usize, X:
         forces.add_to(self.block.contacts, self.squeezed, ON_THE_EDGE / ROUNDING);
     }
 
-    /// Forces that the commands alone bring about, and those of the clearances, with the rounding of
-    /// loads.
+    /// The forces of the commands alone, and those of the clearances alone, both with the rounding of loads.
     #[inline(always)]
     pub(super) fn apart(&self, [commands, clearances]: [&mut Forces<C, M, X>; 2]) {
         let [commanded, clearance] = self.block.parted();
@@ -67,7 +66,7 @@ impl<V: Vectors, P: StickingSprings<C, M, X>, const C: usize, const M: usize, X:
             largest = largest.max(clearance.abs());
             *overlap = -*clearance;
         }
-        // Without clearances they are known, to the last bit.
+        // Without clearances the forces of the commands are those computed before, to the last bit.
         *commands = *self.squeezed;
         *clearances = Forces::none();
         if !largest.is_all(0.0) {
@@ -77,7 +76,7 @@ impl<V: Vectors, P: StickingSprings<C, M, X>, const C: usize, const M: usize, X:
             };
             squeeze(commanded, self.block.commands().sheared, commands);
             squeeze(&overlaps[..contacts], [&[X::all(0.0); M][..contacts]; C], clearances);
-            // Springs do not work on what stretches none of them: where their forces cancel it is rounding.
+            // Clearances stretch springs alone and drive no free motion. Where their forces cancel, `free` would come from rounding.
             clearances.free = X::all(0.0);
         }
         for forces in [commands, clearances] {

@@ -1,74 +1,72 @@
-//! What screening says of one grasp.
+//! Answers of screening for one grasp under a load that grows or turns.
 
 use core::fmt;
 
 use super::first_slip::{ScreeningVerdict, SlipCode};
 
-/// The onset of sliding of one grasp as a load grows, or why screening does not know it.
+/// The onset of sliding of one grasp as a load grows, or the reason why screening does not know it.
 #[derive(Clone, Copy, PartialEq)]
 pub struct Screened(pub(super) SlipCode);
 
-/// The onset of sliding of one grasp as a load turns, or why screening does not know it. An angle is
-/// not a factor: this type has no factor.
+/// The onset of sliding of one grasp as a load turns, or the reason why screening does not know it. An angle is not a factor: this type has no
+/// factor.
 #[derive(Clone, Copy, PartialEq)]
 pub struct ScreenedTurn {
     pub(super) first: SlipCode,
-    /// How far is asked, rad; infinite for a full turn, beyond which nothing new comes.
+    /// The angle up to which the load turns, rad; infinite for a full turn, beyond which the load repeats.
     pub(super) most: f64,
 }
 
 impl Screened {
-    /// How it ended.
+    /// How the screening ended.
     #[must_use]
     pub fn verdict(&self) -> ScreeningVerdict {
         self.0.verdict()
     }
 
-    /// The factor of the direction at which the first contact stops sticking, positive; `None` for
-    /// every verdict but [`ScreeningVerdict::Leaves`], so also where none ever does.
+    /// The positive factor of the direction at which the first contact stops sticking. `None` for every verdict but [`ScreeningVerdict::Leaves`], so
+    /// also where no contact ever leaves.
     #[must_use]
     pub fn factor(&self) -> Option<f64> {
         self.0.place()
     }
 
-    /// Whether the grasp is known to hold, every contact sticking, up to this factor and including
-    /// it. For negative factors nothing is known.
+    /// Whether every contact is known to stick up to and including this factor. For negative factors nothing is known.
     #[must_use]
     pub fn holds_up_to(&self, factor: f64) -> bool {
         self.0.holds_up_to(factor)
     }
 
-    /// The contacts that leave there, counted from 0, in rising order; several if their factors
-    /// agree to twelve digits, none unless the verdict is [`ScreeningVerdict::Leaves`].
+    /// The contacts that leave there, counted from 0, in rising order. They are several if their factors agree to twelve digits, and none unless the
+    /// verdict is [`ScreeningVerdict::Leaves`].
     pub fn leaving(&self) -> impl Iterator<Item = usize> + use<> {
         self.0.leaving()
     }
 }
 
 impl ScreenedTurn {
-    /// How it ended.
+    /// How the screening ended.
     #[must_use]
     pub fn verdict(&self) -> ScreeningVerdict {
         self.first.verdict()
     }
 
-    /// The angle at which the first contact stops sticking, rad, between 0 and 2π; `None` for every
-    /// verdict but [`ScreeningVerdict::Leaves`], so also where none does as far as the load turns.
+    /// The angle at which the first contact stops sticking, rad, between 0 and 2π. `None` for every verdict but [`ScreeningVerdict::Leaves`], so also
+    /// where no contact leaves as far as the load turns.
     #[must_use]
     pub fn angle(&self) -> Option<f64> {
         self.first.place()
     }
 
-    /// Whether the grasp is known to hold, every contact sticking, up to this angle (rad) and including
-    /// it. Of negative angles nothing is known, nor of those beyond the turn that was asked for unless
-    /// that is a full turn.
+    /// Whether every contact is known to stick up to and including this angle, rad. Nothing is known of negative angles. Of angles beyond the turn
+    /// nothing is known either, unless it is a full turn.
     #[must_use]
     pub fn holds_up_to(&self, angle: f64) -> bool {
         angle <= self.most && self.first.holds_up_to(angle)
     }
 
-    /// The contacts that leave there, counted from 0, in rising order; several if their angles agree
-    /// to twelve digits, none unless the verdict is [`ScreeningVerdict::Leaves`].
+    /// The contacts that leave there, counted from 0, in rising order. They are several if their angles agree to twelve digits, and none unless the
+    /// verdict is [`ScreeningVerdict::Leaves`].
     pub fn leaving(&self) -> impl Iterator<Item = usize> + use<> {
         self.first.leaving()
     }

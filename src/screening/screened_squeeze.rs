@@ -1,15 +1,15 @@
-//! What screening says of the squeeze that one grasp needs.
+//! The answer of screening for the least squeeze of one grasp.
 
 use core::fmt;
 
 use super::least_factor::{GIVES_WAY, NO_FACTOR, UNCLEAR};
 
-/// The least squeeze of one grasp under a list of loads, or why screening does not know it.
+/// The least squeeze of one grasp under a list of loads, or the reason why screening does not know it.
 #[derive(Clone, Copy, PartialEq)]
 pub struct ScreenedSqueeze {
-    /// The factor, or one of the codes.
+    /// The factor, or one of the codes of `least_factor`.
     pub(super) code: f64,
-    /// The contact and the load that bind it, `8 load + contact`.
+    /// The binding contact and load, `8 load + contact`.
     pub(super) binding: f64,
 }
 
@@ -17,29 +17,26 @@ pub struct ScreenedSqueeze {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum SqueezeVerdict {
-    /// With its commands times the [factor](ScreenedSqueeze::factor) everything touches and sticks
-    /// under every load.
+    /// With the commands times the [factor](ScreenedSqueeze::factor) every contact touches and sticks under every load.
     Suffices,
     /// No factor suffices.
     NoFactor,
     /// A load works on a motion that no contact resists, however much the fingers press.
     GivesWay,
-    /// Single passes of floating-point arithmetic do not tell; ask
-    /// [`Grasp::least_squeeze`](crate::ask::Grasp::least_squeeze).
+    /// Single passes of floating-point arithmetic cannot decide. [`Grasp::least_squeeze`](crate::ask::Grasp::least_squeeze) can.
     ///
-    /// * A factor would have fewer than six digits, because commands hardly change a margin or forces
-    ///   only graze a cone.
-    /// * What some contact needs at least is within rounding what another bears at most.
+    /// * A factor would have fewer than six digits, because commands hardly change a margin or the line of forces only grazes a cone.
+    /// * The least factor for one contact and the largest for another differ by no more than rounding.
     /// * Two contacts in the plane do not hold the object because friction is missing.
-    /// * Numbers are too extreme.
+    /// * Forces or stiffnesses are so large or small that squares overflow or lose digits.
     Unclear,
 }
 
 impl ScreenedSqueeze {
-    /// Not asked yet.
+    /// The answer before a kernel has written one.
     pub(super) const UNKNOWN: Self = Self { code: UNCLEAR, binding: 0.0 };
 
-    /// How it ended.
+    /// How the screening ended.
     #[must_use]
     pub fn verdict(&self) -> SqueezeVerdict {
         match self.code {
@@ -50,17 +47,15 @@ impl ScreenedSqueeze {
         }
     }
 
-    /// The least factor of all commands that suffices, zero if no squeeze is needed; `None` for every
-    /// verdict but [`SqueezeVerdict::Suffices`]. Larger factors need not suffice: clearances stay, and
-    /// a contact that the others press apart may leave.
+    /// The least factor of all commands that suffices, zero if no squeeze is needed. `None` for every verdict but [`SqueezeVerdict::Suffices`].
+    /// Larger factors need not suffice: clearances are not scaled, and the others may press a contact apart.
     #[must_use]
     pub fn factor(&self) -> Option<f64> {
         (self.verdict() == SqueezeVerdict::Suffices).then_some(self.code)
     }
 
-    /// The contact that stands on the edge of its cone with this factor, and the load in the list
-    /// under which it does, both counted from 0; the first of several. `None` where the factor is zero,
-    /// and without one.
+    /// The contact at the edge of its cone with this factor, and the index of the load in the list under which it is; both count from 0. Of several
+    /// the first is returned. `None` where the factor is zero, and without a factor.
     #[must_use]
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // it is a small whole number
     pub fn binding(&self) -> Option<(usize, usize)> {

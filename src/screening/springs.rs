@@ -1,4 +1,4 @@
-//! How forces answer loads and commands while every contact sticks.
+//! Forces of sticking contacts under loads and commands.
 
 use super::block::{Block, Commanded};
 use super::forces::Forces;
@@ -7,25 +7,25 @@ use super::method::Method;
 use super::moved::ObjectMotion;
 use crate::numerics::Vectors;
 
-/// What moves the object.
+/// The commands of the fingers and the load that move the object.
 pub(super) struct Cause<'a, const C: usize, X: Packed> {
     pub(super) commands: Commanded<'a, C, X>,
-    /// The load on each, moments about the origin; zeros behind in the plane.
+    /// The load on each scene: force in N, then moments about the origin in N m. In the plane the last three are zero.
     pub(super) load: [X; 6],
 }
 
-/// What is known of scenes before any load acts: a pair, a triangle, or the stiffness of the object.
+/// The sticking springs of scenes before any load acts, by one of three methods: a pair, a triangle, or the stiffness of the object.
 pub(super) trait StickingSprings<const C: usize, const M: usize, X: Packed>: Copy {
-    /// Nothing yet.
+    /// An empty value that [`Self::prepare`] fills.
     fn none() -> Self;
-    /// Which scenes go this way.
+    /// The method that this type implements; a scene that needs another one is skipped.
     const METHOD: Method;
-    /// So many contacts exactly, if it is for no others: it is short then, and all that is asked is compiled as one function.
+    /// The number of contacts, if the method serves exactly one. Such a method is short, and each question is compiled with it as one function.
     const CONTACTS: Option<usize>;
 
     fn prepare<V: Vectors>(&mut self, vectors: V, block: &Block<'_, C, X>);
 
-    /// Forces that a load alone brings about, the fingers at rest: to those of the block's contacts.
+    /// Forces of a load alone, with the fingers at rest, at the contacts of the block.
     fn load<V: Vectors>(
         &self,
         vectors: V,
@@ -34,8 +34,7 @@ pub(super) trait StickingSprings<const C: usize, const M: usize, X: Packed>: Cop
         forces: &mut Forces<C, M, X>,
     );
 
-    /// Forces that the commands of the fingers alone bring about, those of the block with its clearances, or
-    /// others.
+    /// Forces of commands alone, the object without load: the commands of the block less its clearances, or `others`.
     fn squeeze<V: Vectors>(
         &self,
         vectors: V,
@@ -44,7 +43,7 @@ pub(super) trait StickingSprings<const C: usize, const M: usize, X: Packed>: Cop
         forces: &mut Forces<C, M, X>,
     );
 
-    /// How commands and a load move the object, with the forces that they bring about together.
+    /// The motion of the object under commands and a load, given the `forces` that both bring about together.
     fn moved<V: Vectors>(
         &self,
         vectors: V,

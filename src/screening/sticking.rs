@@ -1,10 +1,8 @@
-//! Three to five contacts, and a pair in space: the forces while every contact sticks.
+//! Forces of three to five contacts, and of a pair in space, while every contact sticks.
 //!
-//! The springs are stretched by the commands, the object held in place; then the object lets go,
-//! and moves by `q = T⁻¹ w` with the wrench w that was not balanced. Where stiffnesses differ much
-//! T loses what the soft contacts add, but the balance of forces shows it: what they leave of the
-//! load is solved for again. Forces that obey both the balance and the springs are right, however
-//! little T is known.
+//! First the commands stretch the springs with the object held in place. Then the object is released and moves by `q = T⁻¹ w`, where w is the wrench
+//! that was not balanced. Where stiffnesses differ much, T loses the contribution of the soft contacts. The balance of forces shows the loss, and its
+//! residual is solved for again. Forces that obey both the balance and the springs are right, however inaccurate T is.
 
 use super::balance::RigidBody;
 use super::block::{Block, Commanded};
@@ -17,16 +15,13 @@ use super::springs::{Cause, StickingSprings};
 use crate::contact::ZERO_SLACK as ROUNDING;
 use crate::numerics::Vectors;
 
-/// Forces that leave more than this part of the load unbalanced are improved. Rounding alone leaves
-/// some 1e-15; with a larger bound forces would lose digits to a soft contact beside a stiff one,
-/// with a smaller one they would be improved in vain.
+/// Forces whose residual exceeds this part of the load are refined. Rounding alone leaves about 1e-15. With a larger bound forces would lose digits
+/// to a soft contact beside a stiff one; with a smaller one refinement would gain nothing.
 const IMPROVED: f64 = 1e-14;
-/// Times that they are improved at most. One is enough unless stiffnesses differ very much; forces
-/// that three do not balance are called unclear.
+/// Upper limit of refinements. One suffices unless stiffnesses differ very much; forces that are still unbalanced after three are called unclear.
 const TIMES: usize = 3;
-/// If motions are free and more than this part of the load stays unbalanced, it works on them. A
-/// load that does not work on them leaves rounding alone; with a larger bound a load that drives
-/// the object away weakly would be called unclear.
+/// If motions are free and more than this part of the load stays unbalanced, the load works on them. A load that does not leaves rounding alone. With
+/// a larger bound a load that drives the object away weakly would be called unclear.
 const GIVES_WAY: f64 = 1e-6;
 
 impl<const D: usize, const C: usize, const M: usize, X: Packed> StickingSprings<C, M, X>
@@ -80,7 +75,7 @@ impl<const D: usize, const C: usize, const M: usize, X: Packed> StickingSprings<
     }
 }
 
-/// Forces that the commands of the fingers alone bring about, or a load alone, the fingers at rest.
+/// Forces of commands alone, or of a load alone with the fingers at rest.
 #[inline(never)]
 fn sticking<V: Vectors, const D: usize, const C: usize, const M: usize, X: Packed>(
     v: V,
@@ -116,14 +111,14 @@ fn stretch<const D: usize, const C: usize, const M: usize, X: Packed>(
     forces.free = part.above(X::all(GIVES_WAY), body.free(), zero);
 }
 
-/// Forces, the motion of the object, and which part of the load is left.
+/// Forces, the motion of the object, and the unbalanced part of the load.
 struct Settled<const D: usize, const C: usize, const M: usize, X: Packed> {
     contacts: [Force<C, X>; M],
     moved: [X; D],
     part: X,
 }
 
-/// Where the object settles under commands and a load about the centroid.
+/// The equilibrium under commands and a load about the centroid.
 #[inline(always)]
 fn let_go<const D: usize, const C: usize, const M: usize, X: Packed>(
     body: &RigidBody<D, C, M, X>,
@@ -163,7 +158,7 @@ fn let_go<const D: usize, const C: usize, const M: usize, X: Packed>(
         if time == TIMES || improvable.is_all(0.0) {
             break;
         }
-        // Lanes that are good stay as they are, whatever stands beside them.
+        // Lanes that are already accurate get a zero residual, so that they do not depend on their neighbours.
         for entry in &mut left {
             *entry = improvable.above(zero, *entry, zero);
         }
@@ -171,7 +166,7 @@ fn let_go<const D: usize, const C: usize, const M: usize, X: Packed>(
     Settled { contacts, moved, part }
 }
 
-/// The displacements of contacts where the object settles. What moves freely makes them no numbers: it may be anywhere.
+/// The displacements of contacts at the equilibrium. If a motion is free they are NaN, because the position of the object is not determined.
 #[inline(always)]
 fn move_object<const D: usize, const C: usize, const M: usize, X: Packed>(
     body: &RigidBody<D, C, M, X>,
@@ -190,10 +185,9 @@ fn move_object<const D: usize, const C: usize, const M: usize, X: Packed>(
     moved.turn[..D - C].copy_from_slice(&settled.moved[C..]);
 }
 
-/// Bounds the rounding of forces: a part of the force, and a part of the force that its
-/// spring would exert over the whole displacement that stretches and slackens it. The second is no
-/// larger than forces are at all: displacements that ought to cancel leave forces only between two
-/// contacts or more, so that the second stiffest of them sets the measure.
+/// Bounds the rounding of forces: a part of the force, and a part of the force that its spring would exert over the whole displacement that stretches
+/// and slackens it. The second part is limited by the size of the forces. Displacements that ought to cancel leave forces only between two contacts
+/// or more, so that the second stiffest contact sets that size.
 #[inline(always)]
 fn bound_rounding<const D: usize, const C: usize, const M: usize, X: Packed>(
     body: &RigidBody<D, C, M, X>,

@@ -1,21 +1,21 @@
-//! Where answers go.
+//! Slots for answers.
 
 use super::lanes::Packed;
 
-/// The places for the answers to one question by the scenes of a block.
+/// The slots for the answers of the scenes of one block to one question.
 pub(crate) struct Told<'a, T, X: Packed> {
-    /// Scene by scene, for each question by question.
+    /// Ordered by scene, then by question.
     answers: &'a mut [T],
-    /// Scenes that are answered here.
+    /// Whether each scene is answered by the present method.
     these: X::Each<bool>,
     question: usize,
     questions: usize,
-    /// How many answers a question has.
+    /// The number of answers per scene and question.
     each: usize,
 }
 
 impl<'a, T: Copy, X: Packed> Told<'a, T, X> {
-    /// The places for one question of so many, with so many answers each.
+    /// The slots of question number `question` of `questions`, with `each` answers per scene.
     #[inline(always)]
     pub(super) fn new(
         answers: &'a mut [T],
@@ -26,14 +26,14 @@ impl<'a, T: Copy, X: Packed> Told<'a, T, X> {
         Self { answers, these, question, questions, each }
     }
 
-    /// The answers of a scene; `None` if it goes another way, or a last block is not full.
+    /// The slots of a scene. `None` if another method answers it, or if the lane is unused because the last block is not full.
     #[inline(always)]
     pub(super) fn places(&mut self, scene: usize) -> Option<&mut [T]> {
         let first = (scene * self.questions + self.question) * self.each;
         if self.these.as_ref()[scene] { self.answers.get_mut(first..first + self.each) } else { None }
     }
 
-    /// One answer for each scene.
+    /// Stores one answer for each scene.
     #[inline(always)]
     pub(super) fn each(&mut self, answers: X::Each<T>) {
         for (scene, &answer) in answers.as_ref().iter().enumerate() {

@@ -1,23 +1,22 @@
 //! Three contacts in space: forces along the edges of their triangle, in compliances.
 //!
-//! The edges run round it, `e_0 = p_2 - p_1` and so on: edge i lies opposite to contact i, edge
-//! j = i + 1 ends at it and edge k = i + 2 begins there. All of them are normal to `m = e_1 × e_2`.
-//! Forces and moments (M of the load about the centroid) balance with three unknowns λ, forces that
-//! stretch the edges:
+//! Edges run around the triangle, `e_0 = p_2 - p_1` and so on: edge i lies opposite to contact i, edge j = i + 1 ends at contact i, and edge k = i +
+//! 2 begins there. All of them are normal to `m = e_1 × e_2`. Balance of forces and moments (M of the load about the centroid) leaves three unknowns
+//! λ, forces that stretch the edges:
 //!
 //! ```text
 //! F_i = P_i + λ_j e_j - λ_k e_k,   P_i = -W_f / 3 - (e_i·M) m / |m|² + (m·M) e_i / 2 |m|²
 //! ```
 //!
-//! The object does not change the lengths of its edges, which fixes λ. With the compliances
-//! `C_i = c_t I + (c_n - c_t) n nᵀ`, each edge from its tail to its head:
+//! The lengths of the edges on the object stay constant, which fixes λ. With the compliances `C_i = c_t I + (c_n - c_t) n nᵀ`, for each edge from its
+//! tail to its head:
 //!
 //! ```text
 //! e·[(a - C F)_head - (a - C F)_tail] = 0,   A λ = Nᵀ (a - C P),   A = Nᵀ C N,   (N λ)_i = λ_j e_j - λ_k e_k
 //! ```
 //!
-//! These are half the operations of [`super::balance`], and forces balance whatever λ is. What is
-//! small among large forces comes out better there: [`super::method`] says which way a grasp takes.
+//! This takes half the operations of [`super::balance`], and forces balance for any λ. A small force among large ones is more accurate there:
+//! [`super::method`] chooses between the two.
 
 use super::block::{Block, Commanded};
 use super::factors::LaneFactors;
@@ -29,17 +28,17 @@ use super::springs::{Cause, StickingSprings};
 use crate::contact::ZERO_SLACK as ROUNDING;
 use crate::numerics::Vectors;
 
-/// The two others of three contacts or edges: of an edge its tail and its head, of a contact the
-/// edge that ends there and the one that begins.
+/// The two other indices of three. For an edge they are its tail and its head; for a contact they are the edge that ends there and the edge that
+/// begins there.
 #[inline(always)]
 pub(super) fn others(i: usize) -> [usize; 2] {
     [(i + 1) % N, (i + 2) % N]
 }
 
-/// Contacts and edges of a triangle.
+/// The number of contacts, and of edges.
 pub(super) const N: usize = 3;
 
-/// Three contacts and the edges between them: C is three.
+/// Three contacts and the edges between them; `C` must be three.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Triangle<const C: usize, X: Packed> {
     pub(super) edge: [[X; C]; N],
@@ -47,11 +46,10 @@ pub(super) struct Triangle<const C: usize, X: Packed> {
     /// m and `|m|⁻²`.
     pub(super) across: [X; C],
     pub(super) one_over_square: X,
-    /// Entries along the normal of a contact of the edge that ends there and of the one that begins.
+    /// `n_i·e_j` of the edge that ends at contact i, and `n_i·e_k` of the edge that begins there.
     ends: [X; N],
     begins: [X; N],
-    /// How much the edges would have to give by the tangential compliances, under equal forces of
-    /// one along an edge and under forces `P_i = e_i`.
+    /// Stretch of the edges by the tangential compliances: under equal forces of one along an edge, and under forces `P_i = e_i`.
     pushed: [X; N],
     turned: [X; N],
     pub(super) factors: LaneFactors<N, X>,
@@ -87,7 +85,7 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         let (mut pushed, mut turned) = (none, none);
         for k in 0..N {
             let [tail, head] = others(k);
-            // All three edges together lead nowhere.
+            // The three edges add up to zero, so that `|e_k|² = -(e_k·e_i + e_k·e_j)`.
             let square = -(corner[tail] + corner[head]);
             let [end, begin] =
                 [(head, &ends), (tail, &begins)].map(|(i, along)| (c_n[i] - c_t[i]) * along[i]);
@@ -102,7 +100,7 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         *self = Self { edge, centre, across, one_over_square, ends, begins, pushed, turned, factors };
     }
 
-    /// Forces that a load alone brings about.
+    /// Forces of a load alone.
     #[inline(always)]
     fn loaded<const M: usize>(&self, block: &Block<'_, C, X>, load: &[f64], forces: &mut Forces<C, M, X>) {
         let (normals, springs) = (block.normals(), block.springs());
@@ -142,7 +140,7 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         self.forces(block, &lambda, Some((&borne, &pressed)), X::all(ROUNDING) * size, forces);
     }
 
-    /// What the rounding of forces by commands is measured against.
+    /// Scale of the rounding of forces by commands.
     #[inline(always)]
     pub(super) fn size_of(&self, asked: &Commanded<'_, C, X>) -> X {
         let (mut stiffness, mut commands) = (X::all(0.0), X::all(0.0));
@@ -156,7 +154,7 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         stiffness * commands
     }
 
-    /// Forces that the commands of the fingers alone bring about, or others.
+    /// Forces of commands alone: those of the block, or `others`.
     #[inline(always)]
     fn squeezed<const M: usize>(
         &self,
@@ -177,7 +175,7 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         self.forces(block, &lambda, None, X::all(ON_THE_EDGE) * size, forces);
     }
 
-    /// What the edges would have to give if contacts went so far along their normals.
+    /// Stretch of the edges if the contacts move by `way` along their normals.
     #[inline(always)]
     fn along_normals(&self, way: &[X]) -> [X; N] {
         let mut given = [X::all(0.0); N];
@@ -188,7 +186,7 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         given
     }
 
-    /// Forces that the contacts bear, with their normal parts, and those along the edges.
+    /// Stores the sum of the forces along the edges and of `borne`, given with its normal parts, which balances the load.
     #[inline(always)]
     fn forces<const M: usize>(
         &self,
@@ -224,7 +222,7 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
             }
             forces.of[i].normal = normal;
             forces.rounding[i] = rounding;
-            // Comparisons pass over what is not a number.
+            // Comparisons ignore NaN; the added term carries it into `unbalanced`.
             forces.unbalanced += X::all(0.0) * normal;
         }
     }

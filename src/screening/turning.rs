@@ -1,17 +1,16 @@
-//! Where forces that turn with the load leave their friction cones.
+//! Where forces leave their friction cones as the load turns.
 //!
-//! With n and t for `α F_n` and `β F_t` of a contact the margin `n - |t|` turns with the load. Angles
-//! are compared by their cotangents `u = cot(θ/2)`, which fall from +∞ to -∞ over a full turn. In the
-//! plane each margin is `c + a cos θ + b sin θ`, and its first root a root of a quadratic:
+//! With n and t for `α F_n` and `β F_t` of a contact the margin is `n - |t|`, a function of the angle θ of the load. Angles are compared by their
+//! cotangents `u = cot(θ/2)`, which fall from +∞ to -∞ over a full turn. In the plane each margin is `c + a cos θ + b sin θ`, and its first root
+//! solves a quadratic equation:
 //!
 //! ```text
 //! (c + a) u² + 2 b u + (c - a) = 0,   u = (√Δ - b) / (c + a) = (a - c) / (√Δ + b),   Δ = a² + b² - c²
 //! ```
 //!
-//! Of the two forms that one is taken in which nothing cancels; at the root the margin falls by √Δ a
-//! radian. In space most contacts are cleared by bounds of n and |t|. For each of the others the
-//! first root of `n² - |t|²`, an equation of degree four, is found as [`Grasp::onset_of_turn`] does,
-//! one scene at a time, and Newton's method on the margin gives it the last digits.
+//! Of the two forms the one without cancellation is taken; at the root the margin falls by √Δ per radian. In space bounds of n and |t| show for most
+//! contacts that they do not leave. For each of the others the first root of `n² - |t|²`, an equation of degree four, is found as in
+//! [`Grasp::onset_of_turn`], one scene at a time. Newton's method on the margin then supplies the last digits.
 //!
 //! [`Grasp::onset_of_turn`]: crate::ask::Grasp::onset_of_turn
 
@@ -29,27 +28,26 @@ use super::verdict::{Start, TOGETHER, verdicts};
 use crate::contact::ZERO_SLACK as ROUNDING;
 use crate::numerics::{Harmonic, Turning};
 
-/// A margin must fall below its edge by so many times its rounding before it can bend back, or the
-/// root is none that is clear. With a smaller number rounding could invent or lose roots.
+/// A margin must be able to fall this multiple of its rounding below zero before it can bend back, or its root is unclear. With a smaller number
+/// rounding could create or lose roots.
 const DEPTH: f64 = 100.0;
-/// Newton's steps on the margin of a round cone: from 1e-7 off the second leaves rounding.
+/// Newton's steps on the margin of a round cone: from an error of 1e-7 the second one leaves rounding.
 const POLISHING_STEPS: usize = 2;
-/// The square of a margin carries so many roundings of its largest coefficient.
+/// Bound of the rounding of the square of a margin, relative to its largest coefficient.
 const SQUARED: f64 = 16.0 * f64::EPSILON;
 
 /// Where a margin first falls below zero.
 struct Fall<X: Packed> {
-    /// cot(θ/2): the larger, the sooner; minus infinity if it does not fall.
+    /// cot(θ/2): the larger, the earlier; minus infinity if the margin does not fall below zero.
     cotangent: X,
-    /// How far the angle may be off.
+    /// Bound of the error of the angle, rad.
     off: X,
-    /// Positive unless this is clear.
+    /// Positive if the result is unclear.
     doubt: X,
 }
 
 impl<X: Packed> Fall<X> {
-    /// With a root there, at which the margin falls by `slope` a radian, less from radian to radian by
-    /// `bend` at most.
+    /// A root at `cotangent`, where the margin falls by `slope` per radian; `bend` bounds the change of this slope per radian.
     #[inline(always)]
     fn at(cotangent: X, slope: X, bend: X, noise: X) -> Self {
         let (zero, one) = (X::all(0.0), X::all(1.0));
@@ -58,7 +56,7 @@ impl<X: Packed> Fall<X> {
         Self { cotangent, off: noise / slope, doubt: deep + sharp }
     }
 
-    /// This one, but none where `size` is larger than `bound`.
+    /// This root, or no root where `size` is larger than `bound`.
     #[inline(always)]
     fn unless(self, size: X, bound: X) -> Self {
         let never = X::all(f64::NEG_INFINITY);
@@ -69,7 +67,7 @@ impl<X: Packed> Fall<X> {
         }
     }
 
-    /// The earlier of two.
+    /// The earlier of two roots.
     #[inline(always)]
     fn or(self, other: &Self) -> Self {
         Self {
@@ -80,7 +78,7 @@ impl<X: Packed> Fall<X> {
     }
 }
 
-/// How n and t of one contact turn, and what of the margin may be rounding.
+/// n and t of one contact as functions of the angle, and the rounding of the margin.
 struct Waves<const C: usize, X: Packed> {
     n: Harmonic<X>,
     t: Harmonic<[X; C]>,
@@ -104,7 +102,7 @@ impl<const C: usize, X: Packed> Waves<C, X> {
         }
     }
 
-    /// n and t where the cosine and the sine of the angle are these, with their rates.
+    /// n and t with their rates, at the angle with this cosine and sine.
     #[inline(always)]
     fn at(&self, cos: X, sin: X) -> [(X, [X; C]); 2] {
         let Harmonic { constant, cosine, sine } = &self.t;
@@ -117,7 +115,7 @@ impl<const C: usize, X: Packed> Waves<C, X> {
         [(n.constant + (n.cosine * cos + n.sine * sin), t), (n.sine * cos - n.cosine * sin, rate)]
     }
 
-    /// The margin at the beginning.
+    /// The margin at angle zero.
     #[inline(always)]
     fn margin(&self) -> X {
         let n = self.n.constant + self.n.cosine;
@@ -128,7 +126,7 @@ impl<const C: usize, X: Packed> Waves<C, X> {
         n - if C == 2 { t[0].abs() } else { dot(&t, &t).sqrt() }
     }
 
-    /// Where the margin falls below zero.
+    /// The first root of the margin.
     #[inline(always)]
     fn fall(&self, cone: &StickingCone<X>, sticking: X) -> Fall<X> {
         if C == 2 {
@@ -152,13 +150,13 @@ impl<const C: usize, X: Packed> Waves<C, X> {
         }
     }
 
-    /// The same of a round cone with friction, where the scenes stick at the beginning.
+    /// The first root for a round cone with friction, in scenes that stick at angle zero.
     #[inline(always)]
     fn round_fall(&self, cone: &StickingCone<X>, sticking: X) -> Fall<X> {
         let zero = X::all(0.0);
         let [t0, tc, ts] = [&self.t.constant, &self.t.cosine, &self.t.sine];
         let swing = (self.n.cosine * self.n.cosine + self.n.sine * self.n.sine).sqrt();
-        // The longest half axis of the ellipse of friction.
+        // The longest half axis of the ellipse that friction runs along.
         let (c, s) = (dot(tc, tc), dot(ts, ts));
         let (less, twice) = (c - s, X::all(2.0) * dot(tc, ts));
         let half = X::all(0.5) * (c + s + (less * less + twice * twice).sqrt());
@@ -194,8 +192,7 @@ impl<const C: usize, X: Packed> Waves<C, X> {
         Fall { doubt: fall.doubt + off_the_root, ..fall }.unless(-found, X::all(f64::MAX))
     }
 
-    /// cot(θ/2) where `n² - |t|²` of one scene first falls to what may be rounding of it, minus infinity
-    /// if it does not.
+    /// cot(θ/2) where `n² - |t|²` of one scene first falls to the bound of its rounding; minus infinity if it does not.
     fn root_of_square(&self, lane: usize, size: f64) -> f64 {
         let of = |x: &X| x.lane(lane) / size;
         let number = self.n.map(of);
@@ -222,7 +219,7 @@ impl<const C: usize, X: Packed> Waves<C, X> {
     }
 }
 
-/// Where `c + a cos θ + b sin θ`, positive at the beginning, falls below zero.
+/// The first root of `c + a cos θ + b sin θ`, which is positive at angle zero.
 #[inline(always)]
 fn straight<X: Packed>(margin: &Harmonic<X>, noise: X) -> Fall<X> {
     let Harmonic { constant: c, cosine: a, sine: b } = *margin;
@@ -233,8 +230,7 @@ fn straight<X: Packed>(margin: &Harmonic<X>, noise: X) -> Fall<X> {
     Fall::at(u, root, swing, noise).unless(c, swing + noise)
 }
 
-/// The verdicts on the scenes of a block, from how forces turn, up to an angle; infinite for a full
-/// turn.
+/// The verdicts on the scenes of a block up to the angle `most` (rad; infinite for a full turn), from their forces as functions of the angle.
 #[inline(always)]
 pub(super) fn judge<const C: usize, const M: usize, X: Packed>(
     friction: &[X],
@@ -249,7 +245,7 @@ pub(super) fn judge<const C: usize, const M: usize, X: Packed>(
         let waves = Waves::new(&cone, i, forces);
         let here = waves.margin();
         margin = margin.min(here);
-        // What may be on the edge is judged as for a load that grows.
+        // A contact that may be on the edge at angle zero is judged with the rounding of a load that grows.
         let rounding = X::all(ON_THE_EDGE / ROUNDING) * waves.noise;
         sure = sure.min(here - rounding + waves.lost(&cone));
     }

@@ -15,12 +15,12 @@ use crate::grasp::Wrench;
 use crate::load_path::Turn;
 use crate::numerics::{Harmonic, Vectors};
 
-/// A load on a grasp in screening that turns: a [`Turn`], checked once.
+/// A load in screening that turns: a [`Turn`], checked once.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TurningPull<const C: usize> {
-    /// Its three parts.
+    /// The constant, cosine and sine parts of the load.
     pub(super) load: Harmonic<Wrench<C>>,
-    /// How far it turns, rad; infinite for a full turn and more.
+    /// The angle up to which the load turns, rad; infinite for a full turn or more.
     pub(super) most: f64,
 }
 

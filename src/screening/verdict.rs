@@ -1,26 +1,25 @@
-//! From what contacts do to the verdict on their grasp.
+//! The verdict on a grasp from the results of its contacts.
 
 use super::first_slip::{GIVES_WAY, NOT_STICKING, SlipCode, UNCLEAR};
 use super::lanes::Packed;
 
-/// Contacts that leave at factors or angles less than this part apart leave together, as those of
-/// symmetric grasps do up to rounding.
+/// Contacts whose factors or angles differ by less than this part leave together. Those of symmetric grasps agree up to rounding.
 pub(super) const TOGETHER: f64 = 1e-12;
-/// Forces that leave more than this part of the load unbalanced are not accurate enough: the factor
-/// would have fewer than twelve digits.
+/// Forces that leave more than this part of the load unbalanced are not accurate enough: the factor would have fewer than twelve digits.
 const BALANCED: f64 = 1e-12;
 
-/// How scenes begin.
+/// The state of scenes at factor or angle zero.
 pub(super) struct Start<X: Packed> {
-    /// The least margin of a contact to the edge of its cone, and the least one less its rounding.
+    /// The least margin of a contact to the edge of its cone.
     pub(super) margin: X,
+    /// The least of the margins less their rounding.
     pub(super) sure: X,
     /// Positive if the load works on a motion that no contact resists.
     pub(super) free: X,
 }
 
-/// The verdicts: the factor or angle at which contacts leave first, infinite or a code, holds if all
-/// of them stick at the beginning and forces balance.
+/// The verdicts. The factor or angle at which contacts leave first (infinite, or a code) is valid if all of them stick at the start and forces
+/// balance.
 #[inline(always)]
 pub(super) fn verdicts<A: Copy, X: Packed>(
     (first, leaving): (X, X),
@@ -30,19 +29,18 @@ pub(super) fn verdicts<A: Copy, X: Packed>(
     answer: impl Fn(SlipCode) -> A,
 ) -> X::Each<A> {
     let zero = X::all(0.0);
-    // Where there are no forces this is not a number; what never leaves has a margin of zero, as
-    // exactly as it should.
+    // Without forces `sure` is NaN and makes the code NaN. A contact that never leaves has a margin of exactly zero.
     let code = first + X::all(0.0) * sure;
     let code = (-sure).above(zero, X::all(UNCLEAR), code);
     let code = balanced(unbalanced, code, X::all(UNCLEAR));
     let code = freed.above(zero, X::all(GIVES_WAY), code);
-    // What the smaller may be off is at most their difference.
+    // The rounding of the least margin is at most `margin - sure`.
     let code = (sure - margin).above(margin, X::all(NOT_STICKING), code);
     let code = free.above(zero, X::all(GIVES_WAY), code);
     X::each(|lane| answer(SlipCode { code: code.lane(lane), leaving: leaving.lane(lane) }))
 }
 
-/// A choice by whether forces balance the load.
+/// `yes` if the forces balance the load, else `no`.
 #[inline(always)]
 pub(super) fn balanced<X: Packed>(unbalanced: X, yes: X, no: X) -> X {
     X::all(BALANCED).above(unbalanced, yes, no)

@@ -1,4 +1,4 @@
-//! A watch in a control loop: from measured contact forces to what they have left.
+//! A watch in a control loop: the margins that measured contact forces have left.
 
 use core::fmt;
 
@@ -21,7 +21,7 @@ use crate::error::{ContactLabel, Error, Field};
 use crate::grasp::Wrench;
 use crate::numerics::Vectors;
 
-/// What measured contact forces of one grasp have left.
+/// The margins that measured contact forces of one grasp have left.
 #[derive(Clone, Copy, PartialEq)]
 pub struct Watched {
     margin: f64,
@@ -38,27 +38,28 @@ impl Watched {
         extra_squeeze: ScreenedSqueeze::UNKNOWN,
     };
 
-    /// The least margin of a contact, N: `μ F_n - |F_t|` where it may slide, `F_n` where it can only open. Negative where a measured force
-    /// lies outside of its cone: that contact slides already, or the measurement or its friction is off. Infinite if no contact can leave.
+    /// The least margin of a contact, N: `μ F_n - |F_t|` where the contact may slide, `F_n` where it can only open. It is negative where a measured
+    /// force lies outside of its cone: the contact slides already, or the measurement or its friction coefficient is wrong. It is infinite if no
+    /// contact can leave.
     #[must_use]
     pub fn margin(&self) -> f64 {
         self.margin
     }
 
-    /// The contact with that margin, from 0; the first of several.
+    /// The contact with the least margin, counted from 0; the first of several.
     #[must_use]
     pub fn tightest(&self) -> usize {
         self.tightest
     }
 
-    /// At which multiple of the load to come the first contact stops sticking, and which one: one is enough of it.
+    /// The multiple of the load to come at which the first contact stops sticking, and that contact. Above one the whole load to come is held.
     #[must_use]
     pub fn first_slip(&self) -> Screened {
         self.first_slip
     }
 
-    /// The least part of all commands to be put on top, at once with the load to come, with which every contact keeps sticking: zero where that
-    /// needs no more. With a squeeze raised by it the load to come is just held.
+    /// The least increase of all commands, as a part of them, with which every contact keeps sticking if it is applied together with the load to
+    /// come. Zero if no increase is needed. With a squeeze raised by this part the load to come is just held.
     #[must_use]
     pub fn extra_squeeze(&self) -> ScreenedSqueeze {
         self.extra_squeeze
@@ -77,12 +78,12 @@ impl fmt::Debug for Watched {
 }
 
 impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
-    /// What contact forces have left that were measured just now, while a load is to come on top of the present one. Nothing is
-    /// allocated and nothing is searched for: the same few steps whatever the numbers, for a loop that must answer in time.
+    /// Margins of contact forces measured just now, under a load that is to come on top of the present one. Nothing is allocated and no loop depends
+    /// on the numbers: the steps are always the same, for a control loop with a deadline.
     ///
-    /// Forces act on the object at the contacts, along the coordinate axes, N. They need not be those that the springs of the fingers would give:
-    /// what has slipped or is off shows in them. Only changes from there go by the springs: by the load to come (N and N m, moments about the origin)
-    /// and by more squeeze, as long as every contact sticks.
+    /// Forces act on the object at the contacts, along the coordinate axes, N. They may differ from the forces that the springs of the fingers would
+    /// give: past slip and model errors are contained in them. Only changes are computed from the springs, as long as every contact sticks: by the
+    /// load to come (N and N m, moments about the origin) and by more squeeze.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Fingers, Wrench};
@@ -113,17 +114,17 @@ impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
     }
 }
 
-/// Of a component of a force, N: as of loads.
+/// Upper limit of the components of a force, N, as for loads.
 const LARGEST: f64 = 1e50;
 
-/// Measured forces, and the load to come.
+/// Measured forces, along the coordinate axes, and the load to come.
 pub(super) struct Measured<'a, const C: usize> {
     forces: &'a [[f64; C]],
     to_come: &'a Wrench<C>,
 }
 
 impl<const C: usize> Measured<'_, C> {
-    /// The forces in parts along the normals and across. Their twelfth digits may be off.
+    /// Splits the forces into parts along and across the normals, with an error bound of 1e-12 relative to each force.
     #[inline(always)]
     fn write<const M: usize, X: Packed>(&self, normals: [&[X]; C], measured: &mut Forces<C, M, X>) {
         *measured = Forces::none();

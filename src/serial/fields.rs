@@ -1,5 +1,4 @@
-//! Fields that are numbers, rows of numbers or lists of rows: their form in a file, by
-//! `#[serde(with = "AsGiven::<T>")]` in questions and `AsComputed` in answers.
+//! Text forms of fields that are numbers, rows of numbers or lists of rows: `#[serde(with = "AsGiven::<T>")]` in questions, `AsComputed` in answers.
 
 use std::marker::PhantomData;
 
@@ -10,7 +9,7 @@ use serde::ser::{Serialize, Serializer};
 use super::numbers::{Computed, Given, Kind, Number};
 use super::rows::AxisRow;
 
-/// A value made of numbers of a kind.
+/// A value made of numbers of kind `K`.
 pub(crate) trait Numeric<K>: Sized {
     type Written: Serialize + DeserializeOwned;
     fn write(&self) -> Self::Written;
@@ -57,12 +56,12 @@ impl<K, T: Numeric<K>> Numeric<K> for Vec<T> {
     }
 }
 
-/// The written form of a field of type `T`, made of numbers of kind `K`.
+/// The text form of a field of type `T`, made of numbers of kind `K`.
 pub(crate) struct As<K, T>(PhantomData<(K, T)>);
 
-/// Of questions.
+/// The text form of fields of questions.
 pub(crate) type AsGiven<T> = As<Given, T>;
-/// Of answers.
+/// The text form of fields of answers.
 pub(crate) type AsComputed<T> = As<Computed, T>;
 
 impl<K, T: Numeric<K>> As<K, T> {

@@ -1,6 +1,6 @@
-//! Numbers as text has them: words for those that are not finite, rows of as many as there are axes, and fields made of them (feature `serde`).
+//! Text forms of numbers: words for those that are not finite, rows with one number per axis, and fields made of them (feature `serde`).
 //!
-//! An answer is written as it is declared. Its declaration says `#[serde(with = "AsComputed::<T>")]` of a field that is made of numbers.
+//! An answer derives its text form from its declaration, in which `#[serde(with = "AsComputed::<T>")]` marks a field that is made of numbers.
 
 mod fields;
 mod numbers;

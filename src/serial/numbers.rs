@@ -1,8 +1,7 @@
-//! Numbers, with words for those that JSON cannot write.
+//! Numbers, with words for those that JSON cannot express.
 //!
-//! A format that has no infinity turns one into `null` without a word. Here it is said: a rigid
-//! spring is "rigid", friction without limit "infinite", and an answer that is not finite
-//! "infinite", "-infinite" or "not a number".
+//! A format without infinity writes one as `null`, without a warning. Words avoid that: a rigid spring is "rigid", friction without limit is
+//! "infinite". An answer that is not finite is "infinite", "-infinite" or "not a number".
 
 use std::fmt;
 use std::marker::PhantomData;
@@ -12,23 +11,23 @@ use serde::ser::{Serialize, Serializer};
 
 use crate::error::{MODERATE, is_moderate};
 
-/// A kind of number: which words stand for numbers, and which numbers are refused.
+/// A kind of number: the words for non-finite values, and the numbers that are refused.
 pub(crate) trait Kind {
     const EXPECTED: &'static str;
-    /// Numbers that are written as words.
+    /// Words and the numbers that they express.
     const WORDS: &'static [(&'static str, f64)] = &[];
     fn allows(_: f64) -> bool {
         true
     }
 }
 
-/// Part of a question: finite and not absurdly large.
+/// A number of a question: finite and of moderate size.
 pub(crate) enum Given {}
 /// A coefficient of friction.
 pub(crate) enum Friction {}
-/// Stiffness of a spring.
+/// The stiffness of a spring.
 pub(crate) enum SpringStiffness {}
-/// Part of an answer: whatever came out.
+/// A number of an answer, of any value.
 pub(crate) enum Computed {}
 
 impl Kind for Given {
@@ -54,7 +53,7 @@ impl Kind for Computed {
         &[("infinite", f64::INFINITY), ("-infinite", f64::NEG_INFINITY), ("not a number", f64::NAN)];
 }
 
-/// The word for a number that is not finite, of its kind if that has one.
+/// The word for a number that is not finite; the kind's own word if it has one.
 fn word<K: Kind>(x: f64) -> &'static str {
     let stands_for =
         |(_, value): &&(&str, f64)| value.total_cmp(&x).is_eq() || (value.is_nan() && x.is_nan());
@@ -62,7 +61,7 @@ fn word<K: Kind>(x: f64) -> &'static str {
     words.find(stands_for).map_or("not a number", |(word, _)| word)
 }
 
-/// A number of a kind.
+/// A number of kind `K` in its text form.
 pub(crate) struct Number<K>(pub(crate) f64, PhantomData<K>);
 
 impl<K> Number<K> {

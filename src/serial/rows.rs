@@ -9,7 +9,7 @@ use serde::ser::{Serialize, SerializeSeq, Serializer};
 
 use super::numbers::{Kind, Number, NumberVisitor};
 
-/// A list of up to `MOST` numbers of a kind; a number by itself is a list of one.
+/// A list of at most `MOST` numbers; a single number is read as a list of one.
 pub(crate) struct Few<K, const MOST: usize> {
     pub(crate) values: [f64; MOST],
     pub(crate) count: usize,
@@ -82,7 +82,7 @@ impl<'de, K: Kind, const MOST: usize> Visitor<'de> for FewVisitor<K, MOST> {
     }
 }
 
-/// As many numbers as there are axes.
+/// A row with one number per axis.
 pub(crate) struct AxisRow<K, const C: usize>(pub(crate) SVector<f64, C>, PhantomData<K>);
 
 impl<K, const C: usize> AxisRow<K, C> {

@@ -1,4 +1,4 @@
-//! A planar grasp: object, fingers, friction cones, contact forces, load.
+//! The picture of a planar grasp: object, fingers, friction cones, contact forces, load.
 
 mod names;
 
@@ -21,14 +21,14 @@ use crate::picture::way_out::MovedOutlines;
 use crate::picture::window::Window;
 use crate::picture::words::{caution, lines};
 
-/// What is drawn on: pixels.
+/// Layout of a picture, pixels.
 struct Paper {
     size: Place,
-    /// Without sentences below the title.
+    /// The part for the grasp, before it is moved down for sentences below the title.
     window: Window,
-    /// Room for names beside the grasp, to either side, and above and below.
+    /// Margins for names: to either side, and above and below the grasp.
     border: (f64, f64),
-    /// Of a line of a sentence.
+    /// Most letters of a line of a sentence.
     letters: usize,
 }
 
@@ -38,23 +38,24 @@ const OF_A_FILE: Paper = Paper {
     border: (130.0, 62.0),
     letters: 96,
 };
-/// Small enough for its letters to be read on a narrow screen.
+/// A layout small enough for its letters to be legible on a narrow screen.
 const OF_A_PAGE: Paper = Paper {
     size: (520.0, 460.0),
     window: Window { left: 62.0, top: 10.0, wide: 448.0, high: 398.0 },
     border: (104.0, 58.0),
     letters: 58,
 };
-/// Height of letters.
+/// Letter height, pixels.
 const LETTERS: f64 = 15.0;
-/// Letters of a line of the title, and heights of lines of it and of a sentence.
+/// Most letters of a line of the title.
 const TITLE_LETTERS: usize = 70;
+/// Line heights of the title and of sentences, pixels.
 const LINE: (f64, f64) = (24.0, 20.0);
-/// A finger behind its contact, and where its name goes, in parts of the span.
+/// Length of a finger behind its contact, and distance of its name, as parts of the span.
 const FINGER: f64 = 0.08;
-/// The finger.
+/// Colour of fingers.
 const PALE: RGBColor = RGBColor(176, 176, 176);
-/// How much longer a cone is than the arrow of the normal force in it.
+/// Length of a cone relative to the arrow of the normal force in it.
 const CONE: f64 = 1.15;
 
 pub(super) struct Picture<'a> {
@@ -65,11 +66,11 @@ pub(super) struct Picture<'a> {
     way_out: Option<MovedOutlines>,
     /// Size of the scene, m.
     span: f64,
-    /// m per N.
+    /// Scale of forces, m/N.
     scale: f64,
 }
 
-/// Pictures of one page: on the same axes, with forces at the same scale.
+/// Pictures of one page, on the same axes and with the same scale of forces.
 pub(super) fn stills_of_a_page(of: &[PlanarPicture]) -> Result<Vec<String>, PictureError> {
     of.iter().try_for_each(PlanarPicture::check)?;
     let mut pictures: Vec<_> = of.iter().map(Picture::new).collect();
@@ -82,7 +83,7 @@ pub(super) fn stills_of_a_page(of: &[PlanarPicture]) -> Result<Vec<String>, Pict
     pictures.iter().map(|picture| picture.draw_on(&OF_A_PAGE, &points)).collect()
 }
 
-/// A fingertip, its contact frame, and what it does if that is known.
+/// A fingertip with its contact frame, and its resultant if there is an equilibrium.
 struct Tip {
     of: ContactGroup,
     middle: Vector2<f64>,
@@ -98,7 +99,7 @@ impl<'a> Picture<'a> {
         let contacts = grasp.contacts();
         let held = || contacts.iter().map(|contact| contact.point).chain(outlines.iter().flatten().copied());
         let (low, high) = bounds(held());
-        // A single contact has no size of its own.
+        // A single contact has no extent, so that 1 m is used.
         let size =
             |(low, high): (Vector2<f64>, Vector2<f64>)| if low == high { 1.0 } else { (high - low).amax() };
         let load = state.map(|state| state.load).or(of.load);
@@ -132,7 +133,7 @@ impl<'a> Picture<'a> {
         self.draw_on(&OF_A_FILE, &self.points())
     }
 
-    /// Draws it where all of these points have room.
+    /// Draws the picture at a scale at which all `points` fit.
     fn draw_on(&self, paper: &Paper, points: &[Vector2<f64>]) -> Result<String, PictureError> {
         let Paper { size, window, border, .. } = *paper;
         let title = lines(self.of.title, TITLE_LETTERS);
@@ -169,7 +170,7 @@ impl<'a> Picture<'a> {
         }))
     }
 
-    /// What has to be inside.
+    /// The points that the picture must contain.
     fn points(&self) -> Vec<Vector2<f64>> {
         let mut points: Vec<_> = self
             .of
@@ -243,7 +244,7 @@ impl<'a> Picture<'a> {
         }
         painting.arrow([at, at + force * self.scale].map(|end| flat(place(end))), ink(what), 3.0, 1);
         if self.of.grasp.contacts()[tip.of.contacts.start].against.is_some() {
-            // The body on the other side feels the opposite.
+            // The body on the other side feels the opposite force.
             painting.arrow([at, at - force * self.scale].map(|end| flat(place(end))), ink(what), 1.5, 1);
         }
         for i in tip.of.contacts.clone().filter(|_| tip.of.is_soft()) {
@@ -253,14 +254,14 @@ impl<'a> Picture<'a> {
         }
     }
 
-    /// The finger: a wedge behind the contact.
+    /// The corners of the finger, a wedge behind the contact.
     fn finger(&self, tip: &Tip) -> [Vector2<f64>; 3] {
         let (n, t) = (tip.frame.column(0), tip.frame.column(1));
         let corner = |side: f64| tip.middle + (t * (0.35 * side) - n) * (FINGER * self.span);
         [tip.middle, corner(1.0), corner(-1.0)]
     }
 
-    /// Corners of the friction cone, if there is one.
+    /// The corners of the friction cone; `None` without friction or normal force.
     fn cone(&self, tip: &Tip, does: &Resultant<2>) -> Option<[Vector2<f64>; 3]> {
         let (n, t) = (tip.frame.column(0), tip.frame.column(1));
         let long = CONE * does.normal_force * self.scale;

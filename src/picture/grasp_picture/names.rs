@@ -1,4 +1,4 @@
-//! What is written on a picture of a grasp: names of fingertips, bodies and joints, each where it hides nothing.
+//! Names of fingertips, bodies and joints on a picture of a grasp, where they hide as little as possible.
 
 use nalgebra::Vector2;
 
@@ -13,12 +13,13 @@ use crate::picture::window::Window;
 use crate::picture::words::short;
 use crate::words::printable;
 
-/// Of more fingertips names alone are written, and of still more not even these.
+/// With more fingertips than this only names are written, without state and force.
 const MANY: usize = 12;
+/// With more fingertips than this no names are written.
 const TOO_MANY: usize = 30;
 
 impl Picture<'_> {
-    /// Writes all of them, the load and where the object leaves to included; how many found no room is said in the corner.
+    /// Writes all names, including the load and the way out. The number of names without room is written below the picture.
     pub(super) fn write_names(
         &self,
         axes: &EqualScales,
@@ -62,7 +63,7 @@ impl Picture<'_> {
         }
     }
 
-    /// Behind the finger, away from the object: its name, what it does and with which force.
+    /// Writes name, state and force of a fingertip behind the finger, away from the object.
     fn write_tip(&self, tip: &Tip, axes: &EqualScales, paper: &mut Sheet, labels: &mut Labels) {
         let at = axes.place(tip.middle - tip.frame.column(0) * (FINGER * self.span));
         match &tip.does {

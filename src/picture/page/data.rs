@@ -1,4 +1,4 @@
-//! What a page draws, as JSON.
+//! The data of a page as JSON.
 
 use nalgebra::Vector3;
 
@@ -60,7 +60,7 @@ impl Drawing<'_> {
         ))
     }
 
-    /// What an answer shows; parts that there are not are left out.
+    /// The parts of an answer as JSON; absent parts are omitted.
     fn frame(&self, frame: &Frame<3>) -> Result<String, PictureError> {
         let mut parts = frame.state().map(|state| self.state(frame, state)).transpose()?.unwrap_or_default();
         if let Some(load) = frame.load() {
@@ -115,7 +115,7 @@ impl Drawing<'_> {
             Ok(format!("{{\"name\":{},\"at\":{}}}", json_string(name), json_row(at.as_slice())?))
         })?;
         let of_line = |line: &MovingLine| json_row(twist_of(state, line.body).components());
-        // Of several bodies one for each outline.
+        // For several bodies, one twist for each outline.
         let twists = if state.bodies.is_empty() {
             String::new()
         } else {

@@ -1,5 +1,4 @@
-//! What page and still have in common: places in the coordinates of the grasp, and the scales that
-//! turn newtons into metres.
+//! Common geometry of page and still: places in the coordinates of the grasp, and the scales that turn newtons into metres.
 
 use nalgebra::{Vector3, Vector6};
 
@@ -13,29 +12,29 @@ use crate::picture::round_numbers::round_down;
 use crate::picture::words::short;
 use crate::spatial::{Contact, ContactState, Equilibrium, Twist, Wrench};
 
-/// Parts of the size of the picture that the largest moment and displacement take in it at most.
+/// Length of the largest moment, as a part of the size of the picture.
 const LARGEST_MOMENT: f64 = 0.3;
+/// Length of the largest displacement, as a part of the size of the picture.
 const LARGEST_DISPLACEMENT: f64 = 0.2;
-/// What is left of the moment of a load about its line of action is rounding up to this part of the
-/// moments that cancel in it. Without it every load would be drawn with an arrow of a moment, in
-/// whichever direction rounding points.
+/// The moment of a load about its line of action is rounding up to this part of the moments that cancel in it. With zero every load would be drawn
+/// with an arrow of a moment in a direction made of rounding.
 const ROUNDING: f64 = 1e-12;
-/// A motion whose rotation moves the grasp by less than this part of its translation is drawn as a
-/// translation: its axis lies a billion spans away, where rounding decides on its direction.
+/// A motion whose rotation moves the grasp by less than this part of its translation is drawn as a translation. Its axis is a billion spans away, and
+/// rounding decides its direction.
 const TURNS: f64 = 1e-9;
-/// Parts of the span: a line of action that passes the middle of the grasp farther away is not drawn where it is. A grasp in a picture of it
-/// would be a dot.
+/// A line of action farther from the middle of the grasp than this part of the span is not drawn at its place, because the grasp would become a dot.
 const BESIDE: f64 = 1.5;
-/// Lengths in parts of the span: a finger behind its contact, the arrow of a slip, half of the axis
-/// of a free motion.
+/// Length of a finger behind its contact, as a part of the span.
 pub(super) const FINGER: f64 = 0.12;
+/// Length of the arrow of a slip, as a part of the span.
 pub(super) const SLIP: f64 = 0.09;
+/// Half the length of the axis of a free motion, as a part of the span.
 pub(super) const AXIS: f64 = 0.75;
-/// How much longer a cone is than the arrow of the normal force in it.
+/// Length of a cone relative to the arrow of the normal force in it.
 pub(super) const CONE: f64 = 1.15;
-/// More contacts are not named in the picture.
+/// With more contacts than this the picture has no names.
 pub(super) const MANY: usize = 30;
-/// An arrow of the load that is shorter would hardly be seen, pixels.
+/// Least length of an arrow of the load, pixels; a shorter one would hardly be visible.
 pub(super) const SHORTEST: f64 = 18.0;
 
 pub(super) struct Drawing<'p> {
@@ -44,17 +43,19 @@ pub(super) struct Drawing<'p> {
     /// Convex parts of the object.
     pub(super) bodies: Vec<Vec<[f64; 3]>>,
     pub(super) centre: Vector3<f64>,
-    /// Largest extent of the contacts and the outline along an axis, m.
+    /// Largest extent of the contacts and outlines along an axis, m.
     pub(super) span: f64,
-    /// The span, or the distance of the farthest load where that is larger, m.
+    /// The span, or the distance of the farthest load if that is larger, m.
     pub(super) size: f64,
-    /// m per N, m per N m, and how many times displacements are magnified.
+    /// Scale of forces, m/N.
     pub(super) force: f64,
+    /// Scale of moments, m/(N m).
     pub(super) moment: f64,
+    /// Magnification of displacements.
     pub(super) displacement: f64,
 }
 
-/// The largest force, moment and displacement among answers: N, N m, m.
+/// The largest force, moment and displacement of all answers: N, N m, m.
 #[derive(Default)]
 struct Largest {
     force: f64,
@@ -62,17 +63,17 @@ struct Largest {
     displacement: f64,
 }
 
-/// A load as a force on its line of action, at the point next to the middle of the grasp, and the
-/// moment that is left; or in the middle, with its moment about that.
+/// The arrows of a load: a force on its line of action, at the point nearest to the middle of the grasp, and the remaining moment. If that line is
+/// far away, the force in the middle, with the moment about it.
 pub(super) struct LoadArrow {
     pub(super) at: Vector3<f64>,
     pub(super) force: Vector3<f64>,
     pub(super) moment: Vector3<f64>,
-    /// The force is drawn in the middle, not on its line of action.
+    /// Whether the force is drawn in the middle instead of on its line of action.
     pub(super) is_moved: bool,
 }
 
-/// Axis of a motion: of its rotation, or, where it has none, the direction in which it moves.
+/// Axis of a motion: that of its rotation, or the direction of a pure translation.
 pub(super) struct Axis {
     pub(super) at: Vector3<f64>,
     pub(super) along: Vector3<f64>,
@@ -105,7 +106,7 @@ impl<'p> Drawing<'p> {
             }
             (low, high) = (low.inf(&point), high.sup(&point));
         }
-        // A single contact has no size of its own.
+        // A single contact has no extent, so that 1 m is used.
         let span = if high == low { 1.0 } else { (high - low).amax() };
         let mut drawing = Self {
             page,
@@ -120,7 +121,7 @@ impl<'p> Drawing<'p> {
         };
         let states = || page.frames.iter().filter_map(Frame::state);
         let loads = || page.frames.iter().filter_map(Frame::load).map(|load| drawing.load(load));
-        // Arrows are to be seen beside a load that acts far away.
+        // Arrows must remain visible beside a load that acts far away.
         let away = |load: LoadArrow| (load.at - drawing.centre).norm();
         let size = loads().map(away).fold(span, f64::max);
         let mut largest = drawing.largest(states());
@@ -163,7 +164,7 @@ impl<'p> Drawing<'p> {
         most
     }
 
-    /// Metres for a newton that suit every one of these answers.
+    /// The largest scale, in metres per newton, that suits every one of these answers.
     fn force_scale<'s>(&self, states: impl Iterator<Item = &'s Equilibrium>, largest: f64) -> f64 {
         let grasp = &self.page.grasp;
         let frames: Vec<_> = grasp.frames().collect();
@@ -175,11 +176,11 @@ impl<'p> Drawing<'p> {
             let pushes: Vec<_> = self.tips.iter().map(push).collect();
             metres_per_newton(&pushes, self.size, largest)
         };
-        // Without an equilibrium there is a load at most.
+        // Without an equilibrium the load is the only force.
         states.map(scale).reduce(f64::min).unwrap_or_else(|| metres_per_newton::<3>(&[], self.size, largest))
     }
 
-    /// What is to be known of the scales, in words.
+    /// Sentences about the scales of the picture.
     pub(super) fn scales(&self) -> Vec<String> {
         let mut sentences = vec![format!("The grasp is {} m across.", short(self.span))];
         if self.displacement > 0.0 {
@@ -230,13 +231,13 @@ pub(super) fn twist_of(state: &Equilibrium, body: usize) -> &Twist {
     state.bodies.get(body).map_or(&state.twist, |motion| &motion.twist)
 }
 
-/// Where a point of it goes, to first order.
+/// The displacement of a point of a body, to first order.
 pub(super) fn goes(state: &Equilibrium, body: usize, point: &Vector3<f64>) -> Vector3<f64> {
     let (moves, turns) = halves(&twist_of(state, body).to_vector());
     moves + turns.cross(point)
 }
 
-/// Whether an answer is one of this grasp, and its numbers are such as can be drawn.
+/// Checks that an answer belongs to this grasp, and that its numbers are finite.
 fn check(page: &SpatialPage, label: &str, state: &Equilibrium) -> Result<(), PictureError> {
     let (given, expected) = (state.contacts.len(), page.grasp.len());
     if given != expected {

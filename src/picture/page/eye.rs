@@ -1,4 +1,4 @@
-//! The eye: from where a grasp is seen, and where its points come to lie on paper.
+//! The eye: the direction from which a grasp is seen, and the projection of its points onto paper.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -7,19 +7,17 @@ use nalgebra::{Vector2, Vector3};
 use crate::picture::error::PictureError;
 use crate::picture::window::Window;
 
-/// From where a spatial grasp is seen. The eye is far away (lines that are parallel stay so) and
-/// looks at the middle of the grasp; z points upwards on paper unless it points to the eye.
+/// The direction from which a spatial grasp is seen. The eye is at infinity, so that parallel lines stay parallel, and the middle of the grasp is at
+/// its centre of view. The z axis points upwards on paper unless it points to the eye.
 ///
-/// Before any turn it is on the side of −y: x points to the right, z upwards. `yaw` takes it around
-/// z, counterclockwise seen from above, `pitch` then raises it, both in rad. The direction from the
-/// grasp to the eye is
+/// At first the eye is on the side of −y: x points to the right, z upwards. `yaw` turns it around z, counterclockwise seen from above. `pitch` then
+/// raises it. Both are in rad. The direction from the grasp to the eye is
 ///
 /// ```text
 /// (sin yaw cos pitch, −cos yaw cos pitch, sin pitch)
 /// ```
 ///
-/// The default is the view with which the [page](super::SpatialPage::to_html) begins: yaw −0.6,
-/// pitch 0.45.
+/// The default is the initial view of the [page](super::SpatialPage::to_html): yaw −0.6, pitch 0.45.
 ///
 /// ```
 /// use grasp_lcp::picture::View;
@@ -66,13 +64,13 @@ impl Default for View {
     }
 }
 
-/// Projects along parallel lines.
+/// A parallel projection.
 pub(super) struct Eye {
     /// Unit vectors to the right and up on paper, and towards the eye.
     right: Vector3<f64>,
     up: Vector3<f64>,
     towards: Vector3<f64>,
-    /// What is shown in the middle of the window.
+    /// The point in the middle of the window.
     target: Vector3<f64>,
     window: Window,
     /// Pixels per metre.
@@ -80,8 +78,7 @@ pub(super) struct Eye {
 }
 
 impl Eye {
-    /// An eye that sees all these points in the window as large as it allows, but never a length of
-    /// `span` larger than the window.
+    /// An eye that sees all these points in the window as large as possible, but never a length of `span` larger than the window.
     pub(super) fn new(
         view: View,
         window: Window,
@@ -125,7 +122,7 @@ impl Eye {
         Vector3::new(x + right, y - up, towards)
     }
 
-    /// A unit vector along a coordinate axis, to the right and downwards.
+    /// A unit vector along a coordinate axis, projected onto paper: to the right and downwards.
     pub(super) fn along(&self, axis: usize) -> Vector2<f64> {
         Vector2::new(self.right[axis], -self.up[axis])
     }

@@ -1,23 +1,23 @@
-//! What one of the buttons of a page shows.
+//! The content of one answer of a page.
 
 use crate::ask::Grasp;
 use crate::equilibrium::Equilibrium;
 use crate::grasp::{Contact, Motion, Wrench};
 use crate::picture::contact_look::STEEPEST;
 
-/// One of the answers between which the buttons choose.
+/// One of the answers that the buttons of a page select.
 #[derive(Debug, Clone)]
 pub(super) struct Frame<const C: usize> {
     pub(super) label: String,
-    /// An equilibrium, or why contacts are drawn without forces.
+    /// An equilibrium, or the reason why contacts are drawn without forces.
     pub(super) shown: Result<Box<Equilibrium<C>>, String>,
-    /// What is said beside it.
+    /// Sentences beside the answer.
     pub(super) says: Vec<String>,
-    /// The way the object takes.
+    /// The motion on the way out of the object.
     pub(super) leaving: Option<Motion<C>>,
-    /// The load where there is no equilibrium.
+    /// The load, if there is no equilibrium.
     pub(super) load: Option<Wrench<C>>,
-    /// Coefficients of friction of the contacts, where they are not those of the page.
+    /// Coefficients of friction of the contacts, if they differ from those of the page.
     pub(super) friction: Option<Vec<f64>>,
 }
 
@@ -26,7 +26,7 @@ impl<const C: usize> Frame<C> {
         Self { label, shown, says: Vec::new(), leaving: None, load: None, friction: None }
     }
 
-    /// An equilibrium of a grasp whose coefficients of friction need not be those of the page.
+    /// An equilibrium of a grasp whose coefficients of friction may differ from those of the page.
     pub(super) fn of(label: String, grasp: &Grasp<C>, state: &Equilibrium<C>) -> Self {
         let friction = grasp.contacts().iter().map(Contact::friction_coefficient).collect();
         Self { friction: Some(friction), ..Self::new(label, Ok(Box::new(state.clone()))) }
@@ -36,23 +36,23 @@ impl<const C: usize> Frame<C> {
         self.shown.as_deref().ok()
     }
 
-    /// The load that is drawn.
+    /// The load of the equilibrium, or the load set without one.
     pub(super) fn load(&self) -> Option<&Wrench<C>> {
         self.state().map(|state| &state.load).or(self.load.as_ref())
     }
 
-    /// The coefficient of friction of a contact that has this one on the page.
+    /// The coefficient of friction of a contact; `given` is that of the page.
     pub(super) fn friction(&self, contact: usize, given: f64) -> f64 {
         self.friction.as_ref().and_then(|all| all.get(contact).copied()).unwrap_or(given)
     }
 
-    /// The slope of its cone, as it is drawn.
+    /// The slope of the cone of a contact in pictures.
     pub(super) fn slope(&self, contact: usize, given: f64) -> f64 {
         self.friction(contact, given).min(STEEPEST)
     }
 }
 
-/// Changes the answer given last, if there is one.
+/// Changes the last answer, if there is one.
 pub(super) fn change_last<const C: usize>(frames: &mut [Frame<C>], change: impl FnOnce(&mut Frame<C>)) {
     if let Some(frame) = frames.last_mut() {
         change(frame);

@@ -26,8 +26,8 @@ impl SpatialPage {
     /// Writes the page. Names and labels may contain any characters.
     ///
     /// # Errors
-    /// [`PictureError`] if a corner of an outline or a number of an answer is not finite, or if an
-    /// answer has not as many contacts as the grasp.
+    /// [`PictureError`] if a corner of an outline or a number of an answer is not finite, or if an answer has another number of contacts than the
+    /// grasp.
     pub fn to_html(&self) -> Result<String, PictureError> {
         let drawing = Drawing::new(self)?;
         let title = escaped(&self.title);
@@ -53,17 +53,17 @@ impl SpatialPage {
     }
 }
 
-/// The box that shows the points of soft fingertips.
+/// The checkbox that shows the points of soft fingertips.
 pub(super) const POINTS: &str =
     "<p><label><input type=\"checkbox\" id=\"points\">points of soft fingertips in the table</label></p>\n";
 
-/// A page down to its title.
+/// The beginning of a page, including its title.
 pub(super) fn opened(title: &str) -> String {
     let title = escaped(title);
     let mut page = String::new();
     page += "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
     page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
-    // Strings take whatever is written into them.
+    // Writing into a string cannot fail.
     let _ = write!(page, "<title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n");
     let _ = writeln!(page, "<h1>{title}</h1>");
     page
@@ -75,7 +75,7 @@ pub(super) fn closed(page: &mut String, script: &str) {
         write!(page, "<script>\n\"use strict\";\n(() => {{\n{script}}})();\n</script>\n</body>\n</html>\n");
 }
 
-/// Buttons between the answers, and a slider where there are more than two.
+/// Writes buttons for the answers, and a slider for more than two answers.
 pub(super) fn write_choice<const C: usize>(page: &mut String, frames: &[Frame<C>]) {
     if frames.len() < 2 {
         return;

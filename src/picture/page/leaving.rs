@@ -1,4 +1,4 @@
-//! Where the object would be next on its way out.
+//! The way out of a spatial object: its next position along a motion.
 
 use nalgebra::{Point3, Vector3};
 
@@ -7,26 +7,26 @@ use super::spatial_page::MovingLine;
 use crate::grasp::Motion;
 use crate::spatial::{Contact, Twist};
 
-/// Part of the span by which the fastest point is moved.
+/// Distance by which the fastest point is moved, as a part of the span.
 const LEAVES: f64 = 0.15;
-/// Arrows at most.
+/// Most arrows.
 const ARROWS: usize = 6;
 
-/// Lines on the object, where they are and where they would be next.
+/// Lines on the object in their next places, and arrows that lead there.
 pub(super) struct MovedLines {
     pub(super) lines: Vec<Vec<Vector3<f64>>>,
     pub(super) arrows: Vec<[Vector3<f64>; 2]>,
 }
 
 impl Drawing<'_> {
-    /// Of the outlines, each with its body, or else of contacts.
+    /// The way out of the outlines, each moved with its body, or else of the contacts.
     pub(super) fn way_out(&self, motion: &Motion<3>) -> MovedLines {
         let moving = |line: &MovingLine| {
             let twist = *motion.of_body(line.body);
             line.corners.iter().map(|corner| (Vector3::from(*corner), twist)).collect()
         };
         let lines: Vec<Vec<_>> = self.page.outlines.iter().map(moving).collect();
-        // Which of several bodies a contact goes with is not told.
+        // With several bodies the body of a contact is not known here, so that contacts are not drawn.
         let of_object = motion.bodies.is_empty().then_some(motion.object);
         let contacts = self.page.grasp.contacts().iter().map(Contact::point);
         let contacts =

@@ -1,4 +1,4 @@
-//! What the marks of a still mean, and its scales in words.
+//! The legend of a still: the meaning of its marks, and its scales in words.
 
 use plotters::style::{Color, RGBColor, colors::BLACK};
 
@@ -14,12 +14,15 @@ use crate::picture::sheet::{Place, Sheet};
 use crate::picture::words::{lines, short};
 use crate::spatial::Equilibrium;
 
-/// Left edge, length of the samples, letters of a line of 14 and of 13 pixels.
+/// Left edge of the legend, pixels.
 pub(super) const LEFT: f64 = 624.0;
+/// Length of samples, pixels.
 const SAMPLE: f64 = 40.0;
+/// Most letters of a line of 14 pixels beside a sample.
 const LETTERS: usize = 24;
+/// Most letters of a line of 13 pixels without a sample.
 const SMALL: usize = 32;
-/// The longest arrow of a scale.
+/// Length of the longest arrow of a scale, pixels.
 const LONGEST: f64 = 100.0;
 
 enum Sample {
@@ -40,7 +43,7 @@ struct Entry {
 pub(super) struct Legend(Vec<Entry>);
 
 impl Legend {
-    /// For a picture with so many pixels to a metre.
+    /// The legend of a picture with `pixels` pixels per metre.
     pub(super) fn new(drawing: &Drawing, frame: Option<&Frame<3>>, pixels: f64) -> Self {
         let mut entries = Vec::new();
         let state = frame.and_then(Frame::state);
@@ -65,7 +68,7 @@ impl Legend {
         Self(entries)
     }
 
-    /// Draws it from a height downwards.
+    /// Draws the legend from the height `top` downwards.
     pub(super) fn draw(&self, paper: &mut Sheet, top: f64) {
         let mut y = top;
         for entry in &self.0 {
@@ -78,7 +81,7 @@ impl Legend {
         }
     }
 
-    /// How much room it takes.
+    /// Height of the legend, pixels.
     pub(super) fn high(&self) -> f64 {
         self.0.iter().map(|entry| LINE * entry.lines().len() as f64 + BETWEEN).sum()
     }
@@ -106,7 +109,7 @@ fn entry(sample: Sample, words: &str) -> Entry {
     Entry { sample, words: words.into(), size: 14.0, ink: BLACK }
 }
 
-/// A round force or moment and the arrow that stands for it, at so many pixels for one.
+/// A round force or moment and its arrow, at a scale of `pixels` pixels per unit.
 fn scale(pixels: f64, width: f64, heads: usize, unit: &str) -> Option<Entry> {
     let shown = LONGEST / pixels;
     (pixels > 0.0 && shown > 0.0 && shown.is_finite()).then(|| {
@@ -116,7 +119,7 @@ fn scale(pixels: f64, width: f64, heads: usize, unit: &str) -> Option<Entry> {
     })
 }
 
-/// What fingertips and their points do, each thing once.
+/// The states of fingertips and their points, each once.
 fn of_contacts(drawing: &Drawing, state: &Equilibrium) -> Vec<Entry> {
     let contacts = drawing.page.grasp.contacts();
     let resultant = |tip: &ContactGroup| tip.resultant(contacts, state);
@@ -140,7 +143,7 @@ fn of_contacts(drawing: &Drawing, state: &Equilibrium) -> Vec<Entry> {
     entries
 }
 
-/// What belongs to the object, as far as there is any of it.
+/// The marks of object and load that occur in this answer.
 fn of_object(drawing: &Drawing, frame: &Frame<3>) -> Vec<Entry> {
     let state = frame.state();
     let load = frame.load().map(|load| drawing.load(load));

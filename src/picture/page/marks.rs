@@ -1,4 +1,4 @@
-//! What a still shows of an answer, in the coordinates of the grasp.
+//! The marks of a still for one answer, in the coordinates of the grasp.
 
 use std::f64::consts::TAU;
 
@@ -14,30 +14,31 @@ use crate::picture::palette::{GREY, PALETTE, VERMILION};
 use crate::picture::words::short;
 use crate::spatial::{Contact, ContactState, Equilibrium, Wrench};
 
-/// Displacements.
+/// Colour of displacements.
 pub(super) const PINK: RGBColor = PALETTE[3];
-/// Free motions.
+/// Colour of free motions.
 pub(super) const SKY: RGBColor = RGBColor(58, 143, 200);
-/// Slips.
+/// Colour of slips.
 pub(super) const BROWN: RGBColor = RGBColor(122, 54, 0);
 const FIXTURE: RGBColor = RGBColor(204, 204, 204);
-/// The ground on which the edges of the object lie.
+/// Colour behind the edges of the object.
 const BODY: RGBColor = RGBColor(238, 239, 241);
-/// Radii of a contact and of a point of a soft fingertip, pixels.
+/// Radius of a contact, pixels.
 pub(super) const CONTACT: f64 = 5.5;
+/// Radius of a point of a soft fingertip, pixels.
 pub(super) const POINT: f64 = 2.5;
-/// Pixels drawn and left out of a line of what has moved, and of the axis of a free motion.
+/// Lengths of dashes and gaps of lines that have moved, pixels.
 const MOVED: (f64, f64) = (5.0, 4.0);
+/// Lengths of dashes and gaps of the axis of a free motion, pixels.
 const FREE: (f64, f64) = (9.0, 6.0);
-/// Sides of a cone.
+/// Number of sides of a cone.
 const SIDES: u32 = 72;
-/// A cone whose rim would be wider than this part of the picture is drawn shorter, or it would hide
-/// everything else.
+/// A cone whose rim would be wider than this part of the picture is drawn shorter, because it would hide everything else.
 const WIDEST: f64 = 0.5;
 
 type Point = Vector3<f64>;
 
-/// Widths and dashes are in pixels.
+/// One mark of a still. Widths and dashes are in pixels.
 pub(super) enum Mark {
     Line {
         corners: Vec<Point>,
@@ -57,21 +58,21 @@ pub(super) enum Mark {
         rim: Vec<Point>,
         ink: RGBColor,
     },
-    /// A load, at least as long as can be seen.
+    /// The arrow of a load, lengthened if it would be too short to be visible.
     Load {
         from: Point,
         along: Point,
         width: f64,
         heads: usize,
-        /// Its name, and what it says besides where the arrow is not to scale.
+        /// Its name; its size is written beside it if the arrow is not to scale.
         name: Option<&'static str>,
         size: String,
     },
-    /// An edge of the object, darker where it is nearer.
+    /// An edge of the object, darker where it is nearer to the eye.
     Edge {
         corners: Vec<Point>,
     },
-    /// A convex part of the object, behind everything.
+    /// A convex part of the object, behind everything else.
     Body {
         corners: Vec<Point>,
         ink: RGBColor,
@@ -101,7 +102,7 @@ impl Mark {
     }
 }
 
-/// The grasp, and in it the answer.
+/// The marks of the grasp, and of an answer if there is one.
 pub(super) fn marks(drawing: &Drawing, frame: Option<&Frame<3>>) -> Vec<Mark> {
     let (page, state) = (drawing.page, frame.and_then(Frame::state));
     let mut marks = Vec::new();
@@ -122,7 +123,7 @@ pub(super) fn marks(drawing: &Drawing, frame: Option<&Frame<3>>) -> Vec<Mark> {
     for tip in &drawing.tips {
         let axes = frames[tip.contacts.start];
         let [n, t, b] = [0, 1, 2].map(|k| Point::new(axes[(0, k)], axes[(1, k)], axes[(2, k)]));
-        // The finger, behind the contact, or a link.
+        // The finger behind its contact, or a link.
         let at = tip.middle(contacts);
         let tail = at - n * (FINGER * drawing.span);
         let corners = tip.ends_of_link(contacts).map_or(vec![tail, at], |ends| ends.to_vec());
@@ -192,7 +193,7 @@ fn draw_answer(
     }
 }
 
-/// The points of a fingertip, each in the colour of what it does.
+/// The points of a fingertip, each in the colour of its state.
 fn draw_points(marks: &mut Vec<Mark>, contacts: &[Contact], state: &Equilibrium, tip: &ContactGroup) {
     let radius = if tip.is_soft() { POINT } else { CONTACT };
     for i in tip.contacts.clone() {
@@ -240,8 +241,7 @@ fn points(corners: &[[f64; 3]]) -> Vec<Point> {
     corners.iter().map(|corner| Point::from(*corner)).collect()
 }
 
-/// A line that comes back to its first corner, of two corners the line between them; of fewer there
-/// is none.
+/// A line closed back to its first corner; for two corners the line between them, for fewer `None`.
 fn closed(mut corners: Vec<Point>) -> Option<Vec<Point>> {
     match corners.len() {
         0 | 1 => return None,

@@ -1,4 +1,5 @@
-//! Grasps as pages: a spatial one that one can turn with the mouse, and as a picture that stands still; a planar one whose answers a slider goes through.
+//! Grasps as HTML pages. A spatial grasp can be turned with the mouse, or drawn as a still picture. The answers of a planar grasp are selected with a
+//! slider.
 
 mod data;
 mod drawing;

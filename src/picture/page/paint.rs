@@ -1,4 +1,4 @@
-//! Marks as the eye sees them.
+//! Projection of marks onto paper.
 
 use nalgebra::Vector3;
 use plotters::style::{Color, RGBColor, colors::BLACK};
@@ -8,15 +8,16 @@ use super::eye::Eye;
 use super::marks::Mark;
 use crate::picture::painting::{EyePoint, Painting};
 
-/// Greys of the edges of the object that are nearest to the eye and farthest from it.
+/// Grey level of edges of the object nearest to the eye.
 const NEAR: f64 = 90.0;
+/// Grey level of edges of the object farthest from the eye.
 const FAR: f64 = 200.0;
-/// A load that is shorter on paper points to the eye or away from it, pixels.
+/// A load that is shorter on paper than this points to the eye or away from it, pixels.
 const SEEN: f64 = 8.0;
-/// The contour of the object.
+/// Colour of the contour of the object.
 const CONTOUR: RGBColor = RGBColor(150, 150, 150);
 
-/// What is painted of these marks; names are not.
+/// The painting of these marks, without names.
 pub(super) fn painting(eye: &Eye, marks: &[Mark]) -> Painting {
     let mut painting = Painting::default();
     let shade = shades(eye, marks);
@@ -55,7 +56,7 @@ pub(super) fn painting(eye: &Eye, marks: &[Mark]) -> Painting {
             Mark::Body { corners, ink } => {
                 let corners = corners.iter().map(|corner| eye.see(corner)).map(|seen| (seen.x, seen.y));
                 let corners = hull(corners.collect());
-                // Behind everything. Of the contour that half is left which is beside all bodies.
+                // Bodies are behind everything. Only the half of the contour outside all bodies remains visible.
                 painting.contour(corners.clone(), CONTOUR, 2.4, f64::NEG_INFINITY);
                 painting.area(corners, ink.to_rgba(), f64::MIN);
             }
@@ -65,18 +66,18 @@ pub(super) fn painting(eye: &Eye, marks: &[Mark]) -> Painting {
     painting
 }
 
-/// From where to where a load is drawn, and whether it is as long as its size says.
+/// The ends of the arrow of a load, and whether its length is to scale.
 pub(super) fn load_ends(eye: &Eye, from: &Vector3<f64>, along: &Vector3<f64>) -> ([EyePoint; 2], bool) {
     let long = along.norm() * eye.scale;
     let is_to_scale = long >= SHORTEST;
-    // A tiny vector has no square: its largest component comes first.
+    // The vector is divided by its largest component first, because the square of a tiny one is zero.
     let size = along.amax();
     let unit = if size > 0.0 { (along / size).normalize() } else { *along };
     let along = if is_to_scale { *along } else { unit * (SHORTEST / eye.scale) };
     ([eye.see(from), eye.see(&(from + along))], is_to_scale)
 }
 
-/// The grey of an edge of the object by its place towards the eye.
+/// The grey of an edge of the object as a function of its depth.
 fn shades(eye: &Eye, marks: &[Mark]) -> impl Fn(f64) -> RGBColor + use<> {
     let edges = marks.iter().filter(|mark| matches!(mark, Mark::Edge { .. }));
     let depths = edges.flat_map(Mark::points).map(|point| eye.see(&point).z);
@@ -89,8 +90,8 @@ fn shades(eye: &Eye, marks: &[Mark]) -> impl Fn(f64) -> RGBColor + use<> {
     }
 }
 
-/// The side of the cone that faces the eye and the side that looks away, between which there is
-/// room for the force. Seams between smaller faces would show.
+/// Paints a cone as two faces, the side towards the eye and the side away from it, so that the force is drawn between them. Smaller faces would show
+/// seams.
 fn cone(painting: &mut Painting, apex: &EyePoint, rim: &[EyePoint], ink: RGBColor) {
     let sides = rim.len();
     let next = |k: usize| (k + 1) % sides;
@@ -118,7 +119,7 @@ fn cone(painting: &mut Painting, apex: &EyePoint, rim: &[EyePoint], ink: RGBColo
     }
 }
 
-/// Corners of the smallest convex area that holds these places (Andrew's monotone chain).
+/// Corners of the convex hull of these places (Andrew's monotone chain).
 fn hull(mut places: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     places.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
     let mut corners: Vec<(f64, f64)> = Vec::new();
@@ -144,10 +145,10 @@ fn pairs(corners: &[EyePoint]) -> Vec<[EyePoint; 2]> {
     corners.windows(2).map(|ends| [ends[0], ends[1]]).collect()
 }
 
-/// Cuts a line into dashes that go on round its corners.
+/// Cuts a line into dashes that continue around its corners.
 fn dashed(corners: &[Vector3<f64>], on: f64, off: f64) -> Vec<[EyePoint; 2]> {
     let mut dashes = Vec::new();
-    // Along the whole line, pixels.
+    // Length along the whole line, pixels.
     let mut start = 0.0;
     for ends in corners.windows(2) {
         let size = (ends[1] - ends[0]).xy().norm();

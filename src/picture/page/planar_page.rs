@@ -1,4 +1,4 @@
-//! A planar grasp and its answers as a page: pictures at one scale, between which a slider goes.
+//! A planar grasp and its answers as a page: pictures at one scale, selected by a slider.
 
 use std::fmt::Write;
 
@@ -13,9 +13,9 @@ use crate::picture::grasp_picture::stills_of_a_page;
 use crate::picture::planar_picture::{Outline, PlanarPicture};
 use crate::planar::{Equilibrium, Grasp, Wrench};
 
-/// A planar grasp and one or more of its answers as a single HTML file that needs nothing else. Its first line says the answer; buttons, and a slider
-/// where there are more than two, choose among the answers; their pictures have one scale, so that forces can be seen to grow from one to the next. What
-/// is drawn is that of a [`PlanarPicture`], the numbers of the answer shown are in a table.
+/// A planar grasp and one or more of its answers as a single self-contained HTML file. Its first line is the answer in a sentence. Buttons select an
+/// answer, and a slider if there are more than two. All pictures have one scale, so that growing forces are visible. Each picture is that of a
+/// [`PlanarPicture`], and a table has the numbers of the answer shown.
 ///
 /// ```
 /// use grasp_lcp::picture::PlanarPage;
@@ -35,12 +35,12 @@ pub struct PlanarPage {
     title: String,
     outlines: Vec<Vec<[f64; 2]>>,
     frames: Vec<Frame<2>>,
-    /// Of each answer: friction may be that of another one.
+    /// The grasp of each answer, whose friction may differ.
     grasps: Vec<Grasp>,
 }
 
 impl PlanarPage {
-    /// A page without answers yet.
+    /// A page without answers.
     #[must_use]
     pub fn new(grasp: &Grasp, title: impl Into<String>) -> Self {
         Self {
@@ -52,15 +52,15 @@ impl PlanarPage {
         }
     }
 
-    /// Draws the object, or each of [several bodies](crate::grasp::Bodies) in their order; an empty list for one that is not drawn.
+    /// Draws the outline of the object, or of each of [several bodies](crate::grasp::Bodies) in order; an empty outline omits a body.
     #[must_use]
     pub fn outlines<'o>(mut self, outlines: impl IntoIterator<Item = Outline<'o>>) -> Self {
         self.outlines = outlines.into_iter().map(<[_]>::to_vec).collect();
         self
     }
 
-    /// An equilibrium of this grasp, or of one with other coefficients of friction or commands, with what its button says; the first answer is shown to
-    /// begin with.
+    /// Adds an equilibrium of this grasp, or of one with other coefficients of friction or commands; `label` is written on its button. The first
+    /// answer is shown initially.
     #[must_use]
     pub fn frame_of(mut self, label: impl Into<String>, grasp: &Grasp, state: &Equilibrium) -> Self {
         self.frames.push(Frame::of(label.into(), grasp, state));
@@ -68,7 +68,7 @@ impl PlanarPage {
         self
     }
 
-    /// An answer without an equilibrium, and why there is none.
+    /// Adds an answer without an equilibrium, with the reason.
     #[must_use]
     pub fn nothing(mut self, label: impl Into<String>, why: impl Into<String>) -> Self {
         self.frames.push(Frame::new(label.into(), Err(why.into())));
@@ -76,21 +76,21 @@ impl PlanarPage {
         self
     }
 
-    /// Says a sentence above the answer given last.
+    /// Adds a sentence above the last answer.
     #[must_use]
     pub fn says(mut self, sentence: impl Into<String>) -> Self {
         change_last(&mut self.frames, |frame| frame.says.push(sentence.into()));
         self
     }
 
-    /// Draws the way the object takes from the answer given last, if there is one. Only the direction of the motion counts.
+    /// Draws the way out of the object from the last answer, if there is one. Only the direction of the motion matters.
     #[must_use]
     pub fn maybe_leaving(mut self, motion: Option<&Motion<2>>) -> Self {
         change_last(&mut self.frames, |frame| frame.leaving = motion.cloned());
         self
     }
 
-    /// The load of the answer given last, to be drawn where it has no equilibrium.
+    /// Sets the load of the last answer, which is drawn if that has no equilibrium.
     #[must_use]
     pub fn under(mut self, load: Wrench) -> Self {
         change_last(&mut self.frames, |frame| frame.load = Some(load));
@@ -100,7 +100,7 @@ impl PlanarPage {
     /// Writes the page. Names and labels may contain any characters.
     ///
     /// # Errors
-    /// As for [`PlanarPicture::to_svg`], or if a number of an answer is not a number.
+    /// As for [`PlanarPicture::to_svg`], or if a number of an answer is NaN.
     pub fn to_html(&self) -> Result<String, PictureError> {
         let mut page = opened(&self.title);
         table::write_says(&mut page, &self.frames);
@@ -112,7 +112,7 @@ impl PlanarPage {
         let pictures: Vec<_> =
             self.frames.iter().zip(&self.grasps).map(|(frame, grasp)| self.picture(frame, grasp)).collect();
         for (k, picture) in stills_of_a_page(&pictures)?.iter().enumerate() {
-            // Within a page an SVG has no name space of its own.
+            // Within HTML an SVG element needs no namespace.
             let picture = picture.replacen(" xmlns=\"http://www.w3.org/2000/svg\"", "", 1);
             let hidden = if k == 0 { "" } else { " hidden" };
             let _ =

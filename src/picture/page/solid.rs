@@ -1,15 +1,14 @@
-//! Parts of the object between its outlines, so that it is seen as a body and not as wire alone.
+//! Convex parts of the object between its outlines, so that it looks like a body instead of wire.
 
 use super::spatial_page::MovingLine;
 
-/// A ring of fewer corners is a face of an edged body, or the line of a handle: nothing is known to
-/// be between it and the next.
+/// A ring of fewer corners is a face of an edged body, or the line of a handle, and the space to the next ring may be empty.
 const ROUND: usize = 8;
 
-/// Convex parts: every ring by itself, and what is between two round ones that follow each other.
-/// A ring is an outline, or a part of it that comes back to where it began.
+/// Convex parts: every ring by itself, and the hull of two consecutive round rings. A ring is an outline, or a part of it that returns to its
+/// beginning.
 pub(super) fn bodies(outlines: &[MovingLine]) -> Vec<Vec<[f64; 3]>> {
-    // Nothing is between two bodies.
+    // There is no part between two bodies.
     let of_one_body = outlines.chunk_by(|a, b| a.body == b.body);
     of_one_body.flat_map(solids).collect()
 }

@@ -1,4 +1,4 @@
-//! What a page shows: a grasp, lines on and beside the object, and answers.
+//! The content of a page: a grasp, lines on and beside the object, and answers.
 
 use super::frame::{Frame, change_last};
 use super::text::proof_in_words;
@@ -6,30 +6,25 @@ use crate::grasp::Motion;
 use crate::picture::actuators::Actuators;
 use crate::spatial::{Equilibrium, Grasp, NoEquilibrium, Outcome, Wrench};
 
-/// A spatial grasp and one or more of its answers as a single HTML file that needs nothing else: no
-/// network, no installation ([`Self::to_html`]); or one of the answers from one side as an SVG, for
-/// paper ([`Self::to_svg`]).
+/// A spatial grasp and one or more of its answers as a single self-contained HTML file without network or installation ([`Self::to_html`]).
+/// [`Self::to_svg`] draws one of the answers from one side as an SVG, for paper.
 ///
-/// On the page the picture is turned by dragging, enlarged by the wheel or two fingers and reset by a double
-/// click; buttons choose among the answers. Drawn are, in the coordinates of the grasp (z upwards
-/// to begin with):
+/// On the page the picture is turned by dragging, enlarged by the wheel or two fingers and reset by a double click; buttons select an answer. It
+/// shows, in the coordinates of the grasp (z upwards at first):
 ///
-/// * contacts, coloured by what they do, with friction cones as long as the normal forces in them;
-/// * the force F on the object at each contact and the force of the load on its line of action, so
-///   short that contact forces do not go through the object. All answers have one scale. A load that
-///   would be too short to be seen is drawn longer, and that is said beside it;
-/// * of all points of a [soft fingertip](crate::spatial::SoftFingertip) one force and one cone, at
-///   their centre of pressure, and dots in the colours of what the points do;
-/// * the moment of the load about that line (of a load without force: its whole moment), with two
-///   heads. Where the line passes the grasp by in a distance, the force is drawn in the middle of
-///   the grasp, with the moment about that;
-/// * displacements u_c of the object, magnified, the same for all answers; the factor is written
-///   beside;
-/// * axes of the motions that no contact resists, and where the object would be next on its way out;
-/// * links of a [hand](crate::grasp::Hand) where they were before anything moved, and its joints that yield at their limit.
+/// * contacts, coloured by their states, with friction cones as long as the normal forces in them;
+/// * the force F on the object at each contact and the force of the load on its line of action. All answers have one scale, short enough that contact
+///   forces do not pass through the object. A load that would be too short to be visible is drawn longer, and its label says so;
+/// * for all points of a [soft fingertip](crate::spatial::SoftFingertip) one force and one cone, at their centre of pressure, and dots in the colours
+///   of the states of the points;
+/// * the moment of the load about that line (the whole moment of a load without force), with two heads. If the line is far from the grasp, the force
+///   is drawn in the middle of the grasp, with the moment about that point;
+/// * displacements u_c of the object with one magnification for all answers, which is written beside the picture;
+/// * axes of the motions that no contact resists, and the next position of the object on its way out;
+/// * links of a [hand](crate::grasp::Hand) at their initial places, and its joints that yield at their limit.
 ///
-/// A table on the page has the numbers of the answer shown, in N, m and rad; of a soft fingertip sums, and on request its points.
-/// On narrow screens picture, legend and table stand below each other.
+/// A table on the page has the numbers of the answer shown, in N, m and rad; for a soft fingertip sums, and its points on request. On narrow screens
+/// picture, legend and table are below each other.
 ///
 /// ```
 /// use grasp_lcp::picture::SpatialPage;
@@ -69,13 +64,13 @@ pub struct SpatialPage {
 /// A closed line on the object, or on one of several bodies.
 #[derive(Debug, Clone)]
 pub(super) struct MovingLine {
-    /// The number of the body; 0 where there is one object.
+    /// The index of the body; 0 if there is a single object.
     pub(super) body: usize,
     pub(super) corners: Vec<[f64; 3]>,
 }
 
 impl SpatialPage {
-    /// A page without answers yet. The grasp alone can be drawn, too; links of a hand are drawn where they were before anything moved.
+    /// A page without answers, which draws the grasp alone. Links of a hand are drawn at their initial places.
     #[must_use]
     pub fn new(grasp: &Grasp, title: impl Into<String>) -> Self {
         Self {
@@ -88,15 +83,16 @@ impl SpatialPage {
         }
     }
 
-    /// A closed line on the object, corner by corner, m (of two corners: the line between them);
-    /// call it for as many as it takes. They are only drawn, where the object was and where it
-    /// moves. Between two that follow each other, of eight corners or more, the object is shaded.
+    /// Adds a closed line on the object, corner by corner, m (two corners give the line between them). Several calls add several lines. They affect
+    /// nothing but the drawing, which shows their original and moved places. The object is shaded between two consecutive lines of eight corners or
+    /// more.
     #[must_use]
     pub fn outline(self, corners: impl IntoIterator<Item = impl Into<[f64; 3]>>) -> Self {
         self.body_outline(0, corners)
     }
 
-    /// A closed line on one of [several bodies](crate::grasp::Bodies), by its number from 0: it moves as that body does. Otherwise as [`Self::outline`].
+    /// Adds a closed line on one of [several bodies](crate::grasp::Bodies), by its index from 0, which moves with that body. Otherwise as
+    /// [`Self::outline`].
     #[must_use]
     pub fn body_outline(
         mut self,
@@ -107,61 +103,59 @@ impl SpatialPage {
         self
     }
 
-    /// A closed line on something that stays where it is, a fingertip or a table, corner by corner,
-    /// m; otherwise as [`Self::outline`].
+    /// Adds a closed line on something at rest, such as a fingertip or a table, corner by corner, m; otherwise as [`Self::outline`].
     #[must_use]
     pub fn fixture(mut self, corners: impl IntoIterator<Item = impl Into<[f64; 3]>>) -> Self {
         self.fixtures.push(corners.into_iter().map(Into::into).collect());
         self
     }
 
-    /// An equilibrium of the grasp, with what its button says; the first answer is shown to begin
-    /// with.
+    /// Adds an equilibrium of the grasp; `label` is written on its button. The first answer is shown initially.
     #[must_use]
     pub fn frame(mut self, label: impl Into<String>, state: &Equilibrium) -> Self {
         self.frames.push(Frame::new(label.into(), Ok(Box::new(state.clone()))));
         self
     }
 
-    /// An equilibrium of the same grasp with other coefficients of friction or other commands, such as the one with [what it
-    /// needs](crate::ask::Grasp::with_amount).
+    /// Adds an equilibrium of the same grasp with other coefficients of friction or other commands, such as those with the [needed
+    /// amount](crate::ask::Grasp::with_amount).
     #[must_use]
     pub fn frame_of(mut self, label: impl Into<String>, grasp: &Grasp, state: &Equilibrium) -> Self {
         self.frames.push(Frame::of(label.into(), grasp, state));
         self
     }
 
-    /// An answer without an equilibrium, and why there is none.
+    /// Adds an answer without an equilibrium, with the reason.
     #[must_use]
     pub fn nothing(mut self, label: impl Into<String>, why: impl Into<String>) -> Self {
         self.frames.push(Frame::new(label.into(), Err(why.into())));
         self
     }
 
-    /// Says a sentence beside the answer given last.
+    /// Adds a sentence beside the last answer.
     #[must_use]
     pub fn says(mut self, sentence: impl Into<String>) -> Self {
         change_last(&mut self.frames, |frame| frame.says.push(sentence.into()));
         self
     }
 
-    /// Draws the way the object takes from the answer given last, if there is one: that of a [loss](crate::hold::Lost::motion). Only the direction of
-    /// the motion counts.
+    /// Draws the way out of the object from the last answer, if there is one, such as that of a [loss](crate::hold::Lost::motion). Only the direction
+    /// of the motion matters.
     #[must_use]
     pub fn maybe_leaving(mut self, motion: Option<&Motion<3>>) -> Self {
         change_last(&mut self.frames, |frame| frame.leaving = motion.cloned());
         self
     }
 
-    /// The load of the answer given last, to be drawn where it has no equilibrium.
+    /// Sets the load of the last answer, which is drawn if that has no equilibrium.
     #[must_use]
     pub fn under(mut self, load: Wrench) -> Self {
         change_last(&mut self.frames, |frame| frame.load = Some(load));
         self
     }
 
-    /// An answer of [`Grasp::solve`](crate::ask::Grasp::solve), with what its button says. Where
-    /// no equilibrium exists, or none was found, the page says so and draws no forces.
+    /// Adds an answer of [`Grasp::solve`](crate::ask::Grasp::solve); `label` is written on its button. If no equilibrium exists, or none was found,
+    /// the page says so and draws no forces.
     #[must_use]
     pub fn outcome(mut self, label: impl Into<String>, outcome: &Outcome) -> Self {
         let shown = match outcome {
@@ -178,7 +172,7 @@ impl SpatialPage {
         self
     }
 
-    /// How many answers were given so far.
+    /// The number of answers so far.
     #[must_use]
     pub fn answers(&self) -> usize {
         self.frames.len()

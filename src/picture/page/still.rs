@@ -1,4 +1,4 @@
-//! One answer of a page as a picture that stands still.
+//! One answer of a page as a still picture.
 
 use nalgebra::Vector2;
 use plotters::style::colors::BLACK;
@@ -18,27 +18,27 @@ use crate::picture::words::{caution, lines};
 
 const WIDE: f64 = 860.0;
 const MARGIN: f64 = 12.0;
-/// Room for the grasp; a border of it is for what has a size in pixels.
+/// Size of the part for the grasp, pixels.
 const ROOM: (f64, f64) = (600.0, 520.0);
+/// Border of that part for marks whose size is in pixels.
 const BORDER: f64 = 18.0;
-/// Letters of a line of the title and of the label.
+/// Most letters of a line of the title and of the label.
 const LETTERS: (usize, usize) = (70, 96);
-/// Size of names.
+/// Letter height of names, pixels.
 const NAMES: f64 = 15.0;
-/// Length of the coordinate axes, a letter beyond their ends, and room for both.
+/// Length of the coordinate axes, pixels.
 const AXES: f64 = 32.0;
+/// Distance of the axes' letters from their ends, pixels.
 const LETTER: f64 = 11.0;
+/// Size of the part for axes and letters, pixels.
 const AXES_ROOM: f64 = 110.0;
 
 impl SpatialPage {
-    /// Draws one of the answers as it is seen from one side, as the page shows it, with a legend:
-    /// `answer` counts them from 0 in the order in which they were given, `None` is the grasp
-    /// alone. Scales of forces, moments, displacements and lengths are the same for all answers of
-    /// the page seen from the same side, so that their pictures can be compared; everything of
-    /// every answer is inside.
+    /// Draws one of the answers from one side, as the page shows it, with a legend. `answer` is its index from 0 in the order of adding; `None` draws
+    /// the grasp alone. All answers of a page seen from the same side have the same scales of forces, moments, displacements and lengths, so that
+    /// their pictures can be compared. Everything of every answer is inside.
     ///
-    /// A cone that would fill the picture (μ far above 1) is drawn shorter than the normal force in
-    /// it.
+    /// A cone that would fill the picture (μ far above 1) is drawn shorter than the normal force in it.
     ///
     /// ```
     /// use grasp_lcp::picture::{SpatialPage, View};
@@ -57,8 +57,7 @@ impl SpatialPage {
     /// ```
     ///
     /// # Errors
-    /// [`PictureError`] if there is no such answer, an angle of the view is not finite, or for the
-    /// reasons of [`Self::to_html`].
+    /// [`PictureError`] if there is no such answer, an angle of the view is not finite, or for the reasons of [`Self::to_html`].
     pub fn to_svg(&self, answer: Option<usize>, view: View) -> Result<String, PictureError> {
         let given = self.frames.len();
         let chosen = |k: usize| {
@@ -76,7 +75,7 @@ impl SpatialPage {
         });
         let top = 20.0 + 24.0 * title.len() as f64 + 20.0 * label.len() as f64;
         let window = Window { left: MARGIN, top, wide: ROOM.0, high: ROOM.1 };
-        // Everything of every answer has room, so that stills can be compared.
+        // The view contains everything of every answer, so that stills can be compared.
         let frames = self.frames.iter().map(Some).chain([None]);
         let points = frames.flat_map(|frame| marks(&drawing, frame)).flat_map(|mark| mark.points());
         let eye = Eye::new(view, window.within(BORDER), drawing.span, points)?;
@@ -120,14 +119,14 @@ impl SpatialPage {
     }
 }
 
-/// The coordinate axes, in a corner where nothing else is drawn.
+/// The coordinate axes, in a corner without other marks.
 fn draw_axes(paper: &mut Sheet, eye: &Eye, (x, y): Place) {
     let axes = [0, 1, 2].map(|axis| eye.along(axis));
     let mut named: Vec<Vector2<f64>> = Vec::new();
     for (axis, name) in axes.iter().zip(["x", "y", "z"]) {
         let end = axis * AXES;
         paper.line([(x, y), (x + end.x, y + end.y)], GREY, 1.5);
-        // An axis towards the eye is a point: its name goes where the others are not.
+        // An axis towards the eye is a point; its name is written opposite to the other axes.
         let way = if axis.norm() > 0.2 { *axis } else { axis - axes.iter().sum::<Vector2<f64>>() };
         let way = way.normalize() * LETTER;
         let mut place = end + way;

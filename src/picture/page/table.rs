@@ -1,4 +1,4 @@
-//! The numbers beside the picture: one section for each answer, of which the page shows one.
+//! The tables of a page: one section for each answer, of which the page shows one.
 
 use std::fmt::Write;
 
@@ -13,7 +13,7 @@ use crate::picture::fingertip::{ContactGroup, without_rounding};
 use crate::picture::words::{escaped, short};
 use crate::words::{LinkKind, Words};
 
-/// Headings, and what they mean.
+/// Headings and their explanations.
 const COLUMNS: [(&str, &str); 9] = [
     ("contact", "name"),
     ("state", "what the contact does"),
@@ -26,7 +26,7 @@ const COLUMNS: [(&str, &str); 9] = [
     ("|u_c| (m)", "displacement of the object at the contact"),
 ];
 
-/// What is said of each answer, before anything else of the page.
+/// Writes the sentences of each answer, at the top of the page.
 pub(super) fn write_says<const C: usize>(page: &mut String, frames: &[Frame<C>]) {
     for (k, frame) in frames.iter().enumerate() {
         open(page, k);
@@ -37,7 +37,7 @@ pub(super) fn write_says<const C: usize>(page: &mut String, frames: &[Frame<C>])
             Err(why) => {
                 let _ = writeln!(page, "<p class=\"none\">{}</p>", escaped(why));
             }
-            // Its label is what there is to say.
+            // Without sentences the label of the answer is written.
             Ok(_) if frame.says.is_empty() => {
                 let _ = writeln!(page, "<p class=\"says\">{}</p>", escaped(&frame.label));
             }
@@ -47,7 +47,7 @@ pub(super) fn write_says<const C: usize>(page: &mut String, frames: &[Frame<C>])
     }
 }
 
-/// A part of the page that belongs to one of the answers, of which the first is shown to begin with.
+/// Opens a section of one of the answers; only the first is visible initially.
 fn open(page: &mut String, frame: usize) {
     let hidden = if frame == 0 { "" } else { " hidden" };
     let _ = writeln!(page, "<section data-frame=\"{frame}\"{hidden}>");
@@ -98,7 +98,7 @@ fn write_words<const C: usize>(page: &mut String, actuators: &Actuators<C>, stat
     }
 }
 
-/// A row for each contact; of a soft fingertip one for all of it, and one for each of its points that is shown on request.
+/// Writes a row for each contact. A soft fingertip has a row for its sums, and a row for each of its points, shown on request.
 fn write_rows<const C: usize>(
     page: &mut String,
     grasp: &Grasp<C>,
@@ -106,7 +106,7 @@ fn write_rows<const C: usize>(
     frame: &Frame<C>,
     state: &Equilibrium<C>,
 ) -> Result<(), PictureError> {
-    // Wider than a narrow screen, the table moves and not the page.
+    // A table wider than a narrow screen scrolls by itself instead of the page.
     page.push_str("<div class=\"scrolls\">\n<table>\n<thead><tr>");
     for (heading, meaning) in COLUMNS {
         let _ = write!(page, "<th title=\"{}\">{}</th>", escaped(meaning), escaped(heading));
@@ -152,7 +152,7 @@ impl ContactRow {
         Self { state: word(answer), numbers }
     }
 
-    /// Sums of forces and reserves; gap or slip is the largest.
+    /// The row of a soft fingertip: sums of forces and reserves, and the largest gap or slip.
     fn of_tip<const C: usize>(
         tip: &ContactGroup,
         contacts: &[Contact<C>],
@@ -193,7 +193,7 @@ impl ContactRow {
         }
         let mut words = self.numbers.map(short);
         if contact.hold == Hold::Bonded || contact.link.is_some() {
-            // Glued, it has no friction to use.
+            // A bonded contact has no friction to use.
             (words[2], words[3]) = ("–".into(), contact.link.map_or("bonded", LinkKind::name).into());
         }
         let (name, class_of_state) = (escaped(name), self.state.replace(' ', "-"));
@@ -214,7 +214,7 @@ impl ContactRow {
     }
 }
 
-/// What is left of a contact on the edge of its cone is rounding.
+/// Friction in reserve, N; zero if it is rounding.
 fn reserve<const C: usize>(answer: &ContactAnswer<C>) -> f64 {
     if no_friction_left(answer) { 0.0 } else { answer.margin }
 }

@@ -1,4 +1,4 @@
-//! What only a page says: JSON, vectors, proofs.
+//! Texts of pages alone: JSON, vectors, proofs.
 
 use std::fmt::Write;
 
@@ -6,12 +6,10 @@ use crate::picture::error::PictureError;
 use crate::picture::words::short;
 use crate::spatial::Proof;
 
-/// A component up to this part of the largest one is rounding. With 0 a page would show 1e-17 where
-/// a zero is meant.
+/// A component up to this part of the largest one is rounding. With 0 a page would show 1e-17 in place of zero.
 const ROUNDING: f64 = 1e-12;
 
-/// A text as a JSON string that may stand inside a `script` element: nothing in it looks like a
-/// tag.
+/// A text as a JSON string that is safe inside a `script` element: nothing in it can be read as a tag.
 pub(super) fn json_string(text: &str) -> String {
     let mut out = String::from("\"");
     for c in text.chars() {
@@ -28,18 +26,18 @@ pub(super) fn json_string(text: &str) -> String {
     out
 }
 
-/// A number of JSON that reads back to the same bits.
+/// A JSON number that reads back to the same bits.
 pub(super) fn json_number(x: f64) -> Result<String, PictureError> {
     if x.is_finite() { Ok(format!("{x:?}")) } else { Err(PictureError(format!("{x} cannot be drawn"))) }
 }
 
-/// Numbers of JSON in brackets.
+/// A JSON array of numbers.
 pub(super) fn json_row(numbers: &[f64]) -> Result<String, PictureError> {
     let numbers: Vec<_> = numbers.iter().map(|x| json_number(*x)).collect::<Result<_, _>>()?;
     Ok(format!("[{}]", numbers.join(",")))
 }
 
-/// Components in brackets; what is rounding beside the largest is zero.
+/// Components in parentheses; those that are rounding beside the largest are zero.
 pub(super) fn vector(components: &[f64]) -> String {
     let size = components.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
     let clean = |x: &f64| if x.abs() <= ROUNDING * size { 0.0 } else { *x };
@@ -49,7 +47,7 @@ pub(super) fn vector(components: &[f64]) -> String {
     format!("({})", components.iter().map(|x| short(clean(x))).collect::<Vec<_>>().join(", "))
 }
 
-/// How it is known that no equilibrium exists.
+/// The proof that no equilibrium exists, in words.
 pub(super) fn proof_in_words(proof: &Proof) -> String {
     match proof {
         Proof::FreeMotion { motion, .. } => {
