@@ -1,4 +1,4 @@
-//! A grasp, made once and asked often.
+//! The class `Grasp` of the native module.
 
 use std::sync::Arc;
 
@@ -19,7 +19,7 @@ use crate::pictures::Drawn;
 use crate::quality::Quality;
 use crate::watch::{Watch, Watchable};
 
-/// The plane or space: what differs between them.
+/// Questions that a grasp answers, in the plane or in space.
 pub(crate) trait Held: Send + Sync {
     fn json(&self) -> PyResult<String>;
     fn axes(&self) -> usize;
@@ -32,7 +32,7 @@ pub(crate) trait Held: Send + Sync {
     fn watch(&self) -> PyResult<Watch>;
 }
 
-/// What an onset is asked along, as it was given.
+/// Direction, base load and changes of commands of an onset, as Python passes them.
 pub(crate) struct AskedRamp<'a, 'py> {
     direction: &'a Bound<'py, PyAny>,
     base: Option<&'a Bound<'py, PyAny>>,
@@ -60,7 +60,7 @@ impl<const C: usize> Kept<C> {
     }
 }
 
-/// The scene that a setup is of, and the answers that belong to it.
+/// Conversions of a setup to a scene of its kind, and of answers from it.
 pub(crate) trait InSpace: Sized {
     type Answer;
     fn in_space(self) -> Space;
@@ -87,7 +87,7 @@ impl InSpace for Setup<3> {
     }
 }
 
-/// One question through the scene room, which knows grasps with and without joints; the answer in JSON.
+/// Asks one question through the scene room, which supports joints and several bodies. Returns the answer in JSON.
 fn asked<const C: usize>(setup: &Setup<C>, question: Question<C>) -> PyResult<String>
 where
     Setup<C>: InSpace<Answer = Answer<C>>,
@@ -173,19 +173,19 @@ where
     }
 }
 
-/// Contacts, or a hand, that hold an object; see `grasp_lcp.Grasp`.
+/// A grasp by contacts or by a hand; see `grasp_lcp.Grasp`.
 #[pyclass(frozen, module = "grasp_lcp._grasp_lcp")]
 pub(crate) struct Grasp {
     held: Arc<dyn Asked>,
 }
 
-/// All that is asked of a grasp.
+/// All questions of a grasp.
 pub(crate) trait Asked: Held + Quality {}
 impl<T: Held + Quality> Asked for T {}
 
 #[pymethods]
 impl Grasp {
-    /// The grasp of the contacts in the first row of some columns.
+    /// The grasp of the contacts in the first row of the columns.
     #[staticmethod]
     fn of_columns(
         columns: GivenColumns<'_>,
@@ -202,7 +202,7 @@ impl Grasp {
         })
     }
 
-    /// The grasp of a scene; its questions are left out.
+    /// The grasp of a scene. Questions of the scene are ignored.
     #[staticmethod]
     fn of_json(text: &str) -> PyResult<Self> {
         let scene = Scene::from_json(text.as_bytes()).map_err(wrong)?;
@@ -304,7 +304,7 @@ impl Grasp {
     }
 }
 
-/// A setup of which nothing is asked.
+/// The setup without its questions.
 fn alone<const C: usize>(mut setup: Setup<C>) -> Setup<C> {
     setup.questions.clear();
     setup
@@ -317,7 +317,7 @@ pub(crate) fn answers_of_scene(py: Python<'_>, text: &str) -> PyResult<String> {
     json(&py.detach(|| scene.answers()).map_err(refused)?)
 }
 
-/// What a grasp has beside its contacts.
+/// Data of a grasp besides its contacts.
 struct Beside<'py> {
     names: Vec<Option<String>>,
     outline: Option<PyReadonlyArray2<'py, f64>>,
