@@ -38,12 +38,12 @@ typedef struct grasp_lcp_vector {
  */
 typedef struct grasp_lcp_finger {
     /** \brief
-     *  Where it touches, m.
+     *  Contact point, m.
      */
     grasp_lcp_vector_t point;
 
     /** \brief
-     *  Into the object, of any length.
+     *  Normal into the object, of any length.
      */
     grasp_lcp_vector_t normal;
 
@@ -53,7 +53,7 @@ typedef struct grasp_lcp_finger {
     double normal_stiffness;
 
     /** \brief
-     *  The same along the surface, N/m.
+     *  Stiffness of finger and object in series along the surface, N/m.
      */
     double tangential_stiffness;
 
@@ -63,7 +63,7 @@ typedef struct grasp_lcp_finger {
     double friction;
 
     /** \brief
-     *  The force with which it is told to press, N.
+     *  Commanded normal force, N.
      */
     double press;
 } grasp_lcp_finger_t;
@@ -104,13 +104,13 @@ typedef struct slice_ref_grasp_lcp_finger {
 } slice_ref_grasp_lcp_finger_t;
 
 /** \brief
- *  Fingers made ready for the watch: made by `grasp_lcp_fingers`, freed by `grasp_lcp_fingers_free`.
+ *  Fingers prepared for the watch. `grasp_lcp_fingers` makes them, `grasp_lcp_fingers_free` frees them.
  */
 typedef struct grasp_lcp_fingers grasp_lcp_fingers_t;
 
 /** \brief
- *  Checks two to five fingers and makes them ready. Returns NULL and the fingers in `made`; or what is wrong with which finger, a text to be freed
- *  by `grasp_lcp_text_free`, and NULL in `made`.
+ *  Checks two to five fingers and prepares them for the watch. On success it returns NULL and stores the fingers in `made`. On failure it returns a
+ *  message that names the finger, to be freed by `grasp_lcp_text_free`, and stores NULL in `made`.
  */
 char *
 grasp_lcp_fingers (
@@ -167,44 +167,45 @@ typedef struct slice_ref_grasp_lcp_vector {
  */
 typedef struct grasp_lcp_load {
     /** \brief
-     *  N.
+     *  Force, N.
      */
     grasp_lcp_vector_t force;
 
     /** \brief
-     *  About the origin, N m.
+     *  Moment about the origin, N m.
      */
     grasp_lcp_vector_t moment;
 } grasp_lcp_load_t;
 
 /** \brief
- *  What measured forces have left. What the watch does not know is NAN.
+ *  Margins of measured forces. A quantity that the watch does not know is NAN.
  */
 typedef struct grasp_lcp_watched {
     /** \brief
-     *  The least margin of a finger, `μ F_n - |F_t|`, N: negative where it slides already.
+     *  The least margin of a finger, `μ F_n - |F_t|`, N. It is negative if the finger slides already.
      */
     double margin;
 
     /** \brief
-     *  The finger with that margin, from 0.
+     *  The finger with the least margin, from 0.
      */
     size_t tightest;
 
     /** \brief
-     *  At which multiple of the load to come the first finger slides; INFINITY if none ever does.
+     *  The multiple of the load to come at which the first finger slides; INFINITY if no finger ever slides.
      */
     double first_slip;
 
     /** \brief
-     *  The least part of all presses to be put on top so that the load to come is held; 0 if it is without.
+     *  The least increase of all commanded forces, as a part of them, with which the load to come is held; 0 if no increase is needed.
      */
     double extra_squeeze;
 } grasp_lcp_watched_t;
 
 /** \brief
- *  What forces on the object measured just now have left, N, one a finger, while `to_come` comes on top of the present load. Returns NULL, having allocated nothing;
- *  or what is wrong, a text to be freed by `grasp_lcp_text_free`, and leaves `seen` as it is.
+ *  Computes the margins of measured forces on the object, N, one a finger, before the load `to_come` is added to the present one. On success it
+ *  stores them in `seen`, returns NULL and has allocated nothing. On failure it returns a message, to be freed by `grasp_lcp_text_free`, and leaves
+ *  `seen` unchanged.
  */
 char *
 grasp_lcp_watch (

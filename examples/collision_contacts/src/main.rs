@@ -1,11 +1,11 @@
-//! What do the contacts that a collision library finds hold?
+//! The loads that contacts from a collision library hold.
 //!
 //! `cargo run --release -p collision-contacts`
 //!
-//! Shapes of fingertips and of a mug go into parry; points, normals and depths come out and become a grasp: how deep a tip would
-//! reach into the mug is how far its finger is commanded past the first touch, a distance is a clearance. parry computes in glam's
-//! vectors; they go in as they are. The answer goes back: the mug is moved as predicted, and parry measures how deep
-//! the tips are now, which must be what the springs of the fingers say.
+//! parry finds points, normals and depths between fingertips and a mug, which become a grasp. The depth of a tip in the mug is the
+//! command of its finger, counted from the first touch; a distance is a clearance. grasp-lcp accepts the vectors of glam that parry
+//! uses. To check the answer, the mug is moved as predicted, and parry measures the depths of the tips again. They must equal the
+//! deflections of the springs.
 
 mod hand;
 mod picture;
@@ -17,18 +17,21 @@ use hand::{Fingertip, fingertips, mug};
 use parry3d_f64::query;
 use parry3d_f64::shape::{Compound, Shape};
 
-/// Springs of a finger with its pad, N/m, and friction between pad and glaze.
+/// Normal stiffness of a finger with its pad, N/m.
 const NORMAL: f64 = 2500.0;
+/// Tangential stiffness of a finger with its pad, N/m.
 const TANGENTIAL: f64 = 1500.0;
+/// Friction coefficient between pad and glaze.
 const FRICTION: f64 = 0.6;
-/// The mug with coffee, kg times m/s².
+/// Weight of the mug with coffee: kg times m/s².
 const WEIGHT: f64 = 0.45 * 9.81;
-/// Tips that are further away than this (m) are not asked about.
+/// Tips at a larger distance than this are no contacts, m.
 const REACH: f64 = 5e-4;
 
 type Failure = Box<dyn std::error::Error>;
 
-/// What the collision library says of one tip: the point on the mug, the normal into the mug, the depth (negative: a distance).
+/// The contact of one tip according to the collision library: the point on the mug, the normal into the mug, and the depth, m (negative for a
+/// distance). `None` beyond [`REACH`].
 fn touch(
     tip: &Fingertip,
     hand: &DPose3,
@@ -40,7 +43,7 @@ fn touch(
     Ok(found.map(|contact| (contact.point2, contact.normal1, -contact.dist)))
 }
 
-/// The contacts of a hand at this pose, with the names of their fingers.
+/// The contacts of a hand in this pose, with the names of their fingers.
 fn contacts(hand: &DPose3, mug: &Compound) -> Result<Vec<Contact>, Failure> {
     let mut contacts = Vec::new();
     for tip in fingertips() {
@@ -57,7 +60,7 @@ fn contacts(hand: &DPose3, mug: &Compound) -> Result<Vec<Contact>, Failure> {
     Ok(contacts)
 }
 
-/// A pull of 1 N at the centre of mass, this way.
+/// A force of 1 N in this direction at the centre of mass.
 fn pull(direction: DVec3, centre: DVec3) -> Wrench {
     Wrench::force_at(direction, centre)
 }
@@ -96,7 +99,7 @@ fn main() -> Result<(), Failure> {
     picture::save(&grasp, &answers, &mug)
 }
 
-/// Contact forces, and whether parry finds the springs as long as they say at the predicted pose of the mug.
+/// Prints contact forces, and compares the deflections of the springs with depths that parry finds at the predicted pose of the mug.
 fn report(grasp: &Grasp, held: &Equilibrium, mug: &Compound) -> Result<(), Failure> {
     let motion = DPose3::from(held.twist.exp());
     let (moved, (_, angle)) = (motion.translation * 1e3, motion.rotation.to_axis_angle());
@@ -128,7 +131,7 @@ fn report(grasp: &Grasp, held: &Equilibrium, mug: &Compound) -> Result<(), Failu
     Ok(())
 }
 
-/// How hard the mug may be pulled each way.
+/// Prints the first slip and the limit of pulls in several directions.
 fn directions(grasp: &Grasp, centre: DVec3) -> Result<(), Error> {
     println!("\nPulled at its centre of mass  stops sticking at (N)  holds up to (N)");
     let ways = [
@@ -148,7 +151,7 @@ fn directions(grasp: &Grasp, centre: DVec3) -> Result<(), Error> {
         let first = onset.event().map_or_else(String::new, |event| {
             let first = &event.leaving[0];
             let how = match first.how {
-                // A tip that was out of reach is dragged from the first touch on.
+                // A tip that was separated before closes sliding.
                 Departure::Slides { .. } if separated(event, first.contact.index) => "touches",
                 how => how.verb(),
             };
@@ -161,7 +164,7 @@ fn directions(grasp: &Grasp, centre: DVec3) -> Result<(), Error> {
     Ok(())
 }
 
-/// The same hand higher, lower and turned: parry is asked again, since other places of the mug are touched.
+/// Prints the first slip for other poses of the hand. parry finds new contacts for each, because the hand touches other places of the mug.
 fn moved_hands(mug: &Compound, centre: DVec3) -> Result<(), Failure> {
     println!("\nThe hand elsewhere            tips within reach   first slides under the weight");
     let hands = [

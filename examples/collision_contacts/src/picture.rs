@@ -1,4 +1,4 @@
-//! The mug in the hand as a page that one can turn: the edges that parry draws of its shapes, with what was predicted.
+//! A page with the mug in the hand that can be rotated: outlines of shapes from parry, with the predicted forces and motions.
 
 use grasp_lcp::picture::SpatialPage;
 use grasp_lcp::spatial::{Equilibrium, Grasp};
@@ -8,10 +8,10 @@ use parry3d_f64::shape::{Compound, Shape, TypedShape};
 use crate::Failure;
 use crate::hand::fingertips;
 
-/// Corners of a circle.
+/// Number of corners with which a circle is drawn.
 const CORNERS: u32 = 24;
 
-/// Writes the page into `output/` and says where.
+/// Writes the page into `output/` and prints its path.
 pub fn save(grasp: &Grasp, answers: &[(&str, &Equilibrium)], mug: &Compound) -> Result<(), Failure> {
     let mut page = SpatialPage::new(grasp, "A mug between the fingertips that a collision library found");
     for (pose, shape) in mug.shapes() {
@@ -27,7 +27,7 @@ pub fn save(grasp: &Grasp, answers: &[(&str, &Equilibrium)], mug: &Compound) -> 
     Ok(())
 }
 
-/// The edges of a shape, each as a line of two corners.
+/// The edges of a shape, each as a line between two corners.
 fn edges(shape: &dyn Shape, pose: &Pose) -> Vec<[[f64; 3]; 2]> {
     let (corners, edges): (Vec<Vector>, _) = match shape.as_typed_shape() {
         TypedShape::Ball(ball) => ball.to_outline(CORNERS),

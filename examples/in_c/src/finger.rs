@@ -1,4 +1,4 @@
-//! Vectors and fingers as C gives them.
+//! Vectors and fingers, as C passes them.
 
 use grasp_lcp::spatial::Contact;
 use safer_ffi::prelude::*;
@@ -27,17 +27,17 @@ impl Vector {
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct Finger {
-    /// Where it touches, m.
+    /// Contact point, m.
     pub point: Vector,
-    /// Into the object, of any length.
+    /// Normal into the object, of any length.
     pub normal: Vector,
     /// Stiffness of finger and object in series along the normal, N/m.
     pub normal_stiffness: f64,
-    /// The same along the surface, N/m.
+    /// Stiffness of finger and object in series along the surface, N/m.
     pub tangential_stiffness: f64,
     /// Coefficient of friction.
     pub friction: f64,
-    /// The force with which it is told to press, N.
+    /// Commanded normal force, N.
     pub press: f64,
 }
 

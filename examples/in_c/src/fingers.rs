@@ -1,4 +1,4 @@
-//! Fingers made ready, and asked.
+//! Functions for C: prepares fingers, evaluates the watch, and frees memory.
 
 use std::fmt::Debug;
 
@@ -8,7 +8,7 @@ use safer_ffi::prelude::*;
 use crate::finger::{Finger, Vector};
 use crate::seen::{Load, Seen};
 
-/// Fingers made ready for the watch: made by `grasp_lcp_fingers`, freed by `grasp_lcp_fingers_free`.
+/// Fingers prepared for the watch. `grasp_lcp_fingers` makes them, `grasp_lcp_fingers_free` frees them.
 #[derive_ReprC(rename = "grasp_lcp_fingers")]
 #[repr(opaque)]
 #[derive(Debug)]
@@ -16,7 +16,7 @@ pub struct ReadyFingers {
     ready: Box<dyn Watching>,
 }
 
-/// Fingers whose number is known at run time alone.
+/// A watch over a number of fingers that is known only at run time.
 trait Watching: Debug {
     fn watch(&self, forces: &[Vector], to_come: &Wrench) -> Result<Seen, String>;
 }
@@ -48,13 +48,13 @@ fn of<const N: usize>(contacts: &[Contact]) -> Result<Box<dyn Watching>, String>
     Ok(Box::new(fingers))
 }
 
-/// A text for C, which ends where C ends one.
+/// A text for C. NUL characters are removed, because C ends a text at the first one.
 fn text(message: String) -> char_p::Box {
     char_p::new(message.replace('\0', ""))
 }
 
-/// Checks two to five fingers and makes them ready. Returns NULL and the fingers in `made`; or what is wrong with which finger, a text to be freed
-/// by `grasp_lcp_text_free`, and NULL in `made`.
+/// Checks two to five fingers and prepares them for the watch. On success it returns NULL and stores the fingers in `made`. On failure it returns a
+/// message that names the finger, to be freed by `grasp_lcp_text_free`, and stores NULL in `made`.
 #[ffi_export]
 pub fn grasp_lcp_fingers(
     fingers: c_slice::Ref<'_, Finger>,
@@ -69,8 +69,9 @@ pub fn grasp_lcp_fingers(
     wrong
 }
 
-/// What forces on the object measured just now have left, N, one a finger, while `to_come` comes on top of the present load. Returns NULL, having allocated nothing;
-/// or what is wrong, a text to be freed by `grasp_lcp_text_free`, and leaves `seen` as it is.
+/// Computes the margins of measured forces on the object, N, one a finger, before the load `to_come` is added to the present one. On success it
+/// stores them in `seen`, returns NULL and has allocated nothing. On failure it returns a message, to be freed by `grasp_lcp_text_free`, and leaves
+/// `seen` unchanged.
 #[ffi_export]
 pub fn grasp_lcp_watch(
     fingers: &ReadyFingers,

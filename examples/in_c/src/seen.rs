@@ -1,4 +1,4 @@
-//! What the watch is shown, and what it sees.
+//! Load and margins of the watch, for C.
 
 use grasp_lcp::screening::{ScreeningVerdict, Watched};
 use grasp_lcp::spatial::Wrench;
@@ -11,9 +11,9 @@ use crate::finger::Vector;
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct Load {
-    /// N.
+    /// Force, N.
     pub force: Vector,
-    /// About the origin, N m.
+    /// Moment about the origin, N m.
     pub moment: Vector,
 }
 
@@ -23,18 +23,18 @@ impl Load {
     }
 }
 
-/// What measured forces have left. What the watch does not know is NAN.
+/// Margins of measured forces. A quantity that the watch does not know is NAN.
 #[derive_ReprC(rename = "grasp_lcp_watched")]
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct Seen {
-    /// The least margin of a finger, `μ F_n - |F_t|`, N: negative where it slides already.
+    /// The least margin of a finger, `μ F_n - |F_t|`, N. It is negative if the finger slides already.
     pub margin: f64,
-    /// The finger with that margin, from 0.
+    /// The finger with the least margin, from 0.
     pub tightest: usize,
-    /// At which multiple of the load to come the first finger slides; INFINITY if none ever does.
+    /// The multiple of the load to come at which the first finger slides; INFINITY if no finger ever slides.
     pub first_slip: f64,
-    /// The least part of all presses to be put on top so that the load to come is held; 0 if it is without.
+    /// The least increase of all commanded forces, as a part of them, with which the load to come is held; 0 if no increase is needed.
     pub extra_squeeze: f64,
 }
 

@@ -1,4 +1,4 @@
-//! A program in C asks through the header.
+//! Compiles and runs a C program that uses the header.
 
 use std::env;
 use std::path::Path;
@@ -6,7 +6,7 @@ use std::process::Command;
 
 #[test]
 fn a_program_in_c_gets_the_answers_of_paper_and_pencil() {
-    // The library stands where this test does.
+    // Cargo puts the library in the directory of this test.
     let test = env::current_exe().expect("this test has a place");
     let built = test.parent().expect("it is a directory");
     let program = built.join("watch_from_c");

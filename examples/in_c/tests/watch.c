@@ -1,4 +1,4 @@
-/* Two palms press with 10 N each on a box, friction 0.5, and hold 6 N: each bears 3 N of the 5 N that it can. */
+/* Two palms press with 10 N each on a box, friction 0.5, and hold 6 N: each carries 3 N of at most 5 N. */
 #include "../grasp_lcp.h"
 
 #include <math.h>
@@ -30,7 +30,7 @@ int main(void) {
     grasp_lcp_load_t to_come = {.force = {.y = -5.0}};
     grasp_lcp_watched_t seen;
     if (grasp_lcp_watch(fingers, measured, &to_come, &seen) != NULL) return wrong("the forces are as they should be");
-    /* Of 5 N more they hold four fifths; for all of it they must press with 11 N. */
+    /* Of a further load of 5 N they hold four fifths; for the whole load each must press with 11 N. */
     if (fabs(seen.margin - 2.0) > 1e-12) return wrong("margin");
     if (fabs(seen.first_slip - 0.8) > 1e-12) return wrong("first slip");
     if (fabs(seen.extra_squeeze - 0.1) > 1e-12) return wrong("extra squeeze");

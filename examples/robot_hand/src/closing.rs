@@ -1,4 +1,4 @@
-//! Closing a hand about a ball: where its links touch.
+//! Closes a hand around a ball, and finds the links in contact.
 
 use grasp_lcp::nalgebra::{Point3, Vector3};
 
@@ -12,28 +12,28 @@ pub struct Ball {
 
 /// Half the thickness of a finger, m.
 const FINGER: f64 = 0.009;
-/// A joint closes by such steps until something touches, rad; then by halves of them.
+/// Step by which a joint closes, rad. After a contact it is halved until it is below 1e-12.
 const STEP: f64 = 0.01;
-/// A link that is nearer than this touches, m.
+/// A link whose gap to the ball is below this is in contact, m.
 const TOUCHES: f64 = 1e-6;
 
-/// A link on the ball.
+/// A contact of a link with the ball.
 pub struct Touch {
-    /// The joints up to this one move it.
+    /// Number of joints that move the link.
     pub link: usize,
     pub point: Point3<f64>,
-    /// Into the ball.
+    /// Unit normal into the ball.
     pub normal: Vector3<f64>,
 }
 
-/// The point of a link nearest to the ball's centre.
+/// The point on the axis of a link nearest to the centre of the ball.
 fn nearest(ends: [Point3<f64>; 2], centre: &Point3<f64>) -> Point3<f64> {
     let along = ends[1] - ends[0];
     let part = (centre - ends[0]).dot(&along) / along.norm_squared().max(f64::MIN_POSITIVE);
     ends[0] + along * part.clamp(0.0, 1.0)
 }
 
-/// The gap between the ball and the nearest of the links from `first` on.
+/// The gap between the ball and the nearest link, among links from `first` outwards, m; negative for an overlap.
 fn gap(chain: &Chain, angles: &[f64], first: usize, ball: &Ball) -> f64 {
     let placed = chain.at(angles);
     let of =
@@ -41,7 +41,7 @@ fn gap(chain: &Chain, angles: &[f64], first: usize, ball: &Ball) -> f64 {
     (first..angles.len()).map(of).fold(f64::INFINITY, f64::min)
 }
 
-/// Closes joints of a finger, one after the other from the palm outwards, each until a link behind it touches or its range ends.
+/// Closes joints of a finger, one after the other from the palm outwards. Each closes until a link outwards of it touches, or its range ends.
 pub fn close(chain: &Chain, angles: &mut [f64], joints: &[usize], ball: &Ball) {
     for &joint in joints {
         let upper = chain.joints[joint].upper;
@@ -57,7 +57,7 @@ pub fn close(chain: &Chain, angles: &mut [f64], joints: &[usize], ball: &Ball) {
     }
 }
 
-/// The links that touch in a posture, tips and phalanges.
+/// The contacts of all links, tips and phalanges, in a posture.
 pub fn touches(chain: &Chain, angles: &[f64], ball: &Ball) -> Vec<Touch> {
     let placed = chain.at(angles);
     let touch = |link: usize| {

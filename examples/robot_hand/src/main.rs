@@ -1,9 +1,11 @@
-//! At which load does a ball slide in a robot hand, and what do springs along the axes of the contacts say of it?
+//! The load at which a ball slides in a robot hand, compared with a model of springs along the axes of the contacts.
 //!
-//! `cargo run --release -p robot-hand [rings of directions above the equator]` reads `hand.urdf` – three fingers of four joints, with the efforts of their
-//! motors – closes the hand about a ball as a pinch and as a power grasp, and finds the onset of sliding in every direction: with the joints, their
-//! stiffness and the limits of their motors, and beside it with a spring along each axis of each contact, the diagonal of the same compliance. Joints
-//! that stall are told.
+//! `cargo run --release -p robot-hand [rings of directions above the equator]`
+//!
+//! The program reads `hand.urdf`: three fingers of four joints, with the efforts of their motors. It closes the hand around a ball, as a
+//! pinch and as a power grasp, and finds the onset of sliding in every direction. One model has joints with their stiffness and the
+//! limits of their motors. The other has a spring along each axis of each contact, from the diagonal of the same compliance. The output
+//! also names joints that stall.
 
 mod closing;
 mod description;
@@ -21,17 +23,17 @@ use grasp_lcp::spatial::{Grasp, Leg, Ramp, Wrench};
 
 type Failure = Box<dyn std::error::Error>;
 
-/// Stiffness of the position controllers, from the palm outwards, N m/rad.
+/// Stiffness of the position controllers of the joints, from the palm outwards, N m/rad.
 const STIFFNESS: [f64; 4] = [3.0, 3.0, 2.0, 1.2];
-/// Pads: normal and tangential, N/m.
+/// Normal and tangential stiffness of a pad, N/m.
 const PAD: [f64; 2] = [6e3, 4e3];
 const FRICTION: f64 = 0.9;
-/// Each contact is pressed with this force before anything pulls, N.
+/// Commanded normal force of each contact without a load, N. The thumb has twice this force.
 const SQUEEZE: f64 = 4.0;
-/// Loads are followed up to this force, N.
+/// Largest force up to which loads are followed, N.
 const MOST: f64 = 200.0;
 
-/// A finger in its posture, with what touches.
+/// A finger in a posture, with its contacts.
 struct Closed<'c> {
     chain: &'c Chain,
     angles: [f64; 4],
@@ -65,7 +67,7 @@ fn run() -> Result<(), Failure> {
     of_grasp("A power grasp by all links and the palm", "power", &wrapped, &ball, Some(&palm))
 }
 
-/// The finger bent a little, and closed by its base until the tip touches.
+/// The finger slightly bent, and closed by its base joint until the tip touches.
 fn pinched<'c>(chain: &'c Chain, ball: &Ball) -> Closed<'c> {
     let mut angles = [0.0, -0.3, 0.45, 0.35];
     close(chain, &mut angles, &[1], ball);
@@ -79,10 +81,10 @@ fn wrapped<'c>(chain: &'c Chain, ball: &Ball) -> Closed<'c> {
     Closed { chain, angles, touches: touches(chain, &angles, ball) }
 }
 
-/// The contacts of a finger: a soft tip, and point contacts further in.
+/// The contacts of a finger, each with the number of joints that move it: a soft fingertip, and point contacts on other links.
 fn contacts(finger: &Closed) -> Result<Vec<(usize, Contact)>, Failure> {
     let mut all = Vec::new();
-    // The thumb is alone against two fingers.
+    // The thumb opposes two fingers.
     let squeeze = if finger.chain.name == "thumb" { 2.0 * SQUEEZE } else { SQUEEZE };
     for touch in &finger.touches {
         let contact = Contact::new(touch.point, touch.normal)
@@ -100,13 +102,13 @@ fn contacts(finger: &Closed) -> Result<Vec<(usize, Contact)>, Failure> {
     Ok(all)
 }
 
-/// The grasp with its joints.
+/// The grasp by a hand with joints.
 fn with_joints(fingers: &[Closed], palm: Option<&Contact>) -> Result<Grasp, Failure> {
     let mut hand = Hand::new(palm.cloned().map(Finger::fixed));
     for finger in fingers {
         let placed = finger.chain.at(&finger.angles);
         let links = finger.touches.iter().map(|touch| touch.link).max().unwrap_or(0);
-        // Joints behind the last contact move nothing.
+        // Joints outwards of the last contact have no effect.
         let joints = placed.joints.iter().zip(&finger.chain.joints).zip(STIFFNESS).take(links);
         let joints = joints.map(|(((point, axis), joint), stiffness)| {
             Joint::revolute(*point, **axis)
@@ -123,7 +125,7 @@ fn with_joints(fingers: &[Closed], palm: Option<&Contact>) -> Result<Grasp, Fail
     Ok(hand.grasp()?)
 }
 
-/// The same contacts with springs along their axes, `1/(J K⁻¹ Jᵀ + pad)` of each link's contact.
+/// The same contacts without joints, with springs along their axes: the inverse of the diagonal of the compliance `J K⁻¹ Jᵀ + 1/pad`.
 fn with_springs(
     fingers: &[Closed],
     palm: Option<&Contact>,
@@ -145,7 +147,7 @@ fn with_springs(
             let springs = contact.series_stiffness_of_axes();
             let stiffness: [f64; 3] = std::array::from_fn(|a| {
                 let joints: f64 = (0..*link).map(|j| jacobian[(a, j)].powi(2) / STIFFNESS[j]).sum();
-                // Points that share a tip share its joints, too.
+                // Points of a soft fingertip act in parallel: each of n points gets n times the compliance of the joints.
                 1.0 / (joints * share + 1.0 / springs[a])
             });
             all.push(contact.clone().series_stiffness_axes(stiffness));
@@ -207,11 +209,11 @@ fn of_grasp(
             stalled.join(", ")
         );
     }
-    // Where the squeeze alone slides there is no onset to draw.
+    // If contacts slide under the squeeze alone, no onset exists to draw.
     if grasp.onset(&Ramp::load(Wrench::ZERO, pull([0.0, 0.0, 1.0])))?.factor().is_some() {
         draw_map(title, name, &grasp, &springs, ball)?;
     }
-    // What joints cost: the same question of the same contacts with springs of their own.
+    // Run time of one equilibrium with joints, against the same contacts with springs.
     let (load, told) = (pull([0.0, 0.0, -0.5]), spatial::Wrench::force_at([0.0, 0.0, -0.5], at));
     let joints = microseconds(|| grasp.solve(&load).map(drop))?;
     let alone = microseconds(|| springs.solve(&told).map(drop))?;
@@ -223,7 +225,7 @@ fn of_grasp(
     for corners in circles(ball) {
         page = page.outline(corners);
     }
-    // The pull along which most motors stall, with those motors marked.
+    // The second frame has the pull along which most motors stall, with these motors marked.
     if let Some((label, state)) = &shown {
         page = page.frame(label, state);
     }
@@ -234,7 +236,7 @@ fn of_grasp(
     Ok(())
 }
 
-/// The shortest of several times of a call, µs.
+/// The shortest mean run time of a call, µs.
 fn microseconds(call: impl Fn() -> Result<(), grasp_lcp::Error>) -> Result<f64, Failure> {
     let mut best = f64::INFINITY;
     for _ in 0..20 {
@@ -255,7 +257,7 @@ fn newtons(factor: Option<f64>) -> String {
     }
 }
 
-/// The onset for a pull in every direction, with the directions in which the diagonal springs mislead most.
+/// Draws the onset for a pull in every direction, and marks the directions in which the springs are most wrong.
 fn draw_map(
     title: &str,
     name: &str,
@@ -306,13 +308,13 @@ fn draw_map(
     Ok(())
 }
 
-/// How far a pull goes.
+/// The end of the path of a pull.
 struct Reach {
-    /// Up to which pull the hand holds, N.
+    /// Largest pull that the hand holds, N; infinite if it holds [`MOST`].
     force: f64,
-    /// The motors that stall on the way.
+    /// Motors that stall before the end of the path.
     stalled: Vec<PartLabel>,
-    /// Where the path ends.
+    /// Equilibrium at the end of the path.
     state: Option<spatial::Equilibrium>,
 }
 
@@ -329,7 +331,7 @@ fn limit(grasp: &Grasp, pull: &Wrench) -> Result<Reach, Failure> {
     Ok(Reach { force, stalled, state: path.state() })
 }
 
-/// Circles of latitude around a ball, between which it is shaded.
+/// Circles of latitude of the ball, which draw its surface.
 fn circles(ball: &Ball) -> Vec<Vec<[f64; 3]>> {
     let circle = |k: u32| {
         let (aside, up) = f64::from(20 * k + 10).to_radians().sin_cos();

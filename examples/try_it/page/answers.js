@@ -1,4 +1,4 @@
-// What the page takes from the answers, in the order of the questions of `state`.
+// Extracts quantities for the page from the answers, which are in the order of the questions in `state`.
 const answers = (() => {
   const of = (reply) => {
     if (reply.error) {
@@ -9,10 +9,10 @@ const answers = (() => {
     return { onset, solve, path, warnings: reply.warnings || [], held: solve.outcome === "equilibrium" ? solve : null };
   };
 
-  // The factor of the load at which the path from rest ends, if it does.
+  // Factor of the load at which the path from rest ends; null if it does not end.
   const limit = ({ path }) => (path.outcome === "lost" ? path.fraction * state.FAR : null);
 
-  // Where the first contact leaves, if it does.
+  // Factor of the load at which the first contact leaves; null if no contact leaves.
   const onset = ({ onset: { outcome, factor } }) => (outcome === "at" ? factor : null);
 
   return { of, limit, onset };

@@ -1,6 +1,6 @@
-// The crate, compiled to WebAssembly: the text of a scene goes in, the text of the answers comes out.
+// Calls the crate, compiled to WebAssembly, with the text of a scene, and returns its answers.
 const asking = (() => {
-  // The clock of a browser is coarse, so that times are means over the last answers.
+  // The clock of a browser is coarse. Run times are means over this number of answers.
   const MEAN_OVER = 20;
 
   let compiled, module;
@@ -16,7 +16,7 @@ const asking = (() => {
 
   const exchange = (text) => {
     const { memory, room, answer, text: place } = module.exports;
-    // A call may let the memory grow, which takes its buffer away: places come first, then the buffer of that moment.
+    // A call may grow the memory, which invalidates `memory.buffer`. So first call for the address, then read `memory.buffer`.
     const bytes = new TextEncoder().encode(text), into = room(bytes.length);
     new Uint8Array(memory.buffer, into, bytes.length).set(bytes);
     const length = answer(), from = place();
@@ -30,7 +30,7 @@ const asking = (() => {
     try {
       reply = JSON.parse(exchange(text));
     } catch (error) {
-      // A module that has stopped is in no known state: the next question goes to a new one.
+      // The state of a module that has stopped is unknown: the next question uses a new instance.
       module = new WebAssembly.Instance(compiled, {});
       reply = { error: { message: `The module stopped: ${error.message}.` } };
     }
@@ -39,7 +39,7 @@ const asking = (() => {
     return reply;
   };
 
-  // Mean time of an answer, ms, from text to text and read.
+  // Mean run time of an answer, ms, with writing and reading of JSON.
   const time = () => times.reduce((sum, t) => sum + t, 0) / times.length;
 
   return { begin, ask, time };

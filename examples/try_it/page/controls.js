@@ -1,14 +1,14 @@
-// Sliders and buttons. A slider sets the state, and is set when something else has changed it.
+// Sliders. A slider sets the state, and is updated after any other change of the state.
 const controls = (() => {
   const now = state.now;
-  // A slider of powers has 100 steps for each power of ten.
+  // Steps of a logarithmic slider for each power of ten.
   const STEPS = 100;
   const power = (low, high, read, write) => ({
     min: STEPS * Math.log10(low), max: STEPS * Math.log10(high), step: 1,
     read: () => STEPS * Math.log10(read()), write: (x) => write(10 ** (x / STEPS)),
   });
 
-  // What the fingers press with, or how far they are told to go: one number, or the least and the largest.
+  // Squeeze of all fingers, as forces or commands along the normals: one number, or the least and the largest.
   const squeezed = () => {
     const inwards = ({ pressed, command }) => (pressed ?? (command ? command[0] : 0)) * now.squeeze;
     const [least, most] = [Math.min, Math.max].map((pick) => pick(...state.dragged().map(inwards)));
@@ -33,7 +33,7 @@ const controls = (() => {
 
   const input = (name) => document.querySelector(`input[name="${name}"]`);
 
-  // Units of the sliders of load and moment: those of the scene as it begins.
+  // Units of the sliders of load and moment, from the initial load of the scene.
   const units = () => {
     now.unit = outline.length(now.load.force);
     now.arm = Math.max(now.unit * now.line.size * 0.5, Math.abs(now.load.moment));

@@ -1,8 +1,8 @@
-// What is dragged: fingers along the outline, the head of the load, and where it acts. Each has a place in the order of the tab key.
+// Grips that can be dragged: fingers along the outline, the head of the load, and its point of application. The tab key visits all of them.
 const handles = (() => {
-  // Pixels: a finger from its contact, the grip beyond the head of the load, the least distance of that grip.
+  // Pixels: distance of a finger from its contact, distance of the load grip beyond the head, least distance of that grip from the load's point.
   const FINGER = 34, BEYOND = 18, LEAST = 52;
-  // For arrow keys, as parts of the outline, of the object, and degrees; with the shift key a tenth.
+  // Steps of arrow keys: STEP is a part of the outline or of the size of the object, TURN is in degrees. With the shift key steps are a tenth.
   const STEP = 0.01, TURN = 2;
   const KEYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
@@ -13,7 +13,7 @@ const handles = (() => {
       name: finger.name, label: String(k + 1), className: "finger",
       at: () => outline.add(place.pixel(finger.point), place.along(finger.normal), -FINGER / outline.length(finger.normal)),
       drag: (p) => state.place(finger, finger.line.nearest(p)),
-      // Counterclockwise, whichever way round the corners go.
+      // Counterclockwise, for either orientation of the corners.
       key: ([x, y], part) => state.place(finger, finger.s + (x + y) * part * STEP * finger.line.total * finger.line.turns),
       says: () => `at ${numbers.text(finger.point[0], "m")}, ${numbers.text(finger.point[1], "m")}`,
     })),
@@ -43,7 +43,7 @@ const handles = (() => {
     const made = svg.element("g", { class: `grip ${grip.className}`, tabindex: 0, role: "slider", "aria-label": grip.name });
     const radius = grip.className === "moves-load" ? 7 : grip.className === "turns-load" ? 10 : 14;
     if (grip.className === "finger") made.append(svg.line([0, 0], [0, 0], {}));
-    // A finger on glass needs more room than a mouse.
+    // An invisible larger circle, because a touch is less exact than a mouse.
     made.append(svg.element("circle", { r: radius + 8, class: "room" }), svg.element("circle", { r: radius }));
     made.append(svg.text([0, 5], grip.label), svg.text([0, 0], "", { class: "says" }));
     made.addEventListener("pointerdown", (event) => grab(event, grip));
@@ -57,7 +57,7 @@ const handles = (() => {
     return made;
   };
 
-  // Moves are heard by the window: a fast pointer leaves the grip behind.
+  // The window receives moves, because a fast pointer leaves the grip.
   const grab = (event, grip) => {
     event.preventDefault();
     event.currentTarget.focus();
@@ -75,14 +75,14 @@ const handles = (() => {
     for (const name of ["pointerup", "pointercancel"]) window.addEventListener(name, end);
   };
 
-  // New elements for a new scene; between drags they stay, and with them the focus.
+  // Elements are made anew only for a new scene, so that a grip keeps its focus between drags.
   const build = (group, onChange) => {
     changed = onChange;
     kept = grips().map((grip) => ({ grip, made: element(grip) }));
     group.replaceChildren(...kept.map(({ made }) => made));
   };
 
-  // What a finger does, beside its grip: on the side away from the edge, or on the other one where a word stands already, or nowhere.
+  // Writes the state of a finger beside its grip: on the side away from the edge of the picture, else on the other side, else not at all.
   const label = (made, at, { state: what }, taken) => {
     const says = made.querySelector(".says");
     const x = Math.min(place.width - 34, Math.max(34, at[0]));

@@ -1,7 +1,7 @@
-// The load on a line, from none to beyond its limit: where the first finger slides, where the path ends, and where the load is.
+// Draws the load axis, from zero to beyond the limit: the onset of sliding, the end of the path, and the present load.
 const loadline = (() => {
   const HEIGHT = 64, TOP = 26, THICK = 14, SIDE = 14;
-  // The line goes on so much farther than the last mark, and ends where the marks would be squeezed together.
+  // The axis ends at MORE times the last mark, but at most at MORE times MOST, so that marks are not too close together.
   const MORE = 1.25, MOST = 12;
 
   const bands = (found, end) => {
@@ -29,7 +29,7 @@ const loadline = (() => {
     parts.push(svg.polygon([[at(1), TOP - 1], [at(1) - 6, TOP - 10], [at(1) + 6, TOP - 10]], { class: "here" }));
     parts.push(text(at(1), TOP - 13, "this load"));
     const places = marks.map(([x]) => at(x));
-    // Two marks at one place have one label, and near ones keep apart.
+    // Two marks that are close together share a label.
     const together = places.length === 2 && places[1] - places[0] < 84;
     marks.forEach(([x, what, className], k) => {
       if (x > end) return;

@@ -1,11 +1,11 @@
-// One change, one answer, one drawing.
+// After each change of the state: one answer, one drawing.
 (async () => {
   const root = document.getElementById("picture"), drawn = document.getElementById("drawing");
   const files = JSON.parse(document.getElementById("scenes").textContent);
 
   const update = () => {
     const scene = state.scene(), found = answers.of(asking.ask(scene));
-    // A picture in pixels keeps its letters as large as the page's.
+    // The picture is in pixels, so that its letters have the size of the page.
     const width = root.clientWidth, height = Math.round(Math.min(560, Math.max(380, 0.8 * width)));
     root.setAttribute("viewBox", `0 0 ${width} ${height}`);
     root.setAttribute("height", height);

@@ -1,9 +1,9 @@
-// Numbers as they are shown: four digits and a unit. Every element keeps the number itself, so that nothing is lost.
+// Formats numbers with four digits and a unit. Every element also stores the full number.
 const numbers = (() => {
   const DIGITS = 4;
 
   const plain = (x) => {
-    // The crate writes what is not finite in words.
+    // The crate writes numbers that are not finite as words.
     if (typeof x === "string") return x;
     if (x === 0) return "0";
     const size = Math.abs(x);
@@ -19,7 +19,7 @@ const numbers = (() => {
     return name === "" ? number : name === "°" ? number + name : `${number}\u00a0${name}`;
   };
 
-  // `what` is the name by which the number is found again.
+  // `what` is the name under which the number is stored.
   const element = (what, x, unit) => {
     const shown = document.createElement("span");
     shown.className = "number";
@@ -28,7 +28,7 @@ const numbers = (() => {
     return shown;
   };
 
-  // 1, 2 or 5 times a power of ten, neither below x nor, for the other one, above it.
+  // The next 1, 2 or 5 times a power of ten that is at least x, or at most x.
   const STEPS = [1, 2, 5, 10];
   const roundUp = (x) => {
     const power = 10 ** Math.floor(Math.log10(x));

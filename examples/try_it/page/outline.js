@@ -1,6 +1,6 @@
-// The closed line along which fingers are dragged, by its length from its first corner on.
+// The closed line along which fingers are dragged, parametrised by arclength from its first corner.
 const outline = (() => {
-  // An outline of so many corners on one circle stands for a disk, which has a normal everywhere.
+  // An outline with at least ROUND_FROM corners on a circle, within ROUND_WITHIN, is a disk, which has a continuous normal.
   const ROUND_FROM = 12, ROUND_WITHIN = 1e-2;
 
   const add = (a, b, s = 1) => [a[0] + s * b[0], a[1] + s * b[1]];
@@ -21,7 +21,7 @@ const outline = (() => {
       const along = add(next(k), from, -1), size = length(along), start = total;
       total += size;
       const unit = [along[0] / size, along[1] / size];
-      // Into the object, whichever way round the corners go.
+      // Normal into the object, for either orientation of the corners.
       return { from, unit, size, start, normal: area > 0 ? [-unit[1], unit[0]] : [unit[1], -unit[0]] };
     });
     const at = (s) => {
@@ -57,7 +57,7 @@ const outline = (() => {
     return round ? disk(corners, mean, (least + most) / 2) : polygon(corners);
   };
 
-  // A box around several.
+  // The box around several outlines.
   const around = (lines) => {
     const corners = lines.flatMap((line) => line.corners);
     return { corners, ...box(corners) };

@@ -1,10 +1,10 @@
-// Draws object, friction cones, forces, load and displacement. Handles, which are dragged, are drawn by `handles`.
+// Draws object, friction cones, forces, load and displacement. `handles` draws the grips.
 const picture = (() => {
-  // Parts of the object's size: the length of a friction cone, and the farthest that a displacement is drawn.
+  // Length of a friction cone, and largest drawn displacement, relative to the size of the object.
   const CONE = 0.3, DISPLACED = 0.1;
-  // A load has an arrow of so many pixels at least, which its grip does not hide.
+  // Least length of the arrow of a load, pixels, so that its grip does not hide it.
   const SHORTEST = 26;
-  // A friction coefficient that is drawn as a cone, at most.
+  // Largest friction coefficient of a drawn cone.
   const WIDEST = 50;
 
   const drawCone = (place, { point, normal }, friction, state) => {
@@ -16,7 +16,7 @@ const picture = (() => {
 
   const drawObject = (place, corners, className) => svg.polygon(corners.map(place.pixel), { class: className });
 
-  // To first order, magnified so that it is seen, all parts by the same factor.
+  // Displacement of all parts to first order, magnified by a common factor to be visible.
   const displaced = ({ line, parts }, held) => {
     const motion = (k) => {
       const { translation, rotation } = held.bodies ? held.bodies[k].twist : held.twist;
@@ -38,7 +38,7 @@ const picture = (() => {
     return { group, toScale };
   };
 
-  // A round force as an arrow in the corner.
+  // Scale of forces: an arrow of a round force in the corner.
   const drawScale = (place, scale) => {
     const round = numbers.roundDown(90 / scale), [x, y] = [14, place.height - 14];
     const group = svg.element("g", { class: "scale" });
@@ -47,7 +47,7 @@ const picture = (() => {
     return group;
   };
 
-  // Under `found.held` alone are there forces and a displacement to draw.
+  // Only `found.held` has forces and a displacement to draw.
   const draw = (group, place, found) => {
     const { fingers, friction, load, parts: bodies } = state.now;
     const held = found.held ? found.held.contacts : [];
@@ -64,7 +64,7 @@ const picture = (() => {
     parts.push(arrow);
     held.forEach(({ force_world: force, state: what }, k) => {
       const arrow = (way) => svg.arrow(place.pixel(fingers[k].point), place.along(force, way * scale), `force ${what}`);
-      // What one part does to the other the other does to it.
+      // Between two parts the force acts on both, in opposite directions.
       parts.push(...(fingers[k].fixed ? [1, -1] : [1]).map(arrow));
     });
     if (scale > 0) parts.push(drawScale(place, scale));

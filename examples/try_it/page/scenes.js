@@ -1,4 +1,4 @@
-// The scenes to start from, in the order of the buttons. The page holds their files by these names.
+// The initial scenes, in the order of the buttons. The page contains their files under these names.
 const scenes = [
   {
     id: "box", title: "A box in two fingers",

@@ -1,16 +1,16 @@
-// What is set: where the fingers are, what they are like, and the load. From it comes the scene that the crate is asked.
+// The state of the page: places and data of the fingers, and the load. It is converted to the scene for the crate.
 const state = (() => {
-  // So many times the load a path is followed to look for its end.
+  // Multiple of the load up to which a path is followed to find its end.
   const FAR = 1000;
   const SPRINGS = ["body_stiffness", "finger_stiffness", "series_stiffness"];
-  // As many as the module answers.
+  // Largest number of contact points that the module accepts.
   const MOST_FINGERS = 12;
 
   const now = {};
 
   const start = ({ id, title, teaching, scene }) => {
     const { contacts, bodies, loaded, outline: corners, questions } = scene.planar;
-    // One object is one part without a name.
+    // A single object is one part without a name.
     const parts = bodies
       ? bodies.map((given) => ({ given, line: outline.of(given.outline) }))
       : [{ given: null, line: outline.of(corners) }];
@@ -19,11 +19,11 @@ const state = (() => {
     const { load } = questions.find((question) => question.solve).solve;
     Object.assign(now, {
       id, title, teaching, line, parts, loaded,
-      // The numbers of the file stay as they are until they are changed.
+      // The numbers of the file are kept to the bit until they are changed.
       fingers: contacts.map((given, k) => {
         const { point, normal, friction, command, pressed_with: pressed, name = `finger ${k + 1}`, ...rest } = given;
         const own = part(given.on).line;
-        // Where two parts touch nothing is dragged.
+        // A contact between two parts cannot be dragged.
         return { name, rest, command, pressed, point, normal, line: own, fixed: Boolean(given.against), s: own.nearest(point) };
       }),
       friction: contacts[0].friction, squeeze: 1, ratio: 1,
@@ -57,10 +57,10 @@ const state = (() => {
 
   const place = (finger, s) => Object.assign(finger, finger.line.at(s));
 
-  // Those that are dragged; they come first.
+  // Fingers that can be dragged; they come first in the list.
   const dragged = () => now.fingers.filter(({ fixed }) => !fixed);
 
-  // A finger like the last one, in the middle of the longest free part of the outline.
+  // Adds a finger with the data of the last one, in the middle of the longest free part of the outline.
   const addFinger = () => {
     if (now.fingers.length === MOST_FINGERS) return;
     const last = dragged().length, like = now.fingers[last - 1], { line } = like;

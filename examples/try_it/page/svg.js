@@ -1,4 +1,4 @@
-// Elements of SVG, in pixels.
+// Makes elements of SVG, in pixels.
 const svg = (() => {
   const element = (name, attributes = {}, text) => {
     const made = document.createElementNS("http://www.w3.org/2000/svg", name);
@@ -10,7 +10,7 @@ const svg = (() => {
   const polygon = (points, attributes) => element("polygon", { points: points.map((p) => p.map((x) => x.toFixed(2)).join()).join(" "), ...attributes });
   const text = ([x, y], words, attributes) => element("text", { x, y, ...attributes }, words);
 
-  // The line ends inside the head; an arrow shorter than its head is its head alone.
+  // The line of an arrow ends inside its head. An arrow shorter than its head has no line.
   const LONG = 12, WIDE = 5;
   const arrow = (from, along, className) => {
     const size = Math.hypot(...along), group = element("g", { class: className });
@@ -22,7 +22,7 @@ const svg = (() => {
     return group;
   };
 
-  // Three quarters of a circle with a head, counterclockwise or the other way.
+  // The arrow of a moment: three quarters of a circle with a head, counterclockwise or clockwise.
   const turn = ([x, y], radius, counterclockwise, className) => {
     const at = (angle) => [x + radius * Math.cos(angle), y - radius * Math.sin(angle)];
     const way = counterclockwise ? 1 : -1, [from, to] = [at(way * -0.6), at(way * 3.6)];

@@ -1,7 +1,7 @@
-// The answers as text: verdict, onset, limit, a table of contacts, and the motion of the object.
+// Writes the answers as text: verdict, onset, limit, a table of contacts, and the motion of the object.
 const told = (() => {
   const at = (id) => document.getElementById(id);
-  // Strings become text, everything else is an element.
+  // Parts are strings or elements.
   const fill = (id, ...parts) => at(id).replaceChildren(...parts);
 
   const newtons = (factor) => {

@@ -1,4 +1,4 @@
-// Answers in sentences. What is no equilibrium is told in words alone.
+// Sentences for the answers.
 const words = (() => {
   const STATES = { sticking: "sticks", sliding: "slides", separated: "open", frictionless: "slides freely" };
   const DOUBTS = {

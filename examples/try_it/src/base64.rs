@@ -1,8 +1,8 @@
-//! Bytes as letters, RFC 4648: what the `atob` of a browser reads.
+//! Base64 encoding (RFC 4648), which the `atob` of a browser decodes.
 
 const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-/// Four letters for each three bytes; `=` for what is missing of the last three.
+/// The bytes in Base64: four letters for each three bytes, with `=` as padding of the last group.
 pub(crate) fn base64(bytes: &[u8]) -> String {
     let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
     for three in bytes.chunks(3) {

@@ -1,20 +1,20 @@
-//! Why there is no page.
+//! Errors of the command that writes the page.
 
 use std::{fmt, io};
 
-/// Why there is no page.
+/// An error that prevents the page.
 #[derive(Debug)]
 pub(crate) enum Failure {
-    /// The toolchain cannot build for a page; the command that helps.
+    /// The toolchain lacks WebAssembly; the command that installs it.
     NoTarget(String),
-    /// cargo has said why.
+    /// The build failed; cargo has printed the reason.
     NotBuilt,
-    /// A file or a program.
+    /// An error of a file or a program.
     Io(io::Error),
 }
 
 impl Failure {
-    /// 2 where a target must be installed first, otherwise 1.
+    /// Exit code: 2 if the target must be installed first, else 1.
     pub(crate) fn exit_code(&self) -> u8 {
         if matches!(self, Self::NoTarget(_)) { 2 } else { 1 }
     }

@@ -1,31 +1,31 @@
-//! What the page of `try-it` asks: the line of a scene in JSON, answered by the crate, in WebAssembly or natively.
+//! Answers for the page of `try-it`: a scene in a line of JSON, answered by the crate, in WebAssembly or natively.
 //!
-//! The page knows nothing of mechanics. It writes a scene ([the format](grasp_lcp::scene)), and draws what is answered.
+//! The page contains no mechanics. It writes a scene ([the format](grasp_lcp::scene)) and draws the answers.
 //!
 //! # Why not wasm-bindgen
 //!
-//! One text goes in and one comes out: three functions of the [`memory`] do that. wasm-bindgen would save some twenty lines of
-//! JavaScript, and its command-line tool, of exactly the version of the library, would have to be installed first. So `cargo` alone builds the page.
+//! One text is passed in and one is returned, for which three functions in [`memory`] suffice. wasm-bindgen would save some twenty lines of
+//! JavaScript. But its command-line tool would have to be installed first, in exactly the version of the library. `cargo` alone builds the page.
 
 #[cfg(target_family = "wasm")]
 pub mod memory;
 
 use grasp_lcp::stream::{StreamOptions, answer_line};
 
-/// Points of contact that a page asks about at most. With twice as many an answer may take longer than a frame of the screen.
+/// Largest number of contact points. With twice as many an answer may take longer than a frame of the screen.
 const MOST_POINTS: usize = 12;
-/// Combinations of contact states that are tried at most, some microseconds each: beyond, a drag would falter.
+/// Largest number of combinations of contact states to try, at some microseconds each. With more a drag would not be smooth.
 const MOST_STATES: usize = 1000;
-/// Steps along sliding arcs; in the plane there are none.
+/// Largest number of steps along sliding arcs. Scenes in the plane need none.
 const MOST_STEPS: usize = 100;
 
-/// The answer to a scene on one line, with bounded work.
+/// The answer to a scene, in one line, with bounded work. It is empty for text that is not JSON.
 #[must_use]
 pub fn reply(text: &[u8]) -> String {
     let mut options = StreamOptions::default().on_threads(1);
     options.most_points = MOST_POINTS;
     options.most_states = MOST_STATES;
     options.most_steps = MOST_STEPS;
-    // Empty: no JSON, which the page says.
+    // The page reports an empty answer, for text that is not JSON.
     answer_line(text, &options).unwrap_or_default()
 }

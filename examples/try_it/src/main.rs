@@ -1,7 +1,7 @@
-//! Writes the page to try the crate in.
+//! Writes the page in which the crate can be tried.
 //!
-//! `cargo run --release --package try-it` writes `output/try_it.html`; another file may be named. Exit code 2 says that the toolchain lacks
-//! WebAssembly.
+//! `cargo run --release --package try-it [file]` writes the page, by default to `output/try_it.html`. Exit code 2 means that the toolchain
+//! lacks WebAssembly.
 
 mod base64;
 mod failure;
@@ -27,7 +27,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// The file and its size in bytes.
+/// Writes the page. Returns its path and its size in bytes.
 fn write_page() -> Result<(PathBuf, usize), Failure> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let path = env::args_os().nth(1).map_or_else(|| PathBuf::from("output/try_it.html"), PathBuf::from);

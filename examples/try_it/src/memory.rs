@@ -1,7 +1,7 @@
-//! How texts cross the border of the module: they are written into, and read from, a buffer that Rust owns.
+//! Exchange of texts between page and module, through a buffer that Rust owns.
 //!
-//! The page asks for [`room`], writes the scene there, calls [`answer`], and reads so many bytes from [`text`] on. Each call may move
-//! the buffer. Rust reads the buffer as what it is, a vector of bytes, so that no unsafe block is needed.
+//! The page calls [`room`] and writes the scene there. Then it calls [`answer`], which returns a length, and reads that number of bytes at
+//! [`text`]. Each call may move the buffer. For Rust the buffer is a vector of bytes, so that no unsafe block is needed.
 #![expect(unsafe_code, reason = "names that a page can call are given by attributes that count as unsafe")]
 
 use std::cell::RefCell;
@@ -10,7 +10,7 @@ thread_local! {
     static TEXT: RefCell<Vec<u8>> = const { RefCell::new(Vec::new()) };
 }
 
-/// Room for a scene of so many bytes.
+/// Reserves the buffer for a scene of `length` bytes, and returns its address.
 #[unsafe(no_mangle)]
 pub extern "C" fn room(length: usize) -> *mut u8 {
     TEXT.with_borrow_mut(|text| {
@@ -20,7 +20,7 @@ pub extern "C" fn room(length: usize) -> *mut u8 {
     })
 }
 
-/// Puts the answer in the place of the scene, and returns its length in bytes.
+/// Replaces the scene in the buffer by its answer, and returns the length of the answer in bytes.
 #[unsafe(no_mangle)]
 pub extern "C" fn answer() -> usize {
     TEXT.with_borrow_mut(|text| {
@@ -29,7 +29,7 @@ pub extern "C" fn answer() -> usize {
     })
 }
 
-/// Where the text begins.
+/// The address of the buffer.
 #[unsafe(no_mangle)]
 pub extern "C" fn text() -> *const u8 {
     TEXT.with_borrow(Vec::as_ptr)

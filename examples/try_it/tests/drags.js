@@ -1,4 +1,4 @@
-// Put behind the page by the test: drags, turns and slides as a user would, and writes down what the page then shows.
+// The test appends this script to the page. It drags grips, turns the load and moves sliders like a user, and records the contents of the page.
 (async () => {
   const records = [];
   const at = (id) => document.getElementById(id);
@@ -17,7 +17,7 @@
     });
   };
 
-  // What is under the pointer is asked of the browser, as it would be for a real one.
+  // Events go to the element that the browser finds at the pointer, as for a real pointer.
   const middle = (grip) => {
     const { left, top, width, height } = grip.querySelector("circle:not(.room)").getBoundingClientRect();
     return [left + width / 2, top + height / 2];
@@ -79,11 +79,11 @@
   slide("moment", 2);
   record("a disk that slides");
 
-  // The arrow of the smallest load that can be set: its line and its head, pixels.
+  // Size of the arrow of the smallest load that can be set, line and head, pixels.
   choose("box");
   slide("size", -300);
   const load = document.querySelector("#drawing .load").getBoundingClientRect(), smallest = Math.hypot(load.width, load.height);
-  // Two fingers on one spot have one word.
+  // Two fingers at the same place: their labels must not overlap.
   for (const finger of state.now.fingers) state.place(finger, 0.1);
   slide("size", 0);
   const boxes = [...document.querySelectorAll("#handles .says")].filter((says) => says.textContent).map((says) => says.getBoundingClientRect());

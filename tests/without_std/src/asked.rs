@@ -1,4 +1,4 @@
-//! What is asked of each grasp: first slip, equilibrium, what becomes of the load, a watch over forces.
+//! Questions about each grasp: first slip, equilibrium, verdict on the load, and a watch over forces.
 
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
@@ -13,16 +13,16 @@ use crate::scenes::Numbers;
 /// Answers about one grasp.
 #[derive(Debug)]
 pub struct Asked {
-    /// Numbers, in newton and metres: those of equilibria, the first slip as a factor of the load.
+    /// The first slip as a factor of the load; slips (m) and forces (N) of the equilibrium; margin (N), first slip and extra squeeze of the watch.
     pub numbers: Vec<f64>,
-    /// What becomes of the load, in a sentence.
+    /// The verdict on the load, as a sentence.
     pub sentence: String,
 }
 
-/// Answers about so many grasps in the plane, and as many in space.
+/// Answers about `grasps` grasps in the plane and as many in space.
 ///
 /// # Errors
-/// None: all numbers are within range.
+/// Never: all numbers are within the allowed ranges.
 pub fn ask(grasps: usize) -> Result<Vec<Asked>, Error> {
     let mut numbers = Numbers(1);
     let mut all = Vec::new();

@@ -1,5 +1,5 @@
-//! What a program without std asks of grasp-lcp. The library is compiled for it with functions from `libm`, for this machine and for a processor that has no
-//! system; with the feature `std` the same questions go to the library as everybody else has it.
+//! Questions to grasp-lcp from a program without std. The library then uses functions of `libm`. It is compiled for this machine, and for a processor
+//! without an operating system. With the feature `std` the same questions go to the library with std.
 #![no_std]
 
 extern crate alloc;

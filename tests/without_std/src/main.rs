@@ -1,4 +1,4 @@
-//! Prints the answers, numbers with ten digits: `cargo run --package grasp-lcp-without-std`, and the same with `--features std`.
+//! Prints all answers, with ten digits of each number: `cargo run --package grasp-lcp-without-std`. The output with `--features std` must agree.
 
 fn main() -> Result<(), grasp_lcp::Error> {
     for asked in grasp_lcp_without_std::ask(200)? {

@@ -1,4 +1,4 @@
-//! Answers without std beside what paper and pencil say.
+//! Answers of the library without std against closed formulas.
 
 use std::f64::consts::PI;
 
@@ -6,7 +6,7 @@ use grasp_lcp::lcp::{Lcp, Outcome};
 use grasp_lcp::nalgebra::{DMatrix, DVector};
 use grasp_lcp::{friction, planar, spatial};
 
-/// Palms that press with 10 N each, μ = 0.5.
+/// A palm on side -1 or 1 that presses with 10 N, μ = 0.5.
 fn palm(side: f64) -> planar::Contact {
     planar::Contact::new([side, 0.0], [-side, 0.0])
         .series_stiffness(1e3, 8e2)
@@ -29,7 +29,7 @@ fn two_fingers_of_the_paper_slide_at_the_root_of_65_over_66() {
 
 #[test]
 fn a_load_that_turns_slides_at_its_angle() {
-    // A box of 12 N that begins on its side: 6 sin θ + 3 cos θ = 5 where it slides.
+    // A box of 12 N, tilted from its side, slides at the angle θ with 6 sin θ + 3 cos θ = 5.
     let grasp = planar::Grasp::new([palm(-1.0), palm(1.0)]).unwrap();
     let turn = planar::Turn::tilting([12.0, 0.0], [0.0, 0.0]).reversed();
     let closed = (5.0 / 45_f64.sqrt()).asin() - 3_f64.atan2(6.0);
@@ -41,7 +41,7 @@ fn a_load_that_turns_slides_at_its_angle() {
 
 #[test]
 fn a_watch_sees_what_measured_forces_have_left() {
-    // Each palm bears 3 N of the 5 N that it can. Of 5 N more they hold four fifths; for all of it they must press with 11 N.
+    // Each palm carries 3 N of at most 5 N. Of a further load of 5 N they hold four fifths; for the whole load each must press with 11 N.
     let fingers = planar::Fingers::new(&[palm(-1.0), palm(1.0)]).unwrap();
     let watched = fingers.watch(&[[10.0, 3.0], [-10.0, 3.0]], &planar::Wrench::force([0.0, -5.0])).unwrap();
     assert!((watched.margin() - 2.0).abs() < 1e-13);
