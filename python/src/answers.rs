@@ -28,7 +28,7 @@ pub(crate) enum Raw<const C: usize> {
     Turn(TurnOnset<C>),
 }
 
-/// Access of Python to an answer: outcome and factor are read directly, everything else from its JSON.
+/// Access of Python to an answer: outcome and factor are read directly, all other data from its JSON.
 trait Tells: Send + Sync {
     fn outcome(&self) -> &'static str;
     fn factor(&self) -> Option<f64>;

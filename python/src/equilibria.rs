@@ -18,7 +18,7 @@ use crate::errors::{has_nan, wrong};
 /// Grasps in one task of a thread. A task takes 0.1 ms or more, so that the cost of scheduling is negligible.
 const CHUNK: usize = 64;
 
-/// Outcome of a row; the numbers are those of `grasp_lcp.SolveStatus`.
+/// Outcome of a row, numbered as in `grasp_lcp.SolveStatus`.
 #[derive(Clone, Copy, PartialEq)]
 #[repr(u8)]
 enum Status {

@@ -14,7 +14,7 @@ use crate::errors::has_nan;
 /// Grasps in one task of a thread. This number stays in the cache of a core from reading to screening.
 pub(crate) const CHUNK: usize = 2048;
 
-/// Outcome of a row; the numbers are those of `grasp_lcp.OnsetStatus`.
+/// Outcome of a row, numbered as in `grasp_lcp.OnsetStatus`.
 #[derive(Clone, Copy, PartialEq)]
 #[repr(u8)]
 pub(crate) enum Status {

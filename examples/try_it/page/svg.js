@@ -10,7 +10,7 @@ const svg = (() => {
   const polygon = (points, attributes) => element("polygon", { points: points.map((p) => p.map((x) => x.toFixed(2)).join()).join(" "), ...attributes });
   const text = ([x, y], words, attributes) => element("text", { x, y, ...attributes }, words);
 
-  // The line of an arrow ends inside its head. An arrow shorter than its head has no line.
+  // The line of an arrow ends inside its head. An arrow shorter than its head consists of the head alone.
   const LONG = 12, WIDE = 5;
   const arrow = (from, along, className) => {
     const size = Math.hypot(...along), group = element("g", { class: className });

@@ -559,7 +559,7 @@ class Onset(_First):
 
 
 class TurnOnset(_First):
-    """The onset of sliding while a load turns. The outcomes are those of :class:`Onset`, with an angle in place of the factor."""
+    """The onset of sliding while a load turns. The outcomes are as for :class:`Onset`, with an angle in place of the factor."""
 
     _kind = "onset_of_turn"
 

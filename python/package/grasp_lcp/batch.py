@@ -230,7 +230,7 @@ def onsets(
     :param base: load at factor 0, shape (..., c) or (..., d); zero unless given.
     :param complete: let the method of :meth:`Grasp.onset` answer rows that screening leaves open, at some 10 µs for each such row.
 
-    The other parameters are those of :meth:`Grasp.planar`, with axes of the batch in front.
+    All other parameters are as in :meth:`Grasp.planar`, with axes of the batch in front.
     """
     shape, made, first, second, own = asked(
         points, normals, direction, base, friction, hold, series_stiffness=series_stiffness, body_stiffness=body_stiffness,
@@ -259,7 +259,7 @@ def solve_batch(
 ) -> Equilibria:
     """The equilibria of many grasps under many loads. Each row has the same bits as :meth:`Grasp.solve`.
 
-    The shapes are those of :func:`onsets`, with ``load`` in place of ``direction``.
+    Shapes are as in :func:`onsets`, with ``load`` in place of ``direction``.
     """
     axes = _axes(points)
     leading, made = columns(

@@ -76,7 +76,7 @@ def onset_gradients(
     """The gradients of the factors of :func:`onsets` by all data of grasps and loads, at the cost of a few factors.
 
     Grasps must have two to five contacts; in space each has one stiffness along both tangents. A row that screening leaves open has no gradient.
-    The parameters are those of :func:`onsets`. A grasp of three contacts in space takes some 300 bytes.
+    The parameters are as in :func:`onsets`. A grasp of three contacts in space takes some 300 bytes.
     """
     shape, made, first, second, own = asked(
         points, normals, direction, base, friction, hold, series_stiffness=series_stiffness, body_stiffness=body_stiffness,

@@ -158,7 +158,7 @@ class Grasp:
         outline: ArrayLike | None = None,
         settings: Settings | None = None,
     ) -> Grasp:
-        """A grasp in space. The parameters are those of :meth:`planar`, with 3 axes in place of 2.
+        """A grasp in space. The parameters are as in :meth:`planar`, with 3 axes in place of 2.
 
         Stiffnesses are one number, ``[normal, tangential]`` or ``[normal, first tangent, second tangent]``. Without ``tangents`` the first
         tangent is the projection of the coordinate axis that is farthest from the normal.

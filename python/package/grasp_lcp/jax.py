@@ -35,10 +35,10 @@ def onset_factor(
 ) -> Any:
     """The factor of a direction at which the first contact of each grasp stops sticking, as a differentiable function of all arrays.
 
-    It works under ``jax.jit``, ``jax.grad`` and ``jax.vmap``. The parameters are those of :func:`grasp_lcp.torch.onset_factor`. The factor is
+    It works under ``jax.jit``, ``jax.grad`` and ``jax.vmap``. The parameters are as in :func:`grasp_lcp.torch.onset_factor`. The factor is
     computed in double precision and returned in the precision of JAX: double with ``jax_enable_x64``. In rows without a factor the result is
-    ``inf`` or NaN and all its derivatives are zero. At a kink, where several contacts leave together, the derivatives are those of the first of
-    them. There are no second derivatives.
+    ``inf`` or NaN and all its derivatives are zero. At a kink, where several contacts leave together, the derivatives belong to the first of
+    these contacts. There are no second derivatives.
     """
     at = jnp.asarray(points, dtype=float)
     axes = at.shape[-1]

@@ -128,7 +128,7 @@ class LoadLimit(_Told):
 
 
 class LeastSqueeze(_Told):
-    """The least squeeze with which everything sticks: ``"factor"``, ``"no_factor"``, ``"gives_way"`` or ``"undecided"``."""
+    """The least squeeze with which every contact sticks: ``"factor"``, ``"no_factor"``, ``"gives_way"`` or ``"undecided"``."""
 
     @property
     def factor(self) -> float | None:

@@ -35,9 +35,9 @@ def onset_factor(
 ) -> Tensor:
     """The factor of a direction at which the first contact of each grasp stops sticking, as a differentiable function of all tensors.
 
-    Shapes are those of :func:`grasp_lcp.onsets`; grasps have two to five contacts. The factor is computed in double precision and returned in
+    Shapes are as in :func:`grasp_lcp.onsets`; grasps have two to five contacts. The factor is computed in double precision and returned in
     the type of ``points``. In rows without a factor the result is ``inf`` or NaN and all its derivatives are zero; ``torch.where`` leaves such
-    rows out of a sum. At a kink, where several contacts leave together, the derivatives are those of the first of them. There are no second
+    rows out of a sum. At a kink, where several contacts leave together, the derivatives belong to the first of these contacts. There are no second
     derivatives.
 
     :param points: contact points, m, shape (..., n, 2) or (..., n, 3).
@@ -46,7 +46,7 @@ def onset_factor(
     :param base: load at factor 0, shape (..., c) or (..., d); zero unless given.
     :param series_stiffness: N/m: one number, or (..., 2) normal and tangential.
     :param pressed_with: squeeze forces along the normals, N. Commands change with normals and stiffness so that these forces stay.
-    :param command_world: further commands along the coordinate axes, m. They stay when normals change, and add to those of ``pressed_with``.
+    :param command_world: further commands along the coordinate axes, m. They stay when normals change, and add to the commands of ``pressed_with``.
     """
     kind, place = points.dtype, points.device
 

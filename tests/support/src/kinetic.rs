@@ -1,6 +1,6 @@
 //! Planar grasps whose friction is lower once contacts slide, by trying every combination of contact states in exact rational arithmetic.
 //!
-//! At a load at which one contact has just begun to slide, each contact is in one of these states, with the stretch `v = a - Gᵀq` of its springs:
+//! At some load a contact begins to slide. Then each contact is in one of these states, with the stretch `v = a - Gᵀq` of its springs:
 //!
 //! ```text
 //! open        F = 0                                -v_n >= 0

@@ -1,5 +1,5 @@
-//! Irregular random load programs, as in practice: fingers at unequal heights, friction 0.2 to 0.9, stiffness ratios up to twenty,
-//! a weight held from the start, forces with moments, fingers that are released and pressed again.
+//! Irregular random load programs, as in practice: fingers at unequal heights, friction 0.2 to 0.9, stiffness ratios up to twenty.
+//! They have a weight from the start, forces with moments, and fingers that are released and pressed again.
 
 use std::f64::consts::TAU;
 

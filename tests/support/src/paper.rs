@@ -101,8 +101,8 @@ pub const TWO_FINGER_MISPRINTS: [(usize, &str); 3] = [
     (14, "beyond the onset: no equilibrium; the QP stopped at the cone's edge"),
 ];
 
-/// Two fingers as in example 2, with normals inclined downwards by `slope`, and two frictionless, soft rests under the object
-/// that carry the load in excess of the fingers.
+/// Two fingers as in example 2, with normals inclined downwards by `slope`, and two rests under the object. The rests are soft and
+/// frictionless; they carry the load in excess of the fingers.
 pub fn two_fingers_on_rests(slope: f64) -> Result<Grasp, Error> {
     let finger = |side: f64, name: &str| {
         Contact::new([4.0 * side, 1.8], [-side, -slope])

@@ -1,6 +1,6 @@
 //! The equilibrium in the contact states that the library returned, solved again in exact arithmetic.
 //!
-//! The data are those of the library: every number of the scene, and the contact frames with their rounding
+//! The data are equal to the data of the library: every number of the scene, and the contact frames with their rounding
 //! ([`Grasp::frames`](grasp_lcp::ask::Grasp::frames)). With the stretch `v = a - Gᵀq` of a contact, where a is its command less its clearance,
 //!
 //! ```text
