@@ -108,7 +108,7 @@ class Answer(View):
     """An answer of a grasp. Read :attr:`outcome` first: quantities that do not belong to an outcome are None."""
 
     def __init__(self, told: Told | str | Tree) -> None:
-        # Only one attribute is set in each call, for speed; the tree of data is made when it is read.
+        # A single attribute keeps the call fast; the tree of data is made when it is read.
         self._told = told
 
     @cached_property
@@ -263,14 +263,13 @@ class Shakedown(Sentence):
 
     @property
     def factor(self) -> float | None:
-        """The largest multiple of the loads at which some slips keep all contacts from sliding; None if undecided."""
+        """The largest multiple of the loads at which some slips keep all contacts from sliding; ``inf`` without a limit, None if undecided."""
         found = self._tree.get("factor")
         return None if found is None else number(found)
 
     @property
     def slips_change_normal_forces(self) -> bool | None:
-        """Whether slips change normal forces; None if undecided. If they do not, the grasp rests for all multiples up to the factor; if they do, it
-        may not. Beyond the factor it never rests."""
+        """Whether slips change normal forces; None if undecided. If they do, the factor is only an upper bound: the grasp may not rest below it."""
         return self._tree.get("slips_change_normal_forces")
 
 
@@ -619,7 +618,7 @@ class Event(View):
 
     @cached_property
     def state(self) -> Equilibrium:
-        """The equilibrium at the event; its contact states are those before it."""
+        """The equilibrium at the event, with the contact states before the event."""
         return Equilibrium(self._tree["state"])
 
     def __repr__(self) -> str:

@@ -171,7 +171,8 @@ impl Scene {
         Wrench::new([x, y], spin)
     }
 
-    /// The factor of the load at which the first contact slides, and that contact. `None` if a contact opens first, or two conditions fail at once.
+    /// The factor of the load at which the first contact slides, and that contact. `None` if no
+    /// contact slides, one opens first, two conditions fail at once, or a contact does not stick at the base.
     pub fn first_slip(&self) -> Option<(Rational, usize)> {
         let stuck: Vec<_> = self.contacts.iter().map(|datum| vec![datum.branch(State::Stuck)]).collect();
         let at = |part: &Rational| Balance::of(&stuck, &self.exact_load(part)).twist(&[0; 4]);

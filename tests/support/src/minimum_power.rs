@@ -20,7 +20,8 @@ pub struct Answer {
     pub forces: Vec<Vector2<f64>>,
 }
 
-/// The minimum with given normal forces N. `None` if springs do not hold the object, or the method does not converge.
+/// The minimum with given normal forces N. `None` if the springs of contacts within their limits do not hold the object, or the method
+/// does not converge.
 pub fn minimum_power(grasp: &Grasp, load: &Wrench, normal_forces: &[f64]) -> Option<Answer> {
     // Newton's method on a piecewise quadratic function: the step is exact once every contact is on its final piece.
     let mut q = Vector3::zeros();

@@ -57,6 +57,7 @@ pub enum Friction {
 }
 
 /// The least slack of all sticking conditions, relative to the largest force of the scene. It is negative if some contact cannot stick.
+/// `None` if the load works on a free motion.
 pub fn slack<const D: usize, const C: usize>(scene: &Scene<D, C>, friction: Friction) -> Option<f64> {
     let forces = sticking::forces(scene)?;
     // If all forces vanish, the force of the softest spring under the largest command is the scale.
