@@ -17,7 +17,7 @@ use crate::search::{Doubt, Settings};
 
 use super::caught::Caught;
 use super::verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
-use super::way_out::{WayOut, way_out};
+use super::way_out::{WayOut, comes_apart, way_out};
 use super::words::AT_ONCE;
 use crate::prelude::*;
 
@@ -46,7 +46,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let reached = |(leg, fraction): (usize, f64)| {
             if leg == 0 { fraction } else { 1.0 + fraction * (gone - 1.0) }
         };
-        let first_slip = self.first_slip(&onset);
+        let first_slip = self.first_slip(&onset, &events);
         let too_far = too_far_on(&path);
         let end = too_far.map_or(path.place(), |far| (far.leg, far.fraction));
         let held_to = reached(end);
@@ -90,6 +90,11 @@ impl<D: Size, const C: usize> Engine<D, C> {
             }
             lost
         });
+        let lost = went_too_far.or(lost);
+        let there = state.as_ref().or_else(|| lost.as_ref()?.state.as_deref());
+        let rest =
+            path.state_at(0, 0.0).filter(|_| ramp.command_change.is_none() && ramp.joint_change.is_none());
+        let left_out = rest.zip(there).and_then(|(rest, there)| self.left_out_by_small_motions(&rest, there));
         let state = state.map(Box::new);
         let caught = Caught::among(self.contacts(), &events);
         Ok(Verdict {
@@ -100,7 +105,8 @@ impl<D: Size, const C: usize> Engine<D, C> {
             caught,
             held_to,
             everything_slides,
-            lost: went_too_far.or(lost),
+            left_out,
+            lost,
             state,
         })
     }
@@ -128,16 +134,12 @@ impl<D: Size, const C: usize> Engine<D, C> {
         events: &[Event<C>],
         first_slip: Option<&FirstSlip>,
     ) -> Holding<C> {
-        let changes = || events.iter().flat_map(|event| &event.changes);
-        let begins = |change: &ContactChange<C>| {
-            matches!(change.what, Change::Slides { .. } | Change::ClosesSliding { .. })
-        };
         let jumps = events.iter().filter_map(|event| event.jump.as_deref());
         let slips: Vec<_> = jumps.flat_map(|jump| &jump.slips).map(|slip| slip.contact.index).collect();
         let has_slid = |i: usize| {
             matches!(state.contacts[i].state, ContactState::Sliding { .. })
                 || slips.contains(&i)
-                || changes().any(|change| change.contact.index == i && begins(change))
+                || events.iter().any(|event| begins_to_slide(event, i))
         };
         // What a vacuum holds is not loose, at its very limit either.
         if self.vacuum().is_none() && state.contacts.iter().all(|contact| contact.force.norm() == 0.0) {
@@ -151,8 +153,13 @@ impl<D: Size, const C: usize> Engine<D, C> {
         }
     }
 
-    fn first_slip(&self, onset: &Onset<C>) -> Option<FirstSlip> {
+    fn first_slip(&self, onset: &Onset<C>, events: &[Event<C>]) -> Option<FirstSlip> {
         let parts = WholeContacts::of(self.contacts());
+        let slides_at_rest = |i: usize, state: &Equilibrium<C>| {
+            matches!(state.contacts[i].state, ContactState::Sliding { .. })
+        };
+        let at_once = || events.iter().take_while(|event| event.leg == 0 && event.fraction == 0.0);
+        let slides_at_once = |i: usize| at_once().any(|event| begins_to_slide(event, i));
         match onset {
             Onset::At(event) => {
                 let leaves = |so: fn(&Departure<C>) -> bool| {
@@ -171,7 +178,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             }
             Onset::AlreadySliding(state) => Some(FirstSlip {
                 factor: 0.0,
-                slide: parts.with(&|i| matches!(state.contacts[i].state, ContactState::Sliding { .. })),
+                slide: parts.with(&|i| slides_at_rest(i, state) || slides_at_once(i)),
                 open: Vec::new(),
                 would_pull: Vec::new(),
                 give_way: Vec::new(),
@@ -188,7 +195,13 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let touches =
             |i: usize| presses(i) || of(i).is_some_and(|contact| contact.gap <= SHUT * self.length());
         let at_its_edge = |i: usize| loss.contacts.iter().any(|contact| contact.index == i);
+        let sides = self.bodies().map(|bodies| &bodies.sides[..]);
         let slides = |i: usize| at_its_edge(i) && presses(i);
+        let slides_out = |i: usize| {
+            let leaving = sides.zip(loss.motion.as_ref());
+            slides(i)
+                && leaving.is_none_or(|(sides, motion)| comes_apart(&self.contacts()[i], sides[i], motion))
+        };
         let parts = WholeContacts::of(self.contacts());
         let cups = if loss.kind == LossKind::LetsGo { self.cups_open(at_its_edge) } else { Vec::new() };
         if !cups.is_empty() {
@@ -197,9 +210,9 @@ impl<D: Size, const C: usize> Engine<D, C> {
         Lost {
             factor,
             kind: loss.kind,
-            way_out: way_out(self.contacts(), loss.motion.as_ref(), touches),
+            way_out: way_out(self.contacts(), sides, loss.motion.as_ref(), &touches),
             too_far: None,
-            slide: parts.with(&slides),
+            slide: parts.with(&slides_out),
             falls_at_once: false,
             then_takes: None,
             is_gross_slip: (0..self.len()).any(slides) && (0..self.len()).all(|i| slides(i) || !presses(i)),
@@ -261,6 +274,14 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let longest = lengths.fold(self.length(), f64::max);
         Some(NothingNear { translation: radius, rotation: radius / longest })
     }
+}
+
+/// Whether a contact begins to slide at an event.
+fn begins_to_slide<const C: usize>(event: &Event<C>, contact: usize) -> bool {
+    let begins = |change: &ContactChange<C>| {
+        matches!(change.what, Change::Slides { .. } | Change::ClosesSliding { .. })
+    };
+    event.changes.iter().any(|change| change.contact.index == contact && begins(change))
 }
 
 /// Where motions cease to be small before equilibrium is lost.

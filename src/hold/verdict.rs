@@ -40,6 +40,13 @@ pub struct Verdict<const C: usize> {
         serde(default, skip_serializing_if = "Option::is_none", with = "AsComputed::<Option<f64>>")
     )]
     pub everything_slides: Option<f64>,
+    /// What small motions leave out, where that is more than a tenth of what resists the motion from rest to the whole load, or to where it is lost: the part
+    /// that the squeeze takes as its arms turn with the object, below 0, or adds. Told of one object under loads alone.
+    #[cfg_attr(
+        feature = "serde",
+        serde(default, skip_serializing_if = "Option::is_none", with = "AsComputed::<Option<f64>>")
+    )]
+    pub left_out: Option<f64>,
     /// Where equilibrium is lost, or its motions cease to be [small](crate::Settings::small_motions); `None` if it holds as far as it was followed.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub lost: Option<Lost<C>>,

@@ -78,7 +78,14 @@ impl<const C: usize> fmt::Display for Verdict<C> {
                 write!(f, "UNDECIDED beyond {}: {doubt}", self.part(self.held_to, words))
             }
         }?;
-        Ok(())
+        let Some(part) = self.left_out else { return Ok(()) };
+        let percent = Words::with_digits(2).number(100.0 * part.abs());
+        let does = if part < 0.0 { ("takes", "of") } else { ("adds", "to") };
+        write!(
+            f,
+            ". CAUTION, left out: as the squeeze turns with the object it {} {percent} % {} what resists",
+            does.0, does.1
+        )
     }
 }
 
@@ -244,6 +251,11 @@ impl<const C: usize> Lost<C> {
             {
                 "SLIPS OUT"
             }
+            WayOut::Apart { bodies }
+                if bodies.iter().all(|body| matches!(body.way, WayOut::TipsOver { .. })) =>
+            {
+                "TIPS OVER"
+            }
             WayOut::Apart { .. } | WayOut::NotKnown => "GIVES WAY",
         }
     }
@@ -289,11 +301,8 @@ impl<const C: usize> fmt::Display for WayOut<C> {
             Self::LiftsOff { direction } => {
                 write!(f, "the object lifts off along {}", words.along(direction))
             }
-            Self::SlidesOut { .. } | Self::Turns { .. } => {
+            Self::SlidesOut { .. } | Self::Turns { .. } | Self::TipsOver { .. } => {
                 write!(f, "the object {}", self.goes(words, false))
-            }
-            Self::TipsOver { about, opens } => {
-                write!(f, "the object tips over about {}, {}", listed(about), they_open(opens))
             }
             Self::TurnsAbout { about } if C == 3 && about.len() == 2 => {
                 write!(f, "the object spins about the line {}–{}", about[0].text(), about[1].text())
@@ -336,6 +345,10 @@ impl<const C: usize> WayOut<C> {
                 let axis = if C == 3 { format!("{} through ", words.along(axis)) } else { String::new() };
                 format!("turn{ending} about {axis}{} m", words.numbers(centre.as_slice()))
             }
+            Self::TipsOver { about, opens } => {
+                format!("tip{ending} over about {}, {}", listed(about), they_open(opens))
+            }
+            Self::TurnsAbout { about } => format!("turn{ending} about {}", listed(about)),
             _ => format!("move{ending}"),
         }
     }

@@ -84,6 +84,7 @@ mod questions;
 mod ramp;
 mod relaxation;
 mod response;
+mod rigid_motion;
 mod segment;
 mod sensitivity;
 mod small_motions;

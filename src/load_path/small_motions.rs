@@ -16,17 +16,22 @@ use crate::numerics::{Fall, Harmonic, Size, Trigonometric};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 use crate::search::SmallMotions;
+#[cfg(feature = "serde")]
+use crate::serial::AsComputed;
 
 /// Bisection of one piece down to neighbouring numbers.
 const HALVINGS: usize = 64;
 
 /// Where the motions of a path are no longer [small](crate::Settings::small_motions): what lies beyond is told for the undeformed geometry, and says little.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct EndOfSmallMotions {
     /// The leg, from 0.
     pub leg: usize,
     /// How much of the leg has been gone, from 0 to 1.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub fraction: f64,
     /// What goes too far from there on.
     pub what: TooFar,

@@ -98,8 +98,8 @@ impl<const C: usize> Setup<C> {
             Question::Follow { start, legs } => {
                 let mut path = grasp.follow(start, &self.legs(legs)?)?;
                 path.by_ref().for_each(drop);
-                let state = path.state();
-                Brief { beyond_small_motions: is_far(state.as_ref()), ..labels.path_briefly(path.end()) }
+                let beyond_small_motions = path.end_of_small_motions().is_some();
+                Brief { beyond_small_motions, ..labels.path_briefly(path.end()) }
             }
             Question::Shake(asked) => shaken_briefly(&grasp.shake(&asked.base, &self.cycle(asked)?)?),
             Question::Shakedown(asked) => shakedown_briefly(asked.found(grasp)?.as_ref()),
