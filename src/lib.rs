@@ -165,7 +165,7 @@ pub mod sweep;
 pub mod words;
 
 pub use contact::{Fit, PolygonCone};
-pub use equilibrium::Settings;
+pub use equilibrium::{Settings, SmallMotions};
 pub use error::{ContactLabel, Error, Field};
 pub use grasp::Limit;
 /// The library of the vectors and matrices in questions and answers, of the version that fits.

@@ -77,7 +77,7 @@ impl<const C: usize> Grasp<C> {
     /// ```
     #[must_use]
     pub fn state_at_onset(&self, event: &OnsetEvent<C>) -> Option<Equilibrium<C>> {
-        self.engine.state_at_onset(event)
+        self.engine.state_at_onset(event, &self.settings)
     }
 
     /// What comes after an onset; see [`Self::beyond`].

@@ -150,7 +150,7 @@ questions! {
         fn hold(&self, ramp: &Ramp<C>, settings: &Settings) -> Result<Verdict<C>, Error>;
         fn onset_gradients(&self, event: &OnsetEvent<C>) -> Vec<OnsetGradient<C>>;
         fn onset(&self, ramp: &Ramp<C>, settings: &Settings) -> Result<Onset<C>, Error>;
-        fn state_at_onset(&self, event: &OnsetEvent<C>) -> Option<Equilibrium<C>>;
+        fn state_at_onset(&self, event: &OnsetEvent<C>, settings: &Settings) -> Option<Equilibrium<C>>;
         fn beyond(&self, event: &OnsetEvent<C>, settings: &Settings) -> Option<Beyond<C>>;
         fn follow(&self, start: &Wrench<C>, legs: &[Leg<C>], settings: &Settings) -> Result<LoadPath<'_, C>, Error>;
         fn shake(&self, base: &Wrench<C>, cycle: &[Leg<C>], settings: &Settings) -> Result<Shaken<C>, Error>;

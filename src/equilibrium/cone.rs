@@ -1,7 +1,21 @@
-//! The friction cone that an answer is for.
+//! What an answer is for: the friction cone, and the motions that are small.
 
 use crate::contact::PolygonCone;
-use crate::search::Settings;
+use crate::search::{Settings, SmallMotions};
+
+/// What an answer is for.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct AnswerFor {
+    pub(crate) cone: Cone,
+    pub(crate) small: SmallMotions,
+}
+
+impl AnswerFor {
+    /// What answers with C axes a contact are for.
+    pub(crate) fn of<const C: usize>(settings: &Settings) -> Self {
+        Self { cone: Cone::of::<C>(settings), small: settings.small_motions }
+    }
+}
 
 /// The friction cone an answer is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

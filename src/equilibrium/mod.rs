@@ -38,12 +38,14 @@ mod questions;
 mod recomputed;
 mod refutation;
 mod residuals;
+mod too_far;
 mod write_out;
 
-pub use crate::search::{Doubt, Rung, Settings};
+pub use crate::search::{Doubt, Rung, Settings, SmallMotions};
 pub use accuracy::Accuracy;
 pub use answer::{Equilibrium, Outcome, Undecided, WorkDone};
 pub use bracket::{Bracket, Spread};
+pub(crate) use cone::AnswerFor;
 pub use cone::Cone;
 pub use contact_answer::{ContactAnswer, ContactState};
 pub use decomposition::Decomposition;
@@ -52,6 +54,8 @@ pub use no_equilibrium::{NoEquilibrium, Proof};
 pub use pad_answer::{PadAnswer, WholeAnswer};
 pub use refutation::Refutation;
 pub use residuals::Residuals;
+pub use too_far::TooFar;
+pub(crate) use too_far::{CountedMotion, Standing, farthest};
 pub(crate) use write_out::site_states;
 
 pub(crate) use questions::ACCURATE;

@@ -1,7 +1,7 @@
 //! The questions for equilibria.
 
 use super::answer::{Equilibrium, Outcome, Undecided, WorkDone};
-use super::cone::Cone;
+use super::cone::{AnswerFor, Cone};
 use super::contact_answer::ContactState;
 use super::no_equilibrium::{NoEquilibrium, Proof};
 use crate::contact::Polygon;
@@ -30,7 +30,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         if let Settled::Found(found, rule) = settled {
             settled = Settled::Found(on_the_whole_line(&problem, found), rule);
         }
-        let outcome = self.outcome(&problem, load, settled, &effort, Cone::of::<C>(settings));
+        let outcome = self.outcome(&problem, load, settled, &effort, AnswerFor::of::<C>(settings));
         outcome.equilibrium().map_or(Ok(()), |state| self.refuse_kinetic_slides("solve", state))?;
         Ok(outcome)
     }
@@ -63,7 +63,8 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let effort = Effort { combinations: search.tried, ..Effort::default() };
         let mut list: Vec<Equilibrium<C>> = Vec::new();
         let mut add = |found: Found<D, C>, rule, effort: &Effort| {
-            let equilibrium = self.equilibrium(&problem, load, found, rule, effort, Cone::of::<C>(settings));
+            let equilibrium =
+                self.equilibrium(&problem, load, found, rule, effort, AnswerFor::of::<C>(settings));
             if accurate(&equilibrium) && !list.iter().any(|known| same(known, &equilibrium)) {
                 list.push(equilibrium);
             }
@@ -87,6 +88,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         load: &Wrench<C>,
         settings: &Settings,
     ) -> Result<Problem<'_, D, C>, Error> {
+        settings.small_motions.check()?;
         let polygon = Polygon::shared(&settings.cone);
         let load = self.load(load, "load")?;
         Ok(self.problem(polygon, settings.is_round::<C>(), self.drives(), &load))
@@ -98,13 +100,13 @@ impl<D: Size, const C: usize> Engine<D, C> {
         load: &Wrench<C>,
         settled: Settled<D, C>,
         effort: &Effort,
-        cone: Cone,
+        answer_for: AnswerFor,
     ) -> Outcome<C> {
         let none = |proof| Outcome::NoEquilibrium(NoEquilibrium { proof });
         let motion_and_work = |v: &Vector<D>| (self.motion_outside(v), v.dot(&problem.wrench));
         match settled {
             Settled::Found(found, rule) => {
-                let equilibrium = self.equilibrium(problem, load, found, rule, effort, cone);
+                let equilibrium = self.equilibrium(problem, load, found, rule, effort, answer_for);
                 if accurate(&equilibrium) {
                     Outcome::Equilibrium(Box::new(equilibrium))
                 } else {
@@ -125,7 +127,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
                 let work = WorkDone {
                     pivots: effort.pivots,
                     rows_made: effort.rows,
-                    rows_left_out: self.left_out(effort, cone, false),
+                    rows_left_out: self.left_out(effort, answer_for.cone, false),
                     combinations: effort.combinations,
                 };
                 Outcome::Undecided(Undecided { doubt, work })

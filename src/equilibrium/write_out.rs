@@ -3,8 +3,9 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::answer::{Equilibrium, LocalAnswer, WorkDone};
-use super::cone::Cone;
+use super::cone::{AnswerFor, Cone};
 use super::contact_answer::{ContactAnswer, ContactState};
+use super::too_far::Standing;
 use crate::contact::{LocalLaw, Mode, State};
 use crate::forms::{LeftOut, Why};
 use crate::grasp::{Contact, Coordinates, Engine, Hold, Stiffness, Twist, Wrench};
@@ -22,7 +23,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         found: Found<D, C>,
         rule: Rung,
         effort: &Effort,
-        cone: Cone,
+        AnswerFor { cone, small }: AnswerFor,
     ) -> Equilibrium<C> {
         let with_joints = |i: usize| {
             let joints = &found.twist - self.body_alone(i, &found.twist);
@@ -44,12 +45,14 @@ impl<D: Size, const C: usize> Engine<D, C> {
             stored_energy += stored.sum::<f64>();
         }
         let (joints, tendons) = self.hand_answers(problem, &found);
+        let too_far = self.farthest_beyond(&small, &Standing::found(problem, &found));
         Equilibrium {
             load: *load,
             residuals: self.residuals(problem, load, &twist, (&contacts, &found), cone),
             twist: Twist::among(&twist),
             bodies: self.body_motions(&twist),
             body_loads: self.body_loads(),
+            too_far,
             pads: self.pads(&contacts),
             open_cups: self.cups_open(|i| contacts[i].state == ContactState::Separated),
             contacts,

@@ -22,6 +22,7 @@
 //! With the v of the loss and from the q where it was lost, h grows no faster than contacts open: the radius is where it could reach `W·v`.
 
 mod caught;
+mod left_out;
 mod put_on;
 mod verdict;
 mod way_out;

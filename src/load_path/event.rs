@@ -225,6 +225,8 @@ pub enum LossKind {
     Asymptote,
     /// From here on nothing resists the motion, on which the load works as it changes.
     GivesWay,
+    /// Motions cease to be [small](crate::Settings::small_motions) there: what comes next small motions do not tell.
+    TooFar,
     /// A contact with infinite friction loses its normal force while it still holds a tangential one; or all of the lip of a suction cup is open,
     /// and its vacuum is gone.
     LetsGo,

@@ -197,6 +197,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         let state = state.ok_or_else(inaccurate)?;
         self.here = Some(stands.here.clone());
         self.behind.push(stands);
+        self.note_how_far(journey);
         let (changes, _): (Vec<ContactChange<C>>, _) = journey.grasp.contacts_and_drives(fall.changes);
         Ok(Some(Jump { changes, slips, energy_lost: energy.dissipated, state }))
     }

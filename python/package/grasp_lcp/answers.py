@@ -209,9 +209,22 @@ class Verdict(Sentence):
 
     @property
     def lost(self) -> float | None:
-        """How many times the load is on when it is lost; None if it is not as far as it was followed."""
+        """How many times the load is on when it is lost, or its motions cease to be small; None if it is not as far as it was followed."""
         found = self._tree.get("lost")
         return None if found is None else number(found["factor"])
+
+    @property
+    def everything_slides(self) -> float | None:
+        """How many times the load is on from where every contact with friction that presses slides; None where one sticks."""
+        found = self._tree.get("everything_slides")
+        return None if found is None else number(found)
+
+    @property
+    def left_out(self) -> float | None:
+        """The part of what resists the motion that the squeeze takes (below 0) or adds as it turns with the object, left out by small motions; None up
+        to a tenth."""
+        found = self._tree.get("left_out")
+        return None if found is None else number(found)
 
 
 class Shaken(Sentence):
