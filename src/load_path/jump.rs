@@ -7,6 +7,7 @@ use nalgebra::SVector;
 use super::event::ContactChange;
 use crate::equilibrium::Equilibrium;
 use crate::error::ContactLabel;
+use crate::grasp::BodyMotion;
 use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
@@ -27,6 +28,12 @@ pub struct Jump<const C: usize> {
     pub changes: Vec<ContactChange<C>>,
     /// The contacts that slip in it, and how far.
     pub slips: Vec<JumpSlip<C>>,
+    /// The contacts whose gaps close where the object has moved without resistance, in order. Empty where others that touch already catch it.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    pub reaches: Vec<ContactLabel>,
+    /// What the object, or each of several bodies, moves by in it.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    pub moved: Vec<BodyMotion<C>>,
     /// Energy that is lost in it, J: the work of the load less what springs take up. Friction makes heat of the larger part, and of the rest what damps the
     /// object.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
