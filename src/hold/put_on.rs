@@ -120,8 +120,8 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let begins = |change: &ContactChange<C>| {
             matches!(change.what, Change::Slides { .. } | Change::ClosesSliding { .. })
         };
-        let jumps = events.iter().filter_map(|event| event.jump.as_deref());
-        let slips: Vec<_> = jumps.flat_map(|jump| &jump.slips).map(|slip| slip.contact.index).collect();
+        let jumps = || events.iter().filter_map(|event| event.jump.as_deref());
+        let slips: Vec<_> = jumps().flat_map(|jump| &jump.slips).map(|slip| slip.contact.index).collect();
         let has_slid = |i: usize| {
             matches!(state.contacts[i].state, ContactState::Sliding { .. })
                 || slips.contains(&i)
@@ -132,7 +132,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             return Holding::Loose;
         }
         let parts = WholeContacts::of(self.contacts()).with(&has_slid);
-        if parts.is_empty() && first_slip.is_none_or(|first| first.factor > 1.0) {
+        if parts.is_empty() && jumps().count() == 0 && first_slip.is_none_or(|first| first.factor > 1.0) {
             Holding::Sticks
         } else {
             Holding::Slides { contacts: parts }

@@ -47,7 +47,7 @@ pub struct Event<const C: usize> {
     pub other_continuations: Option<usize>,
     /// The equilibrium there. Its states are those before the event (at the very start of a path, where there is no before, those after it).
     pub state: Equilibrium<C>,
-    /// What comes of it at this load, where a contact begins to slide with less friction than at rest.
+    /// What comes of it at this load, where a contact begins to slide with less friction than at rest, or where the object moves freely until a gap closes.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub jump: Option<Box<Jump<C>>>,
 }

@@ -1,4 +1,4 @@
-//! What happens at one load where friction falls: a contact begins to slide, and others catch the object.
+//! What happens at one load: friction falls as a contact begins to slide, or nothing resists the object any more, and other contacts catch it.
 
 use core::fmt;
 
@@ -13,11 +13,17 @@ use crate::prelude::*;
 use crate::serial::AsComputed;
 use crate::words::{Words, listed};
 
+/// A body that moves by less than this part of the fastest keeps its place, for whoever reads of it.
+const SEEN: f64 = 1e-6;
+
 /// A jump from one equilibrium to another under one load: contacts begin to slide, and with [kinetic friction](crate::grasp::Contact::kinetic) they carry
 /// less.
 ///
 /// What they have lost is taken off as slowly as need be, so that the others take it over: contacts that reach their friction at rest on that way begin to
 /// slide, too, and lose theirs. The object comes to rest where forces balance again. That is the overdamped answer: it does not shoot over.
+///
+/// Or nothing resists the object any more, and it moves until the gap of a contact that was open closes ([`Self::reaches`]). Every place on the way is in balance
+/// under the same load. How fast it arrives is not asked.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -56,10 +62,18 @@ pub struct JumpSlip<const C: usize> {
     pub slip: SVector<f64, C>,
 }
 
-/// "caught after left slips 0.4 mm", the point of a soft fingertip that slips farthest.
+/// "caught after left slips 0.4 mm", the point of a soft fingertip that slips farthest; "the object moves 0.4 mm along +x to stop".
 impl<const C: usize> fmt::Display for Jump<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
+        if !self.reaches.is_empty() {
+            let mut reached: Vec<_> = self.reaches.iter().map(|contact| contact.whole().text()).collect();
+            reached.dedup();
+            let farthest = self.moved.iter().map(BodyMotion::speed).fold(0.0, f64::max);
+            let moved = self.moved.iter().filter(|body| body.speed() > SEEN * farthest);
+            let moved: Vec<_> = moved.map(|body| words.body_motion(body)).collect();
+            return write!(f, "{} to {}", listed(&moved), listed(&reached));
+        }
         let mut told: Vec<(ContactLabel, f64)> = Vec::new();
         for slip in &self.slips {
             let (whole, far) = (slip.contact.whole(), slip.slip.norm());
