@@ -119,11 +119,11 @@ impl Caught {
         let at = if last.factor <= AT_ONCE { "at once".to_owned() } else { format!("at {amount}") };
         match (all.len(), &last.moves) {
             (1, Some(moves)) if is_held => write!(f, "; {at} {moves:.digits$}, then holds"),
-            (1, Some(moves)) => write!(f, ", after {at} {moves:.digits$}"),
+            (1, Some(moves)) => write!(f, ", after {moves:.digits$} {at}"),
             (1, None) if is_held => write!(f, ", caught {last:.digits$}"),
             (1, None) => write!(f, ", caught {at} {last:.digits$}"),
             (times, Some(moves)) => {
-                write!(f, ", caught {times} times, the last time {at}: {moves:.digits$}")
+                write!(f, ", caught {times} times, the last time {at} as {moves:.digits$}")
             }
             (times, None) => write!(f, ", caught {times} times, the last time {at} {last:.digits$}"),
         }
