@@ -6,7 +6,9 @@ use crate::contact::{Polygon, WEIGHTLESS};
 use crate::equilibrium::{ContactState, Equilibrium, Outcome};
 use crate::error::{Error, is_moderate};
 use crate::grasp::{Coordinates, Engine, WholeContact, WholeContacts, Wrench};
-use crate::load_path::{Change, ContactChange, Departure, Event, Leg, Loss, LossKind, Onset, PathEnd, Ramp};
+use crate::load_path::{
+    Beyond, Change, ContactChange, Departure, Event, Leg, Loss, LossKind, Onset, PathEnd, Ramp,
+};
 use crate::numerics::Size;
 use crate::object::Load;
 use crate::proofs::nothing_near;
@@ -76,6 +78,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             // The proof counts on every vacuum.
             if matches!(holding, Holding::Lost) && !matches!(lost.way_out, WayOut::LetsGo { .. }) {
                 lost.nothing_near = self.nothing_near(&lost, loss, ramp, settings);
+                lost.snaps = loss.kind == LossKind::Fold && matches!(path.beyond(), Some(Beyond::Snap));
             }
             lost
         });
@@ -189,6 +192,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             slide: parts.with(&slides),
             falls_at_once: false,
             then_takes: None,
+            snaps: false,
             is_gross_slip: (0..self.len()).any(slides) && (0..self.len()).all(|i| slides(i) || !presses(i)),
             drives: loss.drives.clone(),
             motion: loss.motion.clone(),
@@ -233,6 +237,7 @@ impl<const C: usize> Lost<C> {
             is_gross_slip: false,
             falls_at_once: false,
             then_takes: None,
+            snaps: false,
             drives: Vec::new(),
             motion: None,
             state: state.map(Box::new),

@@ -210,6 +210,9 @@ impl<const C: usize> fmt::Display for Lost<C> {
         if self.is_gross_slip {
             f.write_str(" (gross slip)")?;
         }
+        if self.snaps {
+            f.write_str(". Another equilibrium holds slightly more: it may snap over to that one")?;
+        }
         match &self.nothing_near {
             Some(near) if near.translation > NOWHERE => write!(f, ". {near:.digits$}"),
             _ => Ok(()),

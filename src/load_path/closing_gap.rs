@@ -128,10 +128,18 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
     /// Goes to the end of a way; `None` where rounding does not let the state there be told.
     fn go_free_way(&mut self, motion: &Vector<D>, way: &FreeWay) -> Option<()> {
         let here = self.node.look(&self.segment.at_rest(self.factor), self.factor, None).ok()?;
-        let (forces, twist) = (self.node.at.forces.clone(), &self.node.at.twist + motion * way.length);
+        // What has parted from the object has lost the rounding of its force, too.
+        let forces = here.lines.iter().map(|line| line.force).collect();
+        let twist = &self.node.at.twist + motion * way.length;
         self.node.arrive(&mut self.segment, &here, self.factor, &PieceState { forces, twist });
-        for &i in &way.closing {
-            self.node.stands[i].apex = true;
+        let drives = self.segment.drives(self.factor);
+        for (i, site) in self.segment.grasp.sites().iter().enumerate() {
+            if self.node.states[i].is_open() {
+                let gap = -site.stretch(&drives[i], &self.node.at.twist)[0];
+                let shut = ZERO_SLACK * site.span(&drives[i], &self.node.at.twist);
+                self.node.stands[i].leave();
+                self.node.stands[i].apex = gap <= shut || way.closing.contains(&i);
+            }
         }
         (self.here, self.at_node) = (None, true);
         Some(())
