@@ -9,7 +9,8 @@ use crate::shake::Shaken;
 impl<const C: usize> Grasp<C> {
     /// Follows a load program from the equilibrium under `start` (that of [`Self::solve`]) with the finger commands of the grasp, on the
     /// exact cone: in space the round one. Nothing is computed beyond the start until the path is asked for an event. See [`LoadPath`],
-    /// and [`Leg`] for an example. It ends where a suction cup is open all around. For hundreds of contacts and more there are [`Self::follow_patch`] and [`Self::follow_in_steps`].
+    /// and [`Leg`] for an example. It ends where a suction cup is open all around. Where nothing resists the object any more it moves on until a gap
+    /// closes, if that is a small motion, and the path goes on from there ([`Jump::reaches`](crate::load_path::Jump::reaches)); the paths of patches and of steps end there. For hundreds of contacts and more there are [`Self::follow_patch`] and [`Self::follow_in_steps`].
     ///
     /// # Errors
     /// [`Error::Wrench`] if a load, [`Error::Contact`] if a command of a leg is not finite or beyond 1e50; [`Error::Size`] if a leg has more

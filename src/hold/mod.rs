@@ -28,7 +28,7 @@ mod verdict;
 mod way_out;
 mod words;
 
-pub use caught::{Caught, SlippedBy};
+pub use caught::{Caught, MovesTo, SlippedBy};
 pub use verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
 pub use way_out::WayOut;
 pub(crate) use words::does;

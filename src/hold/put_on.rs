@@ -7,7 +7,7 @@ use crate::equilibrium::{ContactState, Equilibrium, Outcome, TooFar};
 use crate::error::{Error, is_moderate};
 use crate::grasp::{Coordinates, Engine, WholeContact, WholeContacts, Wrench};
 use crate::load_path::{
-    Change, ContactChange, Departure, EndOfSmallMotions, Event, Leg, LoadPath, Loss, LossKind, Onset,
+    Beyond, Change, ContactChange, Departure, EndOfSmallMotions, Event, Leg, LoadPath, Loss, LossKind, Onset,
     PathEnd, Ramp,
 };
 use crate::numerics::Size;
@@ -87,6 +87,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             // The proof counts on every vacuum.
             if matches!(holding, Holding::Lost) && !matches!(lost.way_out, WayOut::LetsGo { .. }) {
                 lost.nothing_near = self.nothing_near(&lost, loss, ramp, settings);
+                lost.snaps = loss.kind == LossKind::Fold && matches!(path.beyond(), Some(Beyond::Snap));
             }
             lost
         });
@@ -134,8 +135,8 @@ impl<D: Size, const C: usize> Engine<D, C> {
         events: &[Event<C>],
         first_slip: Option<&FirstSlip>,
     ) -> Holding<C> {
-        let jumps = events.iter().filter_map(|event| event.jump.as_deref());
-        let slips: Vec<_> = jumps.flat_map(|jump| &jump.slips).map(|slip| slip.contact.index).collect();
+        let jumps = || events.iter().filter_map(|event| event.jump.as_deref());
+        let slips: Vec<_> = jumps().flat_map(|jump| &jump.slips).map(|slip| slip.contact.index).collect();
         let has_slid = |i: usize| {
             matches!(state.contacts[i].state, ContactState::Sliding { .. })
                 || slips.contains(&i)
@@ -146,7 +147,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             return Holding::Loose;
         }
         let parts = WholeContacts::of(self.contacts()).with(&has_slid);
-        if parts.is_empty() && first_slip.is_none_or(|first| first.factor > 1.0) {
+        if parts.is_empty() && jumps().count() == 0 && first_slip.is_none_or(|first| first.factor > 1.0) {
             Holding::Sticks
         } else {
             Holding::Slides { contacts: parts }
@@ -215,6 +216,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             slide: parts.with(&slides_out),
             falls_at_once: false,
             then_takes: None,
+            snaps: false,
             is_gross_slip: (0..self.len()).any(slides) && (0..self.len()).all(|i| slides(i) || !presses(i)),
             drives: loss.drives.clone(),
             motion: loss.motion.clone(),
@@ -305,6 +307,7 @@ impl<const C: usize> Lost<C> {
             is_gross_slip: false,
             falls_at_once: false,
             then_takes: None,
+            snaps: false,
             drives: Vec::new(),
             motion: None,
             state: state.map(Box::new),

@@ -29,14 +29,15 @@ impl<const C: usize> fmt::Display for Verdict<C> {
                 if self.is_nothing() { f.write_str(", where nothing is put on") } else { self.margins(f) }
             }
             Holding::Slides { contacts } => {
-                f.write_str("HOLDS, but ")?;
+                f.write_str("HOLDS")?;
                 match &self.first_slip {
-                    Some(first) if first.factor == 0.0 => write!(f, "{first} from the start")?,
+                    Some(first) if first.factor == 0.0 => write!(f, ", but {first} from the start")?,
                     Some(first) if first.factor <= 1.0 => {
-                        write!(f, "{first} from {} of it on", words.number(first.factor))?;
+                        write!(f, ", but {first} from {} of it on", words.number(first.factor))?;
                     }
+                    _ if contacts.is_empty() => {}
                     // Of contacts that close on the way the first slip does not speak.
-                    _ => write!(f, "{}", does(contacts, "slides", "slide"))?,
+                    _ => write!(f, ", but {}", does(contacts, "slides", "slide"))?,
                 }
                 self.catches(f)?;
                 let all = self.everything_slides.filter(|all| *all <= 1.0 && self.goes_on_from(*all));
@@ -272,6 +273,9 @@ impl<const C: usize> fmt::Display for Lost<C> {
         }
         if self.is_gross_slip {
             f.write_str(" (gross slip)")?;
+        }
+        if self.snaps {
+            f.write_str(". Another equilibrium holds slightly more: it may snap over to that one")?;
         }
         match &self.nothing_near {
             Some(near) if near.translation > NOWHERE => write!(f, ". {near:.digits$}"),

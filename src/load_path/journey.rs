@@ -114,6 +114,7 @@ impl<'g, D: Size, const C: usize> Journey<'g, D, C> {
             motion: None,
             jumped: Vec::new(),
             against: None,
+            leaves: None,
         };
         loss.leaving(self.grasp, motion)
     }

@@ -46,6 +46,7 @@ mod arc;
 mod arclength;
 mod beyond;
 mod body_loads;
+mod closing_gap;
 mod contacts_and_drives;
 mod crossing;
 mod cycles;

@@ -38,7 +38,7 @@ struct Decided<'g, D: Size, const C: usize> {
 }
 
 /// Where the path stands, contact by contact.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Node<D: Size, const C: usize> {
     /// Those of contacts that slide on the round cone have the direction of their friction force.
     pub(super) states: Vec<State<C>>,
@@ -220,7 +220,7 @@ impl<D: Size, const C: usize> Node<D, C> {
     }
 
     /// Takes the states of the rates over and says what changed.
-    fn take_over(
+    pub(super) fn take_over(
         &mut self,
         segment: &mut Segment<'_, D, C>,
         factor: f64,

@@ -98,12 +98,12 @@ impl<'g, D: Size, const C: usize> Follower<'g, D, C> for Pieces<'g, D, C> {
     }
 
     fn go_on(&mut self, journey: &Journey<'g, D, C>) -> Result<Came<Event<C>>, PathEnd<C>> {
-        if core::mem::take(&mut self.at_node) {
-            return Ok(self.decide(journey)?.map_or(Came::OnTheWay, Came::To));
+        match self.go_unless_lost(journey) {
+            Err(PathEnd::Lost(loss)) => {
+                self.caught_by_a_gap(journey, &loss)?.map(Came::To).ok_or(PathEnd::Lost(loss))
+            }
+            came => came,
         }
-        let leg_done =
-            if self.node.turns() { self.advance_along_arc(journey) } else { self.advance_straight(journey) };
-        Ok(if leg_done? { Came::ToTheEndOfTheLeg } else { Came::OnTheWay })
     }
 
     fn fraction(&self) -> f64 {
@@ -196,6 +196,15 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
             fallen: None,
             end_of_small_motions: None,
         }
+    }
+
+    fn go_unless_lost(&mut self, journey: &Journey<'g, D, C>) -> Result<Came<Event<C>>, PathEnd<C>> {
+        if core::mem::take(&mut self.at_node) {
+            return Ok(self.decide(journey)?.map_or(Came::OnTheWay, Came::To));
+        }
+        let leg_done =
+            if self.node.turns() { self.advance_along_arc(journey) } else { self.advance_straight(journey) };
+        Ok(if leg_done? { Came::ToTheEndOfTheLeg } else { Came::OnTheWay })
     }
 
     fn stretch_behind(&self, leg: usize, fraction: f64) -> Option<&Stretch<'g, D, C>> {

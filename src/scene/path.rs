@@ -110,7 +110,7 @@ impl SceneNames {
                 PathOutcome::Completed { state: path.state().map(|state| Box::new(self.equilibrium(state))) }
             }
             Some(PathEnd::Lost(loss)) => {
-                let mut loss = Loss { against: None, ..loss.as_ref().clone() };
+                let mut loss = Loss { against: None, leaves: None, ..loss.as_ref().clone() };
                 loss.contacts.iter_mut().for_each(|contact| self.name(contact));
                 loss.jumped.iter_mut().for_each(|slip| self.name(&mut slip.contact));
                 let unknown = Beyond::Undecided { doubt: Doubt::OnTheBoundary };
@@ -132,6 +132,7 @@ impl SceneNames {
         let jump = event.jump.map(|mut jump| {
             jump.changes.iter_mut().for_each(|change| self.name(&mut change.contact));
             jump.slips.iter_mut().for_each(|slip| self.name(&mut slip.contact));
+            jump.reaches.iter_mut().for_each(|contact| self.name(contact));
             Box::new(Jump { state: self.equilibrium(jump.state), ..*jump })
         });
         Event { state: self.equilibrium(event.state), jump, ..event }
