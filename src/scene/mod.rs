@@ -166,6 +166,7 @@
 //! | `axis` | in space about which it turns, of any length but zero | | an error; in the plane there is none |
 //! | `beside` | a wrench that stays | N, N m | none |
 //! | `constant`, `cosine`, `sine` | wrenches, in place of all these: `constant + cosine cos θ + sine sin θ` | N, N m | zero; one of the last two is needed |
+//! | none of these | the scene's own `gravity` turns, with the weights of all its bodies: of `onset_of_turn` and `need` | | |
 //! | `angle_deg` or `angle_rad` | how far it turns, more than 0 and at most 1e6 rad | degrees or rad | a full turn |
 //! | `reversed` | `true` for the other way round | | `false` |
 //!
@@ -338,6 +339,7 @@ mod motion;
 mod need_asked;
 mod object;
 mod onset;
+mod own_weight;
 mod patch;
 mod path;
 #[cfg(feature = "json")]
@@ -351,6 +353,8 @@ mod springs;
 mod surface;
 mod turn;
 mod warning;
+#[cfg(feature = "json")]
+mod weight_twice;
 mod wrench;
 mod written;
 mod written_contact;

@@ -17,6 +17,7 @@ mod map;
 mod needs;
 mod new;
 mod numbers;
+mod own_masses;
 mod report;
 mod shakes;
 mod table;
