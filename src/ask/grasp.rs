@@ -176,7 +176,6 @@ impl<const C: usize> Grasp<C> {
     }
 
     /// Whether some drive pushes at rest.
-    #[cfg(feature = "serde")]
     pub(crate) fn presses(&self) -> bool {
         self.engine.presses()
     }

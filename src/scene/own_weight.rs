@@ -35,8 +35,10 @@ impl<const C: usize> Setup<C> {
     pub fn own_mass(&self) -> Option<(f64, [f64; C])> {
         self.gravity.filter(|gravity| gravity.iter().any(|x| *x != 0.0))?;
         let mass: f64 = self.bodies.iter().map(|body| body.mass).sum();
-        let moment =
-            self.bodies.iter().fold(SVector::<f64, C>::zeros(), |sum, body| sum + body.centre_of_mass * body.mass);
+        let moment = self
+            .bodies
+            .iter()
+            .fold(SVector::<f64, C>::zeros(), |sum, body| sum + body.centre_of_mass * body.mass);
         (mass > 0.0).then(|| (mass, (moment / mass).into()))
     }
 
@@ -73,8 +75,7 @@ impl<const C: usize> Setup<C> {
                 let own = asked.turn.as_ref().map(|turn| self.own_turn(turn)).transpose()?.flatten();
                 let Some(turn) = own else { return Ok(Cow::Borrowed(question)) };
                 if asked.base.is_some_and(|base| base != Wrench::ZERO) && !self.shared_by_mass {
-                    let fault =
-                        "given, must be left out where gravity turns: what is always there is the `load` of a body";
+                    let fault = "given, must be left out where gravity turns: what is always there is the `load` of a body";
                     return Err(Error::Question { question: "need", field: "base", fault });
                 }
                 let mut asked = asked.clone();
@@ -92,8 +93,10 @@ impl<const C: usize> Setup<C> {
             turn.check()?;
             return Ok(None);
         };
-        let in_space = |x: &SVector<f64, C>| -> [f64; 3] { std::array::from_fn(|a| x.get(a).copied().unwrap_or(0.0)) };
-        let weight = Turn::<3>::force_at(in_space(&(gravity * mass)), in_space(&centre.into()), axis)?.reversed();
+        let in_space =
+            |x: &SVector<f64, C>| -> [f64; 3] { std::array::from_fn(|a| x.get(a).copied().unwrap_or(0.0)) };
+        let weight =
+            Turn::<3>::force_at(in_space(&(gravity * mass)), in_space(&centre.into()), axis)?.reversed();
         let [constant, cosine, sine] = weight.parts().map(|part| of_space(&part));
         Ok(Some(Turn::new(constant, cosine, sine).up_to(turn.angle())))
     }

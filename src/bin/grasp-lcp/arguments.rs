@@ -173,6 +173,7 @@ pub(crate) enum Command {
     /// What do slips that were seen tell of friction, loads of supports, squeeze or stiffness?
     ///
     /// Columns of the table are fx, fy, fz (N) of the load under which it slid, mx, my, mz (in the plane m, N m), at_x, at_y, at_z (m) where the force acted,
+    /// base_x, base_y, base_z (N) what acted there at rest, a weight for instance,
     /// squeeze (times that of the scene), slip (first or gross) and scatter_percent. Slips that may share an error have the same name or number in the column
     /// group. Numbers come with their errors; what slips do not fix is named.
     Identify {

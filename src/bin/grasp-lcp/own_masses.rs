@@ -57,7 +57,8 @@ pub(crate) fn of_own_masses<'l, const C: usize>(
         return Ok(Cow::Borrowed(load));
     }
     let (mass, centre) = accelerated(setup, "accelerated")?;
-    let others = [load.force.is_some(), load.moment.is_some(), load.at.is_some(), !load.together_with.is_empty()];
+    let others =
+        [load.force.is_some(), load.moment.is_some(), load.at.is_some(), !load.together_with.is_empty()];
     if beside || others.contains(&true) {
         let message = "--accelerated: accelerates the bodies by their own masses, must stand without --base, --force, --moment, --at and --together-with: what is always there is the `load` of a body";
         return Err(Failure::Usage(message.to_owned()));
