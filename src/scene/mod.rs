@@ -90,6 +90,7 @@
 //! | `on` | the body that it joins to the ground | | must be said of several bodies without `between` |
 //! | `stiffness` | along each direction that it holds | N/m | 1e9; of a spring an error |
 //! | `pretension` | what a spring or a cable pulls with before anything moves | N | 0 |
+//! | `tension` | in its place what it pulls with once it is installed, at rest without load, while all else gives way | N | not used |
 //! | `slack` | how much longer a cable is than its way | m | 0 |
 //!
 //! Lists with an entry for each contact have none for links.
@@ -317,6 +318,7 @@ mod schema;
 
 mod answer;
 mod asked;
+mod at_rest;
 mod body;
 mod brief;
 mod carried;
@@ -338,6 +340,7 @@ mod matrix;
 mod motion;
 mod need_asked;
 mod object;
+mod odd;
 mod onset;
 mod own_weight;
 mod patch;

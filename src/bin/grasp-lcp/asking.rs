@@ -74,13 +74,7 @@ pub(crate) fn ask(ask: &Ask, asked: &Asked) -> Result<ExitCode, Failure> {
             put(setup, asked, &Meaning { force_at: spatial::Wrench::force_at, moment, turn: spatial_turn })?;
         }
     }
-    let left_out = match &scene.space {
-        Space::Planar(setup) => setup.stiffness_left_out(),
-        Space::Spatial(setup) => setup.stiffness_left_out(),
-    };
-    if let Some(warning) = left_out.map_err(|error| files::refused(&ask.scene, &error))? {
-        files::warn(&ask.scene, &warning);
-    }
+    files::warn(&ask.scene, &scene)?;
     let answers = scene
         .answers_in(Words::with_digits(ask.digits.into()))
         .map_err(|error| files::refused(&ask.scene, &error))?;
