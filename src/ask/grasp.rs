@@ -66,7 +66,7 @@ impl<const C: usize> Grasp<C> {
     /// [`Error::EmptyGrasp`], or [`Error::Contact`] naming the first contact, field and value that
     /// is out of range.
     pub fn new(contacts: impl IntoIterator<Item = Contact<C>>) -> Result<Self, Error> {
-        engines::of_contacts(contacts.into_iter().collect()).map(Self::of)
+        Self::of(engines::of_contacts(contacts.into_iter().collect())?).installed()
     }
 
     pub(crate) fn of(engine: Arc<dyn Questions<C>>) -> Self {
@@ -176,7 +176,6 @@ impl<const C: usize> Grasp<C> {
     }
 
     /// Whether some drive pushes at rest.
-    #[cfg(feature = "serde")]
     pub(crate) fn presses(&self) -> bool {
         self.engine.presses()
     }
@@ -265,7 +264,7 @@ impl<const C: usize> Hand<C> {
     /// [`Error::EmptyGrasp`] without contacts; [`Error::Hand`] naming joint, tendon or finger, the field and what is
     /// allowed; [`Error::Contact`] as for [`Grasp::new`].
     pub fn grasp(self) -> Result<Grasp<C>, Error> {
-        engines::of_hand(self).map(Grasp::of)
+        Grasp::of(engines::of_hand(self)?).installed()
     }
 }
 
@@ -275,6 +274,6 @@ impl<const C: usize> Bodies<C> {
     /// # Errors
     /// [`Error::Body`] naming the body, and what is wrong with it; others as for [`Hand::grasp`].
     pub fn grasp(self) -> Result<Grasp<C>, Error> {
-        engines::of_bodies(self).map(Grasp::of)
+        Grasp::of(engines::of_bodies(self)?).installed()
     }
 }

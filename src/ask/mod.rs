@@ -5,6 +5,7 @@
 
 // First, for the page of its documentation begins with what stands here.
 mod grasp;
+mod installed;
 
 mod changed;
 mod closer_look;

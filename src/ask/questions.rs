@@ -128,7 +128,6 @@ questions! {
         fn contacts(&self) -> &[Contact<C>];
         fn refuse_hands(&self, question: &'static str) -> Result<(), Error>;
         fn frame(&self, contact: usize) -> &SMatrix<f64, C, C>;
-        #[cfg(feature = "serde")]
         fn presses(&self) -> bool;
         fn links(&self) -> &[[SVector<f64, C>; 2]];
         fn joint_centres(&self) -> &[Option<SVector<f64, C>>];

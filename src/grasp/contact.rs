@@ -71,6 +71,8 @@ pub struct Contact<const C: usize> {
     pub(crate) command_axes: Axes,
     /// Force that the command stands for, in place of its normal part; resolved once the contact is part of a grasp.
     pub(crate) press: Option<f64>,
+    /// What it presses with at rest, whatever gives way: its command is found for it as soon as it is part of a grasp.
+    pub(crate) at_rest: Option<f64>,
     /// Force along the normal that stays whatever the object does.
     pub(crate) force: Option<f64>,
     /// Force with which a vacuum pulls the object onto the contact, whatever it does, N.
@@ -103,6 +105,7 @@ impl<const C: usize> Contact<C> {
             command: SVector::zeros(),
             command_axes: Axes::Frame,
             press: None,
+            at_rest: None,
             force: None,
             suction: 0.0,
             clearance: 0.0,

@@ -86,7 +86,6 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 
     /// Whether some drive pushes at rest, or a force is held, or a vacuum pulls, or a body has a weight.
-    #[cfg(feature = "serde")]
     pub(crate) fn presses(&self) -> bool {
         let by_force = self.linkage().is_some_and(|linkage| linkage.held.iter().any(|force| *force != 0.0));
         let by_load =

@@ -83,7 +83,7 @@ impl<const C: usize> Setup<C> {
 
     fn brief(&self, grasp: &Grasp<C>, labels: &SceneNames, question: &Question<C>) -> Result<Brief, Error> {
         let grasp = &self.grasp_of(grasp, question)?;
-        Ok(match question {
+        Ok(match &*self.meant(question)? {
             Question::Hold { base, load, .. } => held_briefly(&grasp.hold(Ramp::load(*base, *load))?),
             Question::Need(asked) => needed_briefly(&grasp.need(&self.need(asked)?)?),
             Question::Improve(asked) => improved_briefly(&self.improve(asked)?.answered_by(grasp)?),

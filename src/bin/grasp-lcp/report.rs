@@ -1,5 +1,6 @@
 //! Answers in words and tables.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
@@ -54,6 +55,7 @@ pub(crate) fn print<const C: usize>(
     }
     let mut report = Report { out, style };
     for (question, answer) in setup.questions.iter().zip(answers) {
+        let question = &*setup.meant(question).unwrap_or(Cow::Borrowed(question));
         report.answer(question, answer)?;
     }
     Ok(())

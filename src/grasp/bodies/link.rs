@@ -49,6 +49,8 @@ pub struct Link<const C: usize> {
     pub(crate) against: Option<Arc<str>>,
     pub(crate) stiffness: Option<f64>,
     pub(crate) pretension: f64,
+    /// What it pulls with at rest once it is installed, in place of the pretension.
+    pub(crate) tension: Option<f64>,
     pub(crate) slack: f64,
 }
 
@@ -124,7 +126,8 @@ impl<const C: usize> Link<C> {
     pub const STIFF: f64 = 1e9;
 
     pub(crate) fn at(place: LinkPlace<C>) -> Self {
-        Self { name: None, place, on: None, against: None, stiffness: None, pretension: 0.0, slack: 0.0 }
+        let (name, on, against, stiffness, tension) = (None, None, None, None, None);
+        Self { name, place, on, against, stiffness, pretension: 0.0, tension, slack: 0.0 }
     }
 
     /// A slide: bodies move past each other along this direction alone. Its bearings are as far apart as `length` says, m, about this point.
@@ -190,10 +193,32 @@ impl<const C: usize> Link<C> {
         self
     }
 
-    /// What a cable or a spring pulls with before anything moves, N; below zero a spring pushes.
+    /// What a cable or a spring pulls with before anything moves, N; below zero a spring pushes. At rest it pulls with less, since what it pulls at gives
+    /// way; see [`Self::tension`].
     #[must_use]
     pub fn pretension(mut self, force: f64) -> Self {
-        self.pretension = force;
+        (self.pretension, self.tension) = (force, None);
+        self
+    }
+
+    /// What a cable or a spring pulls with once it is installed, N, in place of a pretension: at rest, under what always acts on bodies and without other
+    /// load, when all else has given way. The grasp that it becomes part of finds the pretension for it, or refuses it where nothing holds against such a pull.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Bodies, Body, Contact, Link, Wrench};
+    ///
+    /// // A belt is tightened over a crate until it pulls it onto the floor with 100 N; the floor gives way as much as the belt.
+    /// let crated = Bodies::new([Body::new("crate")])
+    ///     .contacts([Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(1e4, 1e4).friction(0.5).on("crate")])
+    ///     .links([Link::cable([0.0, 1.0], [0.0, 0.0]).stiffness(1e4).tension(100.0).to_ground("crate")])
+    ///     .grasp()?;
+    /// let state = crated.solve(&Wrench::ZERO)?;
+    /// assert!((state.equilibrium().expect("lies").contacts[0].normal_force() - 100.0).abs() < 1e-9);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[must_use]
+    pub fn tension(mut self, force: f64) -> Self {
+        (self.tension, self.pretension) = (Some(force), force);
         self
     }
 

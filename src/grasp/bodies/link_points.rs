@@ -46,6 +46,7 @@ impl<const C: usize> Link<C> {
             (contact.on, contact.against) = (self.on.clone(), self.against.clone());
             contact.clearance = self.slack;
             contact.command[0] = self.pretension / all;
+            contact.at_rest = self.tension;
             contact.series_stiffness_axes([all * share; C])
         };
         Ok(points.into_iter().enumerate().map(named).collect())
@@ -131,6 +132,9 @@ impl<const C: usize> Link<C> {
         let only = "0 unless it is a spring or a cable";
         good(is_line || self.pretension == 0.0, "pretension", self.pretension, only)?;
         let is_cable = matches!(self.place, LinkPlace::Cable { .. });
+        if let Some(tension) = self.tension {
+            good(tension > 0.0, "tension", tension, "more than 0 and at most 1e50, of a spring or a cable")?;
+        }
         good(
             !is_cable || self.pretension >= 0.0,
             "pretension",
