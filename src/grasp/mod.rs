@@ -1,8 +1,7 @@
-//! The question: contacts, soft fingertips, stiffness, friction, wrench and twist, grasp.
+//! The parts of a question: contacts, soft fingertips, hands, several bodies, wrenches and twists.
 //!
-//! Written once for the plane and for space: `C` is the number of axes of a contact, 2 in the plane
-//! and 3 in space. Use the names
-//! in [`crate::planar`] and [`crate::spatial`].
+//! Written once for the plane and for space: `C` is the number of axes of a contact, 2 in the plane and 3 in space. Use the names in
+//! [`crate::planar`] and [`crate::spatial`].
 //!
 //! # Vectors of other libraries
 //!
