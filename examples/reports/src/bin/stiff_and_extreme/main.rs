@@ -1,8 +1,8 @@
-//! What becomes of an answer where stiffness, friction, squeeze, lengths or normals are extreme?
+//! How accurate are answers if stiffness, friction, squeeze, lengths or normals are extreme?
 //!
-//! `cargo run --release -p reports --bin stiff_and_extreme` asks for one equilibrium a row, in the plane and in space, and compares it with exact
-//! arithmetic: the contact states that came out are solved again with every number of the scene, and every contact frame as it was rounded, taken
-//! for what it is. A row shows
+//! `cargo run --release -p reports --bin stiff_and_extreme` computes one equilibrium for each row, in the plane and in space, and compares it with
+//! exact arithmetic. The resulting contact states are solved again with every number of the scene, and every rounded contact frame, taken as exact. A
+//! row shows
 //!
 //! ```text
 //! true error       largest error of a contact force / largest force, load included
