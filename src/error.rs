@@ -160,7 +160,7 @@ pub enum Error {
         question: &'static str,
         /// Which of its fields.
         field: &'static str,
-        /// What is wrong, and what is allowed.
+        /// The fault, and the allowed values.
         fault: &'static str,
     },
     /// A load turns where only straight ones can be followed.
@@ -174,7 +174,7 @@ pub enum Error {
     Body {
         /// The name that was given.
         name: String,
-        /// What is wrong with it, and what is allowed.
+        /// The fault, and the allowed values.
         fault: String,
     },
     /// One datum of a link between bodies is out of range.
@@ -212,7 +212,7 @@ pub enum Error {
         what: String,
         /// Which matrix.
         field: &'static str,
-        /// What is wrong with it.
+        /// The fault.
         fault: &'static str,
         /// By how much: the largest difference across the diagonal, or the least eigenvalue.
         value: f64,

@@ -73,7 +73,8 @@ impl<const C: usize> Grasp<C> {
         self.changed(self.engine.with_joint_commands(commands))
     }
 
-    /// This grasp with external torques on the joints of its hand, N m or N, positive along their displacements, beside the load on the object.
+    /// This grasp with external torques on the joints of its hand, N m or N, positive along their displacements. They act
+    /// in addition to the load on the object.
     ///
     /// ```
     /// use grasp_lcp::planar::hand::{Finger, Hand, Joint};

@@ -192,7 +192,7 @@ impl<const C: usize> Grasp<C> {
         Sensitivity(self)
     }
 
-    /// The paper's quadratic programs and other laws of friction beside Coulomb's, and stability.
+    /// The paper's quadratic programs and laws of friction other than Coulomb's, and stability.
     #[must_use]
     pub fn energy(&self) -> Energy<'_, C> {
         Energy(self)

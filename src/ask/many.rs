@@ -114,8 +114,8 @@ impl<const C: usize> Grasp<C> {
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     ///
+    /// # Errors
     /// As for [`Self::solve`]; [`Error::Argument`] unless `sigmas` is above 0 and at most 8; as for [`Self::sample`] if a datum cannot be off so far.
-    /// As for [`Self::solve`]; [`Error::Argument`] unless `sigmas` are above 0 and at most 8; as for [`Self::sample`] where a datum cannot be off so far.
     #[doc(alias = "safety margin")]
     #[doc(alias = "reliability")]
     pub fn reserve(

@@ -14,8 +14,8 @@ use crate::sweep::{OnsetSpread, Uncertainty};
 pub struct Sensitivity<'g, const C: usize>(pub(super) &'g Grasp<C>);
 
 impl<const C: usize> Sensitivity<'_, C> {
-    /// Derivatives of the onset by every parameter, one gradient for each leaving contact: `dτ = -dm / m'`. The margin that vanishes is m = `μ F_n -
-    /// |F_t|` (F_n where a contact opens), and m' its rate along the ramp. For a load that turns they are derivatives of the angle.
+    /// Derivatives of the onset by every parameter, one gradient for each leaving contact: `dτ = -dm / m'`. The vanishing margin is
+    /// m = `μ F_n - |F_t|` (F_n where a contact opens), and m' its rate along the ramp. For a load that turns they are derivatives of the angle.
     ///
     /// Empty if a contact had closed on the way, since its history then matters, too, or closes there and slides at once. Empty as well if the event
     /// has another number of contacts.
@@ -124,8 +124,8 @@ impl<const C: usize> Sensitivity<'_, C> {
     }
 
     /// Derivative of an equilibrium of this grasp by one parameter while every contact keeps its state: one linear solve, exact. On a load path the
-    /// slip so far stays. `None` if an index is out of range, if the equilibrium has another number of contacts, or if the change has no equilibrium
-    /// in these states (a load on a free motion). `None`, too, for the position of a contact of a hand, and where another geometry resists a motion
+    /// slip so far stays. `None` if an index is out of range or the equilibrium has another number of contacts. `None`, too, if the change has no
+    /// equilibrium in these states (a load on a free motion), for the position of a contact of a hand, and where another geometry resists a motion
     /// that is free in this one.
     ///
     /// ```

@@ -68,7 +68,8 @@ impl<const C: usize> Grasp<C> {
         self.engine.least_onset_within(ramp, bounds, &self.settings)
     }
 
-    /// The direction in which the least force through a point (m) makes a contact stop sticking, beside a base load; in space on the round cone.
+    /// The direction in which the least force through a point (m) makes a contact stop sticking, in addition to a base load; in space on the round
+    /// cone.
     ///
     /// The worst direction of each facet has a closed form: with forces `F⁰ + A x` it is `x` along `-Aᵀa`, of size `a·F⁰ / |Aᵀa|`.
     ///

@@ -113,7 +113,7 @@ impl<const C: usize> Workspace<C> {
         workspace
     }
 
-    /// The polygonal cone of the answers, or the one that leads to the round cone.
+    /// The polygonal cone of the answers, or of the proposals for the round cone.
     #[must_use]
     pub fn cone(&self) -> PolygonCone {
         self.asked.cone

@@ -22,8 +22,8 @@ use crate::search::Settings;
 ///   for the round cone as well, with any stiffness.
 ///
 /// Once contacts slide there is no such order: a force on a larger cone may be smaller, and the direction of slip on a polygon jumps from normal to
-/// normal. The spread is then the measured effect of the facets, **not a bound** on the distance of the round answer to either, nor need that answer
-/// lie between them. If several equilibria exist, the three may be different ones.
+/// normal. The spread is then the measured effect of the facets, **not a bound** on the distance of the round answer to either. That answer need
+/// not lie between them. If several equilibria exist, the three may be different ones.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct Bracket<const C: usize> {

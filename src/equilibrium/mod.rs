@@ -12,7 +12,7 @@
 //! The states remain to be found. The rungs of a ladder ([`Rung`]) propose them, the cheapest first: everything sticks; everything that touches
 //! sticks; Newton's method, in space and with many contacts; Lemke's method on the kinematic form, then on the force form (see
 //! [`forms`](crate::forms)); every combination of states, with few contacts. In space Newton's method goes to the round cone, from the trial state
-//! and then from what Lemke's method proposes on a polygonal cone. If both fail, branch and bound over states and directions of friction decides.
+//! and then from proposals of Lemke's method on a polygonal cone. If both fail, branch and bound over states and directions of friction decides.
 //! Proposed states are solved for again, every condition is checked, and residuals are recomputed from the question, before the answer is called an
 //! [`Equilibrium`].
 //!

@@ -104,7 +104,7 @@ impl<const C: usize> WholeAnswer<'_, C> {
         }
     }
 
-    /// Kind of the link between bodies that it stands for, if it is no contact.
+    /// Kind of the link between bodies that it represents, if it is no contact.
     #[must_use]
     pub fn link(&self) -> Option<LinkKind> {
         match self {

@@ -38,7 +38,7 @@ struct ContactLaw<'c, D: Size, const C: usize> {
 }
 
 impl Residuals {
-    /// Raises the residuals to those of one site.
+    /// Raises each residual to that of one site, if that is larger.
     fn note<D: Size, const C: usize>(&mut self, law: &ContactLaw<'_, D, C>, told: &Told<'_, C>) {
         let ContactLaw { site, friction, polygon, cone, force_size, travel } = *law;
         let Told { force: f, gap: g, separated, stretch, slip: s } = *told;

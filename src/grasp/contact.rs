@@ -78,9 +78,9 @@ pub struct Contact<const C: usize> {
     pub(crate) hold: Hold,
     /// Number of the point in its soft fingertip, from 0.
     pub(crate) point_of_pad: Option<usize>,
-    /// Of several bodies the name of the one that the normal points into.
+    /// Name of the body into which the normal points, of several bodies.
     pub(crate) on: Option<Arc<str>>,
-    /// Of several bodies the name of the one on the other side.
+    /// Name of the body on the other side, of several bodies.
     pub(crate) against: Option<Arc<str>>,
     /// Kind of the link that this point belongs to; `None` for a real contact.
     pub(crate) link: Option<LinkKind>,

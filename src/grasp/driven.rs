@@ -142,7 +142,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         }
     }
 
-    /// Change of the offsets for a change of commands; `None` leaves commands as they are.
+    /// Change of the offsets for a change of commands; `None` leaves commands unchanged.
     pub(crate) fn drive_changes(
         &self,
         commands: Option<&[SVector<f64, C>]>,

@@ -28,7 +28,7 @@ pub(crate) struct Engine<D: Size, const C: usize> {
     pub(super) length: f64,
     /// The joints behind the contacts, if any.
     pub(super) linkage: Option<Box<Linkage<D, C>>>,
-    /// Total pull of the vacuums, beside the caller's loads.
+    /// Total pull of the vacuums, in addition to the caller's loads.
     pub(super) vacuum: Option<Box<Vacuum<D, C>>>,
     /// Factors of the elastic trial, made on first use.
     trial: Remembered,

@@ -25,7 +25,7 @@ use crate::prelude::*;
 /// | question | answer |
 /// |---|---|
 /// | [`hold`](crate::ask::Grasp::hold), [`need`](crate::ask::Grasp::need) | the cup lets go ([`WayOut::LetsGo`](crate::hold::WayOut::LetsGo)), and the object is lost |
-/// | [`follow`](crate::ask::Grasp::follow), maps of what is held | the path ends ([`LossKind::LetsGo`](crate::load_path::LossKind::LetsGo)) |
+/// | [`follow`](crate::ask::Grasp::follow), maps of held loads | the path ends ([`LossKind::LetsGo`](crate::load_path::LossKind::LetsGo)) |
 /// | [`onset`](crate::ask::Grasp::onset), also of a turn | [`beyond`](crate::ask::Grasp::beyond) returns [`Beyond::WithoutVacuum`](crate::load_path::Beyond::WithoutVacuum) |
 /// | [`solve`](crate::ask::Grasp::solve) and every equilibrium | [`open_cups`](crate::equilibrium::Equilibrium::open_cups) lists the cup: the equilibrium does not hold |
 /// | [`least_squeeze`](crate::ask::Grasp::least_squeeze), the weakest direction, the reserve | every lip touches and sticks there |

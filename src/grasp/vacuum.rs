@@ -1,4 +1,4 @@
-//! Pull of vacuums on the object: a constant load beside the caller's.
+//! Pull of vacuums on the object: a constant load in addition to the caller's.
 
 use super::contact::Contact;
 use super::engine::Engine;

@@ -22,7 +22,7 @@ pub struct WholeContact {
     pub contact: usize,
     /// Its name, or "contact" and its place.
     pub label: String,
-    /// Kind of the link between bodies that it stands for; omitted for a contact.
+    /// Kind of the link between bodies that it represents; omitted for a contact.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub link: Option<LinkKind>,
     /// Number of its points that the answer is about: 1 for a contact that is a point itself.

@@ -3,7 +3,7 @@
 //! `cargo run --release -p collision-contacts`
 //!
 //! Shapes of fingertips and of a mug are given to parry, which finds points, normals and depths; these become a grasp. A depth is how far the finger
-//! is commanded past the first touch, a distance is a clearance. parry computes in glam's vectors, which are used as they are. The answer goes back:
+//! is commanded past the first touch, a distance is a clearance. parry computes in glam's vectors, which need no conversion. The answer goes back:
 //! the mug is moved as predicted, and parry measures the new depths of the tips. They must equal the compression of the finger springs.
 
 mod hand;

@@ -1,7 +1,7 @@
 //! At which load does a ball slide in a robot hand, and how wrong are springs along the axes of the contacts about it?
 //!
-//! `cargo run --release -p robot-hand [rings of directions above the equator]` reads `hand.urdf` – three fingers of four joints, with the efforts of
-//! their motors – and closes the hand about a ball as a pinch and as a power grasp. It finds the onset of sliding in every direction with the joints,
+//! `cargo run --release -p robot-hand [rings of directions above the equator]` reads `hand.urdf`: three fingers of four joints, with the efforts of
+//! their motors. It closes the hand about a ball as a pinch and as a power grasp, and finds the onset of sliding in every direction with the joints,
 //! their stiffness and the limits of their motors. For comparison each contact has a spring along each of its axes, the diagonal of the same
 //! compliance. Joints that stall are listed.
 

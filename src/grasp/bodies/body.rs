@@ -11,7 +11,7 @@ use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// A body with its name, its mass, and a load that acts on it beside the load of a question.
+/// A body with its name, its mass, and a load that acts on it in addition to the load of a question.
 ///
 /// ```
 /// use grasp_lcp::planar::{Body, Wrench};
@@ -42,7 +42,7 @@ impl<const C: usize> Body<C> {
         self
     }
 
-    /// A constant load on the body beside the load of a question: N, and N m about the origin of the scene.
+    /// A constant load on the body in addition to the load of a question: N, and N m about the origin of the scene.
     #[must_use]
     pub fn load(mut self, load: Wrench<C>) -> Self {
         self.load = load;

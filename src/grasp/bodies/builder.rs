@@ -86,7 +86,7 @@ impl<const C: usize> Bodies<C> {
         self
     }
 
-    /// Gravity, m/s². The weight of each body acts at its centre of mass, beside the load of a question.
+    /// Gravity, m/s². The weight of each body acts at its centre of mass, in addition to the load of a question.
     #[must_use]
     pub fn gravity(mut self, gravity: impl Into<[f64; C]>) -> Self {
         self.gravity = SVector::from(gravity.into());

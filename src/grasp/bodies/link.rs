@@ -162,7 +162,7 @@ impl<const C: usize> Link<C> {
         Self::at(LinkPlace::Cable { from: SVector::from(from.into()), to: SVector::from(to.into()) })
     }
 
-    /// A name for messages and tables; without one a link is called by its kind.
+    /// A name for messages and tables; without one a link is named after its kind.
     #[must_use]
     pub fn name(mut self, name: impl Into<String>) -> Self {
         self.name = Some(name.into().into());

@@ -75,7 +75,7 @@ impl<const C: usize> Link<C> {
                 let (half, across) = (0.5 * length, across(&along));
                 let mut points = Vec::new();
                 for normal in &across {
-                    // Bearings at both ends, and in space beside them, too, so that the slide cannot turn about its direction.
+                    // Bearings at both ends, and in space on both sides of them, too, so that the slide cannot turn about its direction.
                     for arm in core::iter::once(&along).chain(across.iter().filter(|other| *other != normal))
                     {
                         points.extend([-half, half].map(|x| contact(point + arm * x, *normal).kept_closed()));

@@ -41,7 +41,7 @@ pub(crate) struct PlacedBodies<const C: usize> {
     pub(crate) names: Vec<Arc<str>>,
     /// Number of the body in the coordinates of the object.
     pub(crate) object: usize,
-    /// Constant load on each body, beside the loads of questions.
+    /// Constant load on each body, in addition to the loads of questions.
     pub(crate) loads: Vec<Wrench<C>>,
     /// The part of `loads` that a load program has applied; usually empty.
     pub(super) put_on: Vec<Wrench<C>>,
@@ -192,7 +192,7 @@ impl<const C: usize> PlacedBodies<C> {
         })
     }
 
-    /// These bodies with the loads `put_on` beside the constant ones.
+    /// These bodies with the loads `put_on` in addition to the constant ones.
     pub(super) fn under(&self, put_on: Vec<Wrench<C>>) -> Self {
         let loads = self.loads.iter().zip(&put_on).map(|(always, more)| *always + *more).collect();
         Self { loads, put_on, ..self.clone() }

@@ -38,7 +38,7 @@ impl<const C: usize> Assembly<C> {
                 ContactMover::Link(link) => self.on_link(*link, finger, (&contact, index), first)?,
             };
             columns.extend(self.on_slide(finger, (&contact, index), &frame)?);
-            // Compliance of the finger beside its pads: coordinates that belong to no joint.
+            // Compliance of the finger behind its pads: coordinates that belong to no joint.
             for (k, column) in own.iter().enumerate() {
                 let along = SVector::from_fn(|a, _| column[C * place + a]);
                 columns.push((self.used + k, frame * along));
@@ -85,7 +85,7 @@ impl<const C: usize> Assembly<C> {
         Ok(columns)
     }
 
-    /// Adds to the commands of contacts the displacement by which the compliance beside the pads yields to the forces of `pressed_with`.
+    /// Adds to the commands of contacts the displacement by which the compliance behind the pads yields to the forces of `pressed_with`.
     fn press_on_compliance(&mut self, finger: &Finger<C>, own: &[DVector<f64>]) {
         let first = self.contacts.len() - finger.contacts.len();
         for column in own {

@@ -44,9 +44,9 @@ pub(super) struct Carried<const C: usize> {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Finger<const C: usize> {
     pub(super) joints: Vec<Joint<C>>,
-    /// Stiffness among the joints, beside their own springs.
+    /// Stiffness among the joints, in addition to their own springs.
     pub(crate) coupling: Option<DMatrix<f64>>,
-    /// Compliance over the axes of all contacts, beside that of joints and pads.
+    /// Compliance over the axes of all contacts, in addition to that of joints and pads.
     pub(crate) compliance: Option<DMatrix<f64>>,
     pub(super) contacts: Vec<Carried<C>>,
 }

@@ -1,4 +1,4 @@
-//! Fingers with joints, which couple contacts beside the object.
+//! Fingers with joints, which couple contacts in addition to the object.
 //!
 //! A finger's joints move its contacts. Joint coordinates φ are added to the twist of the object. Springs, gears, tendons and motors, which give the
 //! joints stiffness, are added to the contacts:

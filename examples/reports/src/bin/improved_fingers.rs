@@ -1,4 +1,4 @@
-//! Does the placement of fingers reach an optimum from any start, and what is its cost?
+//! Does the placement of fingers reach an optimum from any start, and how long does that take?
 
 use std::f64::consts::TAU;
 use std::time::Instant;

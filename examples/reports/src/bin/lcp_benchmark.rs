@@ -1,7 +1,7 @@
 //! How fast is the complementarity solver, and how exact?
 //!
-//! `cargo run --release -p reports --bin lcp_benchmark` prints, for each family and size, the best time of several solves, the pivots, the largest
-//! scaled residual, and the time to verify the solution (a dash if that fails). With a directory as argument it also writes every problem there, as
+//! `cargo run --release -p reports --bin lcp_benchmark` prints a row for each family and size: the best time of several solves, the pivots, the
+//! largest scaled residual, and the time to verify the solution (a dash if that fails). With a directory as argument it also writes every problem there, as
 //! `family-n.txt`: n, then M row by row, then q, for timing other solvers on the same numbers. With `--bits` it measures no times, and prints only
 //! the bits of all solutions.
 #![allow(clippy::cast_possible_truncation, clippy::doc_markdown)]

@@ -66,7 +66,7 @@ fn walls(rows: usize) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The same in space, where half a brick stands on four points.
+/// The same in space, with half a brick on four points.
 fn spatial_walls(rows: usize) -> Result<(), Failure> {
     for rows in [3, 6, 10, 14, 17].into_iter().filter(|side| 2 * *side <= rows) {
         let push = spatial::Wrench::force_at([5.0, 0.0, 0.0], [0.5, 0.0, 0.5 * rows as f64 - 0.1]);

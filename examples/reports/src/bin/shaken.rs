@@ -1,4 +1,4 @@
-//! Loads that repeat: do verdicts agree with cycles that are followed one after the other, what do they cost, and when does a rocked roller cease to
+//! Loads that repeat: do verdicts agree with cycles that are followed one after the other, how long do they take, and when does a rocked roller cease to
 //! come to rest?
 //!
 //! `cargo run --release -p reports --bin shaken [cycles of each kind [grasps of the shake test]]` (60 and 2 000 by default)

@@ -27,7 +27,7 @@ const MOST_STEPS: u32 = 100_000;
 /// Number of those steps.
 const LAST_STEPS: f64 = 1000.0;
 
-/// Number of the step from which on steps are computed: well before a part of the way.
+/// Number of steps that are skipped: all but the last [`LAST_STEPS`] before a part of the way.
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // between 0 and a million
 fn steps_below(part: f64, steps: u32) -> u32 {
     (part * f64::from(steps) - LAST_STEPS).max(0.0) as u32

@@ -3,7 +3,6 @@
 //! A finger at a height tips the block forwards, so that supports ahead carry more. The second model has an ellipse of friction, `√q μ` along and `μ
 //! / √q` across. Stretching the plane makes its friction uniform, if all supports are in the plane: places and forces along by `1 / √q` and across by
 //! `√q`, velocities inversely; moments stay.
-//! `√q`, velocities the other way round, moments as they are.
 
 use std::error::Error;
 

@@ -9,7 +9,7 @@
 //! estimate         the error that the answer itself states, over the same force (Accuracy::force)
 //! condition        Accuracy::condition
 //! states           right: every condition of every state holds in exact arithmetic
-//!                  edge k: k contacts are said not to be told apart from another state (ContactAnswer::distinct)
+//!                  edge k: the states of k contacts are marked as not distinct from other states (ContactAnswer::distinct)
 //!                  WRONG: a condition fails and nothing says so
 //! ```
 //!
