@@ -135,7 +135,7 @@ pub enum Error {
         /// Its largest difference, in its own unit.
         off: f64,
     },
-    /// A question that bounds normal forces, for a contact whose force is not bounded by them.
+    /// A question that bounds normal forces, asked of a contact whose force they do not bound.
     #[error("{question} bounds normal forces: contact {contact} pulls, is bonded or has infinite friction")]
     Unlimited {
         /// The method.
@@ -143,7 +143,7 @@ pub enum Error {
         /// Which contact.
         contact: ContactLabel,
     },
-    /// A question about loads of any size, for contacts that do not hold all loads by themselves but have a vacuum, which holds some.
+    /// A question about loads of any size, asked of contacts that do not hold all loads by themselves but have a vacuum, which holds some.
     #[error(
         "{question} asks for loads of any size: the vacuum of contact {contact} is limited, ask load_limit or ferrari_canny"
     )]
@@ -227,7 +227,7 @@ pub enum Error {
         /// What is wanted.
         expected: (usize, usize),
     },
-    /// A question about one object and contacts with springs of their own, for a hand or several bodies.
+    /// A question about one object and contacts with springs of their own, asked of a hand or of several bodies.
     #[error(
         "{question} knows neither joints nor several bodies: ask it of one object that no hand with joints holds"
     )]
@@ -235,7 +235,7 @@ pub enum Error {
         /// The method.
         question: &'static str,
     },
-    /// A question that reports sliding contacts, for a contact with lower kinetic friction, which it does not support.
+    /// A question that reports sliding contacts, asked of a contact with lower kinetic friction, which it does not support.
     #[error(
         "{question} does not know that the friction of contact {contact} is lower once it slides: ask hold, follow or shake, which do, or leave kinetic friction out"
     )]
@@ -245,8 +245,8 @@ pub enum Error {
         /// Which contact.
         contact: ContactLabel,
     },
-    /// A question that supports several bodies but no joints, for bodies that a hand with joints holds. A contact that presses with a given force has
-    /// a slide behind it, which is a joint.
+    /// A question that supports several bodies but no joints, asked of bodies that a hand with joints holds. A contact that presses with a given
+    /// force has a slide behind it, which is a joint.
     #[error(
         "{question} knows no joints: ask it of bodies that no hand with joints holds, and no contact presses with a given force"
     )]

@@ -11,8 +11,8 @@ use crate::prelude::*;
 impl<const C: usize> Grasp<C> {
     /// All equilibria under a load, for few contacts, by trying every combination of contact states. The one that [`Self::solve`] returns is among
     /// them. On the round cone these are that one, and those that Newton's method reaches from the equilibria of the polygon; others may be missing.
-    /// An empty list proves nothing, whereas [`Self::solve`] returns proofs. Combinations with the same equilibrium (a contact exactly on an edge)
-    /// are listed once. A line of equilibria is listed by one of its points, with its [`neutral_motions`](Equilibrium::neutral_motions).
+    /// An empty list is no proof: [`Self::solve`] returns the proof, if there is one. Combinations with the same equilibrium (a contact exactly on an
+    /// edge) are listed once. A line of equilibria is listed by one of its points, with its [`neutral_motions`](Equilibrium::neutral_motions).
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};

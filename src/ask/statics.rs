@@ -182,10 +182,10 @@ impl<const C: usize> Statics<'_, C> {
         self.0.of_equilibrium(equilibrium).engine.decompose(equilibrium)
     }
 
-    /// The shakedown factor: the largest multiple of these loads, in addition to a base load and in any order, under which some slips could keep everything
-    /// from sliding. Beyond it the grasp never comes to rest as long as no contact opens; [`Grasp::shake`] decides whether it does below. In space
-    /// with a polygon around the round cone, of as many facets as [`Settings::cone`](crate::Settings::cone) has. `None` if no slips keep the grasp at
-    /// rest under the base load, or nothing resists a load.
+    /// The shakedown factor: the largest multiple of these loads, in addition to a base load and in any order, under which some slips could keep
+    /// everything from sliding. Beyond it the grasp never comes to rest as long as no contact opens; [`Grasp::shake`] decides whether it does below.
+    /// In space with a polygon around the round cone, of as many facets as [`Settings::cone`](crate::Settings::cone) has. `None` if no slips keep the
+    /// grasp at rest under the base load, or nothing resists a load.
     ///
     /// It is the one static question that depends on springs and commands: slips push contacts against each other.
     ///

@@ -92,7 +92,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         cone: Cone,
     ) -> Residuals {
         let [force_terms, travel_terms] = found.sizes;
-        // The comparisons below ignore numbers that are not finite.
+        // The comparisons below ignore NaN.
         if !answers.iter().all(is_finite) || !twist.iter().all(|x| x.is_finite()) {
             return Residuals::NONE_HOLDS;
         }

@@ -5,7 +5,7 @@
 //! follow. Then come odd programs: fingers at unequal heights, uneven friction and stiffness, a weight held before, forces with moments, fingers
 //! released and pressed on again. For these the state is computed at 2 001 fractions.
 //!
-//! `cargo run --release -p reports --bin everyday_grasps [-- so many grasps of each kind]` (4 unless you say otherwise)
+//! `cargo run --release -p reports --bin everyday_grasps [-- number of grasps of each kind]` (4 by default)
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
