@@ -1,4 +1,4 @@
-//! What every engine answers, whatever its number of coordinates.
+//! The questions that every engine answers, for any number of coordinates.
 
 use alloc::sync::Arc;
 use core::fmt::Debug;
@@ -27,8 +27,8 @@ use crate::statics::{Budget, Closure, LoadLimit, WrenchBall, WrenchScale};
 use crate::structured::{Search, SearchSettings};
 use crate::sweep::{OnsetSpread, Reserve, RobustOnset, Uncertainty};
 
-/// Declares the questions once, and answers them by the engine's methods of the same names. Engines of hands refuse what knows no joints, so that it is
-/// compiled for the plane and for space alone.
+/// Declares the questions once, and answers them by the engine's methods of the same names. Engines of hands refuse the questions without joints, so
+/// these are compiled for the plane and for space alone.
 macro_rules! questions {
     (any $any:tt without_joints $other:tt) => {
         questions!(@trait $any $other);
@@ -120,7 +120,7 @@ macro_rules! questions {
     };
 }
 
-/// The engine of a grasp with other data.
+/// An engine with other data.
 type Changed<const C: usize> = Result<Arc<dyn Questions<C>>, Error>;
 
 questions! {

@@ -1,11 +1,11 @@
-//! The shapes and where they are: fingertips about a mug.
+//! Shapes and places of fingertips and a mug.
 
 use std::f64::consts::FRAC_PI_2;
 
 use parry3d_f64::math::{Pose, Vector};
 use parry3d_f64::shape::{Ball, Capsule, Compound, Cylinder, SharedShape};
 
-/// A fingertip: its name, its shape and where the hand has it.
+/// A fingertip: its name, its shape and its pose in the frame of the hand.
 pub struct Fingertip {
     pub name: &'static str,
     pub shape: SharedShape,
@@ -26,8 +26,8 @@ pub fn mug() -> Compound {
     ])
 }
 
-/// A thumb and three fingers in the frame of the hand, closed about a cylinder of 40 mm radius: thumb, index and middle finger
-/// reach 2.4, 1.8 and 1.8 mm into it, the ring finger stays 0.2 mm away.
+/// A thumb and three fingers in the frame of the hand, closed about a cylinder of 40 mm radius. Thumb, index and middle finger reach 2.4, 1.8 and 1.8
+/// mm into it, the ring finger stays 0.2 mm away.
 pub fn fingertips() -> [Fingertip; 4] {
     let around = |degrees: f64, distance: f64, z: f64| {
         let (sin, cos) = degrees.to_radians().sin_cos();

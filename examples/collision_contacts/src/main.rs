@@ -1,11 +1,10 @@
-//! What do the contacts that a collision library finds hold?
+//! Which loads do the contacts hold that a collision library finds?
 //!
 //! `cargo run --release -p collision-contacts`
 //!
-//! Shapes of fingertips and of a mug go into parry; points, normals and depths come out and become a grasp: how deep a tip would
-//! reach into the mug is how far its finger is commanded past the first touch, a distance is a clearance. parry computes in glam's
-//! vectors; they go in as they are. The answer goes back: the mug is moved as predicted, and parry measures how deep
-//! the tips are now, which must be what the springs of the fingers say.
+//! Shapes of fingertips and of a mug are given to parry, which finds points, normals and depths; these become a grasp. A depth is how far the finger
+//! is commanded past the first touch, a distance is a clearance. parry computes in glam's vectors, which need no conversion. The answer goes back:
+//! the mug is moved as predicted, and parry measures the new depths of the tips. They must equal the compression of the finger springs.
 
 mod hand;
 mod picture;
@@ -23,12 +22,12 @@ const TANGENTIAL: f64 = 1500.0;
 const FRICTION: f64 = 0.6;
 /// The mug with coffee, kg times m/s².
 const WEIGHT: f64 = 0.45 * 9.81;
-/// Tips that are further away than this (m) are not asked about.
+/// Largest distance of a tip for which contacts are sought, m.
 const REACH: f64 = 5e-4;
 
 type Failure = Box<dyn std::error::Error>;
 
-/// What the collision library says of one tip: the point on the mug, the normal into the mug, the depth (negative: a distance).
+/// Contact of one tip from the collision library: the point on the mug, the normal into the mug, the depth (negative: a distance).
 fn touch(
     tip: &Fingertip,
     hand: &DPose3,
@@ -57,7 +56,7 @@ fn contacts(hand: &DPose3, mug: &Compound) -> Result<Vec<Contact>, Failure> {
     Ok(contacts)
 }
 
-/// A pull of 1 N at the centre of mass, this way.
+/// A pull of 1 N at the centre of mass, along `direction`.
 fn pull(direction: DVec3, centre: DVec3) -> Wrench {
     Wrench::force_at(direction, centre)
 }
@@ -96,7 +95,7 @@ fn main() -> Result<(), Failure> {
     picture::save(&grasp, &answers, &mug)
 }
 
-/// Contact forces, and whether parry finds the springs as long as they say at the predicted pose of the mug.
+/// Prints contact forces, and compares the depths that parry finds at the predicted pose of the mug with the compression of the springs.
 fn report(grasp: &Grasp, held: &Equilibrium, mug: &Compound) -> Result<(), Failure> {
     let motion = DPose3::from(held.twist.exp());
     let (moved, (_, angle)) = (motion.translation * 1e3, motion.rotation.to_axis_angle());
@@ -128,7 +127,7 @@ fn report(grasp: &Grasp, held: &Equilibrium, mug: &Compound) -> Result<(), Failu
     Ok(())
 }
 
-/// How hard the mug may be pulled each way.
+/// Prints how hard the mug may be pulled in each direction.
 fn directions(grasp: &Grasp, centre: DVec3) -> Result<(), Error> {
     println!("\nPulled at its centre of mass  stops sticking at (N)  holds up to (N)");
     let ways = [
@@ -161,7 +160,7 @@ fn directions(grasp: &Grasp, centre: DVec3) -> Result<(), Error> {
     Ok(())
 }
 
-/// The same hand higher, lower and turned: parry is asked again, since other places of the mug are touched.
+/// The same hand higher, lower and turned: parry finds new contacts, since other places of the mug are touched.
 fn moved_hands(mug: &Compound, centre: DVec3) -> Result<(), Failure> {
     println!("\nThe hand elsewhere            tips within reach   first slides under the weight");
     let hands = [

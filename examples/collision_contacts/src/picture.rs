@@ -1,4 +1,4 @@
-//! The mug in the hand as a page that one can turn: the edges that parry draws of its shapes, with what was predicted.
+//! A page of the mug in the hand that the reader can turn: the edges that parry draws of its shapes, with the predicted answers.
 
 use grasp_lcp::picture::SpatialPage;
 use grasp_lcp::spatial::{Equilibrium, Grasp};
@@ -11,7 +11,7 @@ use crate::hand::fingertips;
 /// Corners of a circle.
 const CORNERS: u32 = 24;
 
-/// Writes the page into `output/` and says where.
+/// Writes the page into `output/` and prints its path.
 pub fn save(grasp: &Grasp, answers: &[(&str, &Equilibrium)], mug: &Compound) -> Result<(), Failure> {
     let mut page = SpatialPage::new(grasp, "A mug between the fingertips that a collision library found");
     for (pose, shape) in mug.shapes() {

@@ -1,4 +1,4 @@
-//! Fingers made ready, and asked.
+//! Prepared fingers, and the questions to them.
 
 use std::fmt::Debug;
 
@@ -48,7 +48,7 @@ fn of<const N: usize>(contacts: &[Contact]) -> Result<Box<dyn Watching>, String>
     Ok(Box::new(fingers))
 }
 
-/// A text for C, which ends where C ends one.
+/// A text for C, without the zero bytes that would end it.
 fn text(message: String) -> char_p::Box {
     char_p::new(message.replace('\0', ""))
 }

@@ -1,4 +1,5 @@
-//! What C sees of grasp-lcp: the watch of a control loop, for two to five fingers in space. `grasp_lcp.h` says what there is; the test of this package writes it.
+//! The interface of grasp-lcp for C: the watch of a control loop, for two to five fingers in space. `grasp_lcp.h` declares it; the test of this
+//! package writes that file.
 
 mod finger;
 mod fingers;
@@ -12,7 +13,7 @@ pub use seen::{Load, Seen};
 
 #[cfg(test)]
 mod tests {
-    /// Written anew where `WRITE_HEADER` is set.
+    /// Compares the header, or writes it anew if `WRITE_HEADER` is set.
     #[test]
     fn the_header_is_that_of_these_functions() {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/grasp_lcp.h");

@@ -1,4 +1,4 @@
-//! What the watch is shown, and what it sees.
+//! The load and the answer of the watch.
 
 use grasp_lcp::screening::{ScreeningVerdict, Watched};
 use grasp_lcp::spatial::Wrench;

@@ -1,4 +1,4 @@
-//! A program in C asks through the header.
+//! A program in C that uses the header.
 
 use std::env;
 use std::path::Path;
@@ -6,7 +6,7 @@ use std::process::Command;
 
 #[test]
 fn a_program_in_c_gets_the_answers_of_paper_and_pencil() {
-    // The library stands where this test does.
+    // The library is in the folder of this test.
     let test = env::current_exe().expect("this test has a place");
     let built = test.parent().expect("it is a directory");
     let program = built.join("watch_from_c");

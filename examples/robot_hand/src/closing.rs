@@ -1,4 +1,4 @@
-//! Closing a hand about a ball: where its links touch.
+//! Closing a hand about a ball, and the places where its links touch.
 
 use grasp_lcp::nalgebra::{Point3, Vector3};
 
@@ -12,14 +12,14 @@ pub struct Ball {
 
 /// Half the thickness of a finger, m.
 const FINGER: f64 = 0.009;
-/// A joint closes by such steps until something touches, rad; then by halves of them.
+/// First step by which a joint closes until something touches, rad; then steps are halved.
 const STEP: f64 = 0.01;
-/// A link that is nearer than this touches, m.
+/// Distance below which a link touches, m.
 const TOUCHES: f64 = 1e-6;
 
 /// A link on the ball.
 pub struct Touch {
-    /// The joints up to this one move it.
+    /// Number of joints that move it, from the palm.
     pub link: usize,
     pub point: Point3<f64>,
     /// Into the ball.

@@ -1,4 +1,4 @@
-//! The description file: chains of joints, and where they are in a posture.
+//! The description file: chains of joints, and their places in a posture.
 
 use grasp_lcp::nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, UnitVector3, Vector3};
 use urdf_rs::{JointType, Robot};
@@ -8,12 +8,12 @@ use crate::Failure;
 /// One joint of a chain that leads from the palm to a tip.
 pub struct ChainJoint {
     pub name: String,
-    /// Where the joint's frame lies in the link before it.
+    /// Pose of the joint's frame in the link before it.
     origin: Isometry3<f64>,
     axis: UnitVector3<f64>,
-    /// Where its range ends, rad.
+    /// Upper end of its range, rad.
     pub upper: f64,
-    /// The most that its motor exerts, N m.
+    /// Largest torque of its motor, N m.
     pub effort: f64,
 }
 
@@ -28,11 +28,11 @@ pub struct Chain {
 pub struct Placed {
     /// A point on each joint's axis, and the axis.
     pub joints: Vec<(Point3<f64>, UnitVector3<f64>)>,
-    /// Where the last link ends.
+    /// End of the last link.
     pub tip: Point3<f64>,
 }
 
-/// The fingers of a hand, one for each link that carries nothing further.
+/// The fingers of a hand, one for each link that carries no further link.
 pub fn fingers(text: &str) -> Result<Vec<Chain>, Failure> {
     let robot = urdf_rs::read_from_string(text)?;
     let is_tip = |link: &&urdf_rs::Link| robot.joints.iter().all(|joint| joint.parent.link != link.name);
@@ -45,7 +45,7 @@ fn chain(robot: &Robot, tip: &str) -> Result<Chain, Failure> {
     while let Some(joint) = robot.joints.iter().find(|joint| joint.child.link == link) {
         let origin = pose(&joint.origin);
         match joint.joint_type {
-            // What is fixed belongs to what comes after the joint before it.
+            // A fixed joint is merged into the frame that follows the previous joint.
             JointType::Fixed => beyond = origin * beyond,
             JointType::Revolute if joints.is_empty() => joints.push((joint, origin, beyond)),
             JointType::Revolute => {
@@ -85,7 +85,7 @@ fn pose(pose: &urdf_rs::Pose) -> Isometry3<f64> {
 }
 
 impl Chain {
-    /// Where the finger is at these joint angles.
+    /// Places of the finger at these joint angles.
     pub fn at(&self, angles: &[f64]) -> Placed {
         let mut frame = Isometry3::identity();
         let mut joints = Vec::new();

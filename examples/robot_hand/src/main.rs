@@ -1,9 +1,9 @@
-//! At which load does a ball slide in a robot hand, and what do springs along the axes of the contacts say of it?
+//! At which load does a ball slide in a robot hand, and how wrong are springs along the axes of the contacts about it?
 //!
-//! `cargo run --release -p robot-hand [rings of directions above the equator]` reads `hand.urdf` – three fingers of four joints, with the efforts of their
-//! motors – closes the hand about a ball as a pinch and as a power grasp, and finds the onset of sliding in every direction: with the joints, their
-//! stiffness and the limits of their motors, and beside it with a spring along each axis of each contact, the diagonal of the same compliance. Joints
-//! that stall are told.
+//! `cargo run --release -p robot-hand [rings of directions above the equator]` reads `hand.urdf`: three fingers of four joints, with the efforts of
+//! their motors. It closes the hand about a ball as a pinch and as a power grasp, and finds the onset of sliding in every direction with the joints,
+//! their stiffness and the limits of their motors. For comparison each contact has a spring along each of its axes, the diagonal of the same
+//! compliance. Joints that stall are listed.
 
 mod closing;
 mod description;
@@ -26,12 +26,12 @@ const STIFFNESS: [f64; 4] = [3.0, 3.0, 2.0, 1.2];
 /// Pads: normal and tangential, N/m.
 const PAD: [f64; 2] = [6e3, 4e3];
 const FRICTION: f64 = 0.9;
-/// Each contact is pressed with this force before anything pulls, N.
+/// Force with which each contact presses before anything pulls, N.
 const SQUEEZE: f64 = 4.0;
-/// Loads are followed up to this force, N.
+/// Largest force of the loads that are followed, N.
 const MOST: f64 = 200.0;
 
-/// A finger in its posture, with what touches.
+/// A finger in its posture, with its touching links.
 struct Closed<'c> {
     chain: &'c Chain,
     angles: [f64; 4],
@@ -54,7 +54,7 @@ fn run() -> Result<(), Failure> {
     let ball = Ball { centre: Point3::new(0.0, 0.0, 0.122), radius: 0.035 };
     let tips: Vec<_> = chains.iter().map(|chain| pinched(chain, &ball)).collect();
     of_grasp("A precision grasp by the tips", "tips", &tips, &ball, None)?;
-    // The ball lies on the palm.
+    // For the power grasp the ball lies on the palm.
     let ball = Ball { centre: Point3::new(0.0, 0.0, 0.068), radius: 0.035 };
     let palm = Contact::new(ball.centre - Vector3::z() * ball.radius, [0.0, 0.0, 1.0])
         .name("palm")
@@ -72,17 +72,17 @@ fn pinched<'c>(chain: &'c Chain, ball: &Ball) -> Closed<'c> {
     Closed { chain, angles, touches: touches(chain, &angles, ball) }
 }
 
-/// The finger closed joint by joint.
+/// The finger, closed joint by joint.
 fn wrapped<'c>(chain: &'c Chain, ball: &Ball) -> Closed<'c> {
     let mut angles = [0.0, -0.3, 0.0, 0.0];
     close(chain, &mut angles, &[1, 2, 3], ball);
     Closed { chain, angles, touches: touches(chain, &angles, ball) }
 }
 
-/// The contacts of a finger: a soft tip, and point contacts further in.
+/// The contacts of a finger: a soft tip, and point contacts on the inner links.
 fn contacts(finger: &Closed) -> Result<Vec<(usize, Contact)>, Failure> {
     let mut all = Vec::new();
-    // The thumb is alone against two fingers.
+    // The thumb presses alone against two fingers.
     let squeeze = if finger.chain.name == "thumb" { 2.0 * SQUEEZE } else { SQUEEZE };
     for touch in &finger.touches {
         let contact = Contact::new(touch.point, touch.normal)
@@ -145,7 +145,7 @@ fn with_springs(
             let springs = contact.series_stiffness_of_axes();
             let stiffness: [f64; 3] = std::array::from_fn(|a| {
                 let joints: f64 = (0..*link).map(|j| jacobian[(a, j)].powi(2) / STIFFNESS[j]).sum();
-                // Points that share a tip share its joints, too.
+                // Points of one tip share its joints, too.
                 1.0 / (joints * share + 1.0 / springs[a])
             });
             all.push(contact.clone().series_stiffness_axes(stiffness));
@@ -207,11 +207,11 @@ fn of_grasp(
             stalled.join(", ")
         );
     }
-    // Where the squeeze alone slides there is no onset to draw.
+    // If the squeeze alone slides, there is no onset to draw.
     if grasp.onset(&Ramp::load(Wrench::ZERO, pull([0.0, 0.0, 1.0])))?.factor().is_some() {
         draw_map(title, name, &grasp, &springs, ball)?;
     }
-    // What joints cost: the same question of the same contacts with springs of their own.
+    // Cost of joints: the same question for the same contacts with their own springs.
     let (load, told) = (pull([0.0, 0.0, -0.5]), spatial::Wrench::force_at([0.0, 0.0, -0.5], at));
     let joints = microseconds(|| grasp.solve(&load).map(drop))?;
     let alone = microseconds(|| springs.solve(&told).map(drop))?;
@@ -306,13 +306,13 @@ fn draw_map(
     Ok(())
 }
 
-/// How far a pull goes.
+/// Limit of a pull.
 struct Reach {
-    /// Up to which pull the hand holds, N.
+    /// Largest pull that the hand holds, N.
     force: f64,
     /// The motors that stall on the way.
     stalled: Vec<PartLabel>,
-    /// Where the path ends.
+    /// State at the end of the path.
     state: Option<spatial::Equilibrium>,
 }
 

@@ -1,8 +1,8 @@
-//! Bytes as letters, RFC 4648: what the `atob` of a browser reads.
+//! Bytes as letters by RFC 4648, as the `atob` of a browser reads them.
 
 const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-/// Four letters for each three bytes; `=` for what is missing of the last three.
+/// Four letters for each three bytes; `=` replaces missing bytes of the last three.
 pub(crate) fn base64(bytes: &[u8]) -> String {
     let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
     for three in bytes.chunks(3) {

@@ -1,15 +1,15 @@
-//! Why there is no page.
+//! Reasons why no page was written.
 
 use std::{fmt, io};
 
-/// Why there is no page.
+/// Reasons why no page was written.
 #[derive(Debug)]
 pub(crate) enum Failure {
-    /// The toolchain cannot build for a page; the command that helps.
+    /// The toolchain cannot compile to WebAssembly; the text is the command that installs the target.
     NoTarget(String),
-    /// cargo has said why.
+    /// The module was not built; cargo has printed the reason.
     NotBuilt,
-    /// A file or a program.
+    /// A file or a program failed.
     Io(io::Error),
 }
 

@@ -1,6 +1,6 @@
-//! What the page of `try-it` asks: the line of a scene in JSON, answered by the crate, in WebAssembly or natively.
+//! Answers for the page of `try-it`: a scene in JSON on one line, answered by the crate, in WebAssembly or natively.
 //!
-//! The page knows nothing of mechanics. It writes a scene ([the format](grasp_lcp::scene)), and draws what is answered.
+//! The page knows nothing of mechanics. It writes a scene ([the format](grasp_lcp::scene)), and draws the answer.
 //!
 //! # Why not wasm-bindgen
 //!
@@ -12,9 +12,9 @@ pub mod memory;
 
 use grasp_lcp::stream::{StreamOptions, answer_line};
 
-/// Points of contact that a page asks about at most. With twice as many an answer may take longer than a frame of the screen.
+/// Largest number of contact points that a page may ask about. With twice as many an answer may take longer than a frame of the screen.
 const MOST_POINTS: usize = 12;
-/// Combinations of contact states that are tried at most, some microseconds each: beyond, a drag would falter.
+/// Largest number of combinations of contact states that are tried, some microseconds each: with more a drag would falter.
 const MOST_STATES: usize = 1000;
 /// Steps along sliding arcs; in the plane there are none.
 const MOST_STEPS: usize = 100;
@@ -26,6 +26,6 @@ pub fn reply(text: &[u8]) -> String {
     options.most_points = MOST_POINTS;
     options.most_states = MOST_STATES;
     options.most_steps = MOST_STEPS;
-    // Empty: no JSON, which the page says.
+    // An empty answer means that the text is no JSON, which the page reports.
     answer_line(text, &options).unwrap_or_default()
 }

@@ -1,6 +1,6 @@
 //! Writes the page to try the crate in.
 //!
-//! `cargo run --release --package try-it` writes `output/try_it.html`; another file may be named. Exit code 2 says that the toolchain lacks
+//! `cargo run --release --package try-it` writes `output/try_it.html`, or another file given as argument. Exit code 2 means that the toolchain lacks
 //! WebAssembly.
 
 mod base64;
@@ -27,7 +27,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// The file and its size in bytes.
+/// Writes the page; returns its path and its size in bytes.
 fn write_page() -> Result<(PathBuf, usize), Failure> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let path = env::args_os().nth(1).map_or_else(|| PathBuf::from("output/try_it.html"), PathBuf::from);

@@ -1,7 +1,7 @@
-//! How texts cross the border of the module: they are written into, and read from, a buffer that Rust owns.
+//! Texts cross the border of the module through a buffer that Rust owns: they are written into it and read from it.
 //!
-//! The page asks for [`room`], writes the scene there, calls [`answer`], and reads so many bytes from [`text`] on. Each call may move
-//! the buffer. Rust reads the buffer as what it is, a vector of bytes, so that no unsafe block is needed.
+//! The page calls [`room`], writes the scene there, calls [`answer`], and reads that number of bytes at [`text`]. Each call may move the buffer. Rust
+//! reads the buffer as a vector of bytes, so that no unsafe block is needed.
 #![expect(unsafe_code, reason = "names that a page can call are given by attributes that count as unsafe")]
 
 use std::cell::RefCell;
@@ -10,7 +10,7 @@ thread_local! {
     static TEXT: RefCell<Vec<u8>> = const { RefCell::new(Vec::new()) };
 }
 
-/// Room for a scene of so many bytes.
+/// Room for a scene of `length` bytes.
 #[unsafe(no_mangle)]
 pub extern "C" fn room(length: usize) -> *mut u8 {
     TEXT.with_borrow_mut(|text| {
@@ -20,7 +20,7 @@ pub extern "C" fn room(length: usize) -> *mut u8 {
     })
 }
 
-/// Puts the answer in the place of the scene, and returns its length in bytes.
+/// Replaces the scene by its answer, and returns its length in bytes.
 #[unsafe(no_mangle)]
 pub extern "C" fn answer() -> usize {
     TEXT.with_borrow_mut(|text| {
@@ -29,7 +29,7 @@ pub extern "C" fn answer() -> usize {
     })
 }
 
-/// Where the text begins.
+/// Address of the text.
 #[unsafe(no_mangle)]
 pub extern "C" fn text() -> *const u8 {
     TEXT.with_borrow(Vec::as_ptr)

@@ -1,4 +1,4 @@
-//! The crate as a module of WebAssembly, built by cargo.
+//! The crate as a WebAssembly module, built by cargo.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -13,7 +13,7 @@ pub(crate) fn build(root: &Path) -> Result<Vec<u8>, Failure> {
     if !has_target()? {
         return Err(Failure::NoTarget(format!("rustup target add {TARGET}")));
     }
-    // A directory of its own: cargo may hold the lock of the other one while this command runs.
+    // A separate directory: cargo may hold the lock of the usual one while this command runs.
     let target =
         env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from).join("page");
     let cargo = env::var_os("CARGO").unwrap_or_else(|| "cargo".into());

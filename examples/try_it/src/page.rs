@@ -1,4 +1,4 @@
-//! The page: one file in which style, scripts, scenes and the module are written out.
+//! The page: one file that contains style, scripts, scenes and the module.
 
 use std::io::{self, Write};
 
@@ -10,7 +10,7 @@ use crate::base64::base64;
 const FRAME: &str = include_str!("../page/page.html");
 const STYLE: &str = include_str!("../page/style.css");
 
-/// Each script declares one name that those below it may use.
+/// Each script declares one name, which later scripts may use.
 const SCRIPTS: [&str; 14] = [
     include_str!("../page/numbers.js"),
     include_str!("../page/outline.js"),
@@ -29,7 +29,7 @@ const SCRIPTS: [&str; 14] = [
 ];
 const MAIN: &str = include_str!("../page/main.js");
 
-/// Files of scenes by the names that `scenes.js` knows.
+/// Scene files by their names in `scenes.js`.
 const SCENES: [(&str, &str); 6] = [
     ("box", include_str!("../../scenes/box.json")),
     ("paper_two_fingers", include_str!("../../scenes/paper_two_fingers.json")),

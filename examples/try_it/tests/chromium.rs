@@ -1,6 +1,6 @@
-//! The page in a browser: what it shows after drags is what the crate answers natively, to the bit.
+//! The page in a browser: after drags it shows the crate's native answers, to the bit.
 //!
-//! Skipped with a message where there is no Chromium or where the toolchain has no WebAssembly.
+//! Skipped with a message if there is no Chromium or the toolchain has no WebAssembly.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -8,12 +8,12 @@ use std::{env, fs};
 
 use serde_json::Value;
 
-/// Added behind the page.
+/// A script that drags handles, added at the end of the page.
 const DRAGS: &str = include_str!("drags.js");
-/// Time of the browser's own clock, ms, in which module and drags are done; it runs ahead where there is nothing to wait for.
+/// Time of the browser's own clock, ms, for the module and the drags; this clock runs ahead whenever there is nothing to wait for.
 const VIRTUAL_TIME: u32 = 60_000;
 
-/// The page, built as the README says; nothing where WebAssembly is missing.
+/// The page, built as the README says; `None` if WebAssembly is missing.
 fn page() -> Option<String> {
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("try_it.html");
     let built = Command::new(env!("CARGO_BIN_EXE_try-it")).arg(&path).status().unwrap();
@@ -31,11 +31,11 @@ fn chromium() -> Option<PathBuf> {
     names.iter().flat_map(|name| places.iter().map(move |place| place.join(name))).find(|path| path.is_file())
 }
 
-/// What the browser wrote down of the page on a screen of so many pixels.
+/// Records that the browser writes about the page on a screen `wide` pixels wide.
 fn records(chromium: &Path, page: &str, wide: u32) -> Value {
     let directory = Path::new(env!("CARGO_TARGET_TMPDIR"));
     let path = directory.join("dragged.html");
-    // A window of a browser has a least width, a frame in it has none; where it is done it hands over what it wrote.
+    // A browser's window has a least width, a frame in it has none; when done, the frame hands its records to the window.
     let hands_over = "parent.document.body.append(document.getElementById('records').cloneNode(true))";
     let inner = page.replace("</body>", &format!("<script>{DRAGS}</script>\n</body>"));
     let inner =
@@ -58,7 +58,7 @@ fn records(chromium: &Path, page: &str, wide: u32) -> Value {
     serde_json::from_str(told.split_once("</script>").unwrap().0).unwrap()
 }
 
-/// What the crate answers natively to the scene of a record.
+/// The crate's native answers to the scene of a record.
 struct Native {
     onset: Value,
     solve: Value,
@@ -72,12 +72,12 @@ fn native(record: &Value) -> Native {
     Native { onset: answer(0, "onset"), solve: answer(1, "solve"), follow: answer(2, "follow") }
 }
 
-/// The number that the page holds under a name, and nothing if it shows none.
+/// The number that the page shows under a name, if any.
 fn shown(record: &Value, what: &str) -> Option<f64> {
     record["shown"][what]["value"].as_str().map(|text| text.parse().unwrap())
 }
 
-/// All numbers of one record, to the bit; returns how many.
+/// Compares all numbers of one record, to the bit; returns their number.
 fn compare(record: &Value) -> usize {
     let Native { onset, solve, follow } = native(record);
     let mut expected = Vec::new();
@@ -132,7 +132,7 @@ fn the_page_shows_what_the_crate_answers() {
         return;
     };
     let Some(page) = page() else { return };
-    // On a phone the same grips can be dragged, and the page does not move sideways.
+    // On a phone the same handles can be dragged, and the page does not move sideways.
     for wide in [400, 1200] {
         shows_what_the_crate_answers(&records(&chromium, &page, wide), wide);
     }
@@ -155,7 +155,7 @@ fn shows_what_the_crate_answers(dragged: &Value, wide: u32) {
     let before = shown(of("box"), "onset").unwrap();
     assert!((before * 4.905 - 8.0).abs() < 1e-14, "{before}");
 
-    // A finger that is dragged changes the scene and with it the onset; so does a load that is turned.
+    // Dragging a finger changes the scene and with it the onset; so does turning the load.
     assert_ne!(shown(of("a finger dragged"), "onset"), Some(before));
     let steps = [
         "box",
@@ -170,7 +170,7 @@ fn shows_what_the_crate_answers(dragged: &Value, wide: u32) {
         assert_ne!(of(pair[0])["scene"], of(pair[1])["scene"], "{pair:?}");
     }
 
-    // What has no equilibrium is told in words, without numbers or arrows of forces.
+    // Scenes without an equilibrium are described in words, without numbers or arrows of forces.
     for what in ["no friction", "wedge"] {
         let record = of(what);
         assert_eq!(native(record).solve["outcome"], "no_equilibrium", "{what}");
@@ -180,7 +180,7 @@ fn shows_what_the_crate_answers(dragged: &Value, wide: u32) {
         assert!(shown(record, "normal-0").is_none());
     }
     assert_eq!(native(of("the wedge with friction")).solve["outcome"], "equilibrium");
-    // Of two parts each has its motion, and each joint two arrows.
+    // Two parts have a motion each, and each joint has two arrows.
     let parts = of("two_parts");
     assert!(shown(parts, "x-1").is_some() && shown(parts, "x").is_none());
     assert_eq!(parts["arrows"], 2 + 2 * 2);
