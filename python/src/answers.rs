@@ -1,4 +1,4 @@
-//! Answers that are kept as the crate gave them, and written when someone reads them.
+//! Answers of the crate, kept as values; JSON is written only when Python reads it.
 
 use std::sync::Arc;
 
@@ -12,23 +12,23 @@ use crate::errors::{refused, wrong};
 use crate::kept::Kept;
 use crate::pictures::Drawn;
 
-/// What is answered from Python.
+/// An answer returned to Python.
 #[derive(IntoPyObject)]
 pub(crate) enum Reply {
-    /// By a grasp without joints.
+    /// A value of the crate, from a grasp without joints.
     Told(Told),
-    /// By way of a scene, in JSON.
+    /// JSON written by the scene room, which answers for hands and several bodies.
     Written(String),
 }
 
-/// An answer as the crate gave it.
+/// An answer of the crate, not yet written.
 pub(crate) enum Raw<const C: usize> {
     Solved(Outcome<C>, Wrench<C>),
     Onset(Onset<C>),
     Turn(TurnOnset<C>),
 }
 
-/// What Python reads of an answer: two fields at once, the rest when it is written.
+/// Access of Python to an answer: outcome and factor are read directly, everything else from its JSON.
 trait Tells: Send + Sync {
     fn outcome(&self) -> &'static str;
     fn factor(&self) -> Option<f64>;
@@ -42,7 +42,7 @@ struct Of<const C: usize> {
     raw: Raw<C>,
 }
 
-/// An answer that is written when it is read; see `grasp_lcp.Answer`.
+/// An answer whose JSON is written on request; see `grasp_lcp.Answer`.
 #[pyclass(frozen, module = "grasp_lcp._grasp_lcp")]
 pub(crate) struct Told(Box<dyn Tells>);
 
@@ -80,12 +80,12 @@ impl Reply {
     }
 }
 
-/// The text of an answer in the format of scenes.
+/// The JSON text of an answer in the format of scenes.
 pub(crate) fn json(answer: &impl Serialize) -> PyResult<String> {
     serde_json::to_string(answer).map_err(wrong)
 }
 
-/// The word for an onset in the format of scenes.
+/// The outcome of an onset, as a word of the scene format.
 fn word<const C: usize>(onset: &Onset<C>) -> &'static str {
     match onset {
         Onset::At(_) => "at",

@@ -1,11 +1,11 @@
-//! Contacts of many grasps as arrays: one for each datum, rows of grasps by contacts by axes.
+//! Contacts of many grasps as arrays: one array for each datum, of shape (grasps, contacts) or (grasps, contacts, axes).
 
 use grasp_lcp::grasp::{Contact, Hold};
 use numpy::ndarray::{ArrayView1, ArrayView2, ArrayView3};
 use numpy::{PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3};
 use pyo3::prelude::*;
 
-/// What Python gives: all of the same number B of rows and n of contacts, be it by strides of zero. Left out is `None`.
+/// Arrays from Python. All have the same number B of grasps and n of contacts; broadcast axes have strides of zero. Absent data are `None`.
 #[derive(FromPyObject)]
 pub(crate) struct GivenColumns<'py> {
     #[pyo3(item)]
@@ -30,12 +30,12 @@ pub(crate) struct GivenColumns<'py> {
     pressed_with: Option<PyReadonlyArray2<'py, f64>>,
     #[pyo3(item)]
     clearance: Option<PyReadonlyArray2<'py, f64>>,
-    /// 0 unilateral, 1 kept closed, 2 bonded.
+    /// Code of each contact, shape (n,): 0 unilateral, 1 kept closed, 2 bonded.
     #[pyo3(item)]
     hold: Option<PyReadonlyArray1<'py, u8>>,
 }
 
-/// The arrays as they lie in memory, for threads that know nothing of Python.
+/// Views of the arrays in place, for threads that do not hold the interpreter's lock.
 pub(crate) struct Columns<'a> {
     points: ArrayView3<'a, f64>,
     normals: ArrayView3<'a, f64>,
@@ -87,12 +87,12 @@ impl Columns<'_> {
         self.points.shape()[2]
     }
 
-    /// Number of contacts of each.
+    /// Number of contacts of each grasp.
     pub(crate) fn contacts(&self) -> usize {
         self.points.shape()[1]
     }
 
-    /// Contact i of the grasp in a row, not checked yet.
+    /// Contact `i` of the grasp in row `row`, not validated.
     #[inline]
     pub(crate) fn contact<const C: usize>(&self, row: usize, i: usize) -> Contact<C> {
         let axes = |of: &ArrayView3<'_, f64>| -> [f64; C] { std::array::from_fn(|k| of[[row, i, k]]) };

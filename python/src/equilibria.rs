@@ -15,10 +15,10 @@ use pyo3::types::PyDict;
 use crate::columns::{Columns, GivenColumns};
 use crate::errors::{has_nan, wrong};
 
-/// Grasps that a thread takes at once: work of a tenth of a millisecond and more, so that handing it out costs nothing.
+/// Grasps in one task of a thread. A task takes 0.1 ms or more, so that the cost of scheduling is negligible.
 const CHUNK: usize = 64;
 
-/// How a row ends; `grasp_lcp.SolveStatus` has the numbers.
+/// Outcome of a row; the numbers are those of `grasp_lcp.SolveStatus`.
 #[derive(Clone, Copy, PartialEq)]
 #[repr(u8)]
 enum Status {
@@ -29,23 +29,23 @@ enum Status {
     Malformed,
 }
 
-/// Answers of some rows, load by load within each; numbers are NaN where there is no equilibrium.
+/// Flat arrays of answers for some rows, load by load within each row. Numbers are NaN without an equilibrium.
 #[derive(Default)]
 struct Found {
     status: Vec<u8>,
     twist: Vec<f64>,
     residual: Vec<f64>,
-    /// For each contact: what it does, its gap, and its friction in reserve.
+    /// One entry a contact: its state, its gap (m), and its friction in reserve (N).
     states: Vec<u8>,
     gap: Vec<f64>,
     margin: Vec<f64>,
-    /// For each axis of each contact.
+    /// One entry an axis of each contact: forces (N) and slips (m).
     force: Vec<f64>,
     force_world: Vec<f64>,
     slip: Vec<f64>,
 }
 
-/// Equilibria of B grasps under P loads: all loads for each grasp, or each its own. Flat arrays by name.
+/// Equilibria of B grasps under P loads, as flat arrays by name. Each grasp has its own load if `own`, else all loads.
 #[pyfunction]
 pub(crate) fn equilibria_of_rows<'py>(
     py: Python<'py>,
@@ -154,7 +154,7 @@ impl Found {
     }
 }
 
-/// A contact of no equilibrium.
+/// State of a contact in a row without an equilibrium.
 const UNKNOWN: u8 = 255;
 
 /// The number of a state in `grasp_lcp.ContactState`.
@@ -169,7 +169,7 @@ fn code_of<const C: usize>(state: &ContactState<C>) -> u8 {
     }
 }
 
-/// What is wrong with a row.
+/// Status of a row that the crate refuses.
 fn status_of(error: &Error) -> Status {
     if has_nan(error) { Status::NotANumber } else { Status::Malformed }
 }

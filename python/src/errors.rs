@@ -1,4 +1,4 @@
-//! Malformed input, as an exception that names the argument.
+//! Converts errors of the crate to exceptions that name the Python argument.
 
 use std::fmt::Display;
 
@@ -7,7 +7,7 @@ use grasp_lcp::{Error, Field};
 use pyo3::PyErr;
 use pyo3::exceptions::PyValueError;
 
-/// A `ValueError` with the argument, where in it, the value, and what is allowed.
+/// A `ValueError` with the argument, the index in it, the value, and the allowed values.
 pub(crate) fn refused(error: Error) -> PyErr {
     PyValueError::new_err(match error {
         Error::Contact { contact, field, value, allowed } => {
@@ -38,23 +38,23 @@ pub(crate) fn refused(error: Error) -> PyErr {
     })
 }
 
-/// A `ValueError` with a message that says all.
+/// A `ValueError` with a complete message.
 pub(crate) fn wrong(message: impl Display) -> PyErr {
     PyValueError::new_err(message.to_string())
 }
 
-/// Whether the number that is refused is NaN, which stands for data that are missing.
+/// Whether the refused number is NaN, which marks missing data.
 pub(crate) fn has_nan(error: &Error) -> bool {
     matches!(error, Error::Contact { value, .. } | Error::Wrench { value, .. } if value.is_nan())
 }
 
-/// A number for people: one of sixty digits by its exponent.
+/// A number in a message; very large and very small ones have an exponent.
 pub(crate) fn shown(value: f64) -> String {
     let plain = value == 0.0 || !value.is_finite() || (1e-5..1e16).contains(&value.abs());
     if plain { value.to_string() } else { format!("{value:e}") }
 }
 
-/// The argument that has this field of all contacts.
+/// The Python argument that holds this field of all contacts.
 fn argument(field: Field) -> &'static str {
     match field {
         Field::Point => "points",
@@ -75,7 +75,7 @@ fn argument(field: Field) -> &'static str {
     }
 }
 
-/// The argument that the crate calls so.
+/// The Python argument for a name that the crate uses in its errors.
 fn named(what: &'static str) -> &'static str {
     match what {
         "load direction" => "direction",
@@ -92,7 +92,7 @@ fn named(what: &'static str) -> &'static str {
     }
 }
 
-/// What serde says of a part of a scene; where in the text, nobody has written.
+/// The message of serde for a part of a scene, without line and column: they refer to a text that the package made, not the caller.
 pub(crate) fn of_json(argument: &str, error: &serde_json::Error) -> PyErr {
     let message = error.to_string();
     let message = message.split(" at line ").next().unwrap_or(&message);

@@ -13,7 +13,7 @@ use crate::errors::wrong;
 use crate::onsets::ended;
 use crate::rows::{Asked, Rows, Status, by_size, status_of};
 
-/// Rows of numbers as `ScreenedGradients` has them, with factors in place of codes, and how each ended.
+/// Rows of numbers in the layout of `ScreenedGradients`, with the factor in place of its code, and the status of each row.
 struct Slopes {
     numbers: Vec<f64>,
     status: Vec<u8>,
@@ -21,7 +21,7 @@ struct Slopes {
 
 type Arrays<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<u8>>);
 
-/// Gradients of B grasps of two to five contacts under P loads: all loads for each grasp, or each its own.
+/// Gradients of B grasps of two to five contacts under P loads. Each grasp has its own load if `own`, else all loads.
 #[pyfunction]
 pub(crate) fn onset_gradients_of_rows<'py>(
     py: Python<'py>,
@@ -37,7 +37,7 @@ pub(crate) fn onset_gradients_of_rows<'py>(
     Ok((numbers.into_pyarray(py), status.into_pyarray(py)))
 }
 
-/// Gradients of the first slip.
+/// The question for gradients of the first slip.
 struct Gradients;
 
 impl Asked for Gradients {
@@ -86,7 +86,7 @@ impl<const C: usize> Rows<'_, C> {
                     }
                     Err(status) => slopes.status[place] = *status as u8,
                 },
-                // Malformed, or with springs that are no business of screening.
+                // Malformed contacts, or springs that screening does not support.
                 (Err(_), _) => {
                     let status =
                         Grasp::<C>::new(contacts).map_or_else(|error| status_of(&error), |_| Status::Unclear);

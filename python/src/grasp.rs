@@ -1,4 +1,4 @@
-//! A grasp, made once and asked often.
+//! The class `Grasp` of the native module.
 
 use std::sync::Arc;
 
@@ -19,7 +19,7 @@ use crate::pictures::Drawn;
 use crate::quality::Quality;
 use crate::watch::{Watch, Watchable};
 
-/// The plane or space: what differs between them.
+/// Questions that a grasp answers, in the plane or in space.
 pub(crate) trait Held: Send + Sync {
     fn json(&self) -> PyResult<String>;
     fn axes(&self) -> usize;
@@ -32,7 +32,7 @@ pub(crate) trait Held: Send + Sync {
     fn watch(&self) -> PyResult<Watch>;
 }
 
-/// What an onset is asked along, as it was given.
+/// Direction, base load and changes of commands of an onset, as Python passes them.
 pub(crate) struct AskedRamp<'a, 'py> {
     direction: &'a Bound<'py, PyAny>,
     base: Option<&'a Bound<'py, PyAny>>,
@@ -60,7 +60,7 @@ impl<const C: usize> Kept<C> {
     }
 }
 
-/// The scene that a setup is of, and the answers that belong to it.
+/// Conversions of a setup to a scene of its kind, and of answers from it.
 pub(crate) trait InSpace: Sized {
     type Answer;
     fn in_space(self) -> Space;
@@ -87,12 +87,12 @@ impl InSpace for Setup<3> {
     }
 }
 
-/// Refuses a question that counts the weight of bodies twice. One that is no JSON is refused by who reads it next.
+/// Refuses a question that counts the weight of bodies twice. Text that is no JSON is refused by the parser that follows.
 fn once<const C: usize>(setup: &Setup<C>, question: &str, path: &str) -> PyResult<()> {
     setup.refuse_weight_twice(&serde_json::from_str(question).unwrap_or_default(), path).map_err(wrong)
 }
 
-/// One question through the scene room, which knows grasps with and without joints; the answer in JSON.
+/// Asks one question through the scene room, which supports joints and several bodies. Returns the answer in JSON.
 fn asked<const C: usize>(setup: &Setup<C>, question: Question<C>) -> PyResult<String>
 where
     Setup<C>: InSpace<Answer = Answer<C>>,
@@ -180,19 +180,19 @@ where
     }
 }
 
-/// Contacts, or a hand, that hold an object; see `grasp_lcp.Grasp`.
+/// A grasp by contacts or by a hand; see `grasp_lcp.Grasp`.
 #[pyclass(frozen, module = "grasp_lcp._grasp_lcp")]
 pub(crate) struct Grasp {
     held: Arc<dyn Asked>,
 }
 
-/// All that is asked of a grasp.
+/// All questions of a grasp.
 pub(crate) trait Asked: Held + Quality {}
 impl<T: Held + Quality> Asked for T {}
 
 #[pymethods]
 impl Grasp {
-    /// The grasp of the contacts in the first row of some columns.
+    /// The grasp of the contacts in the first row of the columns.
     #[staticmethod]
     fn of_columns(
         columns: GivenColumns<'_>,
@@ -209,7 +209,7 @@ impl Grasp {
         })
     }
 
-    /// The grasp of a scene; its questions are left out.
+    /// The grasp of a scene. Questions of the scene are ignored.
     #[staticmethod]
     fn of_json(text: &str) -> PyResult<Self> {
         let scene = Scene::from_json(text.as_bytes()).map_err(wrong)?;
@@ -311,7 +311,7 @@ impl Grasp {
     }
 }
 
-/// A setup of which nothing is asked.
+/// The setup without its questions.
 fn alone<const C: usize>(mut setup: Setup<C>) -> Setup<C> {
     setup.questions.clear();
     setup
@@ -324,7 +324,7 @@ pub(crate) fn answers_of_scene(py: Python<'_>, text: &str) -> PyResult<String> {
     json(&py.detach(|| scene.answers()).map_err(refused)?)
 }
 
-/// What a grasp has beside its contacts.
+/// Data of a grasp besides its contacts.
 struct Beside<'py> {
     names: Vec<Option<String>>,
     outline: Option<PyReadonlyArray2<'py, f64>>,

@@ -1,4 +1,4 @@
-//! What is kept of a grasp between questions.
+//! Data of a grasp that are kept between questions.
 
 use std::sync::Arc;
 
@@ -6,7 +6,7 @@ use grasp_lcp::Error;
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::scene::Setup;
 
-/// What is kept of a grasp: its scene without questions, and the grasp itself unless joints hold it or bodies are several.
+/// The scene of a grasp without its questions, and the grasp itself. `grasp` is `None` for a hand with joints and for several bodies.
 pub(crate) struct Kept<const C: usize> {
     pub(crate) setup: Setup<C>,
     pub(crate) grasp: Option<Grasp<C>>,
@@ -19,7 +19,7 @@ impl<const C: usize> Kept<C> {
         Ok(Arc::new(Self { setup, grasp }))
     }
 
-    /// The grasp, for questions that know several bodies and no joints.
+    /// The grasp, for questions that support several bodies but no joints.
     pub(crate) fn without_hand(&self, question: &'static str) -> Result<Grasp<C>, Error> {
         if !self.setup.bodies.is_empty() {
             return self.setup.grasp();
@@ -27,7 +27,7 @@ impl<const C: usize> Kept<C> {
         self.without_joints(question).cloned()
     }
 
-    /// The grasp, for questions that know neither joints nor several bodies.
+    /// The grasp, for questions that support neither joints nor several bodies.
     pub(crate) fn without_joints(&self, question: &'static str) -> Result<&Grasp<C>, Error> {
         self.grasp.as_ref().ok_or(Error::NotForHands { question })
     }

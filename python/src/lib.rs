@@ -1,7 +1,7 @@
-//! What Python sees of grasp-lcp: the module `_grasp_lcp`, which the package `grasp_lcp` gives names, types and docs.
+//! The native module `_grasp_lcp` of the Python package `grasp_lcp`. The package adds names, types and docs.
 //!
-//! Numbers come as arrays, answers go as JSON in the format of [`grasp_lcp::scene`]; what is read of them is decided in Python. Nothing
-//! here knows mechanics. Whatever is malformed is a `ValueError` or a `TypeError` that names the argument.
+//! Numbers are passed as arrays, answers as JSON in the format of [`grasp_lcp::scene`]. The package decides which parts of an answer it reads.
+//! This crate contains no mechanics. Malformed input is a `ValueError` or a `TypeError` that names the argument.
 
 use pyo3::prelude::*;
 

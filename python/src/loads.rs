@@ -1,4 +1,4 @@
-//! Loads as Python gives them: an array, a list or a tuple of a force alone, or of a force and a moment.
+//! Reads loads from Python: an array, a list or a tuple of a force alone, or of a force and a moment.
 
 use grasp_lcp::grasp::Wrench;
 use numpy::{PyArray1, PyArrayDescrMethods, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods};
@@ -8,10 +8,10 @@ use pyo3::types::PyString;
 
 use crate::errors::wrong;
 
-/// More numbers than any load has.
+/// The most numbers that a load has: force and moment in space.
 const MOST: usize = 6;
 
-/// A load of `C` components of a force (N), or of all with the moment about the origin (N m).
+/// Reads a load: `C` components of a force (N), or all components with the moment about the origin (N m).
 pub(crate) fn wrench<const C: usize>(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<Wrench<C>> {
     let (numbers, count) = few(argument, given)?;
     let all = C * (C + 1) / 2;
@@ -24,7 +24,7 @@ pub(crate) fn wrench<const C: usize>(argument: &str, given: &Bound<'_, PyAny>) -
     Ok(Wrench::from_components(&numbers[..count]))
 }
 
-/// A point of `C` coordinates, m.
+/// Reads a point of `C` coordinates, m.
 pub(crate) fn point<const C: usize>(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<[f64; C]> {
     let (numbers, count) = few(argument, given)?;
     if count != C {
@@ -33,7 +33,7 @@ pub(crate) fn point<const C: usize>(argument: &str, given: &Bound<'_, PyAny>) ->
     Ok(std::array::from_fn(|k| numbers[k]))
 }
 
-/// The first few numbers of what is given, and how many there are; one more than room stands for any number more.
+/// The first [`MOST`] numbers of the argument, and their count; a count of `MOST + 1` means more than `MOST` numbers.
 fn few(argument: &str, given: &Bound<'_, PyAny>) -> PyResult<([f64; MOST], usize)> {
     let mut numbers = [0.0; MOST];
     if let Ok(array) = given.cast::<PyArray1<f64>>() {

@@ -13,7 +13,7 @@ use crate::columns::GivenColumns;
 use crate::errors::wrong;
 use crate::rows::{Asked, CHUNK, Rows, Status, by_size, status_of};
 
-/// Answers of some rows, load by load within each.
+/// Flat arrays of answers for some rows, load by load within each row.
 struct Found {
     factor: Vec<f64>,
     status: Vec<u8>,
@@ -22,7 +22,7 @@ struct Found {
 
 type Arrays<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<u8>>, Bound<'py, PyArray1<bool>>);
 
-/// Factors, states and leaving contacts of B grasps under P loads: all loads for each grasp, or each its own.
+/// Factors, statuses and leaving contacts of B grasps under P loads. Each grasp has its own load if `own`, else all loads.
 #[pyfunction]
 pub(crate) fn onsets_of_rows<'py>(
     py: Python<'py>,
@@ -39,7 +39,7 @@ pub(crate) fn onsets_of_rows<'py>(
     Ok((factor.into_pyarray(py), status.into_pyarray(py), leaving.into_pyarray(py)))
 }
 
-/// Factors of the first slip.
+/// The question for factors of the first slip.
 struct Onsets;
 
 impl Asked for Onsets {
@@ -55,7 +55,7 @@ impl Asked for Onsets {
 }
 
 impl<const C: usize> Rows<'_, C> {
-    /// Every row by what answers some of them.
+    /// Answers of all rows, with `answer` applied to chunks of rows in parallel.
     fn each(&self, answer: impl Fn(Range<usize>) -> Found + Sync + Send) -> Found {
         let rows = self.columns.rows();
         let mut parts = self.in_chunks(answer).into_iter();
@@ -77,12 +77,12 @@ impl<const C: usize> Rows<'_, C> {
         Found::unclear(rows * each, self.columns.contacts())
     }
 
-    /// Grasps of `N` contacts, screened side by side.
+    /// Screens all rows, as grasps of `N` contacts.
     fn screened<const D: usize, const N: usize>(&self) -> Found {
         self.each(|rows| self.screen::<D, N>(rows))
     }
 
-    /// Grasps of any number of contacts, one by one.
+    /// Answers all rows by the full method, one grasp after the other, for any number of contacts.
     fn whole(&self) -> Found {
         self.each(|rows| {
             let mut found = self.found(rows.len());
@@ -119,7 +119,7 @@ impl<const C: usize> Rows<'_, C> {
         }
         self.scatter(&batch, &asked, &screened, &mut found);
         for row in left {
-            // Malformed, or with springs that are no business of screening: the whole method knows.
+            // Malformed contacts, or springs that screening does not support: the full method answers or names the fault.
             self.ask_whole(row, &mut found, (row - first) * each, |_| true);
         }
         if self.complete {
@@ -133,7 +133,7 @@ impl<const C: usize> Rows<'_, C> {
         found
     }
 
-    /// The answers of a batch to where their rows and loads have them.
+    /// Copies the answers of a batch to the places of their rows and loads. `screened` has the row of each grasp in the batch.
     fn scatter<const D: usize, const N: usize>(
         &self,
         batch: &Batch<D, C, N>,
@@ -158,7 +158,7 @@ impl<const C: usize> Rows<'_, C> {
         }
     }
 
-    /// The onsets of one row by the whole method, where it is wanted, from the given place on.
+    /// Answers the loads of one row by the full method where `wanted` accepts the present status. The answers begin at `place`.
     fn ask_whole(&self, row: usize, found: &mut Found, place: usize, wanted: impl Fn(u8) -> bool) {
         let contacts = (0..self.columns.contacts()).map(|i| self.columns.contact::<C>(row, i));
         let grasp = Grasp::<C>::new(contacts);
@@ -218,7 +218,7 @@ impl Found {
     }
 }
 
-/// How screening ended, with the factor.
+/// Status and factor of a screened row.
 #[inline]
 pub(crate) fn ended(answer: &Screened) -> (Status, f64) {
     match answer.verdict() {

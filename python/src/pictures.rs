@@ -7,11 +7,11 @@ use pyo3::PyResult;
 use crate::errors::{refused, wrong};
 use crate::kept::Kept;
 
-/// What is drawn in the plane and in space.
+/// Pictures of a grasp, in the plane and in space.
 pub(crate) trait Drawn<const C: usize> {
     /// The grasp with its forces, as SVG.
     fn svg(&self, state: &Equilibrium<C>, title: &str) -> PyResult<String>;
-    /// The same as a page to turn; there is none in the plane.
+    /// The grasp with its forces as a page whose view can be rotated; `None` in the plane.
     fn page(&self, state: &Equilibrium<C>, title: &str) -> PyResult<Option<String>>;
 }
 

@@ -1,4 +1,4 @@
-//! What contacts could hold, how much squeeze suffices, and which direction is weakest.
+//! Force and form closure, load limits, least squeeze and weakest direction.
 
 use grasp_lcp::grasp::{BodyMotion, Wrench};
 use grasp_lcp::load_path::{Leaver, Turn};
@@ -15,7 +15,7 @@ use crate::loads::{point, wrench};
 
 type Given<'a, 'py> = Option<&'a Bound<'py, PyAny>>;
 
-/// Questions about a grasp as it could be pressed; answers in JSON, in the manner of scenes.
+/// Questions about closure, limits and squeeze of a grasp. Answers are JSON in the style of scenes.
 pub(crate) trait Quality {
     fn closure(&self, friction: bool) -> PyResult<String>;
     fn ball(&self, py: Python<'_>, budget: f64, each: bool) -> PyResult<String>;
@@ -180,7 +180,7 @@ fn text(value: &Value) -> PyResult<String> {
     serde_json::to_string(value).map_err(wrong)
 }
 
-/// A number, or the word that scenes have for one that JSON cannot write.
+/// A number, or the word of the scene format for a number that JSON cannot express.
 fn number(x: f64) -> Value {
     match x {
         _ if x.is_finite() => x.into(),

@@ -1,4 +1,4 @@
-//! Rows of grasps and their loads: what batches have in common.
+//! Rows of grasps with their loads, shared by batches of onsets and of gradients.
 
 use std::ops::Range;
 
@@ -11,10 +11,10 @@ use numpy::ndarray::ArrayView2;
 use crate::columns::Columns;
 use crate::errors::has_nan;
 
-/// Grasps that a thread takes at once: so many stay in its cache from being read to being screened.
+/// Grasps in one task of a thread. This number stays in the cache of a core from reading to screening.
 pub(crate) const CHUNK: usize = 2048;
 
-/// How a row ends; `grasp_lcp.OnsetStatus` has the numbers.
+/// Outcome of a row; the numbers are those of `grasp_lcp.OnsetStatus`.
 #[derive(Clone, Copy, PartialEq)]
 #[repr(u8)]
 pub(crate) enum Status {
@@ -29,18 +29,18 @@ pub(crate) enum Status {
     Malformed,
 }
 
-/// What is asked of rows: compiled for each size that screening has.
+/// A question about rows, compiled for each size that screening supports.
 pub(crate) trait Asked {
     type Answer;
 
-    /// Of grasps with `D` coordinates and `N` contacts.
+    /// Answers for grasps of `D` coordinates and `N` contacts.
     fn screened<const D: usize, const C: usize, const N: usize>(rows: &Rows<'_, C>) -> Self::Answer;
 
-    /// Of grasps of any other number of contacts.
+    /// Answers for grasps of any other number of contacts; `None` if the question does not support them.
     fn whole<const C: usize>(rows: &Rows<'_, C>) -> Option<Self::Answer>;
 }
 
-/// The answers to what is asked; `None` where nothing answers for contacts of that many axes or so many of them.
+/// Dispatches question `A` on axes and number of contacts. `None` if it supports no grasps of this size.
 pub(crate) fn by_size<'a, A: Asked>(
     columns: &'a Columns<'a>,
     loads: (&ArrayView2<'_, f64>, &ArrayView2<'_, f64>),
@@ -64,14 +64,14 @@ pub(crate) fn by_size<'a, A: Asked>(
     }
 }
 
-/// Loads on grasps, row by row.
+/// Rows of grasps with their loads.
 pub(crate) struct Rows<'a, const C: usize> {
     pub(crate) columns: &'a Columns<'a>,
     pub(crate) loads: Vec<[Wrench<C>; 2]>,
     pub(crate) pulls: Vec<Result<Pull<C>, Status>>,
-    /// Whether each row has its own load.
+    /// Whether row k has load k alone, in place of all loads.
     pub(crate) own: bool,
-    /// Whether the method of the whole answers what screening leaves open.
+    /// Whether the full method answers rows that screening leaves open.
     pub(crate) complete: bool,
 }
 
@@ -92,12 +92,12 @@ impl<'a, const C: usize> Rows<'a, C> {
         Self { columns, loads, pulls, own, complete }
     }
 
-    /// Loads of a row.
+    /// Indices of the loads of a row.
     pub(crate) fn of_row(&self, row: usize) -> Range<usize> {
         if self.own { row..row + 1 } else { 0..self.loads.len() }
     }
 
-    /// What comes of some rows at once.
+    /// Applies `answer` to chunks of rows in parallel, and returns the results in order.
     pub(crate) fn in_chunks<T: Send>(&self, answer: impl Fn(Range<usize>) -> T + Sync + Send) -> Vec<T> {
         let rows = self.columns.rows();
         let chunks: Vec<_> = (0..rows).step_by(CHUNK).map(|first| first..rows.min(first + CHUNK)).collect();
@@ -105,7 +105,7 @@ impl<'a, const C: usize> Rows<'a, C> {
     }
 }
 
-/// What is wrong with a row.
+/// Status of a row that the crate refuses.
 pub(crate) fn status_of(error: &Error) -> Status {
     if has_nan(error) { Status::NotANumber } else { Status::Malformed }
 }

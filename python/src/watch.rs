@@ -1,4 +1,4 @@
-//! A watch over measured contact forces of one grasp, made once for a control loop.
+//! A watch over measured contact forces of one grasp, for a control loop.
 
 use grasp_lcp::Error;
 use grasp_lcp::grasp::Contact;
@@ -11,10 +11,10 @@ use crate::errors::{refused, shown, wrong};
 use crate::loads::wrench;
 use crate::onsets::ended;
 
-/// Margin and its contact; how the first slip ended, its factor and contacts; the squeeze that suffices.
+/// Margin (N) and its contact; status, factor and contacts of the first slip; the least increase of the squeeze that suffices.
 type Told = (f64, usize, u8, f64, Vec<usize>, Option<f64>);
 
-/// Fingers of any number and axes.
+/// A watch for any number of fingers and axes.
 trait Watches: Send + Sync {
     fn look(&self, forces: &ArrayView2<'_, f64>, to_come: &Bound<'_, PyAny>) -> PyResult<Watched>;
 }
@@ -51,7 +51,7 @@ impl Watch {
     }
 }
 
-/// Contacts of the plane or of space, two to five of which are watched.
+/// Contacts of the plane or of space, of which two to five can be watched.
 pub(crate) trait Watchable: Sized {
     fn watch(contacts: &[Self]) -> PyResult<Watch>;
 }

@@ -1,4 +1,4 @@
-//! Parts of answers in words, as the crate has them: Python reads a part as JSON, and has it told here.
+//! Words of the crate for parts of answers. Python holds a part as JSON and passes it back for its description.
 
 use grasp_lcp::equilibrium::{ContactAnswer, Equilibrium, JointAnswer, Proof, TendonAnswer};
 use grasp_lcp::grasp::Wrench;
@@ -10,19 +10,19 @@ use serde::de::DeserializeOwned;
 
 use crate::errors::of_json;
 
-/// A part of an answer in words, from its JSON; `axes` are those of a contact.
+/// The description of a part of an answer, from its JSON. `axes` is the number of axes of a contact.
 #[pyfunction]
 pub(crate) fn words_of(kind: &str, text: &str, axes: usize) -> PyResult<String> {
     if axes == 2 { part::<2>(kind, text) } else { part::<3>(kind, text) }
 }
 
-/// Six digits, without a minus before zero.
+/// A number with six digits, and zero without a minus sign.
 #[pyfunction]
 pub(crate) fn words_of_number(number: f64) -> String {
     Words::default().number(number)
 }
 
-/// A name with its control characters written out.
+/// A name with its control characters escaped.
 #[pyfunction]
 pub(crate) fn words_of_name(name: &str) -> String {
     printable(name).into_owned()
@@ -57,7 +57,7 @@ fn read<T: DeserializeOwned>(kind: &str, text: &str) -> PyResult<T> {
     serde_json::from_str(text).map_err(|error| of_json(kind, &error))
 }
 
-/// Who stops sticking.
+/// Contacts and drives that leave at an onset, in words.
 fn leaving<const C: usize>(contacts: &[WholeChange<C>], drives: &[PartChange]) -> String {
     let drives = drives.iter().map(|drive| format!("{} {}", drive.part.text(), drive.what));
     contacts.iter().map(ToString::to_string).chain(drives).collect::<Vec<_>>().join(", ")

@@ -246,6 +246,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             is_gross_slip: everything_slides,
             falls_at_once: false,
             then_takes: None,
+            snaps: false,
             drives: Vec::new(),
             motion: None,
             state: state.map(Box::new),

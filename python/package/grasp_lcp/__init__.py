@@ -7,10 +7,10 @@
     >>> grasp.onset([0, -4.905])
     <Onset at factor 1.63099: contact 0 slides over the object along +y, contact 1 slides over the object along +y>
 
-One grasp: :class:`Grasp`. Many at once: :func:`onsets`, :func:`onset_gradients`, :func:`solve_batch`; for those who learn :mod:`grasp_lcp.torch`
-and :mod:`grasp_lcp.jax`, which are imported only when asked for. Problems by themselves: :mod:`grasp_lcp.lcp`,
-:mod:`grasp_lcp.friction`. "No equilibrium exists" is an answer, never an exception; malformed input is a ``ValueError`` or a ``TypeError``
-that names the argument.
+One grasp: :class:`Grasp`. Batches of grasps: :func:`onsets`, :func:`onset_gradients`, :func:`solve_batch`. Differentiable layers:
+:mod:`grasp_lcp.torch` and :mod:`grasp_lcp.jax`, which the package imports only on request. Complementarity and frictional contact problems
+without a grasp: :mod:`grasp_lcp.lcp`, :mod:`grasp_lcp.friction`. "No equilibrium exists" is an answer, never an exception; malformed input
+is a ``ValueError`` or a ``TypeError`` that names the argument.
 """
 
 from . import friction, lcp

@@ -1,4 +1,4 @@
-"""Several bodies from arrays, as scenes write them."""
+"""Converts arrays of several bodies to the format of scenes."""
 
 from __future__ import annotations
 
@@ -19,7 +19,12 @@ def bodies_in_scene(
     given: Mapping[str, Any],
     beside: Mapping[str, Any],
 ) -> None:
-    """Puts bodies into a scene: ``on`` and ``against`` of its contacts, what each body has, and what stands beside them."""
+    """Writes bodies into ``scene``.
+
+    :param sides: ``on`` and ``against``: the body on each side of every contact, by name or number.
+    :param given: data of the bodies, one value or row a body: mass, centre of mass, load.
+    :param beside: data of the scene that belong to all bodies: gravity, the loaded body, links.
+    """
     told = listed("names", [names] if isinstance(names, str) else names, "the names of the bodies")
     for index, name in enumerate(told):
         if not isinstance(name, str):
@@ -39,7 +44,7 @@ def bodies_in_scene(
 
 
 def _called(field: str, given: Any, names: Sequence[str], contacts: int) -> list[str | None]:
-    """The bodies of all contacts by name: names, or their numbers from 0; None or -1 is the ground."""
+    """The name of the body of each contact, from names or numbers counted from 0. The ground, given as None or -1, becomes None."""
     each = listed(field, given.tolist() if isinstance(given, np.ndarray) else given, "a body for each contact")
     if isinstance(given, str) or len(each) != contacts:
         raise ValueError(f"{field}: {1 if isinstance(given, str) else len(each)} given, must be {contacts}, one a contact")
@@ -57,7 +62,7 @@ def _called(field: str, given: Any, names: Sequence[str], contacts: int) -> list
 
 
 def _of_each(field: str, given: ArrayLike, bodies: int, axes: int) -> list[Any]:
-    """One number or row a body."""
+    """Broadcasts ``given`` to one number or one row a body; loads become mappings of force and moment."""
     if field == "load":
         each = listed(field, given, "a load for each body")
         if len(each) != bodies:

@@ -1,4 +1,4 @@
-"""Contacts from arrays: whatever broadcasts, checked by name, as the native side reads it."""
+"""Converts arrays of contacts to the columns that the native side reads. Arrays that broadcast are accepted; errors name the argument."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ HOLDS = {"unilateral": 0, "kept_closed": 1, "bonded": 2}
 
 
 def floats(name: str, given: ArrayLike) -> Array:
-    """Numbers of any kind as double precision; masked ones are NaN."""
+    """Converts integers and floating-point numbers to double precision; masked entries become NaN."""
     try:
         found = np.asarray(given)
     except ValueError:
@@ -30,14 +30,14 @@ def floats(name: str, given: ArrayLike) -> Array:
 
 
 def _kind(found: np.ndarray[Any, Any]) -> str:
-    """What is given in place of numbers, for people."""
+    """A description of the non-numeric input, for an error message."""
     if found.dtype.kind == "O":
         return repr(next((item for item in found.flat if not isinstance(item, (int, float))), None))
     return {"U": "text", "S": "bytes", "c": "complex numbers", "b": "booleans"}.get(found.dtype.kind, str(found.dtype))
 
 
 def finite(name: str, given: ArrayLike) -> Array:
-    """Numbers that are written as JSON, which has only finite ones."""
+    """Converts numbers to double precision and refuses values that are not finite, because JSON cannot express them."""
     found = floats(name, given)
     bad = np.argwhere(~np.isfinite(found))
     if len(bad):
@@ -48,7 +48,7 @@ def finite(name: str, given: ArrayLike) -> Array:
 
 
 def listed(name: str, given: Any, what: str) -> list[Any]:
-    """What can be gone through."""
+    """Converts an iterable to a list; the ``TypeError`` says that the argument must be ``what``."""
     try:
         return list(given)
     except TypeError:
@@ -62,7 +62,7 @@ def _stiffness(name: str, given: ArrayLike, axes: int) -> Array:
     if found.shape[-1] == axes:
         return found
     if found.shape[-1] == 2:
-        # Normal and tangential, the same along both tangents.
+        # Normal and tangential stiffness; both tangents share the second.
         return found[..., [0, 1, 1]]
     sizes = "2" if axes == 2 else "2 or 3"
     raise ValueError(f"{name}: shape {found.shape} given, must be one number or end in {sizes}, normal first")
@@ -95,7 +95,10 @@ def columns(
     hold: str | Sequence[str],
     **others: ArrayLike | None,
 ) -> tuple[tuple[int, ...], dict[str, Any]]:
-    """The leading shape of the grasps, and all columns broadcast to rows of grasps by contacts (by axes)."""
+    """The batch shape of the grasps, and all columns broadcast to it.
+
+    Columns have shape (grasps, contacts) for scalars and (grasps, contacts, axes) for vectors; ``hold`` has one code a contact.
+    """
     given: dict[str, Array | None] = {"points": _vectors("points", points, axes)}
     if given["points"] is None or given["points"].ndim < 2:
         raise ValueError(f"points: shape {np.shape(points)} given, must be (..., n, {axes})")
@@ -142,7 +145,7 @@ def columns(
 
 
 def plain(name: str, given: Any) -> Any:
-    """A load or a turn as it is written in JSON: mappings as they are, arrays as lists of finite numbers."""
+    """Converts a load or a turn to JSON data: mappings key by key, arrays to lists of finite numbers."""
     if isinstance(given, Mapping):
         return {key: plain(f"{name}[{key!r}]", value) for key, value in given.items()}
     if isinstance(given, (str, bool)):
@@ -151,7 +154,7 @@ def plain(name: str, given: Any) -> Any:
 
 
 def as_written(name: str, given: Any) -> Any:
-    """A part of a contact as scenes write it; whole numbers stay whole."""
+    """Converts a part of a contact to the format of scenes; integers stay integers."""
     if isinstance(given, Mapping):
         return {key: as_written(f"{name}[{key!r}]", value) for key, value in given.items()}
     if isinstance(given, (list, tuple)):
@@ -162,7 +165,7 @@ def as_written(name: str, given: Any) -> Any:
 
 
 def one_each(name: str, given: Any, contacts: int) -> list[Any]:
-    """One for each contact: what is given for all, or a list of one or none each."""
+    """A list with one entry a contact: a single value is repeated, a list must have one value or None a contact."""
     if isinstance(given, (Mapping, str)) or np.ndim(given) == 0:
         return [given] * contacts
     each = listed(name, given, "one for all contacts, or a list of one each")
@@ -172,7 +175,7 @@ def one_each(name: str, given: Any, contacts: int) -> list[Any]:
 
 
 def wrench_json(name: str, given: Any, axes: int) -> Any:
-    """A load as scenes write it, from a mapping or from an array of a force, or of a force and a moment."""
+    """Converts a load to the format of scenes, from a mapping or from an array of a force, or of a force and a moment."""
     if isinstance(given, Mapping):
         return plain(name, given)
     numbers = finite(name, given)
@@ -186,5 +189,5 @@ def wrench_json(name: str, given: Any, axes: int) -> Any:
 
 
 def dumped(value: Any) -> str:
-    """JSON without words that JSON has not."""
+    """JSON text; refuses NaN and infinities, which Python would write as words that JSON does not have."""
     return json.dumps(value, allow_nan=False)

@@ -1,4 +1,7 @@
-"""What :mod:`grasp_lcp.torch` and :mod:`grasp_lcp.jax` share: factors and derivatives, with commands that stay along the coordinate axes."""
+"""Factors and derivatives for :mod:`grasp_lcp.torch` and :mod:`grasp_lcp.jax`.
+
+Commands are along the coordinate axes; they stay constant when normals change.
+"""
 
 from __future__ import annotations
 
@@ -11,10 +14,10 @@ from .batch import onsets
 from .gradients import onset_gradients
 
 SECOND = "onset_factor has no second derivatives: its factor is smooth only piece by piece, and its gradient is exact as it is"
-"""Why a second backward pass is refused."""
+"""Message with which a second backward pass is refused."""
 
 Hold = str | Sequence[str]
-"""As :func:`grasp_lcp.onsets` has it."""
+"""The argument ``hold`` of :func:`grasp_lcp.onsets`."""
 
 
 def factors(data: Sequence[Array], hold: Hold) -> Array:
@@ -28,13 +31,13 @@ def factors(data: Sequence[Array], hold: Hold) -> Array:
 
 
 def factors_and_gradients(data: Sequence[Array], hold: Hold) -> list[Array]:
-    """Factors, and their derivatives by each of the data: zero where there is no factor, so that other rows of a batch go on."""
+    """Factors, and their derivatives by each array of ``data``. Rows without a factor have derivatives of zero, so that they do not spoil a sum."""
     points, normals, friction, stiffness, command, base, direction = data
     direction, base = _shared(direction, base)
     found = onset_gradients(
         points, normals, direction, base, friction=friction, series_stiffness=stiffness, command_world=command, hold=hold
     )  # fmt: skip
-    # Of frames that tilt the commands tilt along; these here stay.
+    # found.normals assumes that commands tilt with the contact frame. Here commands stay along the coordinate axes: subtract that part.
     by_command = found.command_world
     along = (command * normals).sum(axis=-1, keepdims=True)
     pressed = (by_command * normals).sum(axis=-1, keepdims=True)
@@ -55,7 +58,7 @@ def _leading(data: Sequence[Array]) -> tuple[int, ...]:
 
 
 def _shared(direction: Array, base: Array) -> tuple[Array, Array]:
-    """One load for all where all rows have the same: that is faster."""
+    """A single direction and base load if all rows have the same ones, because one load for all grasps is faster; else the arrays given."""
     rows = [load.reshape(-1, load.shape[-1]) for load in (direction, base)]
     if len(rows[0]) and all((load == load[:1]).all() for load in rows):
         return rows[0][0], rows[1][0]

@@ -1,4 +1,4 @@
-"""Answers as trees of the scene format, and what attributes make of them."""
+"""Base class of answers, and converters from the JSON data of the scene format to arrays."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ from ._grasp_lcp import words_of, words_of_name, words_of_number
 Array = NDArray[np.float64]
 Tree = dict[str, Any]
 
-# What scenes write for numbers that JSON has not.
+# Words of the scene format for numbers that JSON cannot express.
 _WORDS = {"infinite": float("inf"), "-infinite": float("-inf"), "not a number": float("nan")}
 
 ViewT = TypeVar("ViewT", bound="View")
 
 
 def number(value: Any) -> float:
-    """A number of the scene format, which may be a word."""
+    """Converts a number of the scene format, which may be a word for infinity or NaN."""
     return _WORDS[value] if isinstance(value, str) else float(value)
 
 
 def optional_number(value: Any) -> float | None:
-    """The same where it may be left out."""
+    """Converts a number of the scene format, or None if it is absent."""
     return None if value is None else number(value)
 
 
@@ -35,14 +35,14 @@ def _numbers(value: Any) -> Any:
 
 
 def array(value: Any) -> Array:
-    """An array nobody can change: an answer stays what it is."""
+    """A read-only array, so that an answer stays constant."""
     made = np.array(_numbers(value), dtype=np.float64)
     made.setflags(write=False)
     return made
 
 
 def rows(values: Iterable[Any], columns: int) -> Array:
-    """Rows of so many columns, be there none."""
+    """A read-only array of shape (rows, columns), also without any row."""
     made = np.array([_numbers(value) for value in values], dtype=np.float64).reshape(-1, columns)
     made.setflags(write=False)
     return made
@@ -53,32 +53,32 @@ def _joined(first: Any, second: Any) -> list[Any]:
 
 
 def load_of(tree: Mapping[str, Any]) -> Array:
-    """Force and moment in one row."""
+    """Force and moment of a load, joined to one row."""
     return array(_joined(tree["force"], tree["moment"]))
 
 
 def motion_of(tree: Mapping[str, Any]) -> Array:
-    """Translation and rotation in one row."""
+    """Translation and rotation of a motion, joined to one row."""
     return array(_joined(tree["translation"], tree["rotation"]))
 
 
 def motions_of(trees: Iterable[Mapping[str, Any]], columns: int) -> Array:
-    """Motions, one a row."""
+    """Motions, one a row, shape (k, columns)."""
     return rows((_joined(tree["translation"], tree["rotation"]) for tree in trees), columns)
 
 
 def short(values: Iterable[float]) -> str:
-    """Numbers for people: six digits, in brackets."""
+    """Numbers in brackets for a ``repr``, with six digits."""
     return "(" + ", ".join(words_of_number(value) for value in values) + ")"
 
 
 def label_of(tree: Mapping[str, Any], kind: str) -> str:
-    """What people call a contact, a joint or a tendon: its name as it may be printed, or what it is and its number."""
+    """The label of a contact, a joint or a tendon: its name with control characters escaped, or its kind and its number."""
     return words_of_name(str(tree["name"])) if tree.get("name") else f"{kind} {tree[kind]}"
 
 
 class View:
-    """A part of an answer. Two are equal if all their numbers are."""
+    """A part of an answer. Two views are equal if their types and all their data are equal."""
 
     def __init__(self, tree: Tree) -> None:
         self._own = tree
@@ -89,28 +89,28 @@ class View:
 
     @classmethod
     def from_dict(cls: type[ViewT], tree: Mapping[str, Any]) -> ViewT:
-        """The answer that :meth:`to_dict` has written."""
+        """Restores an answer from the dictionary that :meth:`to_dict` returned."""
         return cls.from_json(json.dumps(tree))
 
     @classmethod
     def from_json(cls: type[ViewT], text: str) -> ViewT:
-        """The answer that :meth:`to_json` has written."""
+        """Restores an answer from the text that :meth:`to_json` returned."""
         tree = json.loads(text)
         if not isinstance(tree, dict):
             raise ValueError(f"text: a {type(tree).__name__} of JSON given, must be an object")
         return cls(tree)
 
     def to_json(self) -> str:
-        """In JSON, in the format of scenes; numbers come back to the bit."""
+        """The answer as JSON text in the format of scenes. Reading it back gives the same bits of every number."""
         return json.dumps(self._tree)
 
     def to_dict(self) -> Tree:
-        """As a dictionary in the format of scenes, its own copy."""
+        """The answer as a new dictionary in the format of scenes."""
         tree: Tree = json.loads(self.to_json())
         return tree
 
     def _words(self, kind: str, axes: int) -> str:
-        """As the crate tells it to people."""
+        """The description that the crate prints for this part of an answer."""
         return words_of(kind, self.to_json(), axes)
 
     def __eq__(self, other: object) -> bool:

@@ -1,4 +1,4 @@
-"""Answers to what is asked of a grasp. They are read from the native side when an attribute is first asked for."""
+"""Answers to questions about a grasp. Their data are read from the native side when an attribute is first used."""
 
 from __future__ import annotations
 
@@ -17,22 +17,22 @@ AnswerT = TypeVar("AnswerT", bound="Answer")
 
 
 class Proof(View):
-    """Why no equilibrium exists, and how that is known."""
+    """The proof that no equilibrium exists."""
 
     @property
     def kind(self) -> str:
-        """``"free_motion"``, ``"separating_motion"``, ``"every_state_tried"`` or ``"every_case_contradicted"``."""
+        """Kind of proof: ``"free_motion"``, ``"separating_motion"``, ``"every_state_tried"`` or ``"every_case_contradicted"``."""
         return str(self._tree["proof"])
 
     @cached_property
     def motion(self) -> Array | None:
-        """Unit motion of the object that nothing resists, m and rad, shape (d,); None where states or cases were tried."""
+        """Unit motion of the object that no contact resists, m and rad, shape (d,); None for proofs by states or cases."""
         found = self._tree.get("motion")
         return None if found is None else motion_of(found)
 
     @property
     def work(self) -> float | None:
-        """Work of the load on that motion, positive, J."""
+        """Work of the load on the unit motion, positive, J; None without a motion."""
         return optional_number(self._tree.get("work"))
 
     def __repr__(self) -> str:
@@ -40,7 +40,7 @@ class Proof(View):
 
 
 def words_of_proof(tree: Tree) -> str:
-    """A proof as the crate tells it."""
+    """The sentence that the crate prints for a proof."""
     axes = len(tree["motion"]["translation"]) if "motion" in tree else 2
     return words_of("proof", json.dumps(tree), axes)
 
@@ -50,18 +50,19 @@ class Leaving(View):
 
     @property
     def contact(self) -> int:
-        """Its place among the contacts of the grasp, from 0."""
+        """Index among the contacts of the grasp, from 0."""
         return int(self._tree["contact"])
 
     @property
     def label(self) -> str:
-        """Its name, or what it is and its number."""
+        """Name of the contact, or "contact" and its index."""
         label = label_of(self._tree, "contact")
         return f"{label}, point {self._tree['point']}" if "point" in self._tree else label
 
     @property
     def how(self) -> str:
-        """``"slides"`` or ``"opens"``; on a path also ``"sticks"``, ``"reverses"``, ``"turns"``, ``"closes"``, ``"closes_sliding"``."""
+        """Change of the contact: ``"slides"`` or ``"opens"``. On a path also ``"sticks"``, ``"reverses"``, ``"turns"``, ``"closes"`` or
+        ``"closes_sliding"``."""
         return str(self._tree["how"] if "how" in self._tree else self._tree["what"])
 
     @cached_property
@@ -75,16 +76,16 @@ class Leaving(View):
 
 
 class Beyond(View):
-    """What comes just beyond an onset or the end of a path."""
+    """Behaviour just beyond an onset or the end of a path."""
 
     @property
     def what(self) -> str:
-        """``"continues"``, ``"limit_load"``, ``"snap"``, ``"ends"`` or ``"undecided"``."""
+        """Outcome: ``"continues"``, ``"limit_load"``, ``"snap"``, ``"ends"`` or ``"undecided"``."""
         return str(self._tree["what"])
 
     @property
     def states(self) -> tuple[str, ...]:
-        """What every contact does next, if it continues."""
+        """State of every contact next, if the equilibrium continues; else empty."""
         return tuple(str(tree["state"]) for tree in self._tree.get("states", ()))
 
     @cached_property
@@ -104,10 +105,10 @@ class Beyond(View):
 
 
 class Answer(View):
-    """An answer of a grasp. Its outcome comes first; what the outcome does not have is None."""
+    """An answer of a grasp. Read :attr:`outcome` first: quantities that do not belong to an outcome are None."""
 
     def __init__(self, told: Told | str | Tree) -> None:
-        # One attribute on the way of every call; the tree is made when it is read.
+        # Only one attribute is set in each call, for speed; the tree of data is made when it is read.
         self._told = told
 
     @cached_property
@@ -119,7 +120,7 @@ class Answer(View):
         return tree
 
     def to_json(self) -> str:
-        """In JSON, in the format of scenes; numbers come back to the bit."""
+        """The answer as JSON text in the format of scenes. Reading it back gives the same bits of every number."""
         told = self._told
         if isinstance(told, str):
             return told
@@ -127,25 +128,25 @@ class Answer(View):
 
     @property
     def outcome(self) -> str:
-        """How it ended, in the words of the scene format."""
+        """Outcome, in a word of the scene format."""
         told = self._told
         return told.outcome if isinstance(told, Told) else str(self._tree["outcome"])
 
     @cached_property
     def state(self) -> Equilibrium | None:
-        """The equilibrium that the answer speaks of, if there is one."""
+        """The equilibrium of the answer; None without one."""
         found = self._tree.get("state")
         return None if found is None else Equilibrium(found)
 
     @cached_property
     def proof(self) -> Proof | None:
-        """Why there is no equilibrium, where there is none."""
+        """The proof that no equilibrium exists; None without a proof."""
         found = self._tree if "proof" in self._tree else self._tree.get("reason")
         return None if found is None else Proof(found)
 
     @property
     def doubt(self) -> str | None:
-        """Why nothing could be said, of what is undecided."""
+        """The reason why the question is undecided; None for other outcomes."""
         found = self._tree.get("doubt")
         return None if found is None else str(found)
 
@@ -159,11 +160,11 @@ class Answer(View):
         return f"<{type(self).__name__}: {self._why()}>"
 
     def _repr_svg_(self) -> str | None:
-        """The grasp with its forces, for notebooks; None where there is no equilibrium, or the answer was read from JSON."""
+        """Picture of the grasp with its forces, for notebooks; None without an equilibrium, or if the answer was read from JSON."""
         return self._told.svg(self._title()) if isinstance(self._told, Told) else None
 
     def _repr_html_(self) -> str | None:
-        """A spatial grasp as a page to turn, for notebooks."""
+        """A page with a spatial grasp that can be rotated, for notebooks."""
         page = self._told.page(self._title()) if isinstance(self._told, Told) else None
         if page is None:
             return None
@@ -174,7 +175,7 @@ class Answer(View):
 
 
 class Sentence(Answer):
-    """An answer that is a sentence when it is printed."""
+    """An answer that prints as a sentence."""
 
     @property
     def says(self) -> str:
@@ -189,166 +190,168 @@ class Sentence(Answer):
 
 
 class Verdict(Sentence):
-    """The answer to "does it hold?", in print a sentence: ``"sticks"``, ``"slides"``, ``"loose"``, ``"lost"``, ``"no_rest"``, ``"undecided"``."""
+    """The answer to "does it hold?": ``"sticks"``, ``"slides"``, ``"loose"``, ``"lost"``, ``"no_rest"`` or ``"undecided"``. It prints as a
+    sentence."""
 
     @property
     def outcome(self) -> str:
-        """How it ended, in the words of the scene format."""
+        """Outcome, in a word of the scene format."""
         return str(self._tree["holding"])
 
     @property
     def holds(self) -> bool | None:
-        """Whether all of the load is held; None where that is not known."""
+        """Whether the grasp holds the whole load; None if undecided."""
         return None if self.outcome == "undecided" else self.outcome in ("sticks", "slides")
 
     @property
     def first_slip(self) -> float | None:
-        """How many times the load is on when the first contact stops sticking; None if none does as far as it was followed."""
+        """Multiple of the load at which the first contact stops sticking; None if all stick as far as the load was followed."""
         found = self._tree.get("first_slip")
         return None if found is None else number(found["factor"])
 
     @property
     def lost(self) -> float | None:
-        """How many times the load is on when it is lost, or its motions cease to be small; None if it is not as far as it was followed."""
+        """Multiple of the load at which equilibrium is lost or motions are no longer small; None if neither happens as far as it was followed."""
         found = self._tree.get("lost")
         return None if found is None else number(found["factor"])
 
     @property
     def everything_slides(self) -> float | None:
-        """How many times the load is on from where every contact with friction that presses slides; None where one sticks."""
+        """Multiple of the load from which every contact with friction that presses slides; None where one sticks."""
         found = self._tree.get("everything_slides")
         return None if found is None else number(found)
 
     @property
     def left_out(self) -> float | None:
-        """The part of what resists the motion that the squeeze takes (below 0) or adds as it turns with the object, left out by small motions; None up
-        to a tenth."""
+        """Share of the resistance to the motion that small motions leave out: the forces turn with the object and take from it (below 0) or
+        add to it. None up to a tenth."""
         found = self._tree.get("left_out")
         return None if found is None else number(found)
 
 
 class Shaken(Sentence):
-    """What becomes of a load that repeats: ``"rests"``, ``"dies_out"``, ``"alternates"``, ``"walks"``, ``"lost"``, ``"no_rest"`` or
-    ``"undecided"``; printed, it is a sentence."""
+    """Long-term behaviour under a load that repeats: ``"rests"``, ``"dies_out"``, ``"alternates"``, ``"walks"``, ``"lost"``, ``"no_rest"`` or
+    ``"undecided"``. It prints as a sentence."""
 
     @property
     def outcome(self) -> str:
-        """How it ended, in the words of the scene format."""
+        """Outcome, in a word of the scene format."""
         return str(self._tree["repeats"])
 
     @property
     def rests(self) -> bool | None:
-        """Whether the grasp comes to rest; None where that is not known."""
+        """Whether the grasp comes to rest, at least in the limit; None if undecided."""
         return None if self.outcome == "undecided" else self.outcome in ("rests", "dies_out")
 
     @property
     def stays(self) -> bool | None:
-        """Whether the object stays, contacts sliding to and fro under it or not; None where that is not known."""
+        """Whether the object stays: it comes to rest, or contacts slide to and fro for ever without moving it on. None if undecided."""
         return True if self.outcome == "alternates" else self.rests
 
     @property
     def cycles(self) -> int:
-        """How many cycles have passed until then."""
+        """Number of cycles until the outcome is reached."""
         return int(self._tree["cycles"])
 
     @property
     def every(self) -> int:
-        """After how many cycles everything repeats: one, but where friction is lower once contacts slide."""
+        """Period in cycles. It is one, unless friction falls once contacts slide."""
         return int(self._tree.get("every", 1))
 
 
 class Shakedown(Sentence):
-    """Whether a grasp comes to rest under loads that repeat in any order: ``"rests"``, ``"never_rests"``, ``"may_rest"`` where the order
-    decides, or ``"undecided"``; printed, it is a sentence."""
+    """Whether a grasp comes to rest under loads that repeat in any order: ``"rests"``, ``"never_rests"``, ``"may_rest"`` (the order decides) or
+    ``"undecided"``. It prints as a sentence."""
 
     @property
     def outcome(self) -> str:
-        """How it ended, in the words of the stream."""
+        """Outcome, in a word of the stream format."""
         words = {True: "rests", False: "never_rests", None: "may_rest"}
         return "undecided" if self.factor is None else words[self.rests]
 
     @property
     def rests(self) -> bool | None:
-        """Whether it comes to rest in any order; None where the order decides, or nothing is known."""
+        """Whether the grasp comes to rest whatever the order of the loads; None if the order decides or the question is undecided."""
         return self._tree.get("rests")
 
     @property
     def factor(self) -> float | None:
-        """Up to so many times the loads slips could keep everything from sliding; None where that is not known."""
+        """The largest multiple of the loads at which some slips keep all contacts from sliding; None if undecided."""
         found = self._tree.get("factor")
         return None if found is None else number(found)
 
     @property
     def slips_change_normal_forces(self) -> bool | None:
-        """Where slips do, the factor bounds what comes to rest; where they do not, it decides. None where that is not known."""
+        """Whether slips change normal forces; None if undecided. If they do not, the grasp rests for all multiples up to the factor; if they do, it
+        may not. Beyond the factor it never rests."""
         return self._tree.get("slips_change_normal_forces")
 
 
 class Needed(Sentence):
-    """How much of a quantity it takes: ``"bound"``, ``"any"``, ``"none"`` or ``"undecided"``; printed, it is a sentence."""
+    """The amount of a quantity that a grasp needs: ``"bound"``, ``"any"``, ``"none"`` or ``"undecided"``. It prints as a sentence."""
 
     @property
     def outcome(self) -> str:
-        """How it ended, in the words of the scene format."""
+        """Outcome, in a word of the scene format."""
         return str(next(iter(self._tree["amount"])))
 
     @property
     def amount(self) -> float | None:
-        """The amount that does: a multiple of the squeeze or load given, a coefficient, m or rad; None unless there is a bound."""
+        """The amount that suffices: a multiple of the given squeeze or load, a friction coefficient, m or rad. None unless the outcome is a bound."""
         found = self._tree["amount"].get("bound")
         return None if found is None else number(found["does"])
 
     @property
     def until(self) -> float | None:
-        """Where amounts from there on do no longer, as with a squeeze beyond the limit of a motor; None if they do as far as was looked."""
+        """The last amount that suffices before larger ones fail, as a squeeze beyond the limit of a motor does; None if none was found to fail."""
         found = (self._tree["amount"].get("bound") or {}).get("until")
         return None if found is None else number(found["does"])
 
     @property
     def safe(self) -> float | None:
-        """The same where friction and squeeze are less than said."""
+        """The amount that suffices with reduced friction and squeeze; None unless that outcome is a bound."""
         found = (self._tree.get("safe") or {}).get("bound")
         return None if found is None else number(found["does"])
 
     @property
     def presses(self) -> tuple[float, ...]:
-        """Of a squeeze: what each contact presses with at rest, N."""
+        """Normal force of each contact at rest under the squeeze found, N; empty for other quantities."""
         found = self._tree["amount"].get("bound") or {}
         return tuple(number(press["force"]) for press in found.get("presses", ()))
 
 
 class Estimate(View):
-    """One number that slips tell, with its error."""
+    """One quantity identified from slips, with its error."""
 
     @property
     def name(self) -> str:
-        """What it is."""
+        """Name of the quantity."""
         return str(self._tree["name"])
 
     @property
     def value(self) -> float:
-        """A coefficient of friction, N, or a multiple of what was given; where it is not fixed one of many."""
+        """A friction coefficient, a force in N, or a multiple of the given value. If the slips do not fix it, one of many possible values."""
         return number(self._tree["value"])
 
     @property
     def is_fixed(self) -> bool:
-        """Whether the slips fix it."""
+        """Whether the slips determine the quantity."""
         return bool(self._tree["is_fixed"])
 
     @property
     def standard_error(self) -> float | None:
-        """Its standard error; None where it is not fixed, or the scatter of slips is not known."""
+        """Standard error; None if the slips do not fix the quantity or their scatter is unknown."""
         return optional_number(self._tree.get("standard_error"))
 
     @property
     def interval(self) -> tuple[float, float] | None:
-        """What holds the truth in 95 of 100 cases."""
+        """95 % confidence interval; None without a standard error."""
         found = self._tree.get("interval")
         return None if found is None else (number(found[0]), number(found[1]))
 
     @property
     def degrees_of_freedom(self) -> float | None:
-        """Those of Student's distribution that the interval is from; None where it is normal, or there is none."""
+        """Degrees of freedom of Student's distribution behind the interval; None for a normal distribution or without an interval."""
         return optional_number(self._tree.get("degrees_of_freedom"))
 
     def __repr__(self) -> str:
@@ -357,11 +360,11 @@ class Estimate(View):
 
 
 class Identified(Answer):
-    """What slips that were seen tell: ``"converged"``, ``"not_converged"`` or ``"not_predicted"``; printed, it is a sentence."""
+    """Quantities identified from observed slips: ``"converged"``, ``"not_converged"`` or ``"not_predicted"``. It prints as a sentence."""
 
     @property
     def outcome(self) -> str:
-        """How the search ended, in the words of the scene format."""
+        """Ending of the search, in a word of the scene format."""
         return str(self._tree["ending"])
 
     @property
@@ -371,38 +374,38 @@ class Identified(Answer):
 
     @cached_property
     def estimates(self) -> tuple[Estimate, ...]:
-        """The numbers, in the order in which they were asked for."""
+        """The estimates, in the order of the unknowns."""
         return tuple(Estimate(tree) for tree in self._tree["estimates"])
 
     @property
     def groups(self) -> int | None:
-        """How many groups of slips may share errors, where they were told."""
+        """Number of groups of slips that may share errors; None if no groups were given."""
         found = self._tree.get("groups")
         return None if found is None else int(found)
 
     @property
     def scatter(self) -> float | None:
-        """The scatter of loads or angles as a part of them, where it was estimated."""
+        """Estimated relative scatter of loads or angles; None if it was given."""
         return optional_number(self._tree.get("scatter"))
 
     @property
     def misfit(self) -> float | None:
-        """Where the scatter was given: how many times as far off the slips are."""
+        """Ratio of the observed scatter to the given one; None if it was estimated. Much more than one: the model or the given scatter is wrong."""
         return optional_number(self._tree.get("misfit"))
 
     @property
     def not_fixed(self) -> tuple[str, ...]:
-        """What the slips do not fix, a sentence each."""
+        """Combinations of unknowns that the slips do not determine, one sentence each."""
         return tuple(str(tree["says"]) for tree in self._tree.get("free", ()))
 
     @cached_property
     def residuals(self) -> Array:
-        """Logarithm of what was seen over what is predicted, shape (k,)."""
+        """Logarithms of the ratio of observed to predicted load or angle, shape (k,)."""
         return array(self._tree["residuals"])
 
     @cached_property
     def weights(self) -> Array:
-        """What each slip counts, shape (k,): less than 1 where it is far off."""
+        """Huber weights of the slips, shape (k,): less than 1 for an outlier."""
         return array(self._tree["weights"])
 
     def __str__(self) -> str:
@@ -413,15 +416,15 @@ class Identified(Answer):
 
 
 class Improved(Answer):
-    """Where the fingers should be, and how hard they should press; printed, it is a sentence.
+    """Improved places and squeezes of the fingers. It prints as a sentence.
 
-    How the search ended is ``"optimum"`` where multipliers prove that to first order nothing nearby is better, or ``"stalled"``,
-    ``"out_of_steps"``, ``"unbalanced"``, ``"nothing_slides"``, ``"no_start"``.
+    The search ends with ``"optimum"`` if multipliers prove that to first order no grasp nearby is better; else with ``"stalled"``,
+    ``"out_of_steps"``, ``"unbalanced"``, ``"nothing_slides"`` or ``"no_start"``.
     """
 
     @property
     def outcome(self) -> str:
-        """How the search ended, in the words of the scene format."""
+        """Ending of the search, in a word of the scene format."""
         return str(self._tree["search"])
 
     @property
@@ -431,27 +434,27 @@ class Improved(Answer):
 
     @property
     def goal(self) -> str:
-        """What ``before`` and ``after`` are: ``"first_slip"``, as a multiple of the loads, or ``"reserve"``, the friction that is left, N."""
+        """Quantity of ``before`` and ``after``: ``"first_slip"``, a multiple of the loads, or ``"reserve"``, the friction that is left, N."""
         return str(self._tree["goal"])
 
     @property
     def before(self) -> float | None:
-        """Of the grasp given; None where something slides at rest, or for a reserve under the loads."""
+        """Value of the given grasp. None if a contact slides at rest or nothing holds, and for a reserve if a contact slides under the loads."""
         return optional_number(self._tree.get("before"))
 
     @property
     def after(self) -> float | None:
-        """Of the best grasp; None where none was found that sticks, ``inf`` where nothing slides."""
+        """Value of the best grasp. None if no grasp was found that sticks, ``inf`` if no contact slides at any load."""
         return optional_number(self._tree.get("after"))
 
     @property
     def is_locally_best(self) -> bool:
-        """Whether it is proved that to first order no other place and squeeze nearby is better."""
+        """Whether multipliers prove that to first order no places and squeezes nearby are better."""
         return self.outcome == "optimum"
 
     @property
     def residual(self) -> float | None:
-        """What the multipliers leave of zero, as a part of the first slip, or of the greatest force; None where there are none."""
+        """Residual of first-order optimality, relative to the first slip or to the greatest force at rest; None without multipliers."""
         return optional_number(self._tree.get("residual"))
 
     def _placed(self, name: str) -> Array:
@@ -459,7 +462,7 @@ class Improved(Answer):
 
     @property
     def points(self) -> Array:
-        """Where contacts are, m, shape (n, c)."""
+        """Contact points, m, shape (n, c)."""
         return self._placed("point")
 
     @property
@@ -484,7 +487,7 @@ class Improved(Answer):
 
     @property
     def in_the_way(self) -> tuple[Mapping[str, Any], ...]:
-        """What stands in the way of more, each a ``contact``, ``what`` it is and its multiplier."""
+        """Active events and bounds that prevent a larger value: each has a ``contact``, its kind as ``what``, and its multiplier."""
         return tuple(self._tree["in_the_way"])
 
     def __str__(self) -> str:
@@ -499,7 +502,7 @@ class Solution(Answer):
 
     @cached_property
     def equilibrium(self) -> Equilibrium | None:
-        """The equilibrium, or None."""
+        """The equilibrium; None for other outcomes."""
         return Equilibrium(self._tree) if self.outcome == "equilibrium" else None
 
     @cached_property
@@ -514,26 +517,26 @@ class Solution(Answer):
 
 
 class _First(Answer):
-    """When something stops sticking, as a load grows or turns."""
+    """The onset of sliding as a load grows or turns."""
 
     @cached_property
     def load(self) -> Array | None:
-        """The load there, N and N m, shape (d,)."""
+        """The load at the onset, N and N m, shape (d,); None unless the outcome is ``"at"``."""
         return load_of(self._tree["load"]) if self.outcome == "at" else None
 
     @cached_property
     def leaving(self) -> tuple[Leaving, ...]:
-        """Which contacts leave, all at once; empty unless something does."""
+        """All contacts that stop sticking at the onset; empty for outcomes other than ``"at"``."""
         return tuple(Leaving(tree) for tree in self._tree.get("leaving", ()))
 
     @property
     def drives(self) -> tuple[str, ...]:
-        """Which joints and tendons of a hand give way there, and how, in words."""
+        """Joints and tendons of a hand whose drives change state at the onset, one text each."""
         return tuple(_drive(tree) for tree in self._tree.get("drives", ()))
 
     @cached_property
     def beyond(self) -> Beyond | None:
-        """What comes next; None unless something leaves."""
+        """Behaviour just beyond the onset; None unless a contact or drive leaves."""
         found = self._tree.get("beyond")
         return None if found is None else Beyond(found)
 
@@ -547,13 +550,13 @@ class Onset(_First):
     """The onset of sliding as a load grows.
 
     The outcome is ``"at"`` (a factor), ``"never"``, ``"already_sliding"`` (at factor 0), ``"no_base"`` (no equilibrium at factor 0),
-    ``"gives_way"`` (nothing leaves, and nothing resists from a factor on) or ``"undecided"``.
+    ``"gives_way"`` (no contact leaves, but from a factor on no contact resists the load) or ``"undecided"``.
     """
 
     @property
     def factor(self) -> float | None:
-        """The factor up to which everything sticks, no unit: that of the event, or from which on nothing resists; ``inf`` for never.
-        None for all other outcomes: look at :attr:`outcome` first."""
+        """The factor up to which every contact sticks, without unit: the factor of the event, or the factor at which the object gives way; ``inf``
+        for never. None for all other outcomes: read :attr:`outcome` first."""
         told = self._told
         if isinstance(told, Told):
             return told.factor
@@ -569,14 +572,14 @@ class Onset(_First):
 
 
 class TurnOnset(_First):
-    """The onset of sliding while a load turns; outcomes as of :class:`Onset`, with an angle for the factor."""
+    """The onset of sliding while a load turns. The outcomes are those of :class:`Onset`, with an angle in place of the factor."""
 
     _kind = "onset_of_turn"
 
     @property
     def angle(self) -> float | None:
-        """How far the load has turned, rad; of what gives way the angle up to which it holds. None for all other outcomes, never included:
-        of what lies beyond the last angle nothing is known."""
+        """Angle by which the load has turned at the onset, rad; for ``"gives_way"`` the angle up to which the grasp holds. None for all other
+        outcomes, ``"never"`` included: nothing is known beyond the last angle."""
         told = self._told
         if isinstance(told, Told):
             return told.factor if told.outcome != "never" else None
@@ -584,7 +587,7 @@ class TurnOnset(_First):
 
     @property
     def touches(self) -> tuple[Tree, ...]:
-        """Where edges are touched and not crossed: who, and the angle, rad."""
+        """Contacts and drives that touch the edge of their cone or limit without crossing it, each with the angle, rad."""
         return tuple(self._tree["touches"])
 
     def __repr__(self) -> str:
@@ -600,36 +603,36 @@ class TurnOnset(_First):
 
 
 class Event(View):
-    """Something changes on a load path."""
+    """A change of contacts or drives on a load path."""
 
     @property
     def leg(self) -> int:
-        """The leg, from 0."""
+        """Index of the leg, from 0."""
         return int(self._tree["leg"])
 
     @property
     def fraction(self) -> float:
-        """How much of the leg has been gone, from 0 to 1."""
+        """Fraction of the leg at the event, from 0 to 1."""
         return number(self._tree["fraction"])
 
     @cached_property
     def load(self) -> Array:
-        """The load there, N and N m, shape (d,)."""
+        """The load at the event, N and N m, shape (d,)."""
         return load_of(self._tree["load"])
 
     @cached_property
     def changes(self) -> tuple[Leaving, ...]:
-        """What changes, contact by contact."""
+        """Changes of contacts at the event."""
         return tuple(Leaving(tree) for tree in self._tree["changes"])
 
     @property
     def drives(self) -> tuple[str, ...]:
-        """Which joints and tendons of a hand change what they do, in words."""
+        """Joints and tendons of a hand whose drives change state, one text each."""
         return tuple(_drive(tree) for tree in self._tree.get("drives", ()))
 
     @cached_property
     def state(self) -> Equilibrium:
-        """The equilibrium there; its states are those before the event."""
+        """The equilibrium at the event; its contact states are those before it."""
         return Equilibrium(self._tree["state"])
 
     def __repr__(self) -> str:
@@ -641,12 +644,12 @@ class Path(Answer):
 
     @cached_property
     def events(self) -> tuple[Event, ...]:
-        """What happened on the way, in order."""
+        """All events, in the order of the path."""
         return tuple(Event(tree) for tree in self._tree["events"])
 
     @cached_property
     def energies(self) -> tuple[Mapping[str, float], ...]:
-        """Of every leg, J: load_work, finger_work, stored, dissipated; and the relative residual of their balance."""
+        """Energies of every leg, J: load_work, finger_work, stored, dissipated; and the relative residual of their balance."""
         return tuple({name: number(value) for name, value in tree.items()} for tree in self._tree["energies"])
 
     @property
@@ -656,24 +659,24 @@ class Path(Answer):
 
     @property
     def kind(self) -> str | None:
-        """Of a lost path what ends it: ``"fold"``, ``"corner"``, ``"asymptote"``, ``"gives_way"`` or ``"lets_go"``."""
+        """The way a lost path ends: ``"fold"``, ``"corner"``, ``"asymptote"``, ``"gives_way"`` or ``"lets_go"``; None for other outcomes."""
         found = self._tree.get("kind")
         return None if found is None else str(found)
 
     @property
     def leg(self) -> int | None:
-        """The leg on which a path ends early, from 0."""
+        """Index of the leg on which a path ends early, from 0; None if it does not."""
         found = self._tree.get("leg")
         return None if found is None else int(found)
 
     @property
     def fraction(self) -> float | None:
-        """How much of that leg it has gone, from 0 to 1."""
+        """Fraction of that leg at the end of the path, from 0 to 1."""
         return optional_number(self._tree.get("fraction"))
 
     @cached_property
     def load(self) -> Array | None:
-        """The load at which a lost path ends, N and N m, shape (d,)."""
+        """The load at which a lost path ends, N and N m, shape (d,); None for other outcomes."""
         found = self._tree.get("load")
         return None if found is None else load_of(found)
 

@@ -1,4 +1,4 @@
-"""Many grasps at once, on all cores, without the interpreter's lock."""
+"""Batches of grasps, solved on all cores without the interpreter's lock."""
 
 from __future__ import annotations
 
@@ -16,50 +16,50 @@ from ._views import Array
 
 
 class OnsetStatus(IntEnum):
-    """How one row of :func:`onsets` ended."""
+    """Outcome of one row of :func:`onsets`."""
 
     LEAVES = 0
     """Contacts stop sticking at the factor."""
     NEVER = 1
-    """However large the load grows, nothing leaves; the factor is ``inf``."""
+    """No contact stops sticking, however large the load grows; the factor is ``inf``."""
     NOT_STICKING = 2
-    """Something slides or is open at factor 0; ``complete=True`` says more."""
+    """A contact slides or is open at factor 0; ``complete=True`` gives the answer of :meth:`Grasp.onset`."""
     GIVES_WAY = 3
     """The load works on a motion that no contact resists."""
     UNCLEAR = 4
-    """Single passes of floating-point arithmetic do not tell; ``complete=True`` does."""
+    """The single pass of screening cannot decide in floating-point arithmetic; ``complete=True`` decides."""
     ALREADY_SLIDING = 5
-    """With ``complete``: something slides at factor 0."""
+    """With ``complete``: a contact slides at factor 0."""
     NO_BASE = 6
     """With ``complete``: there is no equilibrium at factor 0."""
     NOT_A_NUMBER = 7
     """A number of the row is NaN."""
     MALFORMED = 8
-    """A number of the row is out of range, or its direction zero; :class:`Grasp` says which."""
+    """A number of the row is out of range, or its direction is zero; :class:`Grasp` names the number."""
 
 
 class SolveStatus(IntEnum):
-    """How one row of :func:`solve_batch` ended."""
+    """Outcome of one row of :func:`solve_batch`."""
 
     EQUILIBRIUM = 0
     NO_EQUILIBRIUM = 1
-    """None exists, and that is proved."""
+    """No equilibrium exists; this is proved."""
     UNDECIDED = 2
     NOT_A_NUMBER = 3
     """A number of the row is NaN."""
     MALFORMED = 4
-    """A number of the row is out of range; :class:`Grasp` says which."""
+    """A number of the row is out of range; :class:`Grasp` names the number."""
 
 
 class ContactState(IntEnum):
-    """What a contact does in :attr:`Equilibria.states`."""
+    """State of a contact in :attr:`Equilibria.states`."""
 
     SEPARATED = 0
     STICKING = 1
     SLIDING = 2
     FRICTIONLESS = 3
     UNKNOWN = 255
-    """There is no equilibrium."""
+    """The row has no equilibrium."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,19 +67,19 @@ class Onsets:
     """Onsets of sliding of many grasps; all arrays have the shape of the batch."""
 
     factor: Array
-    """Factors of the directions; ``inf`` where nothing ever leaves, NaN for every status but these two."""
+    """Factors of the directions: finite for ``LEAVES``, ``inf`` for ``NEVER``, NaN for every other status."""
     status: NDArray[np.uint8]
-    """An :class:`OnsetStatus` for each."""
+    """The :class:`OnsetStatus` of each row."""
     leaving: NDArray[np.bool_]
-    """Which contacts leave there, shape (..., n)."""
+    """Whether each contact stops sticking at the factor, shape (..., n)."""
 
     @property
     def answered(self) -> NDArray[np.bool_]:
-        """Where there is a factor, be it infinite."""
+        """Rows that have a factor, finite or infinite."""
         return self.status <= OnsetStatus.NEVER
 
     def count(self) -> dict[OnsetStatus, int]:
-        """How many rows ended in each way."""
+        """Number of rows with each status."""
         return _count(OnsetStatus, self.status)
 
     def __repr__(self) -> str:
@@ -88,34 +88,34 @@ class Onsets:
 
 @dataclass(frozen=True, eq=False)
 class Equilibria:
-    """Equilibria of many grasps; all arrays begin with the shape of the batch, numbers are NaN where there is none."""
+    """Equilibria of many grasps. All arrays begin with the shape of the batch; numbers are NaN in rows without an equilibrium."""
 
     status: NDArray[np.uint8]
-    """A :class:`SolveStatus` for each."""
+    """The :class:`SolveStatus` of each row."""
     twist: Array
     """Motion of the object, m and rad, shape (..., d)."""
     forces: Array
     """Forces on the object in the contact frames, N, shape (..., n, c)."""
     forces_world: Array
-    """The same along the coordinate axes, N, shape (..., n, c)."""
+    """Forces on the object along the coordinate axes, N, shape (..., n, c)."""
     slips: Array
     """Slips of the fingers over the body in the contact frames, m, shape (..., n, c)."""
     gaps: Array
-    """Gaps, m, shape (..., n)."""
+    """Gaps between the surfaces, m, shape (..., n)."""
     margins: Array
-    """Friction in reserve, N, shape (..., n)."""
+    """Friction in reserve, N, shape (..., n), see :attr:`Contact.margin`."""
     states: NDArray[np.uint8]
-    """A :class:`ContactState` for each contact, shape (..., n)."""
+    """The :class:`ContactState` of each contact, shape (..., n)."""
     residual: Array
-    """The largest relative residual of each."""
+    """The largest relative residual of each row."""
 
     @property
     def answered(self) -> NDArray[np.bool_]:
-        """Where there is an equilibrium."""
+        """Rows that have an equilibrium."""
         return np.equal(self.status, SolveStatus.EQUILIBRIUM)
 
     def count(self) -> dict[SolveStatus, int]:
-        """How many rows ended in each way."""
+        """Number of rows with each status."""
         return _count(SolveStatus, self.status)
 
     def __repr__(self) -> str:
@@ -149,7 +149,11 @@ def _loads(name: str, given: ArrayLike, axes: int) -> Array:
 
 
 def _paired(grasps: tuple[int, ...], made: dict[str, Any], loads: Array) -> tuple[tuple[int, ...], dict[str, Any], Array, bool]:
-    """How grasps and loads go together: all loads for each grasp where their axes stand apart, else each row its own."""
+    """Broadcasts grasps against loads.
+
+    Returns the batch shape, the columns, the loads as rows, and whether each grasp has its own load. Where no axis belongs to both grasps and
+    loads, the columns stay as they are and every grasp takes all loads, which is faster.
+    """
     leading = loads.shape[:-1]
     try:
         shape = np.broadcast_shapes(grasps, leading)
@@ -180,7 +184,7 @@ def asked(
     hold: str | Sequence[str],
     **others: ArrayLike | None,
 ) -> tuple[tuple[int, ...], dict[str, Any], Array, Array, bool]:
-    """The shape of a batch of questions for onsets, its contacts, base loads and directions, and whether each grasp has its own."""
+    """The shape of a batch of onsets, its columns, base loads and directions, and whether each grasp has its own load."""
     axes = _axes(points)
     leading, made = columns(axes, points, normals, friction, hold, **others)
     along = _loads("direction", direction, axes)
@@ -212,20 +216,19 @@ def onsets(
     hold: str | Sequence[str] = "unilateral",
     complete: bool = False,
 ) -> Onsets:
-    """At which factor of a direction the first contact of each of many grasps stops sticking; see :meth:`Grasp.onset`.
+    """The factor of a direction at which the first contact of each of many grasps stops sticking; see :meth:`Grasp.onset`.
 
-    The shape of the batch is that of ``points.shape[:-2]`` and ``direction.shape[:-1]`` broadcast together, as all other arguments are:
-    points of shape (B, n, c) with a direction of shape (c,) are B questions, with directions of shape (B, c) one for each grasp;
-    points of shape (B, 1, n, c) with directions of shape (S, c) are B S questions, all directions for each grasp, which is the fastest
-    way to ask them.
+    The shape of the batch is ``points.shape[:-2]`` broadcast with ``direction.shape[:-1]``; all other arguments are broadcast in the same way.
+    Points of shape (B, n, c) and a direction of shape (c,) make B questions; directions of shape (B, c) give each grasp its own. Points of
+    shape (B, 1, n, c) and directions of shape (S, c) make B S questions, all directions for each grasp; this is the fastest layout.
 
-    Grasps of two to five contacts are screened, several in each vector register; each answer has the bits of the crate's batch, whatever
-    the number of threads. Rows that are malformed or have NaN say so in their status and stop nothing.
+    Grasps of two to five contacts are screened, several in each vector register. Each answer has the bits of the crate's batch, for any number
+    of threads. A malformed row, or a row with NaN, reports this in its status and does not affect other rows.
 
-    :param points: m, shape (..., n, 2) or (..., n, 3).
-    :param direction: N and N m, shape (..., c) or (..., d).
-    :param base: the load at factor 0, of such a shape; none unless said otherwise.
-    :param complete: let the method of :meth:`Grasp.onset` answer what screening leaves open, at some 10 µs for each such row.
+    :param points: contact points, m, shape (..., n, 2) or (..., n, 3).
+    :param direction: load per unit of the factor, N and N m, shape (..., c) or (..., d).
+    :param base: load at factor 0, shape (..., c) or (..., d); zero unless given.
+    :param complete: let the method of :meth:`Grasp.onset` answer rows that screening leaves open, at some 10 µs for each such row.
 
     The other parameters are those of :meth:`Grasp.planar`, with axes of the batch in front.
     """
@@ -254,9 +257,9 @@ def solve_batch(
     tangents: ArrayLike | None = None,
     hold: str | Sequence[str] = "unilateral",
 ) -> Equilibria:
-    """The equilibria of many grasps under many loads; see :meth:`Grasp.solve`, whose bits each row has.
+    """The equilibria of many grasps under many loads. Each row has the same bits as :meth:`Grasp.solve`.
 
-    The shapes are those of :func:`onsets`, with a load in place of a direction.
+    The shapes are those of :func:`onsets`, with ``load`` in place of ``direction``.
     """
     axes = _axes(points)
     leading, made = columns(

@@ -1,4 +1,4 @@
-"""An equilibrium as physics: what the object does, and what each contact carries."""
+"""An equilibrium in physical quantities: motion of the object, forces and states of the contacts."""
 
 from __future__ import annotations
 
@@ -11,34 +11,34 @@ from ._views import Array, View, array, label_of, load_of, motion_of, motions_of
 
 
 class Contact(View):
-    """One contact of an equilibrium. Of a soft fingertip it is one point."""
+    """One contact of an equilibrium, or one point of a soft fingertip."""
 
     @property
     def contact(self) -> int:
-        """Its place among the contacts of the grasp, from 0."""
+        """Index among the contacts of the grasp, from 0."""
         return int(self._tree["contact"])
 
     @property
     def point(self) -> int | None:
-        """Which point of a soft fingertip, from 0; None for a contact that is a point itself."""
+        """Index of the point in its soft fingertip, from 0; None for a point contact."""
         found = self._tree.get("point")
         return None if found is None else int(found)
 
     @property
     def name(self) -> str | None:
-        """Its name, if it has one."""
+        """Name of the contact; None without one."""
         found = self._tree.get("name")
         return None if found is None else str(found)
 
     @property
     def label(self) -> str:
-        """Its name, or what it is and its number."""
+        """Name of the contact, or "contact" and its index."""
         label = label_of(self._tree, "contact")
         return label if self.point is None else f"{label}, point {self.point}"
 
     @property
     def state(self) -> str:
-        """``"separated"``, ``"sticking"``, ``"sliding"`` or ``"frictionless"``."""
+        """State of the contact: ``"separated"``, ``"sticking"``, ``"sliding"`` or ``"frictionless"``."""
         return str(self._tree["state"])
 
     @cached_property
@@ -54,7 +54,7 @@ class Contact(View):
 
     @cached_property
     def force_world(self) -> Array:
-        """The same force along the coordinate axes, N, shape (c,)."""
+        """Force on the object along the coordinate axes, N, shape (c,)."""
         return array(self._tree["force_world"])
 
     @property
@@ -74,7 +74,7 @@ class Contact(View):
 
     @property
     def distinct(self) -> bool | None:
-        """Whether working precision tells the state from its neighbours; None where that was not asked."""
+        """Whether working precision distinguishes the state from neighbouring ones; None if accuracy was not requested."""
         found = self._tree.get("distinct")
         return None if found is None else bool(found)
 
@@ -83,37 +83,40 @@ class Contact(View):
 
 
 class Pad(View):
-    """A soft fingertip of an equilibrium: what its points are and carry together."""
+    """A soft fingertip of an equilibrium: its points, and their resultant force and moment."""
 
     @property
     def label(self) -> str:
-        """Its name, or what it is and its number; its place among the contacts of the scene, where it counts as one."""
+        """Name of the fingertip, or "contact" and its index in the scene, where a soft fingertip counts as one contact."""
         return label_of(self._tree, "contact")
 
     @property
     def points(self) -> range:
-        """Its points among the contacts of the answer."""
+        """Indices of its points among the contacts of the answer."""
         first = int(self._tree["first"])
         return range(first, first + int(self._tree["points"]))
 
     @property
     def sliding(self) -> int:
-        """How many of its points slide."""
+        """Number of its points that slide."""
         return int(self._tree["sliding"])
 
     @property
     def open(self) -> int:
-        """How many of them are open."""
+        """Number of its points that are open."""
         return int(self._tree["open"])
 
     @cached_property
     def wrench(self) -> Array:
-        """Force in the contact frame, N, and moment about its middle, N m: in space along the contact frame, torsion first."""
+        """Force in the contact frame, N, and moment about the middle of the pad, N m.
+
+        In space the moment is in the contact frame, torsion first.
+        """
         return load_of(self._tree["wrench"])
 
     @property
     def margin(self) -> float:
-        """Friction in reserve of all its points together, N: zero where it slides everywhere."""
+        """Friction in reserve of all its points together, N: zero if all of them slide."""
         return number(self._tree["margin"])
 
     def __repr__(self) -> str:
@@ -125,28 +128,28 @@ class Drive(View):
 
     @property
     def label(self) -> str:
-        """Its name, or what it is and its number."""
+        """Name of the joint or tendon, or its kind and its index."""
         kind = "joint" if "joint" in self._tree else "tendon"
         return label_of(self._tree, kind)
 
     @property
     def state(self) -> str:
-        """What its drive does: ``"holds"``, ``"yields"`` and so on."""
+        """State of its drive: ``"holds"``, ``"yields"`` and others."""
         return str(self._tree["state"])
 
     @property
     def displacement(self) -> float | None:
-        """From the posture in which the contacts were given, rad or m; None for a tendon."""
+        """Displacement of the joint from the posture in which the contacts were given, rad or m; None for a tendon."""
         return optional_number(self._tree.get("displacement"))
 
     @property
     def torque(self) -> float:
-        """Torque of all drives on a joint, N m or N; of a tendon its tension, N."""
+        """Torque (N m) or force (N) of all drives on a joint, or the tension of a tendon (N)."""
         return number(self._tree["torque"] if "torque" in self._tree else self._tree["tension"])
 
     @property
     def margin(self) -> float:
-        """What is left of its limit, N m or N; infinite without one."""
+        """Distance of the torque or tension from the limit of the drive, N m or N; infinite without a limit."""
         return number(self._tree["margin"])
 
     def __repr__(self) -> str:
@@ -158,7 +161,7 @@ class Equilibrium(View):
 
     @cached_property
     def load(self) -> Array:
-        """The load it balances: force (N) and moment about the origin (N m), shape (d,)."""
+        """The load that is balanced: force (N) and moment about the origin (N m), shape (d,)."""
         return load_of(self._tree["load"])
 
     @cached_property
@@ -168,32 +171,32 @@ class Equilibrium(View):
 
     @cached_property
     def bodies(self) -> dict[str, Array]:
-        """Of several bodies, by name, how each moves, m and rad, shape (d,). Empty where there is one."""
+        """Motion of each of several bodies by name, m and rad, shape (d,). Empty for a single body."""
         return {str(tree["body"]): motion_of(tree["twist"]) for tree in self._tree.get("bodies", ())}
 
     @cached_property
     def body_loads(self) -> dict[str, Array]:
-        """Of several bodies, by name, the loads of their own that a program has put on, N and N m, shape (d,)."""
+        """Loads that a load program has put on single bodies, by name of the body, N and N m, shape (d,)."""
         return {str(tree["body"]): load_of(tree["load"]) for tree in self._tree.get("body_loads", ())}
 
     @cached_property
     def contacts(self) -> tuple[Contact, ...]:
-        """Contact by contact, in the order of the grasp; a soft fingertip point by point."""
+        """All contacts, in the order of the grasp; each point of a soft fingertip is one of them."""
         return tuple(Contact(tree) for tree in self._tree["contacts"])
 
     @cached_property
     def pads(self) -> tuple[Pad, ...]:
-        """The soft fingertips, the points of each together."""
+        """The soft fingertips."""
         return tuple(Pad(tree) for tree in self._tree.get("pads", ()))
 
     @cached_property
     def joints(self) -> tuple[Drive, ...]:
-        """The joints of a hand, finger by finger; empty without one."""
+        """The joints of a hand, finger by finger; empty without a hand."""
         return tuple(Drive(tree) for tree in self._tree.get("joints", ()))
 
     @cached_property
     def tendons(self) -> tuple[Drive, ...]:
-        """The tendons of a hand."""
+        """The tendons of a hand; empty without a hand."""
         return tuple(Drive(tree) for tree in self._tree.get("tendons", ()))
 
     @property
@@ -205,12 +208,12 @@ class Equilibrium(View):
 
     @cached_property
     def forces(self) -> Array:
-        """Forces on the object in the contact frames, N, shape (n, c); column 0 is normal and pushes."""
+        """Forces on the object in the contact frames, N, shape (n, c); column 0 is the normal force, positive if it pushes."""
         return self._column("force")
 
     @cached_property
     def forces_world(self) -> Array:
-        """The same forces along the coordinate axes, N, shape (n, c)."""
+        """Forces on the object along the coordinate axes, N, shape (n, c)."""
         return self._column("force_world")
 
     @cached_property
@@ -220,22 +223,22 @@ class Equilibrium(View):
 
     @cached_property
     def gaps(self) -> Array:
-        """Gaps, m, shape (n,)."""
+        """Gaps between the surfaces, m, shape (n,)."""
         return array([tree["gap"] for tree in self._tree["contacts"]])
 
     @cached_property
     def margins(self) -> Array:
-        """Friction in reserve, N, shape (n,)."""
+        """Friction in reserve, N, shape (n,), see :attr:`Contact.margin`."""
         return array([tree["margin"] for tree in self._tree["contacts"]])
 
     @property
     def states(self) -> tuple[str, ...]:
-        """What each contact does, see :attr:`Contact.state`."""
+        """State of each contact, see :attr:`Contact.state`."""
         return tuple(str(tree["state"]) for tree in self._tree["contacts"])
 
     @cached_property
     def residuals(self) -> dict[str, float]:
-        """How far each condition is missed, relative: equilibrium, springs, cone, gap, complementarity. Recomputed from the question."""
+        """Relative residuals of equilibrium, springs, cone, gap and complementarity, recomputed from the question."""
         return {name: number(value) for name, value in self._tree["residuals"].items()}
 
     @property
@@ -245,13 +248,13 @@ class Equilibrium(View):
 
     @cached_property
     def accuracy(self) -> dict[str, float] | None:
-        """Estimated error of forces (N) and displacements (m), and the condition; None where that was not asked."""
+        """Estimated errors of forces (N) and displacements (m), and the condition of the forces; None if accuracy was not requested."""
         found = self._tree.get("accuracy")
         return None if found is None else {name: number(value) for name, value in found.items()}
 
     @property
     def rule(self) -> str:
-        """By which rule it was found; with friction there may be others."""
+        """The rule that found this equilibrium; with friction there may be other equilibria."""
         return str(self._tree["rule"])
 
     @property
@@ -261,7 +264,7 @@ class Equilibrium(View):
 
     @cached_property
     def free_motions(self) -> Array:
-        """Unit motions that no contact resists, shape (k, d); the twist is known up to them."""
+        """Unit motions that no contact resists, shape (k, d). The twist is determined up to these motions."""
         return motions_of(self._tree.get("free_motions", ()), len(self.load))
 
     @cached_property
@@ -271,7 +274,7 @@ class Equilibrium(View):
 
     @property
     def pivots(self) -> int:
-        """Pivots of Lemke's method."""
+        """Number of pivots of Lemke's method."""
         return int(self._tree["pivots"])
 
     @property
@@ -279,8 +282,8 @@ class Equilibrium(View):
         """Whether the object turns, or a contact slips or opens, farther than ``small_motions`` of the settings: by default 0.1 rad, or a tenth of the
         grasp's size.
 
-        Contact points and normals stay where they are in all that is computed here: such an answer solves the question as it was put, and says
-        little about the object.
+        The theory keeps contact points and normals fixed. An answer with a larger rotation solves the question as posed, but says little about
+        the real object.
         """
         return "too_far" in self._tree
 

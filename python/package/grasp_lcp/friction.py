@@ -1,4 +1,4 @@
-"""Frictional contact problems by themselves: ``u = W r + q`` with Coulomb's law between u and r at each contact."""
+"""Frictional contact problems without a grasp: ``u = W r + q`` with Coulomb's law between u and r at each contact."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from .lcp import Outcome, shaped
 
 
 class FrictionOutcome(Outcome):
-    """What is known of a frictional contact problem."""
+    """The outcome of a frictional contact problem."""
 
     @property
     def r(self) -> Array | None:
-        """Forces, shape (c n,): of each contact the normal component, then the tangential ones; None unless solved."""
+        """Contact forces, shape (c n,), contact by contact: the normal component, then the tangential components. None unless solved."""
         found = self._of("r")
         return None if found is None else array(found)
 
@@ -28,17 +28,17 @@ class FrictionOutcome(Outcome):
 
     @property
     def states(self) -> tuple[str, ...] | None:
-        """``"open"``, ``"sticking"`` or ``"sliding"`` for each contact; None unless solved."""
+        """State of each contact: ``"open"``, ``"sticking"`` or ``"sliding"``. None unless solved."""
         found = self._of("states")
         return None if found is None else tuple(found)
 
 
 def solve(W: ArrayLike, q: ArrayLike, mu: ArrayLike) -> FrictionOutcome:
-    """Forces and velocities that obey Coulomb's law, on the round cone in space.
+    """Solves for forces and velocities that obey Coulomb's law, on the round cone in space.
 
     :param W: Delassus matrix, shape (c n, c n) with c = 2 in the plane and 3 in space; any real matrix.
-    :param q: velocities without contact forces, shape (c n,): of each contact the normal component first, positive separates.
-    :param mu: friction of each contact, finite, not negative, shape (n,).
+    :param q: velocities without contact forces, shape (c n,), contact by contact, normal component first; a positive one separates.
+    :param mu: friction coefficient of each contact, finite, not negative, shape (n,).
     """
     text, line = _grasp_lcp.solve_friction(shaped("W", W, 2), shaped("q", q, 1), shaped("mu", mu, 1))
     tree = json.loads(text)

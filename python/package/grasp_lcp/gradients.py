@@ -1,4 +1,4 @@
-"""How the onsets of many grasps change with their data, on all cores."""
+"""Gradients of the onsets of many grasps, on all cores."""
 
 from __future__ import annotations
 
@@ -15,39 +15,39 @@ from .batch import asked
 
 @dataclass(frozen=True, eq=False)
 class OnsetGradients:
-    """Derivatives of the factors of :func:`onsets`; all arrays begin with the shape of the batch, numbers are NaN where there is no factor.
+    """Derivatives of the factors of :func:`onsets`. All arrays begin with the shape of the batch; numbers are NaN in rows without a factor.
 
-    Each is that by one datum where nothing else changes: exact, of the contact in :attr:`contact`. Where :attr:`one_sided` is true several events are
-    active and the factor has a kink: this is the derivative to one side. Where a motion of the object is free, as of two hard fingers in
-    space, those by points, normals and loads are NaN.
+    Each derivative is exact and partial: one datum changes, all others stay. It belongs to the margin of the contact in :attr:`contact`. Where
+    :attr:`one_sided` is true, several events are active and the factor has a kink: the derivative holds to one side of it. Where a motion of the
+    object is free, as for two hard fingers in space, the derivatives by points, normals and loads are NaN.
     """
 
     factor: Array
-    """As in :class:`Onsets`."""
+    """Factors, as in :class:`Onsets`."""
     status: NDArray[np.uint8]
-    """An :class:`OnsetStatus` for each."""
+    """The :class:`OnsetStatus` of each row."""
     leaving: NDArray[np.bool_]
-    """Which contacts leave there, shape (..., n)."""
+    """Whether each contact stops sticking at the factor, shape (..., n)."""
     contact: NDArray[np.int64]
-    """The contact whose margin vanishes, from 0; -1 without a factor."""
+    """The contact whose margin vanishes at the factor, from 0; -1 without a factor."""
     one_sided: NDArray[np.bool_]
-    """Whether the factor has a kink here."""
+    """Whether the factor has a kink at these data."""
     points: Array
-    """By positions along the coordinate axes, normals staying, 1/m, shape (..., n, c)."""
+    """Derivatives by contact points along the coordinate axes, with constant normals, 1/m, shape (..., n, c)."""
     normals: Array
-    """By unit normals, across them, 1/rad, shape (..., n, c). Springs, commands and clearances tilt with the contact frame."""
+    """Derivatives by unit normals, perpendicular to them, 1/rad, shape (..., n, c). Springs, commands and clearances tilt with the contact frame."""
     command_world: Array
-    """By commands along the coordinate axes, 1/m, shape (..., n, c)."""
+    """Derivatives by commands along the coordinate axes, 1/m, shape (..., n, c)."""
     series_stiffness: Array
-    """By normal and tangential stiffness, m/N, shape (..., n, 2); both tangents together, commands in metres staying."""
+    """Derivatives by normal and tangential stiffness, m/N, shape (..., n, 2): both tangents change together, commands in metres stay."""
     friction: Array
-    """By coefficients of friction, shape (..., n)."""
+    """Derivatives by friction coefficients, shape (..., n)."""
     base: Array
-    """By the base load, 1/N and 1/(N m), shape (..., d)."""
+    """Derivatives by the base load, 1/N and 1/(N m), shape (..., d)."""
 
     @property
     def direction(self) -> Array:
-        """By the direction of the load: the factor times those by the base load."""
+        """Derivatives by the direction of the load, shape (..., d): the factor times the derivatives by the base load."""
         with np.errstate(invalid="ignore"):
             return self.factor[..., None] * self.base
 
@@ -73,10 +73,10 @@ def onset_gradients(
     tangents: ArrayLike | None = None,
     hold: str | Sequence[str] = "unilateral",
 ) -> OnsetGradients:
-    """How the factors of :func:`onsets` change with every number of the grasps and loads: all at the price of a few factors.
+    """The gradients of the factors of :func:`onsets` by all data of grasps and loads, at the cost of a few factors.
 
-    Grasps have two to five contacts, with one stiffness along both tangents in space; what screening leaves open has no gradient.
-    The parameters are those of :func:`onsets`. Memory is some 300 bytes for each grasp of three contacts in space.
+    Grasps must have two to five contacts; in space each has one stiffness along both tangents. A row that screening leaves open has no gradient.
+    The parameters are those of :func:`onsets`. A grasp of three contacts in space takes some 300 bytes.
     """
     shape, made, first, second, own = asked(
         points, normals, direction, base, friction, hold, series_stiffness=series_stiffness, body_stiffness=body_stiffness,

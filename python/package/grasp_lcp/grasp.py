@@ -1,4 +1,4 @@
-"""A grasp, made once and asked often."""
+"""A grasp, with all questions that can be asked of it."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from .watch import Watch
 
 
 class Settings(TypedDict, total=False):
-    """Settings of all questions, as in scenes. In space ``cone`` is ``"round"``, or ``"polygon"`` for answers on the polygon itself."""
+    """Settings of all questions, as in scenes. In space ``cone`` is ``"round"``, or ``"polygon"`` for friction on the inscribed polygon."""
 
     cone: str
     polygon: Mapping[str, Any]
@@ -33,11 +33,11 @@ class Settings(TypedDict, total=False):
 
 
 class Leg(TypedDict, total=False):
-    """One leg of a load program: what changes along it. What is not mentioned stays.
+    """One leg of a load program: the changes along it. Quantities without an entry stay constant.
 
-    Loads are arrays of a force (N) or of a force and a moment (N m), commands one row a contact in its frame (m), commands of joints one
-    number a joint and then one a tendon (rad or m). Of several bodies loads of their own go by name. A ``turn`` stands alone, with the words of
-    :meth:`Grasp.turn`.
+    A load is an array of a force (N) or of a force and a moment (N m). Commands of contacts have one row a contact, in its frame (m). Commands
+    of joints have one number a joint, then one a tendon (rad or m). Loads of single bodies are mappings from names of bodies. A ``turn`` must be
+    the only entry; its keys are the arguments of :meth:`Grasp.turn`.
     """
 
     load_by: ArrayLike | Mapping[str, Any]
@@ -54,12 +54,12 @@ class Leg(TypedDict, total=False):
 class Grasp:
     """Fingers that hold an object: point contacts with springs and Coulomb friction, or a hand with joints.
 
-    Made by :meth:`planar`, :meth:`spatial`, :meth:`from_dict` or :meth:`from_json`; it never changes. There are n contacts of c axes and
-    d coordinates of the object: c, d = 2, 3 in the plane and 3, 6 in space. Loads are arrays of shape (c,), a force through the origin
+    A grasp is made by :meth:`planar`, :meth:`spatial`, :meth:`from_dict` or :meth:`from_json`; it never changes. It has n contacts of c axes
+    and an object of d coordinates: c, d = 2, 3 in the plane and 3, 6 in space. Loads are arrays of shape (c,), a force through the origin
     in N, or (d,), a force and a moment about the origin in N m.
 
     Normals point **into the object**, the way the finger pushes. The contact frame is (n, t) in the plane with ``t = (n_y, -n_x)``, and
-    (n, t1, t2) in space with ``t2 = n x t1``. Units are SI in these docs; any consistent ones will do.
+    (n, t1, t2) in space with ``t2 = n x t1``. Units in these docs are SI; any consistent units work.
     """
 
     __slots__ = ("_held",)
@@ -100,31 +100,33 @@ class Grasp:
     ) -> Grasp:
         """A grasp in the plane.
 
-        :param points: where fingers touch, m, shape (n, 2).
+        :param points: contact points, m, shape (n, 2).
         :param normals: directions into the object, of any length, shape (n, 2).
-        :param friction: coefficients μ >= 0, shape (n,) or one for all; ``inf`` never slides.
-        :param series_stiffness: body and finger springs in series, N/m: one number for all axes, or ``[normal, tangential]``, or rows of
-            them, shape (n, 2). Alone, or in its place the next two.
-        :param body_stiffness: springs of the object at the contacts, N/m, in the same ways; ``inf`` is rigid.
-        :param finger_stiffness: springs of the fingers, N/m, in the same ways.
+        :param friction: coefficients μ >= 0, shape (n,) or one for all; a contact with ``inf`` never slides.
+        :param series_stiffness: springs of body and finger in series, N/m: one number for all axes, or ``[normal, tangential]``, or rows of
+            them, shape (n, 2). Give either this argument, or ``body_stiffness`` and ``finger_stiffness``.
+        :param body_stiffness: springs of the object at the contacts, N/m, in the same formats; ``inf`` is rigid.
+        :param finger_stiffness: springs of the fingers, N/m, in the same formats.
         :param command: displacements of the fingers' cores in the contact frames, m, shape (n, 2) or (2,); normal first, positive
             pushes into the object.
         :param command_world: the same displacements along the coordinate axes, in place of ``command``.
-        :param pressed_with: force of the squeeze in place of the normal command, N, shape (n,) or one for all. Fingers hold the positions that
-            give these forces on an object that stays; if the forces do not balance it moves until they do.
-        :param clearance: gaps before anything moves, m, negative for an overlap, shape (n,) or one for all.
+        :param pressed_with: squeeze forces in place of normal commands, N, shape (n,) or one for all. Fingers hold the positions that give these
+            forces on a fixed object. If the forces do not balance, the object moves until they do.
+        :param clearance: initial gaps, m, negative for an overlap, shape (n,) or one for all.
         :param tangents: directions of the first tangent, shape (n, 2).
-        :param force: normal forces that stay wherever the object goes, in place of ``pressed_with``, N, one for all or a list, None for none.
+        :param force: constant normal forces that do not depend on the motion of the object, in place of ``pressed_with``, N. One for all, or a
+            list with one or None a contact.
         :param soft: patches of soft pads in place of the points, as in scenes: ``{"pad": {"width": 0.01, "strips": 1}}`` or ``{"pair":
-            {"width": 0.01}}``, one for all or a list of one or None a contact.
-        :param suction: what a vacuum pulls the object onto the contact with, N, one for all or a list of one or None a contact.
-        :param kinetic_friction: coefficients while contacts slide, at most those at rest, one for all or a list, None for the same.
-        :param hold: ``"unilateral"``, ``"kept_closed"`` or ``"bonded"``, one word or one a contact.
+            {"width": 0.01}}``. One for all, or a list with one or None a contact.
+        :param suction: forces with which a vacuum pulls the object onto the contacts, N. One for all, or a list with one or None a contact.
+        :param kinetic_friction: coefficients while contacts slide, at most those at rest. One for all, or a list with one a contact, where None
+            means the coefficient at rest.
+        :param hold: ``"unilateral"``, ``"kept_closed"`` or ``"bonded"``, one word for all or one a contact.
         :param names: names of the contacts for messages and pictures.
-        :param outline: corners of the object, m, shape (k, 2); only drawn.
-        :param settings: for all questions.
-        :raises ValueError: naming the argument, its index, the value and what is allowed.
-        :raises TypeError: for what is no number.
+        :param outline: corners of the object, m, shape (k, 2), for pictures only.
+        :param settings: settings of all questions.
+        :raises ValueError: names the argument, its index, the value and the allowed values.
+        :raises TypeError: if an argument has the wrong type, such as text in place of numbers.
         """
         made = cls._made(
             2, points, normals, friction, hold, names, outline, settings, series_stiffness=series_stiffness,
@@ -157,7 +159,7 @@ class Grasp:
         outline: ArrayLike | None = None,
         settings: Settings | None = None,
     ) -> Grasp:
-        """A grasp in space. As :meth:`planar`, with 3 in place of 2.
+        """A grasp in space. The parameters are those of :meth:`planar`, with 3 axes in place of 2.
 
         Stiffnesses are one number, ``[normal, tangential]`` or ``[normal, first tangent, second tangent]``. Without ``tangents`` the first
         tangent is the projection of the coordinate axis that is farthest from the normal.
@@ -203,7 +205,7 @@ class Grasp:
         return cls._of(_grasp_lcp.Grasp.of_columns(made, told_names, corners, told))
 
     def _spread(self, **given: Any) -> Grasp:
-        """This grasp with forces, soft pads and suction as scenes have them."""
+        """This grasp with further data a contact, written into its scene: constant forces, soft pads, suction, friction while sliding, surfaces."""
         told = {name: one_each(name, value, len(self)) for name, value in given.items() if value is not None}
         if not told:
             return self
@@ -234,17 +236,17 @@ class Grasp:
     ) -> Grasp:
         """These contacts between several bodies, in place of one object: ``Grasp.planar(points, normals, ...).of_bodies(...)``.
 
-        :param names: the b bodies.
-        :param on: of each contact the body that its normal points into, by name or by its number from 0.
-        :param against: of each contact the body on its other side; None or -1 for the ground or a finger, as all are if it is left out.
-        :param mass: kg, shape (b,) or one for all; weights act only under ``gravity`` or where loads are ``shared_by_mass``.
-        :param centre_of_mass: m, shape (b, c); the origin if left out.
-        :param load: what always acts on each body, one a body, N and N m about the origin, each of shape (c,) or (d,).
-        :param gravity: m/s², shape (c,): weights that are always there.
-        :param loaded: the body that loads of questions act on; the first if left out.
-        :param shared_by_mass: loads of questions act on all bodies, each with the share of its mass.
-        :param links: hinges, slides, springs and cables, as scenes write them: ``{"hinge": {"point": [0, 0]}, "between": ["left", "right"]}``.
-        :raises ValueError: naming the argument or the field, the value and what is allowed.
+        :param names: names of the b bodies.
+        :param on: for each contact the body that its normal points into, by name or by number from 0.
+        :param against: for each contact the body on its other side; None or -1 for the ground or a finger, which is the default for all.
+        :param mass: masses, kg, shape (b,) or one for all. Weights act only under ``gravity``, or where loads are ``shared_by_mass``.
+        :param centre_of_mass: centres of mass, m, shape (b, c); the origin by default.
+        :param load: constant loads, one a body, N and N m about the origin, each of shape (c,) or (d,).
+        :param gravity: acceleration of constant weights, m/s², shape (c,).
+        :param loaded: the body on which loads of questions act; the first by default.
+        :param shared_by_mass: whether loads of questions act on all bodies, each body taking the share of its mass.
+        :param links: hinges, slides, springs and cables, as in scenes: ``{"hinge": {"point": [0, 0]}, "between": ["left", "right"]}``.
+        :raises ValueError: names the argument or the field, the value and the allowed values.
         """
         scene = self.to_dict()
         setup = scene["planar" if self.axes == 2 else "spatial"]
@@ -258,16 +260,16 @@ class Grasp:
 
     @classmethod
     def from_json(cls, text: str) -> Grasp:
-        """The grasp of a scene in JSON, hands with joints included. Its questions are left out; :func:`grasp_lcp.answers` answers them."""
+        """The grasp of a scene in JSON, possibly a hand with joints. Questions of the scene are ignored; :func:`grasp_lcp.answers` answers them."""
         return cls._of(_grasp_lcp.Grasp.of_json(text))
 
     @classmethod
     def from_dict(cls, scene: Mapping[str, Any]) -> Grasp:
-        """The grasp of a scene as a dictionary, see :meth:`from_json`."""
+        """The grasp of a scene given as a dictionary, see :meth:`from_json`."""
         return cls.from_json(json.dumps(scene))
 
     def to_json(self) -> str:
-        """The scene of this grasp in JSON; numbers come back to the bit."""
+        """The scene of this grasp in JSON. Reading it back gives the same bits of every number."""
         return self._held.json()
 
     def to_dict(self) -> dict[str, Any]:
@@ -281,7 +283,7 @@ class Grasp:
 
     @property
     def axes(self) -> int:
-        """Axes of a contact: 2 in the plane, 3 in space."""
+        """Number of axes of a contact: 2 in the plane, 3 in space."""
         return self._held.axes
 
     def __repr__(self) -> str:
@@ -308,11 +310,11 @@ class Grasp:
         *,
         together_with: Mapping[str, ArrayLike | Mapping[str, Any]] | None = None,
     ) -> Verdict:
-        """Does it hold? The load is put on from rest; the answer is a sentence, with first slip and gross slip as multiples of the load.
+        """Does it hold? The load grows from rest. The answer is a sentence, with first slip and gross slip as multiples of the load.
 
-        :param load: what is put on, N and N m, shape (c,) or (d,).
-        :param base: the load at rest; none unless said otherwise.
-        :param together_with: of several bodies, by name, loads that grow with the load; then without a base.
+        :param load: the load that grows, N and N m, shape (c,) or (d,).
+        :param base: the load at rest; zero unless given.
+        :param together_with: loads on single bodies by name, which grow with the load. They exclude a base.
         """
         asked = {"load": wrench_json("load", load, self.axes)}
         if base is not None:
@@ -325,10 +327,10 @@ class Grasp:
         loads: Sequence[ArrayLike | Mapping[str, Any]],
         base: ArrayLike | Mapping[str, Any] | None = None,
     ) -> Shaken:
-        """Does it survive a load that repeats? Loads are put on and taken off again in turn, cycle after cycle; the answer is for all time.
+        """Does it survive a load that repeats? Each load in turn is applied and removed, cycle after cycle. The answer holds for all time.
 
-        :param loads: what is put on one after the other, N and N m, each of shape (c,) or (d,).
-        :param base: the load at rest; none unless said otherwise.
+        :param loads: loads of one cycle in their order, N and N m, each of shape (c,) or (d,).
+        :param base: the load at rest; zero unless given.
         """
         asked: dict[str, Any] = {"loads": [wrench_json("load", load, self.axes) for load in loads]}
         if base is not None:
@@ -336,10 +338,10 @@ class Grasp:
         return Shaken(self._held.ask(dumped({"shake": asked})))
 
     def shakedown(self, loads: Sequence[ArrayLike | Mapping[str, Any]], *, base: ArrayLike | Mapping[str, Any] | None = None) -> Shakedown:
-        """Up to how many times such loads, in whichever order they come, could it come to rest?
+        """The largest multiple of repeated loads, applied in any order, under which the grasp could come to rest.
 
-        :param loads: what comes and goes, N and N m, each of shape (c,) or (d,).
-        :param base: the load at rest; none unless said otherwise.
+        :param loads: loads that are applied and removed, N and N m, each of shape (c,) or (d,).
+        :param base: the load at rest; zero unless given.
         """
         asked: dict[str, Any] = {"loads": [wrench_json("load", load, self.axes) for load in loads]}
         if base is not None:
@@ -364,20 +366,21 @@ class Grasp:
         friction_less: float = 0.1,
         squeeze_less: float = 0.05,
     ) -> Needed:
-        """How much does it need? The least ``"squeeze"`` or ``"friction"``, the greatest ``"load"``, ``"arm"`` or ``"angle"``.
+        """How much does it need? The least ``"squeeze"`` or ``"friction"``, or the greatest ``"load"``, ``"arm"`` or ``"angle"``.
 
-        :param quantity: what is sought.
-        :param load: the load; beside ``any_force`` what acts besides.
-        :param base: what is there at rest, whatever the amount; none unless said otherwise.
-        :param loads: loads, one at a time, in place of it.
-        :param any_force: a force of this size and any direction, N, that acts at ``at``.
-        :param per_metre: of an arm, what a metre more adds to the load.
-        :param contact: of friction, the contact that it is sought of: its number from 0, or its name.
-        :param turn: of an angle, what turns, in the words of :meth:`turn`; also loads for what else is sought, all along the turn.
-        :param together_with: of several bodies, by name, loads that grow with the one load.
-        :param may_slide: contacts may slide, as long as the object is not lost.
-        :param repeats: loads are put on and taken off in turn, again and again, until it comes to rest; with ``may_slide`` it only must not walk.
-        :param friction_less, squeeze_less: parts by which friction and squeeze may be less, for the safe amount.
+        :param quantity: the quantity sought.
+        :param load: the load. With ``any_force`` it acts in addition to that force.
+        :param base: the load at rest, the same for every amount; zero unless given.
+        :param loads: several loads that act one at a time, in place of ``load``.
+        :param any_force: size of a force of any direction, N, that acts at ``at``.
+        :param per_metre: for an arm, the change of the load per metre.
+        :param contact: for friction, the contact whose coefficient is sought, by number from 0 or by name; all contacts by default.
+        :param turn: for an angle, the load that turns, with the arguments of :meth:`turn`. For other quantities, loads all along the turn.
+        :param together_with: loads on single bodies by name, which grow with the single load.
+        :param may_slide: whether contacts may slide, as long as the object is not lost.
+        :param repeats: whether loads are applied and removed in turn, again and again. The grasp must come to rest; with ``may_slide`` the object
+            only must not walk.
+        :param friction_less, squeeze_less: relative reductions of friction and squeeze for the safe amount.
         """
         asked: dict[str, Any] = {"quantity": quantity, "friction_less": friction_less, "squeeze_less": squeeze_less}
         for name, wrench_given in (("base", base), ("load", load), ("per_metre", per_metre)):
@@ -417,21 +420,23 @@ class Grasp:
         outliers: float | None = None,
         iterations: int | None = None,
     ) -> Identified:
-        """What do slips that were seen tell of friction, loads of supports, squeeze or stiffness? Numbers, each with its error.
+        """Identifies friction, loads of supports, squeeze or stiffness from observed slips. Each estimate has its error.
 
         :param unknowns: each ``"friction"``, ``"carried"``, ``"squeeze"`` or ``"stiffness"``, or a mapping with that ``quantity``, the numbers or
             names of its ``contacts``, and ``layout``, ``name`` and ``start`` where they matter.
-        :param loads: a row for each slip, the load under which it was seen: shape (k, c) or (k, d), N and N m.
+        :param loads: the load at each slip, shape (k, c) or (k, d), N and N m.
         :param slip: ``"gross"`` or ``"first"``, one for all slips or one each.
-        :param base: what acted besides.
-        :param turns: in place of loads the turns, each up to the angle at which it slid, in the words of :meth:`turn`.
-        :param squeeze: how many times the squeeze of the grasp, one for all or one each.
-        :param scatter: standard deviation of loads as a part of them, one for all or one each; estimated from the slips if left out.
-        :param group: a name or a number for each slip, the same for slips that may share errors: of one direction, one specimen or one day. Errors
-            are then those between groups, and intervals Student's with what degrees of freedom few groups leave.
-        :param layouts: other points of the contacts, each of shape (n, c); ``layout`` then says of each slip which one, 0 for the grasp.
-        :param known: numbers of unknowns, what they sum up to, and its standard deviation as a part of it.
-        :param outliers: slips that are off by more standard deviations count less; 2 unless said otherwise.
+        :param base: a load that acted in addition.
+        :param turns: in place of loads: turns up to the angle of each slip, with the arguments of :meth:`turn`.
+        :param squeeze: multiple of the squeeze of the grasp at each slip, one for all or one each.
+        :param scatter: relative standard deviation of loads, one for all or one each; estimated from the slips by default.
+        :param group: a name or a number for each slip, equal for slips that may share errors: of one direction, one specimen or one day. Errors
+            are then estimated between groups, and intervals use Student's distribution with the few degrees of freedom of the groups.
+        :param layouts: further arrangements of the contact points, each of shape (n, c).
+        :param layout: the arrangement of each slip: 0 for the grasp itself, k for ``layouts[k - 1]``.
+        :param known: indices of unknowns, their known sum, and its relative standard deviation.
+        :param outliers: slips whose residual exceeds this number of standard deviations get less weight; 2 by default.
+        :param iterations: the largest number of steps; 100 by default.
         """
         slips = self._slips(loads, turns)
         words = [slip] * len(slips) if isinstance(slip, str) else listed("slip", slip, "a word, or one for each slip")
@@ -467,7 +472,7 @@ class Grasp:
         return Identified(self._held.ask(dumped({"identify": asked})))
 
     def _slips(self, loads: ArrayLike | None, turns: Sequence[Mapping[str, Any]] | None) -> list[dict[str, Any]]:
-        """What each slip was seen under, as scenes write it."""
+        """The load or turn of each slip, in the format of scenes."""
         if (loads is None) == (turns is None):
             raise TypeError("identify: give one of loads and turns")
         if turns is not None:
@@ -476,7 +481,7 @@ class Grasp:
         return [{"load": wrench_json(f"loads[{k}]", row, self.axes)} for k, row in enumerate(rows)]
 
     def _unknown(self, index: int, given: str | Mapping[str, Any]) -> dict[str, Any]:
-        """An unknown as scenes write it, its contacts by number."""
+        """Converts an unknown to the format of scenes, with its contacts by number."""
         kinds = ("friction", "carried", "squeeze", "stiffness")
         if not isinstance(given, (str, Mapping)):
             raise TypeError(f"unknowns[{index}]: {type(given).__name__} given, must be a text or a mapping with a quantity")
@@ -504,21 +509,20 @@ class Grasp:
         steps: int | None = None,
         seed: int | None = None,
     ) -> Improved:
-        """Where should the fingers be, and how hard should they press, so that the first slip comes as late as possible, or most
-        friction is left?
+        """Searches for better places and squeezes of the fingers: the first slip comes as late as possible, or most friction is left.
 
-        :param load: what grows, or for a reserve acts in full; beside ``any_force`` what acts besides.
-        :param surfaces: what contacts may move along, as scenes write it, one for all or a list of one or None a contact: in the plane ``{"segment":
-            [[0, 0], [0, 1]]}``, ``polyline``, ``circle``, ``arc``, ``spline`` or ``closed_spline``, in space ``rectangle``, ``cylinder``,
-            ``sphere`` or ``triangles``. Without it those of the scene.
-        :param at_most: contacts may press with up to this force, N; as they are commanded without it.
-        :param base: what is there at rest, however large the loads are.
-        :param loads: loads that grow, one at a time, in place of it.
-        :param any_force: a force of any direction, of which this size counts as one, N, that acts at ``at``.
-        :param goal: ``"first_slip"``, or ``"reserve"``: the friction that is left while each load acts in full. The first slip without it.
-        :param starts: starts beside this grasp, 8 without it.
-        :param steps: steps from each start at most, 200 without it.
-        :param seed: another number gives other starts.
+        :param load: the load that grows, or that acts in full for a reserve. With ``any_force`` it acts in addition to that force.
+        :param surfaces: surfaces along which contacts may move, as in scenes: in the plane ``{"segment": [[0, 0], [0, 1]]}``, ``polyline``,
+            ``circle``, ``arc``, ``spline`` or ``closed_spline``, in space ``rectangle``, ``cylinder``, ``sphere`` or ``triangles``. One for all, or
+            a list with one or None a contact; the surfaces of the scene by default.
+        :param at_most: the largest force with which a contact may press, N. By default commands do not change.
+        :param base: the load at rest, independent of the factor of the loads.
+        :param loads: several loads that grow one at a time, in place of ``load``.
+        :param any_force: a force of any direction that acts at ``at``. Its factor is relative to this size, N.
+        :param goal: ``"first_slip"``, the default, or ``"reserve"``, the friction that is left while each load acts in full.
+        :param starts: number of starts beside this grasp, 8 by default.
+        :param steps: the largest number of steps from each start, 200 by default.
+        :param seed: seed of the random starts.
         """
         if goal not in (None, "first_slip", "reserve"):
             raise ValueError(f"goal: {goal!r} given, must be first_slip or reserve")
@@ -538,9 +542,9 @@ class Grasp:
         return Improved(held._held.ask(dumped({"improve": asked})))
 
     def placed_as(self, improved: Improved) -> Grasp:
-        """This grasp with its contacts placed and commanded as an answer has them.
+        """This grasp with the places and commands of an answer of :meth:`improve`.
 
-        :raises ValueError: if the answer is of another number of contacts, or of soft fingertips.
+        :raises ValueError: if the answer has another number of contacts, or soft fingertips.
         """
         scene = self.to_dict()
         contacts = scene["planar" if self.axes == 2 else "spatial"]["contacts"]
@@ -555,13 +559,14 @@ class Grasp:
         return Grasp.from_dict(scene)
 
     def watch(self) -> Watch:
-        """A watch over measured contact forces, for a control loop: of two to five contacts that are points, without joints."""
+        """A watch over measured contact forces, for a control loop. The grasp must have two to five point contacts and no joints."""
         return Watch(self._held.watch(), self.axes)
 
     def solve(self, load: ArrayLike, *, together_with: Mapping[str, ArrayLike | Mapping[str, Any]] | None = None) -> Solution:
-        """The equilibrium under a load, or the proof that there is none.
+        """The equilibrium under a load, or the proof that no equilibrium exists.
 
-        :param together_with: of several bodies, by name, loads beside it.
+        :param load: N and N m, shape (c,) or (d,).
+        :param together_with: further loads on single bodies, by name.
         """
         if together_with:
             asked = {"load": wrench_json("load", load, self.axes), **self._together(together_with)}
@@ -569,7 +574,7 @@ class Grasp:
         return Solution(self._held.solve(load))
 
     def _together(self, loads: Mapping[str, ArrayLike | Mapping[str, Any]] | None) -> dict[str, Any]:
-        """Loads of bodies that grow with that of a question, as scenes write them."""
+        """Converts loads of single bodies that act with the load of a question to the format of scenes."""
         if not loads:
             return {}
         return {"together_with": {name: wrench_json(f"together_with[{name!r}]", load, self.axes) for name, load in loads.items()}}
@@ -582,12 +587,12 @@ class Grasp:
         command_change: ArrayLike | None = None,
         joint_change: ArrayLike | None = None,
     ) -> Onset:
-        """At which factor of a direction the first contact stops sticking, the load being ``base + factor * direction``.
+        """The factor at which the first contact stops sticking under the load ``base + factor * direction``.
 
-        :param direction: load that one unit of the factor adds, N and N m, shape (c,) or (d,).
-        :param base: load at factor 0; none unless said otherwise.
-        :param command_change: what one unit of the factor adds to the commands, contact frames, m, shape (n, c).
-        :param joint_change: what it adds to the commands of a hand, one a joint and then one a tendon, rad or m.
+        :param direction: load per unit of the factor, N and N m, shape (c,) or (d,).
+        :param base: load at factor 0; zero unless given.
+        :param command_change: change of the commands per unit of the factor, contact frames, m, shape (n, c).
+        :param joint_change: change of the commands of a hand per unit of the factor, one a joint and then one a tendon, rad or m.
         """
         if command_change is None and joint_change is None:
             return Onset(self._held.onset(direction, base))
@@ -611,24 +616,24 @@ class Grasp:
         angle: float | None = None,
         reversed: bool = False,
     ) -> TurnOnset:
-        """At which angle the first contact stops sticking while a load turns.
+        """The angle at which the first contact stops sticking while a load turns.
 
-        Give a ``weight`` while the object is tilted with its grasp, or a ``force`` that turns, or ``cosine`` and ``sine``. In the plane it
-        turns from x to y, in space about the axis by the right-hand rule.
+        Give a ``weight`` for an object that is tilted together with its grasp, or a ``force`` that turns, or ``cosine`` and ``sine``. The turn goes
+        from x to y in the plane, and about ``axis`` by the right-hand rule in space.
 
-        :param weight: N, shape (c,), as it hangs before the tilt.
-        :param force: N, shape (c,), in place of the weight.
-        :param at: where it acts, m, shape (c,); the origin unless said otherwise.
-        :param axis: in space about which it turns, shape (3,).
-        :param beside: a load that stays.
-        :param constant, cosine, sine: loads, in place of all these: ``constant + cosine cos θ + sine sin θ``.
-        :param angle: how far it turns, rad; a full turn unless said otherwise.
-        :param reversed: the other way round.
+        :param weight: the weight before the tilt, N, shape (c,).
+        :param force: a force that turns, N, shape (c,), in place of the weight.
+        :param at: the point on which weight or force acts, m, shape (c,); the origin by default.
+        :param axis: in space the axis of the turn, shape (3,).
+        :param beside: a further load that does not turn.
+        :param constant, cosine, sine: loads of a general turn, in place of all these: ``constant + cosine cos θ + sine sin θ``.
+        :param angle: largest angle, rad; a full turn by default.
+        :param reversed: whether the turn goes in the opposite direction.
         """
         return TurnOnset(self._held.turn(dumped(self._turn_words(locals()))))
 
     def _numbered(self, contact: int | str | None) -> int | None:
-        """The number of a contact that is called by its name."""
+        """The number of a contact given by number or by name."""
         if not isinstance(contact, str):
             return contact
         (space,) = (part for name, part in json.loads(self.to_json()).items() if name in ("planar", "spatial"))
@@ -642,7 +647,7 @@ class Grasp:
         return named[0]
 
     def _turn_words(self, words: Mapping[str, Any]) -> dict[str, Any]:
-        """A turn as scenes write it, from the words of :meth:`turn`."""
+        """Converts the arguments of :meth:`turn` to the format of scenes."""
         loads = ("beside", "constant", "cosine", "sine")
         given = {name: value for name, value in words.items() if name != "self" and value is not None and value is not False}
         written = {name: wrench_json(name, value, self.axes) if name in loads else plain(name, value) for name, value in given.items()}
@@ -651,10 +656,10 @@ class Grasp:
         return written
 
     def follow(self, legs: Sequence[ArrayLike | Leg], start: ArrayLike | Mapping[str, Any] | None = None) -> Path:
-        """The load path of a program, from event to event, with slips remembered.
+        """Follows a load program from event to event. Slips are remembered from leg to leg.
 
-        :param legs: each a :class:`Leg`, or the load that it goes to.
-        :param start: the load at the start; none unless said otherwise.
+        :param legs: each a :class:`Leg`, or the load at the end of the leg.
+        :param start: the load at the start; zero unless given.
         """
         asked: dict[str, Any] = {
             "legs": [self._leg(index, leg) for index, leg in enumerate(listed("legs", legs, "a list of loads or legs"))]
@@ -680,15 +685,15 @@ class Grasp:
         return written
 
     def equilibria(self, load: ArrayLike) -> list[Equilibrium]:
-        """All equilibria under a load, those with few contacts; on the round cone those that a polygon leads to."""
+        """All equilibria under a load, of a grasp with few contacts; on the round cone those to which a polygon leads."""
         return [Equilibrium(tree) for tree in json.loads(self._held.equilibria(load))]
 
     def quality(self, budget: float = 1.0, *, each: bool = False) -> Quality:
-        """What contacts *could* hold if they pressed as needed: force closure, form closure, and the measure ε of Ferrari and Canny.
+        """Loads that contacts *could* hold with suitable normal forces: force closure, form closure, and the measure ε of Ferrari and Canny.
 
-        ε takes moments about the centroid of the contacts: beside it ask :meth:`weakest_direction` with ``at`` that centroid.
+        ε takes moments about the centroid of the contacts. To compare it with :meth:`weakest_direction`, pass that centroid as ``at``.
 
-        :param budget: N that all normal forces may sum up to, or each may have with ``each``.
+        :param budget: bound of the sum of all normal forces, N, or of each one with ``each``.
         """
         ball = WrenchBall.from_json(self._held.ball(budget, each))
         return Quality(force_closure=self.force_closure(), form_closure=self.form_closure(), ball=ball)
@@ -704,7 +709,7 @@ class Grasp:
     def load_limit(self, direction: ArrayLike, base: ArrayLike | None = None, *, budget: float = 1.0, each: bool = True) -> LoadLimit:
         """The largest factor for which *some* contact forces within a budget of normal forces balance ``base + factor * direction``.
 
-        :param budget: N that each normal force may have, or all together without ``each``.
+        :param budget: bound of each normal force, N, or of their sum without ``each``.
         """
         return LoadLimit.from_json(self._held.load_limit(direction, base, budget, each))
 
@@ -717,11 +722,13 @@ class Grasp:
         at: ArrayLike | None = None,
         turn: Mapping[str, Any] | None = None,
     ) -> LeastSqueeze:
-        """The least common factor of all commands with which everything sticks under each of a set of loads.
+        """The least common factor of all commands with which every contact sticks under each of a set of loads.
 
-        :param loads: shape (k, c) or (k, d), or one load, N and N m. Or in its place one of the next two.
-        :param any_force: size of a force of any direction, N, beside the load ``base`` and through the point ``at`` (m).
-        :param turn: a load that turns, with the words of :meth:`turn`.
+        Give exactly one of ``loads``, ``any_force`` and ``turn``.
+
+        :param loads: loads of shape (k, c) or (k, d), or a single load, N and N m.
+        :param any_force: size of a force of any direction, N, through the point ``at`` (m), in addition to the load ``base``.
+        :param turn: a load that turns, with the arguments of :meth:`turn`.
         """
         if (loads is None) + (any_force is None) + (turn is None) != 2:
             raise TypeError("least_squeeze: give one of loads, any_force and turn")
@@ -737,10 +744,10 @@ class Grasp:
         return LeastSqueeze.from_json(self._held.least_squeeze(rows))
 
     def weakest_direction(self, base: ArrayLike | None = None, at: ArrayLike | None = None) -> WeakestDirection:
-        """The direction in which the least force through a point makes a contact stop sticking, beside a base load.
+        """The least force through a point that makes a contact stop sticking, and its direction, in addition to a base load.
 
-        :param base: N and N m, shape (c,) or (d,); none unless said otherwise.
-        :param at: m, shape (c,); the origin unless said otherwise.
+        :param base: base load, N and N m, shape (c,) or (d,); zero unless given.
+        :param at: the point, m, shape (c,); the origin by default.
         """
         return WeakestDirection.from_json(self._held.weakest_direction(base, at))
 
@@ -748,11 +755,11 @@ class Grasp:
         return self.solve(np.zeros(self.axes))
 
     def _repr_svg_(self) -> str | None:
-        """The grasp as it is squeezed, without a load, for notebooks."""
+        """Picture of the squeezed grasp without a load, for notebooks."""
         return self._resting()._repr_svg_()
 
     def _repr_html_(self) -> str | None:
-        """A spatial grasp as a page to turn, for notebooks."""
+        """A page with a spatial grasp that can be rotated, for notebooks."""
         return self._resting()._repr_html_()
 
 
@@ -771,18 +778,18 @@ _KINDS: dict[str, type[Answer]] = {
 
 
 def answers(scene: str | Mapping[str, Any]) -> list[Answer]:
-    """The answers to the questions of a scene, a text in JSON or a dictionary, in their order."""
+    """The answers to the questions of a scene, in their order. The scene is JSON text or a dictionary."""
     text = scene if isinstance(scene, str) else json.dumps(scene)
     told = (next(iter(tree.items())) for tree in json.loads(_grasp_lcp.answers_of_scene(text)))
     return [_KINDS[kind](json.dumps(tree)) for kind, tree in told]
 
 
 def wrench(force: ArrayLike, moment: ArrayLike | None = None, *, at: ArrayLike | None = None) -> np.ndarray[Any, np.dtype[np.float64]]:
-    """A load about the origin, shape (3,) in the plane and (6,) in space: a force (N), its moment if it acts elsewhere, and a moment (N m).
+    """A load of a force (N) at a point and a moment (N m), reduced to the origin: shape (3,) in the plane and (6,) in space.
 
-    :param force: shape (2,) or (3,).
-    :param moment: one number in the plane, shape (3,) in space, beside that of the force.
-    :param at: the point that the force acts at, m, of the shape of the force.
+    :param force: the force, N, shape (2,) or (3,).
+    :param moment: moment in addition to that of the force about the origin, N m: one number in the plane, shape (3,) in space.
+    :param at: the point on which the force acts, m, of the shape of the force; the origin by default.
     """
     pull = finite("force", force)
     if pull.shape not in ((2,), (3,)):

@@ -3,7 +3,7 @@
     >>> from grasp_lcp.jax import onset_factor
     >>> jax.grad(lambda points: onset_factor(points, normals, down, friction=0.5, series_stiffness=2e3, pressed_with=8.0).sum())(points)
 
-JAX is imported here, and nowhere else in the package.
+No other module of the package imports JAX.
 """
 
 from __future__ import annotations
@@ -35,10 +35,10 @@ def onset_factor(
 ) -> Any:
     """The factor of a direction at which the first contact of each grasp stops sticking, as a differentiable function of all arrays.
 
-    It works under ``jax.jit``, ``jax.grad`` and ``jax.vmap``. The parameters are those of :func:`grasp_lcp.torch.onset_factor`. Numbers are
-    computed in double precision and come back in that of JAX: double with ``jax_enable_x64``. Where there is no factor it is ``inf`` or NaN and
-    all its derivatives are zero. At a kink, where several contacts leave together, the derivatives are those of the first of them. There are no
-    second derivatives.
+    It works under ``jax.jit``, ``jax.grad`` and ``jax.vmap``. The parameters are those of :func:`grasp_lcp.torch.onset_factor`. The factor is
+    computed in double precision and returned in the precision of JAX: double with ``jax_enable_x64``. In rows without a factor the result is
+    ``inf`` or NaN and all its derivatives are zero. At a kink, where several contacts leave together, the derivatives are those of the first of
+    them. There are no second derivatives.
     """
     at = jnp.asarray(points, dtype=float)
     axes = at.shape[-1]

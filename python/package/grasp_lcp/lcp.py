@@ -1,4 +1,4 @@
-"""Linear complementarity problems by themselves: ``0 <= z ⟂ M z + q >= 0``."""
+"""Linear complementarity problems without a grasp: ``0 <= z ⟂ M z + q >= 0``."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from ._views import Array, View, array
 
 
 def shaped(name: str, given: ArrayLike, dimensions: int) -> Array:
-    """A matrix or a vector."""
+    """Converts numbers to a contiguous array and checks its number of dimensions."""
     found = floats(name, given)
     if found.ndim != dimensions:
         raise ValueError(f"{name}: shape {found.shape} given, must have {dimensions} dimensions")
@@ -22,7 +22,7 @@ def shaped(name: str, given: ArrayLike, dimensions: int) -> Array:
 
 
 class Outcome(View):
-    """What is known of a problem when a solve ends."""
+    """The outcome of a solve, with its solution or its proof."""
 
     def __init__(self, tree: Any, line: str = "") -> None:
         super().__init__(tree)
@@ -30,8 +30,8 @@ class Outcome(View):
 
     @property
     def outcome(self) -> str:
-        """``"solved"``, ``"infeasible"`` (proved without rounding), ``"nearly_infeasible"``, ``"no_basis"``; or that nothing is known:
-        ``"ray"``, ``"pivot_limit"``, ``"breakdown"``."""
+        """``"solved"``, ``"infeasible"`` (proved without rounding), ``"nearly_infeasible"`` or ``"no_basis"``. Three outcomes leave the problem
+        undecided: ``"ray"``, ``"pivot_limit"`` and ``"breakdown"``."""
         return str(next(iter(self._tree)))
 
     def _of(self, name: str) -> Any:
@@ -39,24 +39,24 @@ class Outcome(View):
 
     @property
     def solved(self) -> bool:
-        """Whether there is a solution."""
+        """Whether a solution was found."""
         return self.outcome == "solved"
 
     @property
     def certificate(self) -> Array | None:
-        """Of an infeasible problem the vector that proves it."""
+        """The vector that proves a problem infeasible; None for other outcomes."""
         found = self._of("y")
         return None if found is None else array(found)
 
     @property
     def pivots(self) -> int | None:
-        """Pivots of Lemke's method."""
+        """Number of pivots of Lemke's method."""
         found = self._of("pivots")
         return None if found is None else int(found)
 
     @property
     def residuals(self) -> dict[str, Any] | None:
-        """How far the conditions are missed, recomputed from the data given."""
+        """Residuals of the conditions, recomputed from the data given."""
         found = self._of("residuals")
         return None if found is None else dict(found)
 
@@ -65,23 +65,23 @@ class Outcome(View):
 
 
 class LcpOutcome(Outcome):
-    """What is known of a complementarity problem."""
+    """The outcome of a linear complementarity problem."""
 
     @property
     def z(self) -> Array | None:
-        """The solution, shape (n,), none negative; None unless solved."""
+        """The solution z >= 0, shape (n,); None unless solved."""
         found = self._of("z")
         return None if found is None else array(found)
 
     @property
     def w(self) -> Array | None:
-        """``M z + q``, shape (n,), none negative; None unless solved."""
+        """The slack ``w = M z + q >= 0``, shape (n,); None unless solved."""
         found = self._of("w")
         return None if found is None else array(found)
 
     @property
     def basis(self) -> tuple[int, ...] | None:
-        """Which z are basic; None unless solved."""
+        """Indices of the basic components of z; None unless solved."""
         found = self._of("basis")
         return None if found is None else tuple(found)
 

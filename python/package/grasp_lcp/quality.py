@@ -1,4 +1,4 @@
-"""What contacts could hold, how much squeeze suffices, and which direction is weakest."""
+"""Force and form closure, load limits, least squeeze and weakest direction."""
 
 from __future__ import annotations
 
@@ -11,29 +11,32 @@ from ._views import Array, View, array, load_of, motion_of, number, optional_num
 class _Told(View):
     @property
     def outcome(self) -> str:
-        """How it ended."""
+        """Outcome, in one word."""
         return str(self._tree["outcome"])
 
     @cached_property
     def motion(self) -> Array | None:
-        """A unit motion that nothing resists, or that the load makes, m and rad, shape (d,)."""
+        """Unit motion that no contact resists, m and rad, shape (d,); None if the outcome has none.
+
+        For a load limit it is the motion on which a larger load does more work than any forces within the budget do against it.
+        """
         found = self._tree.get("motion")
         return None if found is None else motion_of(found)
 
     @cached_property
     def bodies(self) -> dict[str, Array]:
-        """Of several bodies, by name, how each moves then, m and rad, shape (d,). Empty where there is one."""
+        """Motion of each of several bodies by name, m and rad, shape (d,). Empty for a single body."""
         return {str(tree["body"]): motion_of(tree["twist"]) for tree in self._tree.get("bodies", ())}
 
     @property
     def contact(self) -> int | None:
-        """The contact that decides, from 0."""
+        """The critical contact, from 0; None if the outcome has none."""
         found = self._tree.get("contact")
         return None if found is None else int(found)
 
     @cached_property
     def load(self) -> Array | None:
-        """The load that decides, N and N m, shape (d,)."""
+        """The critical load, N and N m, shape (d,); None if the outcome has none."""
         found = self._tree.get("load")
         return None if found is None else load_of(found)
 
@@ -47,35 +50,38 @@ class Closure(_Told):
 
     @property
     def closed(self) -> bool:
-        """Whether they could."""
+        """Whether contact forces could balance any load."""
         return self.outcome == "closed"
 
     @cached_property
     def internal(self) -> Array | None:
-        """Forces in the contact frames, the largest 1 N, strictly inside their cones, that balance each other, shape (n, c)."""
+        """Forces that balance each other strictly inside their cones, in the contact frames, the largest 1 N, shape (n, c); None unless closed."""
         found = self._tree.get("internal")
         return None if found is None else rows(found, len(found[0]))
 
 
 class WrenchBall(View):
-    """The measure ε of Ferrari and Canny: loads this large in every direction can be balanced.
+    """The measure ε of Ferrari and Canny: contact forces within the budget can balance every load of size ε, whatever its direction.
 
     Moments are taken about the centroid of the contacts and divided by the largest distance of a contact from it.
     """
 
     @property
     def at_least(self) -> float:
-        """ε is at least this, N."""
+        """Lower bound of ε, N."""
         return number(self._tree["at_least"])
 
     @property
     def at_most(self) -> float:
-        """And at most this, N."""
+        """Upper bound of ε, N."""
         return number(self._tree["at_most"])
 
     @cached_property
     def weakest(self) -> Array:
-        """The load of size 1 N in that scale in the weakest direction, N and N m about the origin, shape (d,)."""
+        """The load of size 1 N in the weakest direction, with moments scaled as above; N and N m about the origin, shape (d,).
+
+        More than ``at_most`` times this load cannot be balanced.
+        """
         return load_of(self._tree["weakest"])
 
     def __repr__(self) -> str:
@@ -84,7 +90,7 @@ class WrenchBall(View):
 
 @dataclass(frozen=True)
 class Quality:
-    """What contacts could hold if they pressed as needed. What these do, squeezed this much, is for :meth:`Grasp.onset` to say."""
+    """Loads that contacts could hold with suitable normal forces. :meth:`Grasp.onset` finds the load that the actual squeeze holds."""
 
     force_closure: Closure
     form_closure: Closure
@@ -92,21 +98,21 @@ class Quality:
 
     @property
     def epsilon(self) -> float:
-        """The measure ε of Ferrari and Canny, N; its lower bound."""
+        """Lower bound of the measure ε of Ferrari and Canny, N."""
         return self.ball.at_least
 
 
 class LoadLimit(_Told):
-    """How far a load can grow: ``"factor"``, ``"no_base"`` or ``"undecided"``."""
+    """The largest factor of a load that contact forces can balance: ``"factor"``, ``"no_base"`` or ``"undecided"``."""
 
     @property
     def at_least(self) -> float | None:
-        """The factor is at least this."""
+        """Lower bound of the factor; None without one."""
         return optional_number(self._tree.get("at_least"))
 
     @property
     def at_most(self) -> float | None:
-        """And at most this."""
+        """Upper bound of the factor; None without one."""
         return optional_number(self._tree.get("at_most"))
 
     @cached_property
@@ -122,11 +128,11 @@ class LoadLimit(_Told):
 
 
 class LeastSqueeze(_Told):
-    """How much squeeze suffices: ``"factor"``, ``"no_factor"``, ``"gives_way"`` or ``"undecided"``."""
+    """The least squeeze with which everything sticks: ``"factor"``, ``"no_factor"``, ``"gives_way"`` or ``"undecided"``."""
 
     @property
     def factor(self) -> float | None:
-        """Of all commands, at least zero; where no factor suffices what other conditions need."""
+        """Common factor of all commands, at least zero. If no factor suffices, the least factor that all other conditions need."""
         return optional_number(self._tree.get("factor"))
 
     def __repr__(self) -> str:
@@ -136,16 +142,16 @@ class LeastSqueeze(_Told):
 
 
 class WeakestDirection(_Told):
-    """The least force that slides: ``"force"``, ``"never"``, ``"gives_way"``, ``"not_sticking"`` or ``"undecided"``."""
+    """The least force that makes a contact slide: ``"force"``, ``"never"``, ``"gives_way"``, ``"not_sticking"`` or ``"undecided"``."""
 
     @property
     def size(self) -> float | None:
-        """Its size, N; no smaller force slides in any direction."""
+        """Size of the least force, N. No smaller force makes a contact slide, whatever its direction. None without a force."""
         return optional_number(self._tree.get("size"))
 
     @cached_property
     def direction(self) -> Array | None:
-        """Its unit direction, coordinate axes, shape (c,)."""
+        """Unit direction of the least force, coordinate axes, shape (c,); None without a force."""
         found = self._tree.get("direction")
         return None if found is None else array(found)
 

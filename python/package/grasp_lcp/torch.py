@@ -4,7 +4,7 @@
     >>> factor = onset_factor(points, normals, direction, friction=0.5, series_stiffness=[2e3, 1.5e3], pressed_with=8.0)
     >>> factor.sum().backward()
 
-PyTorch is imported here, and nowhere else in the package.
+No other module of the package imports PyTorch.
 """
 
 from __future__ import annotations
@@ -35,17 +35,18 @@ def onset_factor(
 ) -> Tensor:
     """The factor of a direction at which the first contact of each grasp stops sticking, as a differentiable function of all tensors.
 
-    Shapes are those of :func:`grasp_lcp.onsets`; grasps have two to five contacts. Numbers are computed in double precision and come back in
-    the type of ``points``. Where there is no factor it is ``inf`` or NaN and all its derivatives are zero; ``torch.where`` leaves such rows out
-    of a sum. At a kink, where several contacts leave together, the derivatives are those of the first of them. There are no second derivatives.
+    Shapes are those of :func:`grasp_lcp.onsets`; grasps have two to five contacts. The factor is computed in double precision and returned in
+    the type of ``points``. In rows without a factor the result is ``inf`` or NaN and all its derivatives are zero; ``torch.where`` leaves such
+    rows out of a sum. At a kink, where several contacts leave together, the derivatives are those of the first of them. There are no second
+    derivatives.
 
-    :param points: m, shape (..., n, 2) or (..., n, 3).
-    :param normals: into the object, of any length, of that shape.
-    :param direction: N and N m, shape (..., c) of a force or (..., d) of a force and a moment.
-    :param base: the load at factor 0, of such a shape.
+    :param points: contact points, m, shape (..., n, 2) or (..., n, 3).
+    :param normals: directions into the object, of any length, of the shape of ``points``.
+    :param direction: load per unit of the factor, N and N m, shape (..., c) for a force or (..., d) for a force and a moment.
+    :param base: load at factor 0, shape (..., c) or (..., d); zero unless given.
     :param series_stiffness: N/m: one number, or (..., 2) normal and tangential.
-    :param pressed_with: N, along the normals: commands change with normals and stiffness so that this force stays.
-    :param command_world: m, along the coordinate axes, where they stay; added to what the forces ask for.
+    :param pressed_with: squeeze forces along the normals, N. Commands change with normals and stiffness so that these forces stay.
+    :param command_world: further commands along the coordinate axes, m. They stay when normals change, and add to those of ``pressed_with``.
     """
     kind, place = points.dtype, points.device
 
@@ -107,7 +108,7 @@ class _OnsetFactor(Function):
 
 
 class _Slope(Function):
-    """The product of a backward pass, which has none of its own: it takes the data along, so that whoever asks how it changes with them is told."""
+    """The product of slope and incoming gradient. It takes the data as inputs, so that a second backward pass reaches it and is refused."""
 
     @staticmethod
     def forward(ctx: Any, given: Tensor, slope: Tensor, shape: torch.Size, *data: Tensor) -> Tensor:

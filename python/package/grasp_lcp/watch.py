@@ -1,4 +1,4 @@
-"""What measured contact forces have left, asked in a control loop."""
+"""Margins of measured contact forces, for a control loop."""
 
 from __future__ import annotations
 
@@ -12,30 +12,30 @@ from .batch import OnsetStatus
 
 
 class Watched(NamedTuple):
-    """What measured contact forces have left."""
+    """Margins that measured contact forces have left."""
 
     margin: float
-    """The least margin of a contact, N: ``μ F_n - |F_t|`` where it may slide, ``F_n`` where it can only open. Negative where a force lies outside
-    of its cone; infinite if no contact can leave."""
+    """The least margin of a contact, N: ``μ F_n - |F_t|`` where it may slide, ``F_n`` where it can only open. It is negative where a measured
+    force lies outside of its cone, and infinite if no contact can leave."""
     tightest: int
-    """The contact with that margin, from 0; the first of several."""
+    """The contact with the least margin, from 0; the first of several."""
     first_slip: float | None
-    """At which multiple of the load to come the first contact stops sticking: one is enough of it. ``inf`` if none does; None where ``status``
-    says why."""
+    """The multiple of the load to come at which the first contact stops sticking; above one the whole load to come is held. ``inf`` if no contact
+    stops sticking; None without a factor, where ``status`` gives the reason."""
     leaving: tuple[int, ...]
-    """The contacts that leave there, from 0."""
+    """The contacts that stop sticking at the first slip, from 0."""
     status: OnsetStatus
-    """How the first slip ended."""
+    """Outcome of the search for the first slip."""
     extra_squeeze: float | None
-    """The least part of all commands to be put on top, at once with the load to come, with which every contact keeps sticking; zero where that needs
-    no more, None where none is known to suffice."""
+    """The least increase of all commands, as a part of them, with which every contact keeps sticking if it is applied together with the load to
+    come. Zero if no increase is needed, None if no increase is known to suffice."""
 
 
 class Watch:
-    """Fingers whose forces are measured; made by :meth:`Grasp.watch`, and asked in a few microseconds.
+    """A watch over measured contact forces, made by :meth:`Grasp.watch`. A call takes a few microseconds.
 
-    Only changes from what is measured go by the springs of the fingers: by the load to come and by more squeeze, as long as every contact
-    sticks. What has slipped already, or is off, shows in the forces.
+    Spring stiffnesses predict only changes from the measured forces: by the load to come and by more squeeze, as long as every contact
+    sticks. Slips so far and errors of the model are contained in the measured forces.
 
         >>> from grasp_lcp import Grasp
         >>> jaws = Grasp.planar([[-1, 0], [1, 0]], [[1, 0], [-1, 0]], series_stiffness=[1e3, 8e2], friction=0.5, pressed_with=10.0)
@@ -49,11 +49,11 @@ class Watch:
         self.axes = axes
 
     def __call__(self, forces: ArrayLike, to_come: ArrayLike) -> Watched:
-        """What forces have left that were measured just now, while a load is to come on top of the present one.
+        """Margins of the measured forces, before a further load is added to the present one.
 
-        :param forces: on the object at the contacts along the coordinate axes, N, shape (n, c).
+        :param forces: measured forces on the object at the contacts, along the coordinate axes, N, shape (n, c).
         :param to_come: the load to come, N and N m, shape (c,) or (d,).
-        :raises ValueError: where a force or a load is no finite number of at most 1e50.
+        :raises ValueError: if a force or a load is not finite or exceeds 1e50 in size.
         """
         margin, tightest, status, factor, leaving, enough = self._held.look(_measured(forces), to_come)
         ended = OnsetStatus(status)

@@ -6,7 +6,7 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 
 pub(crate) type Rational = BigRational;
 
-/// A value within this many bits of the size of its terms is close to zero: 2^-29 = 1.9e-9.
+/// A value is close to zero if it is at least this many bits shorter than its largest term: smaller by about 2^-29 = 1.9e-9.
 const CLOSE_BITS: u64 = 29;
 
 /// `slope·q + constant`; in integers, `slope·N + constant d` for `q = N/d`.
@@ -47,7 +47,7 @@ impl Affine<Rational> {
         }
     }
 
-    /// Times the common denominator.
+    /// The function times the common denominator of its coefficients.
     pub(crate) fn in_integers(&self) -> Affine<BigInt> {
         self.times(&common_denominator(self.numbers()))
     }
@@ -63,18 +63,18 @@ impl Affine<BigInt> {
         Affine { slope: self.slope.each_ref().map(whole), constant: whole(&self.constant) }
     }
 
-    /// The terms of the value at a point, times its denominator.
+    /// The terms of the value at a point, times the denominator of the point.
     fn terms(&self, q: &Point) -> [BigInt; 4] {
         let along = |k: usize| &self.slope[k] * &q.numerators[k];
         [along(0), along(1), along(2), &self.constant * &q.denominator]
     }
 
-    /// The value at a point, times its denominator.
+    /// The value at a point, times the denominator of the point.
     pub(crate) fn at(&self, q: &Point) -> BigInt {
         self.terms(q).iter().sum()
     }
 
-    /// How far below zero at a point, relative to the size of the terms.
+    /// Amount by which the value at a point is below zero, relative to the sum of the sizes of its terms; 0 if it is not negative.
     pub(crate) fn missed(&self, q: &Point) -> f64 {
         let terms = self.terms(q);
         let value: BigInt = terms.iter().sum();
@@ -82,7 +82,7 @@ impl Affine<BigInt> {
         if value.is_negative() { quotient(-value, size) } else { 0.0 }
     }
 
-    /// The value at a point, times its denominator, and whether it is small compared with its terms.
+    /// The value at a point, times the denominator of the point, and whether it is [close](CLOSE_BITS) to zero.
     pub(crate) fn value_and_closeness(&self, q: &Point) -> (BigInt, bool) {
         let terms = self.terms(q);
         let size = terms.iter().map(BigInt::bits).max().unwrap_or(0);
@@ -92,7 +92,7 @@ impl Affine<BigInt> {
     }
 }
 
-/// N/d with d > 0. Fractions in lowest terms would cost far more than all that is done with the larger numbers.
+/// A point N/d with d > 0. It is not in lowest terms: reducing fractions would cost far more than arithmetic on the larger integers.
 #[derive(Debug, Clone)]
 pub(crate) struct Point {
     pub(crate) numerators: [BigInt; 3],
@@ -144,19 +144,19 @@ pub(crate) fn cramer(rows: &[Affine<BigInt>; 3]) -> Option<Point> {
     Some(Point { numerators, denominator: det.abs() })
 }
 
-/// What elimination leaves of three rows that do not contradict each other.
+/// The solutions of three consistent rows, after elimination.
 pub(crate) struct Consistent {
-    /// Independent rows that say the same.
+    /// Independent rows equivalent to the given ones.
     pub(crate) rows: Vec<Affine<BigInt>>,
-    /// Where they all vanish.
+    /// A point at which all rows vanish.
     pub(crate) point: [Rational; 3],
-    /// A basis of the directions along which they stay zero.
+    /// A basis of the directions along which all rows stay zero.
     pub(crate) directions: Vec<[Rational; 3]>,
 }
 
 /// The rows contradict each other.
 pub(crate) struct Contradiction {
-    /// By less than 1e-9 of their terms.
+    /// Whether the contradiction is smaller than 1e-9 of the terms of the rows.
     pub(crate) narrow: bool,
 }
 
@@ -201,7 +201,7 @@ pub(crate) fn eliminate(rows: &[Affine<BigInt>; 3]) -> Result<Consistent, Contra
     Ok(Consistent { rows, point, directions })
 }
 
-/// Fourier-Motzkin: is there an x with `along·x + constant >= 0` for every pair?
+/// Whether some x satisfies `along·x + constant >= 0` for every pair, by Fourier-Motzkin elimination.
 pub(crate) fn feasible(mut conditions: Vec<(Vec<Rational>, Rational)>, unknowns: usize) -> bool {
     for _ in 0..unknowns {
         let (mut below, mut above, mut rest) = (Vec::new(), Vec::new(), Vec::new());
@@ -226,11 +226,11 @@ pub(crate) fn feasible(mut conditions: Vec<(Vec<Rational>, Rational)>, unknowns:
     conditions.iter().all(|(_, constant)| !constant.is_negative())
 }
 
-/// The nearest point (rad and m alike) at which the independent rows vanish.
+/// The point nearest to `q` at which the independent rows vanish. Distances add squares of metres and radians.
 pub(crate) fn project(rows: &[Affine<BigInt>], q: Point) -> Point {
     let dot = |a: &[BigInt; 3], b: &[BigInt; 3]| -> BigInt { a.iter().zip(b).map(|(x, y)| x * y).sum() };
-    // Gram-Schmidt, one row after the other: moving along a row's part orthogonal to those before keeps them at zero. Each part is
-    // multiplied by what would divide it.
+    // Gram-Schmidt, row by row: a step along the part of a row that is orthogonal to all earlier rows keeps those at zero. Each part is
+    // multiplied by the denominator instead of divided, so that it stays an integer.
     let mut directions: Vec<[BigInt; 3]> = Vec::new();
     let mut q = q;
     for row in rows {
@@ -239,7 +239,7 @@ pub(crate) fn project(rows: &[Affine<BigInt>], q: Point) -> Point {
             let (part, whole) = (dot(&direction, known), dot(known, known));
             direction = std::array::from_fn(|k| &direction[k] * &whole - &known[k] * &part);
         }
-        // Positive: the square of the direction over what it was multiplied by.
+        // `way` is positive: the square of the direction over the factor by which the direction was multiplied.
         let (value, way) = (row.at(&q), dot(&row.slope, &direction));
         q = Point {
             numerators: std::array::from_fn(|k| &q.numerators[k] * &way - &direction[k] * &value),

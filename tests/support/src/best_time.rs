@@ -1,31 +1,31 @@
-//! The shortest of several times: what a call takes when nothing else disturbs it.
+//! The shortest of several run times, which is the time of a call without disturbance by other processes.
 //!
-//! Whoever wants to know whether a report runs, and not how long it takes, says `ONE_CALL=1` in its environment: then nothing is repeated.
+//! With `ONE_CALL=1` in the environment no call is repeated. That is enough to check that a report runs.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use crate::Failure;
 
-/// Each call is repeated for so long, and its shortest time taken.
+/// Each call is repeated for this time.
 const PATIENCE: Duration = Duration::from_millis(60);
-/// Longer ones at least so often, unless that takes longer than [`AT_MOST`].
+/// The least number of calls, also of slow ones, unless they take longer than [`AT_MOST`].
 const REPEATS: u32 = 3;
 const AT_MOST: Duration = Duration::from_secs(1);
 
-/// How often a call is to be repeated: as told, or not at all.
+/// The number of calls: `told`, or 1 with `ONE_CALL` in the environment.
 pub fn repeats(told: u32) -> u32 {
     if std::env::var_os("ONE_CALL").is_some() { 1 } else { told }
 }
 
-/// A value and the time it took, s.
+/// The value of a call and its run time, s.
 pub fn once<T>(mut call: impl FnMut() -> Result<T, Failure>) -> Result<(T, f64), Failure> {
     let start = Instant::now();
     let value = black_box(call()?);
     Ok((value, start.elapsed().as_secs_f64()))
 }
 
-/// A value and the shortest of several times, s.
+/// The value of a call and its shortest run time, s.
 pub fn timed<T>(mut call: impl FnMut() -> Result<T, Failure>) -> Result<(T, f64), Failure> {
     let start = Instant::now();
     let (mut value, mut best) = once(&mut call)?;
@@ -38,7 +38,7 @@ pub fn timed<T>(mut call: impl FnMut() -> Result<T, Failure>) -> Result<(T, f64)
     Ok((value, best))
 }
 
-/// The shortest of several times of what cannot fail, s.
+/// The shortest run time of a call that cannot fail, s.
 pub fn best(mut call: impl FnMut()) -> f64 {
     let timed = timed(|| {
         call();
@@ -47,7 +47,7 @@ pub fn best(mut call: impl FnMut()) -> f64 {
     timed.map_or(f64::NAN, |((), time)| time)
 }
 
-/// The shortest times, s, of several calls made in turns, so that whatever else the machine does slows all of them.
+/// The shortest run times of several calls, s. The calls are made in turns, so that other load of the machine slows all of them alike.
 pub fn best_in_turns<const N: usize>(
     mut calls: [&mut dyn FnMut() -> Result<(), Failure>; N],
 ) -> Result<[f64; N], Failure> {

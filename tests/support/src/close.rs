@@ -1,6 +1,6 @@
-//! When a number is the one that was worked out by hand.
+//! Comparison of computed numbers with expected ones.
 
-/// Equal to 1e-12, relative for large numbers and absolute for small ones.
+/// Asserts equality within `1e-12 (1 + |b|)`: relative for large numbers and absolute for small ones.
 #[macro_export]
 macro_rules! assert_close {
     ($a:expr, $b:expr) => {
@@ -9,12 +9,12 @@ macro_rules! assert_close {
     };
 }
 
-/// Equal to 1e-12 of the expected number, however small.
+/// Whether a equals the expected b within `1e-12 |b|`, however small b is.
 pub fn relatively_close(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-12 * b.abs()
 }
 
-/// Equal to 1e-12 of the expected number, however small.
+/// Asserts that a equals the expected b within `1e-12 |b|`, however small b is.
 #[macro_export]
 macro_rules! assert_relatively_close {
     ($a:expr, $b:expr) => {

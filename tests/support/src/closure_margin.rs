@@ -1,4 +1,4 @@
-//! How far inside their friction cones forces can be that balance each other, by an interior-point method (Clarabel).
+//! The largest distance from the edges of their friction cones at which contact forces balance each other, by an interior-point method (Clarabel).
 
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{
@@ -9,8 +9,8 @@ use nalgebra::DMatrix;
 
 use super::interior_point::sparse;
 
-/// The largest t with `Σ G_i f_i = 0`, `|f_t| <= μ f_n - t` and `f_n <= 1`; positive where the cones reach every wrench, if the maps have full
-/// rank. `None` if the method could not tell.
+/// The largest t with `Σ G_i f_i = 0`, `|f_t| <= μ f_n - t` and `f_n <= 1`. If the maps have full rank, t is positive exactly if the cones reach
+/// every wrench. `None` if the method does not converge. `contacts` has the grasp map and the friction coefficient of each contact.
 pub fn closure_margin(contacts: &[(DMatrix<f64>, f64)]) -> Option<f64> {
     let (d, c) = contacts.first()?.0.shape();
     let n = contacts.len();

@@ -1,5 +1,6 @@
-//! What has parameters and takes most of the time of tests, compiled here for the plane and for space. Tests are not optimised: each of them would compile
-//! it once more, and slower, and takes what stands here instead.
+//! Generic functions that dominate the run time of tests, compiled here for the plane and for space.
+//!
+//! This crate is optimised, the tests are not. A test that called the generic function would compile its own copy without optimisation.
 
 use std::ops::ControlFlow;
 
@@ -15,9 +16,9 @@ type Solve<const C: usize> = fn(&FrictionProblem<C>, &Settings, Watch<'_>) -> Ou
 type Slack<const D: usize, const C: usize> = fn(&Scene<D, C>, Friction) -> Option<f64>;
 type Violation<const D: usize, const C: usize> = fn(&Scene<D, C>, &Equilibrium<C>, usize) -> f64;
 
-/// Problems of friction alone.
+/// Solvers of frictional contact problems, in the plane and in space.
 pub static SOLVE: (Solve<2>, Solve<3>) = (FrictionProblem::solve_watched, FrictionProblem::solve_watched);
-/// What forces leave of friction while everything sticks.
+/// [`slack`] in the plane and in space.
 pub static SLACK: (Slack<3, 2>, Slack<6, 3>) = (slack, slack);
-/// What an answer leaves of the conditions of an equilibrium.
+/// [`Scene::violation`] in the plane and in space.
 pub static VIOLATION: (Violation<3, 2>, Violation<6, 3>) = (Scene::violation, Scene::violation);

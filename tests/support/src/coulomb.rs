@@ -1,10 +1,10 @@
-//! Coulomb's law of a frictional contact problem, recomputed.
+//! Residual of Coulomb's law in a frictional contact problem, recomputed from the data.
 
 use grasp_lcp::friction::FrictionProblem;
 use nalgebra::DVector;
 
-/// How far forces miss it in the form of de Saxcé, at each contact beside its own sums: no approach, forces in their cones, and slips against
-/// them, as r·û = 0.
+/// The worst violation of Coulomb's law by forces r, in de Saxcé's form. At each contact: no approach, the force in its cone, and r·û = 0, so that
+/// friction opposes slip. Velocities are relative to the terms of `W r + q` at the contact, forces to the force of the contact.
 pub fn missed_law<const C: usize>(problem: &FrictionProblem<C>, r: &DVector<f64>) -> f64 {
     let u = problem.matrix() * r + problem.vector();
     let terms = problem.matrix().abs() * r.abs() + problem.vector().abs();

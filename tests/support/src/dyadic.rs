@@ -5,7 +5,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 use num_bigint::BigInt;
 use num_traits::{Signed, ToPrimitive, Zero};
 
-/// Such a number.
+/// A number `mantissa 2^exponent`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Dyadic {
     mantissa: BigInt,
@@ -18,7 +18,7 @@ impl Dyadic {
         Self { mantissa: BigInt::ZERO, exponent: 0 }
     }
 
-    /// Exactly a finite x.
+    /// The exact value of a finite x.
     pub fn new(x: f64) -> Self {
         assert!(x.is_finite(), "a finite number");
         let bits = x.to_bits();
@@ -30,7 +30,7 @@ impl Dyadic {
         Self { mantissa, exponent }.reduced()
     }
 
-    /// The nearest f64, or one of its neighbours; zero below the least.
+    /// The nearest f64, or a neighbour of it; zero below the smallest f64.
     pub fn float(&self) -> f64 {
         let short = self.rounded(60);
         let mantissa = short.mantissa.to_f64().expect("60 bits");
@@ -40,42 +40,42 @@ impl Dyadic {
         mantissa * power(half) * power(short.exponent - half)
     }
 
-    /// Cut to so many bits.
+    /// The number rounded down to a mantissa of `bits` bits.
     pub fn rounded(&self, bits: u64) -> Self {
         let excess = self.mantissa.bits().saturating_sub(bits);
         // Shifts of a BigInt round downwards: within one unit of the last bit.
         Self { mantissa: &self.mantissa >> excess, exponent: self.exponent + excess.cast_signed() }
     }
 
-    /// `self / other` to so many bits.
+    /// The quotient `self / other` to about `bits` bits.
     pub fn over(&self, other: &Self, bits: u64) -> Self {
         let shift = (bits + other.mantissa.bits()).saturating_sub(self.mantissa.bits());
         let mantissa = (&self.mantissa << shift) / &other.mantissa;
         Self { mantissa, exponent: self.exponent - other.exponent - shift.cast_signed() }.reduced()
     }
 
-    /// Whether it is 0.
+    /// Whether the number is 0.
     pub fn is_zero(&self) -> bool {
         self.mantissa.is_zero()
     }
 
-    /// Whether it is below 0.
+    /// Whether the number is below 0.
     pub fn is_negative(&self) -> bool {
         self.mantissa.is_negative()
     }
 
-    /// Its size.
+    /// The absolute value.
     pub fn abs(&self) -> Self {
         Self { mantissa: self.mantissa.abs(), exponent: self.exponent }
     }
 
-    /// Without trailing zero bits.
+    /// The same number with a mantissa without trailing zero bits.
     fn reduced(self) -> Self {
         let Some(zeros) = self.mantissa.trailing_zeros() else { return Self::zero() };
         Self { mantissa: self.mantissa >> zeros, exponent: self.exponent + zeros.cast_signed() }
     }
 
-    /// `self 2^-exponent`, an integer for exponents no larger than any in the number.
+    /// `self 2^-exponent`, an integer if `exponent` is at most that of the number.
     fn integer(&self, exponent: i64) -> BigInt {
         &self.mantissa << (self.exponent - exponent)
     }
@@ -119,13 +119,12 @@ impl Neg for &Dyadic {
     }
 }
 
-/// The solution of `A x = b`, exact up to the division by the determinant, which is made to so many bits. `None` if A is singular.
+/// The solution of `A x = b`, exact up to the final division by the determinant, which keeps `bits` bits. `None` if A is singular.
 ///
-/// Bareiss: each step of elimination divides by the pivot before, which leaves no remainder, so that the integers are
-/// minors of A and nothing larger.
+/// Elimination is Bareiss's: each step divides by the previous pivot without a remainder, so that all integers are minors of A and no larger.
 pub fn solve(a: &[Vec<Dyadic>], b: &[Dyadic], bits: u64) -> Option<Vec<Dyadic>> {
     let n = b.len();
-    // Rows in integers, each with its own power of two.
+    // Rows as integers, each scaled by its own power of two.
     let mut rows: Vec<Vec<BigInt>> = a
         .iter()
         .zip(b)

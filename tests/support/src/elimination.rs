@@ -1,26 +1,28 @@
-//! Linear equations in exact numbers, by elimination without fractions (E. H. Bareiss, Math. Comp. 22, 1968): rows are made whole once, and
-//! stay so, since each step divides by the pivot before it without a rest. Fractions would be reduced after every product instead.
+//! Linear equations in exact numbers, by elimination without fractions (E. H. Bareiss, Math. Comp. 22, 1968).
+//!
+//! Rows are scaled to integers once and stay integers, because each step divides by the previous pivot without a remainder. Fractions would be
+//! reduced after every product instead.
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
-/// Equations `A x = b` for some b beside each other, after elimination.
+/// Equations `A x = b` for several right-hand sides b, after elimination.
 #[derive(Debug)]
 pub struct Eliminated {
-    /// Of the unknown k alone the row k, as far as all of them are determined.
+    /// Row k contains only unknown k, if all unknowns are determined.
     rows: Vec<Vec<BigInt>>,
     unknowns: usize,
     rank: usize,
 }
 
 impl Eliminated {
-    /// Of rows `[A | b …]` with so many unknowns.
+    /// Eliminates rows `[A | b …]`, where A has `unknowns` columns.
     pub fn of(rows: impl IntoIterator<Item = Vec<BigRational>>, unknowns: usize) -> Self {
         Self::of_whole(rows.into_iter().map(|row| whole(&row)).collect(), unknowns)
     }
 
-    /// Of rows that are whole.
+    /// Eliminates rows of integers.
     pub fn of_whole(mut rows: Vec<Vec<BigInt>>, unknowns: usize) -> Self {
         let mut before = BigInt::one();
         let mut rank = 0;
@@ -40,13 +42,13 @@ impl Eliminated {
         Self { rows, unknowns, rank }
     }
 
-    /// The unknowns for each b; `None` if they are not determined.
+    /// The solution for each b; `None` if A does not determine it.
     pub fn solutions(&self) -> Option<Vec<Vec<BigRational>>> {
         let sides = self.rows.first().map_or(0, |row| row.len() - self.unknowns);
         (0..sides).map(|side| self.unknowns_for(side)).collect()
     }
 
-    /// The unknowns for one b; none are determined by no rows.
+    /// The solution for the first b; `None` if A does not determine it. Without unknowns it is empty.
     pub fn solution(&self) -> Option<Vec<BigRational>> {
         self.unknowns_for(0)
     }
@@ -59,7 +61,7 @@ impl Eliminated {
         determined.then(|| self.rows[..self.unknowns].iter().enumerate().map(unknown).collect())
     }
 
-    /// Whether rows without unknowns have nothing on the other side either, so that what is not determined is free.
+    /// Whether the equations are consistent: rows that elimination left without unknowns have a zero right-hand side.
     pub fn is_free(&self) -> bool {
         self.rows[self.rank..].iter().flat_map(|row| &row[self.unknowns..]).all(Zero::is_zero)
     }

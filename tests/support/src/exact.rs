@@ -1,8 +1,8 @@
 //! All equilibria of a planar grasp, by trying every combination of contact states in exact rational arithmetic.
 //!
-//! Nothing here is shared with the library. Every number of a scene is a floating point number, hence rational; normals
+//! This module shares no code with the library. Every number of a scene is a floating point number, hence rational. Normals
 //! have integer components and an integer length (Pythagorean), so that the unit normals are rational too. With the
-//! stretch `v = a - Gᵀq` of the springs of a contact, a its command less its clearance, the law reads
+//! stretch `v = a - Gᵀq` of the springs of a contact, where a is its command less its clearance, the law reads
 //!
 //! ```text
 //! open           F = 0                              -v_n >= 0
@@ -12,8 +12,8 @@
 //! ```
 //!
 //! Each combination of states makes equilibrium a linear system `T q + b = 0` (3 x 3) with affine conditions `>= 0`.
-//! T regular: Cramer's rule in integers, then the sign of every condition. T singular: elimination, then
-//! Fourier-Motzkin decides whether some solution meets the conditions.
+//! If T is regular, Cramer's rule in integers gives q and then the sign of every condition. If T is singular, elimination and
+//! Fourier-Motzkin decide whether some solution meets the conditions.
 
 use grasp_lcp::planar;
 use num_bigint::BigInt;
@@ -28,26 +28,26 @@ use super::scene as plain;
 /// A contact whose data are exact.
 #[derive(Debug, Clone)]
 pub struct Contact {
-    /// Place, m.
+    /// Contact point, m.
     pub point: [f64; 2],
-    /// Into the object; its length is an integer.
+    /// Normal into the object; its length is an integer.
     pub normal: [i32; 2],
     /// Series stiffness (k_n, k_t).
     pub stiffness: [f64; 2],
     /// Coefficient of friction.
     pub friction: f64,
-    /// Of the finger, along normal and tangent, m.
+    /// Command of the finger along normal and tangent, m.
     pub command: [f64; 2],
-    /// Left between finger and object before the command, m.
+    /// Gap between finger and object before the command, m.
     pub clearance: f64,
 }
 
 /// A planar grasp under a load.
 #[derive(Debug, Clone)]
 pub struct Scene {
-    /// In order.
+    /// Contacts, in order.
     pub contacts: Vec<Contact>,
-    /// Force and moment about the origin.
+    /// Force (N) and moment about the origin (N m).
     pub load: [f64; 3],
 }
 
@@ -60,9 +60,9 @@ pub enum State {
     Sticking,
     /// The finger slips over the body along +t.
     SlidingForward,
-    /// Along -t.
+    /// The finger slips over the body along -t.
     SlidingBackward,
-    /// Closed, without a tangential force.
+    /// Closed, without a tangential force because μ = 0.
     Frictionless,
 }
 
@@ -77,7 +77,7 @@ struct Branch {
 /// One equilibrium, or a connected family of them with the same states.
 #[derive(Debug, Clone)]
 pub struct Entry {
-    /// States that describe it; a tie is described by more than one combination, this is the first.
+    /// States of the contacts. In a tie several combinations give the same solution; this is the first of them.
     pub states: Vec<State>,
     solution: Solution,
 }
@@ -95,7 +95,7 @@ type Force = [(Affine<BigInt>, BigInt); 2];
 #[derive(Debug, Clone)]
 enum Solution {
     Point(Point, Rounded),
-    /// The rows span what T says, the conditions are all `>= 0`.
+    /// All twists at which `rows`, equivalent to equilibrium, vanish and all `conditions` are `>= 0`.
     Family {
         rows: Vec<Affine<BigInt>>,
         conditions: Vec<Affine<BigInt>>,
@@ -106,19 +106,19 @@ enum Solution {
 /// All equilibria of a scene.
 #[derive(Debug, Clone)]
 pub struct Census {
-    /// Those found.
+    /// Distinct equilibria, and connected families of them.
     pub entries: Vec<Entry>,
-    /// Some equilibrium lies exactly on the boundary of its conditions.
+    /// Whether some equilibrium lies exactly on the boundary of its conditions.
     pub tied: bool,
-    /// Some combination holds or fails by less than 2e-9 of the size of its terms, but not exactly: working precision
-    /// cannot be expected to tell.
+    /// Whether some combination holds or fails by less than 2e-9 of the size of its terms, but not exactly. Working precision
+    /// cannot be expected to decide it.
     pub narrow: bool,
-    /// Some entry is a family.
+    /// Whether some entry is a family.
     pub families: bool,
 }
 
 impl Scene {
-    /// The same scene as plain numbers.
+    /// The scene in floating-point numbers.
     pub fn plain(&self) -> plain::Scene<3, 2> {
         let datum = |c: &Contact| plain::Datum {
             point: c.point.into(),
@@ -132,7 +132,7 @@ impl Scene {
         plain::Scene { contacts: self.contacts.iter().map(datum).collect(), load: self.load.into() }
     }
 
-    /// Tries every combination of states.
+    /// All equilibria of the scene, from every combination of contact states.
     pub fn census(&self) -> Census {
         let (load, branches) = self.branches();
         let mut census = Census { entries: Vec::new(), tied: false, narrow: false, families: false };
@@ -147,7 +147,7 @@ impl Scene {
         census
     }
 
-    /// The law of every contact, equilibrium made integer by one common denominator for each of its rows.
+    /// The load, and the branches of the law of every contact. Each row of equilibrium is scaled to integers by its common denominator.
     fn branches(&self) -> ([BigInt; 3], Vec<Vec<Branch>>) {
         let load = self.load.map(rational);
         let laws: Vec<Vec<_>> = self.contacts.iter().map(law).collect();
@@ -272,8 +272,8 @@ impl Census {
         }
     }
 
-    /// How far the equilibrium that the library returned is from the nearest of the list: forces relative to the
-    /// largest force of the scene, displacements of the contact points relative to the largest displacement or command.
+    /// Distance of the equilibrium that the library returned from the nearest entry. Forces are relative to the
+    /// largest force of the scene, displacements of the contact points to the largest displacement, command or clearance.
     pub fn distance(&self, scene: &Scene, returned: &planar::Equilibrium) -> f64 {
         self.entries.iter().map(|entry| entry.distance(scene, returned)).fold(f64::INFINITY, f64::min)
     }
@@ -326,11 +326,11 @@ impl Entry {
             motion_size = motion_size.max(a.hypot(b)).max(command);
             motion_off = motion_off.max((a - c).hypot(b - d));
         }
-        // Where nothing carries a force: what the softest spring would exert over the largest command.
+        // If no contact carries a force, the force of the softest spring under the largest command is the scale.
         let softest = scene.contacts.iter().flat_map(|c| c.stiffness).fold(f64::INFINITY, f64::min);
         force_size = force_size.max(softest * command).max(f64::MIN_POSITIVE);
-        // The library's data are rounded (normals of length one, arms): a load rounded in its last digits moves a soft
-        // spring by that much over its stiffness. 45 roundings of the largest force are allowed for.
+        // The library rounds its data (unit normals, arms). A rounded load moves a soft spring by the rounding over its
+        // stiffness; the allowance is 45 roundings of the largest force.
         motion_off -= 1e-14 * force_size / softest;
         (force_off / force_size).max(motion_off / motion_size).max(outside)
     }

@@ -1,4 +1,4 @@
-//! A complementarity problem in whole numbers without bound: what rational arithmetic says of it.
+//! A complementarity problem solved in exact rational arithmetic, with integers of any size.
 
 use nalgebra::{DMatrix, DVector};
 use num_bigint::BigInt;
@@ -7,7 +7,7 @@ use num_traits::{Signed, Zero};
 
 use super::elimination::Eliminated;
 
-/// M by rows, and q. Each row may have been multiplied by a power of two, which changes no solution z.
+/// Matrix M and vector q as integers. Each row `(M z + q)_i` may be scaled by a power of two, which changes no solution z.
 #[derive(Debug, Clone)]
 pub struct Exact {
     /// M by rows.
@@ -16,7 +16,7 @@ pub struct Exact {
     pub q: Vec<BigInt>,
 }
 
-/// x = m 2ᵉ with a whole number m.
+/// The integers (m, e) with x = m 2ᵉ.
 fn parts(x: f64) -> (i64, i32) {
     let bits = x.to_bits();
     let (exponent, mantissa) = ((bits >> 52 & 0x7ff) as i32, (bits & ((1 << 52) - 1)).cast_signed());
@@ -25,7 +25,7 @@ fn parts(x: f64) -> (i64, i32) {
 }
 
 impl Exact {
-    /// The doubles given, to the last bit.
+    /// The exact problem of these floating-point numbers.
     pub fn of(m: &DMatrix<f64>, q: &DVector<f64>) -> Self {
         let mut out = Self { m: Vec::new(), q: Vec::new() };
         for i in 0..q.len() {
@@ -45,8 +45,8 @@ impl Exact {
         self.q.len()
     }
 
-    /// Whether the problem has a solution at all: is { z_α ≥ 0, (Mz + q)_α = 0, (Mz + q)_ᾱ ≥ 0 } not empty for some α?
-    /// Where the block of α is singular the simplex method decides.
+    /// Whether the problem has a solution: whether { z_α ≥ 0, (Mz + q)_α = 0, (Mz + q)_ᾱ ≥ 0 } is not empty for some α.
+    /// For a singular block M_αα the simplex method decides.
     pub fn is_solvable(&self) -> bool {
         (0..1_u32 << self.len()).any(|alpha| {
             let indices: Vec<usize> = (0..self.len()).filter(|i| alpha >> i & 1 == 1).collect();
@@ -62,7 +62,7 @@ impl Exact {
         self.has_point((1 << self.len()) - 1, 0)
     }
 
-    /// Whether there are z ≥ 0 with support in `support`, (Mz + q)_i = 0 for i in `equal`, Mz + q ≥ 0.
+    /// Whether some z ≥ 0 with support in `support` has (Mz + q)_i = 0 for i in `equal` and Mz + q ≥ 0. Both arguments are bit sets.
     pub fn has_point(&self, support: u32, equal: u32) -> bool {
         let rational = |x: &BigInt| BigRational::from_integer(x.clone());
         let columns: Vec<usize> = (0..self.len()).filter(|i| support >> i & 1 == 1).collect();
@@ -89,7 +89,7 @@ impl Exact {
         points
     }
 
-    /// The exact point of a regular M_αα, or `None` if it is singular.
+    /// The z with (Mz + q)_α = 0 and zeros outside α, or `None` if M_αα is singular.
     pub fn exact_point(&self, alpha: &[usize]) -> Option<Vec<BigRational>> {
         let row = |i: &usize| alpha.iter().map(|j| self.m[*i][*j].clone()).chain([-&self.q[*i]]).collect();
         let basic = Eliminated::of_whole(alpha.iter().map(row).collect(), alpha.len()).solution()?;
@@ -114,12 +114,12 @@ impl Exact {
     }
 }
 
-/// Whether some x ≥ 0 has (A x + b)_i = 0 where `equal[i]` and ≥ 0 elsewhere, by the simplex method.
+/// Whether some x ≥ 0 has (A x + b)_i = 0 where `equal[i]`, and (A x + b)_i ≥ 0 elsewhere; by the simplex method.
 pub fn is_feasible(a: &[Vec<BigRational>], b: &[BigRational], equal: &[bool]) -> bool {
     let count = a.first().map_or(0, Vec::len);
     let slacks: Vec<usize> = (0..b.len()).filter(|i| !equal[*i]).collect();
     let width = count + slacks.len();
-    // Rows of A x − s = −b, with a right-hand side that is not negative; the artificial basis is implicit.
+    // Rows of A x − s = −b, with signs such that the right-hand side is not negative. The artificial basis is implicit.
     let mut rows: Vec<Vec<BigRational>> = (0..b.len())
         .map(|i| {
             let slack = slacks.iter().map(|s| BigRational::from_integer(BigInt::from(-i64::from(*s == i))));
@@ -136,7 +136,7 @@ pub fn is_feasible(a: &[Vec<BigRational>], b: &[BigRational], equal: &[bool]) ->
         if infeasibility(width).is_zero() {
             return true;
         }
-        // Bland's rule: the first column that helps, the smallest basic index among the rows that block.
+        // Bland's rule prevents cycling: the first column that reduces infeasibility enters, the smallest basic index of blocking rows leaves.
         let Some(enter) = (0..width).find(|c| infeasibility(*c).is_positive()) else { return false };
         let leave = (0..b.len())
             .filter(|r| rows[*r][enter].is_positive())

@@ -1,9 +1,9 @@
-//! What friction can do where normal forces are those of springs at a given motion of the object.
+//! The best balance that friction can give at a prescribed motion of the object, whose springs fix the normal forces.
 
 use grasp_lcp::planar::{Grasp, Wrench};
 use nalgebra::{Vector2, Vector3};
 
-/// The size of the least `Σ G F + W` over all friction forces that the normal forces at this motion allow.
+/// The least `|Σ G F + W|` over all friction forces within μ times the normal forces at twist `q`. A moment counts as a force at an arm of 4 cm.
 #[must_use]
 pub fn least_unbalance(grasp: &Grasp, load: &Wrench, q: &Vector3<f64>) -> f64 {
     let w = load.to_vector();
@@ -16,12 +16,12 @@ pub fn least_unbalance(grasp: &Grasp, load: &Wrench, q: &Vector3<f64>) -> f64 {
         let [n, t] = [0, 1].map(|a| wrench(frame.column(a).into_owned()));
         let normal = contact.series_stiffness_of_axes()[0] * (contact.commanded()[0] - n.dot(q)).max(0.0);
         rest += n * normal;
-        // Moments count as forces 4 cm away.
+        // A moment counts as a force at an arm of 4 cm.
         columns.push(Vector3::new(t[0], t[1], t[2] / 0.04));
         forces.push((0.0, contact.friction_coefficient() * normal));
     }
     let mut rest = Vector3::new(rest[0], rest[1], rest[2] / 0.04);
-    // One force after the other where it does best: the problem is convex and bounds are apart.
+    // Coordinate descent converges because the problem is convex and each bound concerns one force.
     for _ in 0..400 {
         for (column, (force, most)) in columns.iter().zip(&mut forces) {
             let better = (*force - column.dot(&rest) / column.norm_squared()).clamp(-*most, *most);

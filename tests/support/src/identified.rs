@@ -1,4 +1,4 @@
-//! Slips of grasps whose numbers are known, with scatter that is drawn: how often the intervals found from them hold the truth.
+//! Simulated slips of grasps with known data and random scatter, and the coverage of the confidence intervals found from them.
 
 use grasp_lcp::identify::{Ending, Identify, Slip, SlipKind, Unknown};
 use grasp_lcp::{Error, planar, spatial};
@@ -6,69 +6,69 @@ use grasp_lcp::{Error, planar, spatial};
 use crate::Failure;
 use crate::splitmix::Random;
 
-/// A grasp with all numbers known, loads at which it slips, and what is sought from slips of it.
+/// A grasp with known data, directions of loads that make it slip, and the unknowns to identify.
 pub struct Known<const C: usize> {
-    /// In a table.
+    /// Name in tables.
     pub name: &'static str,
-    /// With the true numbers.
+    /// The grasp with its true data.
     pub grasp: grasp_lcp::ask::Grasp<C>,
-    /// As the search sees it first.
+    /// The grasp from which the search starts.
     pub guess: grasp_lcp::ask::Grasp<C>,
-    /// What acts besides.
+    /// Load that acts in addition.
     pub base: grasp_lcp::grasp::Wrench<C>,
-    /// Directions that slips are looked for along.
+    /// Direction of the load of each slip.
     pub loads: Vec<grasp_lcp::grasp::Wrench<C>>,
-    /// Which slip is seen.
+    /// Kind of slip that is observed.
     pub kind: SlipKind,
-    /// What is sought.
+    /// The unknowns to identify.
     pub unknowns: Vec<Unknown>,
-    /// Its true values.
+    /// True values of the unknowns.
     pub truth: Vec<f64>,
-    /// What all unknowns but the first sum up to, as far as it is known.
+    /// Sum of all unknowns but the first, and its relative standard deviation, if the search knows it.
     pub sum: Option<(f64, f64)>,
-    /// Standard deviation of a load, over it.
+    /// Relative standard deviation of each load.
     pub scatter: f64,
-    /// Whether the search is told.
+    /// Whether the search knows the scatter.
     pub is_told: bool,
-    /// What loads of a group share, if there are some.
+    /// Errors that loads of a group share; `None` for independent loads.
     pub shared: Option<Shared>,
 }
 
-/// What loads of a group are off by together.
+/// Errors that all loads of a group share.
 #[derive(Clone)]
 pub struct Shared {
     /// The group of each load.
     pub groups: Vec<usize>,
-    /// Standard deviation of a load, over it, the same for all of its group.
+    /// Relative standard deviation of the error that a group shares.
     pub scatter: f64,
-    /// Whether the search is told of the groups.
+    /// Whether the search knows the groups.
     pub is_told: bool,
 }
 
 impl Shared {
-    /// How many groups there are.
+    /// Number of groups.
     pub fn count(&self) -> usize {
         self.groups.iter().max().map_or(0, |last| last + 1)
     }
 }
 
-/// How often each unknown was told with an interval, and lay in it.
+/// Counts of intervals, and of intervals that contain the true value, for each unknown.
 pub struct Coverage {
-    /// Of each unknown: in its interval.
+    /// Number of intervals that contain the true value, for each unknown.
     pub held: Vec<usize>,
-    /// Of each unknown: told.
+    /// Number of intervals, for each unknown.
     pub told: Vec<usize>,
 }
 
 impl Coverage {
-    /// Of an unknown, in percent of those that are told.
+    /// Coverage of the intervals of an unknown, in percent.
     pub fn percent(&self, unknown: usize) -> f64 {
         100.0 * self.held[unknown] as f64 / self.told[unknown] as f64
     }
 }
 
 impl<const C: usize> Known<C> {
-    /// The loads at which it slips, without scatter.
+    /// The exact loads at which the grasp slips, without scatter.
     pub fn limits(&self) -> Result<Vec<grasp_lcp::grasp::Wrench<C>>, Failure> {
         let limit = |load: &grasp_lcp::grasp::Wrench<C>| {
             let verdict = self.grasp.hold(grasp_lcp::load_path::Ramp::load(self.base, *load))?;
@@ -81,7 +81,7 @@ impl<const C: usize> Known<C> {
         self.loads.iter().map(limit).collect()
     }
 
-    /// The question, for slips that are drawn: each load off by its scatter, normally distributed.
+    /// The question, with random slips: the logarithm of each load has a normally distributed error.
     pub fn asked(&self, limits: &[grasp_lcp::grasp::Wrench<C>], draw: &mut Random) -> Identify<C> {
         let groups = self.shared.as_ref().map_or(0, Shared::count);
         let together: Vec<f64> = (0..groups).map(|_| draw.normal()).collect();
@@ -106,20 +106,20 @@ impl<const C: usize> Known<C> {
         }
     }
 
-    /// The same without a word of the groups.
+    /// The same slips, with groups that the search does not know.
     pub fn without_groups(mut self) -> Self {
         self.shared.iter_mut().for_each(|shared| shared.is_told = false);
         self
     }
 
-    /// Intervals of so many draws.
+    /// Coverage of the intervals over `draws` random sets of slips.
     pub fn coverage(&self, draws: usize) -> Result<Coverage, Failure> {
         let limits = self.limits()?;
         let mut draw = Random(47);
         let [mut held, mut told] = [vec![0; self.unknowns.len()], vec![0; self.unknowns.len()]];
         for _ in 0..draws {
             let found = self.asked(&limits, &mut draw).answered_by(&self.guess)?;
-            // What is said to be open, or not to be found yet, is not told.
+            // A search that does not converge, or an unknown without an interval, makes no claim to check.
             if found.ending != Ending::Converged {
                 continue;
             }
@@ -142,7 +142,7 @@ fn jaws(friction: [f64; 2]) -> Result<planar::Grasp, Error> {
     planar::Grasp::new([jaw(-0.03, friction[0], "left"), jaw(0.03, friction[1], "right")])
 }
 
-/// Two jaws with one coefficient of friction, pulled out of them a few times.
+/// An object in two jaws with a common friction coefficient, pulled out `slips` times.
 pub fn pinch(slips: usize) -> Result<Known<2>, Error> {
     Ok(Known {
         name: "friction of two jaws",
@@ -160,14 +160,14 @@ pub fn pinch(slips: usize) -> Result<Known<2>, Error> {
     })
 }
 
-/// The same in so many series of as many slips, each with jaws of another day: most of the scatter is that of days.
+/// The pinch in `series` series of `each` slips. Each series shares an error, as on different days; it is larger than the scatter of single slips.
 pub fn pinch_in_series(series: usize, each: usize) -> Result<Known<2>, Error> {
     let groups = (0..series * each).map(|k| k / each).collect();
     let shared = Some(Shared { groups, scatter: 0.07, is_told: true });
     Ok(Known { name: "friction of two jaws, in series", scatter: 0.04, shared, ..pinch(series * each)? })
 }
 
-/// First slip of the left jaw under loads to the left of the middle, of the right one under others; the scatter is known.
+/// First slips of two jaws with different friction: of the left jaw under loads left of the middle, else of the right one. The scatter is known.
 pub fn first_slips() -> Result<Known<2>, Error> {
     let load = |x: f64| planar::Wrench::force_at([0.0, -1.0], [x, 0.0]);
     Ok(Known {
@@ -186,7 +186,7 @@ pub fn first_slips() -> Result<Known<2>, Error> {
     })
 }
 
-/// The block of [`three_feet`] is pushed in so many directions, two to four times in each: what it rubs more or less in a direction is in all of them.
+/// The block of [`three_feet`], pushed in several directions, two to four times in each. Pushes in the same direction share an error of friction.
 pub fn three_feet_by_direction(directions: usize) -> Result<Known<3>, Error> {
     let groups: Vec<usize> = (0..directions).flat_map(|k| vec![k; 2 + k % 3]).collect();
     let known = three_feet(directions)?;
@@ -201,7 +201,7 @@ pub fn three_feet_by_direction(directions: usize) -> Result<Known<3>, Error> {
     })
 }
 
-/// A block of 14 N on three feet is pushed about: friction, and what each foot carries.
+/// A block of 14 N on three feet, pushed in many directions. Unknown are the friction and the load of each foot.
 pub fn three_feet(slips: usize) -> Result<Known<3>, Error> {
     let at = [[-0.04, -0.04], [0.04, -0.02], [-0.02, 0.08]];
     let carried = [3.0, 7.0, 4.0];

@@ -1,4 +1,4 @@
-//! Quadratic programs solved by an interior-point method (Clarabel), which shares nothing with pivoting.
+//! Quadratic programs solved by an interior-point method (Clarabel), independent of pivoting methods.
 
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{
@@ -23,28 +23,28 @@ pub(crate) fn sparse(m: &DMatrix<f64>) -> CscMatrix<f64> {
     CscMatrix::new(rows, columns, starts, row_of, values)
 }
 
-/// What the interior-point method says.
+/// Outcome of the interior-point method.
 #[derive(Debug)]
 pub enum Oracle {
-    /// A minimum, and the relative tolerance to which the method believes it.
+    /// A minimum, and its relative tolerance according to the method.
     Minimum(DVector<f64>, f64),
-    /// There is no minimum.
+    /// No minimum exists: the program is infeasible or unbounded.
     None,
-    /// It could not tell: programs whose constraints leave no interior are hard for it.
+    /// The method did not converge. Programs whose constraints leave no interior are hard for it.
     Silent,
 }
 
-/// To a tolerance of 1e-12.
+/// Solves a quadratic program to a tolerance of 1e-12.
 pub fn interior_point(qp: &QuadraticProgram) -> Oracle {
     interior_point_within(qp, 1e-12)
 }
 
-/// With another tolerance of feasibility and of the gap between primal and dual value, absolute and relative.
+/// Solves a quadratic program to a tolerance of feasibility and of the gap between primal and dual value, absolute and relative.
 pub fn interior_point_within(qp: &QuadraticProgram, tolerance: f64) -> Oracle {
     interior_point_and_multipliers(qp, tolerance).0
 }
 
-/// With the multipliers of the inequality rows as well, which mean nothing where there is no minimum.
+/// Solves a quadratic program, and returns the multipliers of its inequality rows too. They have no meaning without a minimum.
 pub fn interior_point_and_multipliers(qp: &QuadraticProgram, tolerance: f64) -> (Oracle, Vec<f64>) {
     let (n, m, k) = (qp.g.len(), qp.c.len(), qp.d.len());
     let mut upper = qp.h.clone();
@@ -73,7 +73,7 @@ pub fn interior_point_and_multipliers(qp: &QuadraticProgram, tolerance: f64) -> 
     let x = DVector::from_column_slice(&solver.solution.x);
     let oracle = match solver.solution.status {
         SolverStatus::Solved => Oracle::Minimum(x, 1e-10),
-        // The method's own reduced tolerances.
+        // This status means that only the reduced tolerances of the method are met.
         SolverStatus::AlmostSolved => Oracle::Minimum(x, 1e-4),
         SolverStatus::PrimalInfeasible | SolverStatus::DualInfeasible => Oracle::None,
         _ => Oracle::Silent,

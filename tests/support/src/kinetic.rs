@@ -8,7 +8,7 @@
 //! sliding ±   F = (k_n v_n, ± μ_k F_n)             F_n >= 0,  ± k_t v_t - μ_k F_n >= 0      (slip ± s >= 0)
 //! ```
 //!
-//! Equilibrium of a combination is a linear system. Nothing here is shared with the library.
+//! Equilibrium of a combination is a linear system. This module shares no code with the library.
 
 use grasp_lcp::planar::{Contact, Equilibrium, Wrench};
 use num_bigint::BigInt;
@@ -20,26 +20,26 @@ use super::splitmix::Random;
 /// A contact whose data are exact.
 #[derive(Debug, Clone)]
 pub struct Datum {
-    /// Place, m.
+    /// Contact point, m.
     pub point: [f64; 2],
-    /// Into the object; its length is an integer.
+    /// Normal into the object; its length is an integer.
     pub normal: [f64; 2],
-    /// Series stiffness, N/m.
+    /// Series stiffness (k_n, k_t), N/m.
     pub stiffness: [f64; 2],
-    /// Friction at rest and sliding.
+    /// Friction coefficients (μ_s, μ_k) at rest and while sliding.
     pub friction: [f64; 2],
-    /// Of the finger, along the normal, m.
+    /// Command of the finger along the normal, m.
     pub press: f64,
 }
 
-/// Contacts in balance with a load at rest but for its rounding, and a load that is put on: forces and moment about the origin.
+/// Contacts that balance a base load up to its rounding, and a load that grows on top of it.
 #[derive(Debug, Clone)]
 pub struct Scene {
-    /// In order.
+    /// Contacts, in order.
     pub contacts: Vec<Datum>,
-    /// At rest.
+    /// Base load: force and moment about the origin.
     pub base: [f64; 3],
-    /// Put on.
+    /// Load on top of the base load at factor 1: force and moment about the origin.
     pub more: [f64; 3],
 }
 
@@ -48,20 +48,20 @@ pub struct Scene {
 pub enum State {
     /// No force.
     Open,
-    /// It has not slid.
+    /// Closed, and has not slid.
     Stuck,
-    /// Friction acts along +t.
+    /// Sliding; the friction force on the object acts along +t.
     Forward,
-    /// Along -t.
+    /// Sliding; the friction force on the object acts along -t.
     Backward,
 }
 
-/// A combination of states that holds.
+/// A combination of states that satisfies the law.
 #[derive(Debug, Clone)]
 pub struct Catch {
-    /// In order.
+    /// State of each contact.
     pub states: Vec<State>,
-    /// Normal and tangential, N.
+    /// Normal and tangential force of each contact, N.
     pub forces: Vec<[f64; 2]>,
 }
 
@@ -75,7 +75,7 @@ struct Branch {
 const ALL: [State; 4] = [State::Open, State::Stuck, State::Forward, State::Backward];
 
 impl Datum {
-    /// For the library, without friction of sliding.
+    /// The contact for the library, with the friction at rest alone.
     pub fn plain(&self) -> Contact {
         Contact::new(self.point, self.normal)
             .series_stiffness(self.stiffness[0], self.stiffness[1])
@@ -83,7 +83,7 @@ impl Datum {
             .command([self.press, 0.0])
     }
 
-    /// For the library.
+    /// The contact for the library.
     pub fn contact(&self) -> Contact {
         self.plain().kinetic(self.friction[1])
     }
@@ -97,7 +97,7 @@ impl Datum {
         [n, t]
     }
 
-    /// Wrench of a unit force along an axis.
+    /// Wrench about the origin of a unit force along an axis.
     fn map(&self, [a, b]: &[Rational; 2]) -> [Rational; 3] {
         let [x, y] = self.point.map(rational);
         [a.clone(), b.clone(), x * b - y * a]
@@ -135,7 +135,7 @@ impl Datum {
 }
 
 impl Scene {
-    /// Two to four fingers around an object.
+    /// A random scene of two to four fingers around an object.
     pub fn random(random: &mut Random) -> Self {
         let turns = [[1.0, 0.0], [4.0, 3.0], [12.0, 5.0], [15.0, 8.0]];
         let mut contact = || {
@@ -165,13 +165,13 @@ impl Scene {
         Self { contacts, base, more: [0, 0, 0].map(|_| random.integer(-16, 16) as f64) }
     }
 
-    /// So many times the load that is put on, on top of that at rest.
+    /// The base load plus `times` the load on top of it.
     pub fn load(&self, times: f64) -> Wrench {
         let [x, y, spin] = std::array::from_fn(|k| self.base[k] + times * self.more[k]);
         Wrench::new([x, y], spin)
     }
 
-    /// The part of the load at which the first contact slides, and who; `None` where something else comes first, or two at once.
+    /// The factor of the load at which the first contact slides, and that contact. `None` if a contact opens first, or two conditions fail at once.
     pub fn first_slip(&self) -> Option<(Rational, usize)> {
         let stuck: Vec<_> = self.contacts.iter().map(|datum| vec![datum.branch(State::Stuck)]).collect();
         let at = |part: &Rational| Balance::of(&stuck, &self.exact_load(part)).twist(&[0; 4]);
@@ -201,7 +201,7 @@ impl Scene {
         std::array::from_fn(|k| rational(self.base[k]) + rational(self.more[k]) * part)
     }
 
-    /// Every combination of states that holds at this part of the load once a contact has begun to slide.
+    /// Every combination of states that satisfies the law at this factor of the load, where contact `begun` is not stuck any more.
     pub fn catches(&self, part: &Rational, begun: usize) -> Vec<Catch> {
         let branches: Vec<Vec<Branch>> =
             self.contacts.iter().map(|datum| ALL.map(|state| datum.branch(state)).into()).collect();
@@ -233,7 +233,7 @@ impl Branch {
     }
 }
 
-/// The balance of branches under a load, each row in integers.
+/// The balance of branches under a load, with each row scaled to integers.
 struct Balance {
     load: [BigInt; 3],
     wrenches: Vec<Vec<[Affine<BigInt>; 3]>>,
@@ -268,7 +268,7 @@ impl Catch {
         matches!(self.states[i], State::Forward | State::Backward)
     }
 
-    /// How far forces are from those of the library, over the largest of them.
+    /// The largest difference of a contact force from that of the library, relative to the largest force.
     pub fn off(&self, state: &Equilibrium) -> f64 {
         let off = self.forces.iter().zip(&state.contacts);
         let off = off.map(|([n, t], told)| (n - told.force[0]).hypot(t - told.force[1]));

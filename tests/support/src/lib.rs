@@ -1,6 +1,6 @@
-//! What several tests and examples share: scenes, second opinions on the answers to them, and the paper's numbers.
+//! Shared by tests and examples: scenes, independent oracles for their answers, and the paper's numbers.
 //!
-//! The second opinions take nothing from the library but what they are to judge, and the numbers of the scene.
+//! An oracle takes from the library only the answer to judge and the data of the scene.
 #![allow(
     clippy::missing_errors_doc,
     clippy::missing_panics_doc,
@@ -57,10 +57,10 @@ pub use close::relatively_close;
 use std::io;
 use std::path::PathBuf;
 
-/// Whatever stops an example.
+/// Any error that stops an example.
 pub type Failure = Box<dyn std::error::Error>;
 
-/// Writes a picture into `output/` and says where.
+/// Writes a picture into `output/` and prints its path.
 pub fn save(name: &str, svg: &str) -> io::Result<()> {
     let folder = PathBuf::from("output");
     std::fs::create_dir_all(&folder)?;

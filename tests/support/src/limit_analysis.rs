@@ -1,4 +1,4 @@
-//! How far a load can grow until no contact forces balance it, by an interior-point method (Clarabel).
+//! The largest load that contact forces can balance, by an interior-point method (Clarabel).
 
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{
@@ -9,17 +9,17 @@ use nalgebra::{DMatrix, DVector};
 
 use super::interior_point::sparse;
 
-/// What normal forces there may be.
+/// The bound of normal forces.
 #[derive(Debug, Clone, Copy)]
 pub enum Bound {
-    /// Each this much.
+    /// Largest normal force of each contact.
     Each(f64),
-    /// All together this much.
+    /// Largest sum of all normal forces.
     Total(f64),
 }
 
-/// The largest λ >= 0 with `Σ G_i f_i + base + λ rate = 0`, `|f_t| <= μ f_n` and bounded normal forces. `None` if there is none, or the method could not
-/// tell.
+/// The largest λ >= 0 with `Σ G_i f_i + base + λ rate = 0`, `|f_t| <= μ f_n` and bounded normal forces. `None` if no such λ exists, or the method
+/// does not converge. `contacts` has the grasp map and the friction coefficient of each contact.
 pub fn load_limit(
     contacts: &[(DMatrix<f64>, f64)],
     base: &DVector<f64>,

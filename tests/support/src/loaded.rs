@@ -1,28 +1,28 @@
-//! Grasps in space that are loaded until they slide: three drawn by hand, and random ones.
+//! Grasps in space under loads that make them slide: three designed scenes, and random ones.
 
 use grasp_lcp::spatial::{Contact, Equilibrium, Grasp, Ramp, Wrench};
 use nalgebra::{Vector2, Vector3};
 
 use crate::Failure;
 
-/// A grasp, a load and finger commands that grow along a ramp, and the multiple of the onset at which contacts slide far.
+/// A grasp, a ramp of load and finger commands, and a multiple of the onset at which contacts slide far.
 pub struct Scene {
-    /// For tables and pictures.
+    /// Name in tables and pictures.
     pub name: &'static str,
-    /// At rest.
+    /// Contacts with their commands at factor 0.
     pub contacts: Vec<Contact>,
     /// The load at factor 0.
     pub base: Wrench,
-    /// What the load changes by per unit of the factor.
+    /// Change of the load per unit of the factor.
     pub direction: Wrench,
-    /// What the finger commands change by per unit of the factor, in the contact frames.
+    /// Change of the finger commands per unit of the factor, in the contact frames, m.
     pub commands: Vec<Vector3<f64>>,
-    /// The multiple of the onset.
+    /// Multiple of the onset at which contacts slide far.
     pub deep: f64,
 }
 
 impl Scene {
-    /// From factor 0 on.
+    /// The ramp, from factor 0 on.
     pub fn ramp(&self) -> Ramp {
         Ramp::load(self.base, self.direction).with_commands(self.commands.clone())
     }
@@ -37,7 +37,7 @@ impl Scene {
         Ok((grasp, self.base + self.direction * factor))
     }
 
-    /// Contact forces at a factor if nothing could slide or open: the elastic trial state.
+    /// The elastic trial state at a factor: the equilibrium if no contact could slide or open.
     pub fn trial(&self, factor: f64) -> Result<Equilibrium, Failure> {
         let stuck = Grasp::new(self.contacts.iter().map(|c| c.clone().bonded()))?;
         let stuck = stuck.with_commands(self.commands_at(factor))?;
@@ -45,7 +45,8 @@ impl Scene {
         Ok(held.equilibrium().ok_or("bonded contacts hold")?.clone())
     }
 
-    /// The first tangent is also the axis of a stiffness, and of commands along it: only where neither notices can it be turned.
+    /// Whether the first tangents may be turned about the normals. They may if both tangential stiffnesses are equal and no command is
+    /// tangential, because stiffness and commands refer to the tangents.
     pub fn may_turn(&self) -> bool {
         self.contacts.iter().enumerate().all(|(i, c)| {
             let k = c.series_stiffness_of_axes();
@@ -55,12 +56,12 @@ impl Scene {
         })
     }
 
-    /// Bonded: it has no cone.
+    /// Whether contact `i` is the bonded hand, which has no friction cone.
     pub fn is_hand(&self, i: usize) -> bool {
         self.contacts[i].label_text(i) == "hand"
     }
 
-    /// The same with each polygon's first corner along the elastic trial traction at a factor.
+    /// The scene with the first corner of each friction polygon along the tangential force of the elastic trial state at a factor.
     pub fn turned(&self, factor: f64) -> Result<Self, Failure> {
         let trial = self.trial(factor)?;
         let frames = Grasp::new(self.contacts.clone())?;
@@ -123,7 +124,7 @@ pub fn four_fingers() -> Scene {
     }
 }
 
-/// A block of 20 N on twelve feet, drawn by a hand at one of its corners: it turns as it goes.
+/// A block of 20 N on twelve feet, dragged by a hand at one of its corners, so that it also rotates.
 pub fn dragged_block() -> Scene {
     let mut contacts = Vec::new();
     for row in 0..3 {
@@ -151,8 +152,8 @@ pub fn dragged_block() -> Scene {
     }
 }
 
-/// Fingertips on a ball of 60 mm that press towards its middle within some 20 degrees, pulled in a random direction off its
-/// middle. The drawing is the same on every run.
+/// Fingertips on a ball of 60 mm that press towards its middle within some 20 degrees. The load is a force in a random direction
+/// beside the middle. The scene depends on the seed of `random` alone.
 pub fn random_fingers(count: usize, random: &mut Random) -> Scene {
     let contacts: Vec<_> = (0..count)
         .map(|_| {
@@ -176,7 +177,7 @@ pub fn random_fingers(count: usize, random: &mut Random) -> Scene {
     }
 }
 
-/// Xorshift: the drawing needs no more.
+/// A xorshift generator, whose quality suffices for random scenes.
 pub struct Random(pub u64);
 
 impl Random {

@@ -1,8 +1,8 @@
 //! Measured pushes of a block that slides on three supports.
 //!
-//! The pushes in `data/cmu_three_point_pushes.csv` are made from the sensor logs of Zhou, Paolini, Bagnell and Mason, *A convex polynomial
+//! The pushes in `data/cmu_three_point_pushes.csv` come from the sensor logs of Zhou, Paolini, Bagnell and Mason, *A convex polynomial
 //! force-motion model for planar sliding: identification and application*, ICRA 2016 (arXiv 1602.06056; github.com/robinzhoucmu/Pushing, revision
-//! 1ff9b01, Apache-2.0): the mean force and moment of the finger while a triangular block of 1.518 kg slides, and its motion from before to after.
+//! 1ff9b01, Apache-2.0). A push has the mean force and moment of the finger while a triangular block of 1.518 kg slides, and the motion of the block.
 
 use grasp_lcp::spatial::{Contact, Grasp, Leg, Wrench};
 use nalgebra::{Vector2, Vector3};
@@ -10,61 +10,62 @@ use nalgebra::{Vector2, Vector3};
 use crate::Failure;
 
 const DATA: &str = include_str!("../data/cmu_three_point_pushes.csv");
-/// What the block slides on.
+/// Surfaces on which the block slides.
 pub const SURFACES: [&str; 2] = ["hardboard", "plywood"];
-/// Names, and supports from the right-angled corner, mm.
+/// Name of each layout, and its supports relative to the right-angled corner, mm.
 pub const LAYOUTS: [(&str, [[f64; 2]; 3]); 4] = [
     ("3pts1", [[30.0, 30.0], [63.333_333_333, 43.333_333_333], [43.333_333_333, 63.333_333_333]]),
     ("3pts2", [[10.0, 10.0], [10.0, 130.0], [130.0, 10.0]]),
     ("3pts3", [[30.0, 30.0], [90.0, 30.0], [30.0, 90.0]]),
     ("3pts4", [[10.0, 10.0], [90.0, 30.0], [10.0, 130.0]]),
 ];
-/// The centre of mass from there, mm: the origin of the grasps.
+/// The centre of mass relative to the right-angled corner, mm. It is the origin of the grasps.
 const CENTRE: [f64; 2] = [50.0, 50.0];
-/// Of the block, N.
+/// Weight of the block, N.
 pub const WEIGHT: f64 = 1.518 * 9.8;
-/// Any will do, if all three are alike: what is carried at last does not depend on it.
+/// Stiffness of each support. Forces at gross slip do not depend on it, as long as all three supports are equal.
 const STIFFNESS: f64 = 1e6; // N/m
-/// No push is so many times too small for a coefficient of one.
+/// Multiple of a measured push that certainly makes the block slide with a friction coefficient of one.
 const FAR: f64 = 20.0;
 
 /// One measured push.
 pub struct Push {
-    /// One of [`SURFACES`].
+    /// Surface, one of [`SURFACES`].
     pub surface: &'static str,
-    /// One of [`LAYOUTS`].
+    /// Index in [`LAYOUTS`].
     pub layout: usize,
-    /// Along the legs (N), and about the centre of mass (N m).
+    /// Force along the legs of the triangle (N), and moment about the centre of mass (N m).
     pub load: Vector3<f64>,
-    /// Displacement (m) and turn (rad).
+    /// Displacement (m) and rotation (rad).
     pub motion: Vector3<f64>,
-    /// Standard deviation of the force during the push, over its mean.
+    /// Standard deviation of the force during the push, relative to its mean.
     pub scatter: f64,
-    /// The coefficient with which the exact limit of three points equals the push, as the file tells it in five digits.
+    /// The friction coefficient with which the exact limit load of three points equals the push; five digits, from the file.
     pub friction: f64,
 }
 
-/// What pushes are taken together by that may share errors.
+/// Criterion for groups of pushes that may share errors.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Together {
-    /// The direction of their forces, in sectors of so many degrees.
+    /// Direction of the force, in sectors of this width, degrees.
     Direction(f64),
-    /// The side of the triangle that the finger is at, and whether it slides along that one way, sticks, or slides the other way: 3 times the side, and 0, 1 or 2.
+    /// Side of the triangle at which the finger pushes, and motion of the finger along it. The group is 3 times the side, plus 0 (slides one
+    /// way), 1 (sticks) or 2 (slides the other way).
     SideAndFinger,
 }
 
 /// Inward normals of the sides of the block, degrees.
 const SIDES: [f64; 3] = [0.0, 90.0, -135.0];
-/// A force so many degrees off the normal is that of a finger that slides: its friction is some 23° to 25°, where forces pile up.
+/// Angle between force and normal beyond which the finger slides, degrees. Its friction angle is some 23° to 25°, where measured forces accumulate.
 const SLIDES: f64 = 20.0;
 
 impl Together {
-    /// The number of a push's group.
+    /// Number of the group of a push.
     pub fn group(self, push: &Push) -> usize {
         let direction = push.load.y.atan2(push.load.x).to_degrees();
         match self {
             Self::Direction(wide) => {
-                // The last sector that begins below it.
+                // Number of the last sector that begins at or below the direction.
                 (0..360).take_while(|k| f64::from(*k) * wide <= direction + 180.0).count()
             }
             Self::SideAndFinger => {
@@ -77,15 +78,15 @@ impl Together {
     }
 }
 
-/// What is told of a push at a coefficient of one.
+/// Gross slip along the direction of a push, with a friction coefficient of one.
 pub struct Limit {
-    /// The part of the measured push at which the block slides.
+    /// Multiple of the measured push at which the block slides.
     pub factor: f64,
-    /// The direction of its motion: displacement (m) and turn (rad) of any size.
+    /// Direction of motion of the block: displacement (m) and rotation (rad), of arbitrary size.
     pub motion: Vector3<f64>,
 }
 
-/// All of them.
+/// All measured pushes.
 pub fn pushes() -> Result<Vec<Push>, Failure> {
     let push = |line: &str| -> Result<Push, Failure> {
         let fields: Vec<_> = line.split(',').collect();
@@ -104,7 +105,7 @@ pub fn pushes() -> Result<Vec<Push>, Failure> {
     DATA.lines().skip(1).map(push).collect()
 }
 
-/// Where the supports are, m from the centre of mass.
+/// Positions of the supports relative to the centre of mass, m.
 pub fn supports(layout: usize) -> [Vector2<f64>; 3] {
     LAYOUTS[layout].1.map(|at| Vector2::from(at) - Vector2::from(CENTRE)).map(|at| at * 1e-3)
 }
@@ -117,7 +118,7 @@ pub fn blocks() -> Result<Vec<Grasp>, grasp_lcp::Error> {
     (0..LAYOUTS.len()).map(|layout| Grasp::new(supports(layout).map(support))).collect()
 }
 
-/// The load at which it slides, and how.
+/// The multiple of a push at which the block slides, and its motion.
 pub fn limit(blocks: &[Grasp], push: &Push) -> Result<Limit, Failure> {
     let weight = Wrench::force([0.0, 0.0, -WEIGHT]);
     let load = Wrench::new([push.load.x, push.load.y, 0.0], [0.0, 0.0, push.load.z]);
@@ -130,7 +131,7 @@ pub fn limit(blocks: &[Grasp], push: &Push) -> Result<Limit, Failure> {
     Ok(Limit { factor: loss.fraction * FAR, motion: Vector3::new(x, y, turn) })
 }
 
-/// What three supports carry of the weight, whose centre is the origin, N.
+/// Normal forces of three supports under the weight, N. The centre of mass is the origin.
 pub fn normal_forces(at: &[Vector2<f64>; 3]) -> [f64; 3] {
     let twice = |a: Vector2<f64>, b: Vector2<f64>| a.perp(&b);
     let all = twice(at[1] - at[0], at[2] - at[0]);

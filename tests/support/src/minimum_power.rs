@@ -1,6 +1,6 @@
 //! The minimum power principle over one step, with the normal forces of friction **given**.
 //!
-//! In a step from rest the springs gain energy, friction takes μ N_i |s_i|, the load gives W·q. With given N_i
+//! In a step from rest the springs store energy, friction dissipates μ N_i |s_i|, and the load does work W·q. With given N_i
 //!
 //! ```text
 //! minimise  Σ ½ k_n (a_n - n·u)²  +  Σ min over s of [½ k_t (a_t - t·u - s)² + μ N |s|]  -  W·q
@@ -12,17 +12,17 @@
 use grasp_lcp::planar::{Grasp, Twist, Wrench};
 use nalgebra::{Matrix3, Vector2, Vector3};
 
-/// Where the object goes, and the forces (F_n, F_t) of every contact.
+/// Motion of the object, and forces (F_n, F_t) of every contact.
 pub struct Answer {
-    /// Of the object.
+    /// Twist of the object.
     pub twist: Twist,
-    /// In order of the contacts.
+    /// Force of each contact, N.
     pub forces: Vec<Vector2<f64>>,
 }
 
-/// The minimum for normal forces N; `None` where nothing holds the object.
+/// The minimum with given normal forces N. `None` if springs do not hold the object, or the method does not converge.
 pub fn minimum_power(grasp: &Grasp, load: &Wrench, normal_forces: &[f64]) -> Option<Answer> {
-    // Newton's method on a piecewise quadratic function: exact once every spring is on its piece.
+    // Newton's method on a piecewise quadratic function: the step is exact once every contact is on its final piece.
     let mut q = Vector3::zeros();
     for _ in 0..100 {
         let mut stiffness = Matrix3::zeros();

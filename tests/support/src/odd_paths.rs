@@ -1,5 +1,5 @@
-//! Load programs as they come where nobody has tidied up: fingers at unequal heights, friction 0.2 to 0.9, stiffnesses that differ up to twenty times,
-//! a weight that is held before anything else happens, forces with moments, fingers let go of and pressed on again.
+//! Irregular random load programs, as in practice: fingers at unequal heights, friction 0.2 to 0.9, stiffness ratios up to twenty,
+//! a weight held from the start, forces with moments, fingers that are released and pressed again.
 
 use std::f64::consts::TAU;
 
@@ -7,24 +7,24 @@ use grasp_lcp::{Error, planar, spatial};
 
 use super::splitmix::Random;
 
-/// A grasp, the load that it starts with, and what happens then.
+/// A grasp, its load at the start, and a load program.
 pub struct OddPath<const C: usize> {
-    /// With default settings.
+    /// The grasp, with default settings.
     pub grasp: grasp_lcp::ask::Grasp<C>,
-    /// Held from rest.
+    /// Load at the start.
     pub start: grasp_lcp::grasp::Wrench<C>,
-    /// What comes after.
+    /// Legs of the load program.
     pub legs: Vec<grasp_lcp::load_path::Leg<C>>,
 }
 
-/// What is done with what is held.
+/// A family of load programs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Odd {
-    /// A box in three to six fingers at any height: one lets go and presses again, and a force with a moment tears at it, in any order.
+    /// A box in three to six fingers at any height. One finger is released and pressed again, and a force with a moment acts, in any order.
     Regrasped,
-    /// Contacts anywhere around a thing, and two to four legs of loads and commands.
+    /// Contacts anywhere around an object, and one to four legs of loads and commands.
     Handled,
-    /// A block that stands on three points and is pushed nearly through its middle.
+    /// A block on three points that is pushed nearly through its middle.
     Pushed,
 }
 
@@ -35,7 +35,7 @@ fn between(random: &mut Random, from: f64, to: f64) -> f64 {
     from + (to - from) * random.uniform()
 }
 
-/// Between two positive numbers, each decade alike.
+/// A random number between two positive ones, uniform in its logarithm.
 fn of_any_size(random: &mut Random, from: f64, to: f64) -> f64 {
     from * (to / from).powf(random.uniform())
 }
@@ -54,10 +54,10 @@ fn direction<const C: usize>(random: &mut Random) -> [f64; C] {
     }
 }
 
-/// One of a family in space.
+/// A random program of a family in space.
 ///
 /// # Errors
-/// None for what is drawn.
+/// Never for random scenes, which are valid.
 pub fn in_space(odd: Odd, random: &mut Random) -> Result<OddPath<3>, Error> {
     match odd {
         Odd::Regrasped => regrasped(random),
@@ -66,14 +66,14 @@ pub fn in_space(odd: Odd, random: &mut Random) -> Result<OddPath<3>, Error> {
     }
 }
 
-/// A box of 50 by 80 mm, 30 to 150 g, in fingers that press with 1.5 to 8 N.
+/// A box of 50 by 80 mm, 30 to 150 g, in fingers that press with 1.5 to 8 N each.
 fn regrasped(random: &mut Random) -> Result<OddPath<3>, Error> {
     use spatial::{Contact, Grasp, Leg, Wrench};
     let count = random.index(3, 6);
     let mut commands = Vec::new();
     let mut contacts = Vec::new();
     for i in 0..count {
-        // The first two are opposite each other, so that the box is held at all.
+        // The first two fingers are opposite each other, so that the grasp holds the box.
         let face = if i < 2 { i } else { random.index(0, 3) };
         let [along, height] = [between(random, -0.03, 0.03), between(random, -0.015, 0.015)];
         let (point, normal) = match face {
@@ -117,7 +117,7 @@ fn regrasped(random: &mut Random) -> Result<OddPath<3>, Error> {
     Ok(OddPath { grasp: Grasp::new(contacts)?, start: weight, legs })
 }
 
-/// What presses on a thing of 1 m or so all around.
+/// Contacts around an object of about 1 m, and their commands along the normals, m.
 struct Around<const C: usize> {
     contacts: Vec<grasp_lcp::grasp::Contact<C>>,
     press: Vec<f64>,
@@ -126,18 +126,18 @@ struct Around<const C: usize> {
 fn around<const C: usize>(random: &mut Random, count: usize) -> Around<C> {
     let softest = between(random, 100.0, 400.0);
     let mut made = Around { contacts: Vec::new(), press: Vec::new() };
-    // Else nothing may press at all where no load does.
+    // Opposite contacts press on each other; contacts at random places may carry no force without a load.
     let opposite = random.index(0, 3) > 0;
     let begin = TAU * random.uniform();
     for i in 0..count {
         let mut out: [f64; C] = direction(random);
         if !opposite {
-            // Anywhere.
+            // Keep the random direction.
         } else if C == 2 {
             let (sin, cos) = (begin + TAU * (i as f64 + 0.6 * random.uniform()) / count as f64).sin_cos();
             (out[0], out[1]) = (cos, sin);
         } else if i % 2 == 1 {
-            // Opposite the one before.
+            // Roughly opposite the previous contact.
             let before: [f64; C] = std::array::from_fn(|a| made.contacts[i - 1].point()[a]);
             out = std::array::from_fn(|a| 0.4 * out[a] - before[a]);
             let size = out.iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -161,7 +161,7 @@ fn around<const C: usize>(random: &mut Random, count: usize) -> Around<C> {
     made
 }
 
-/// Commands that change by some of what fingers press with, one finger or all.
+/// Random changes of commands, of one finger or of all, up to 1.2 times the command that presses.
 fn commands<const C: usize>(random: &mut Random, press: &[f64]) -> Vec<[f64; C]> {
     let only = (random.index(0, 2) == 0).then(|| random.index(0, press.len() - 1));
     let change = |(i, press): (usize, &f64)| {
@@ -189,7 +189,7 @@ fn handled_in_space(random: &mut Random) -> Result<OddPath<3>, Error> {
     Ok(OddPath { grasp: Grasp::new(contacts)?, start, legs })
 }
 
-/// A block on three points of a right triangle, 120 mm, pushed by a finger at the height of its feet.
+/// A block on three feet up to 120 mm apart along each axis, pushed at the height of its feet.
 fn pushed(random: &mut Random) -> Result<OddPath<3>, Error> {
     use spatial::{Contact, Grasp, Leg, Wrench};
     let friction = between(random, 0.2, 0.5);
@@ -211,10 +211,10 @@ fn pushed(random: &mut Random) -> Result<OddPath<3>, Error> {
     Ok(OddPath { grasp, start: Wrench::force([0.0, 0.0, -weight]), legs: vec![Leg::load_by(way)] })
 }
 
-/// Contacts anywhere around a thing in the plane, and two to four legs of loads and commands.
+/// Contacts anywhere around an object in the plane, and one to four legs of loads and commands.
 ///
 /// # Errors
-/// None for what is drawn.
+/// Never for random scenes, which are valid.
 pub fn in_the_plane(random: &mut Random) -> Result<OddPath<2>, Error> {
     use planar::{Grasp, Leg, Wrench};
     let count = random.index(2, 5);

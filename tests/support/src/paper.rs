@@ -1,14 +1,14 @@
-//! The two grasps of "Position Control for Multifingered Robot Hand" and the numbers printed there.
+//! The two grasps of "Position Control for Multifingered Robot Hand", and the numbers printed in that paper.
 
 use grasp_lcp::Error;
 use grasp_lcp::planar::{Contact, Grasp, Wrench};
 
-/// Example 1: a disk held by three fingers at 120°, all springs 100 N/m, μ = 0.25. The commands are not printed; 0.1 m
-/// along each normal reproduces the forces.
+/// Example 1: a disk held by three fingers at 120°, all springs 100 N/m, μ = 0.25. The paper does not print the commands; 0.1 m
+/// along each normal reproduces its forces.
 ///
-/// The printed normals (±0.8666, 0.5) are 1.0005 long, and the paper's program used them as they are. A normal of length s
-/// does what a unit normal does with springs s² as stiff and commands 1/s as long: with `as_computed` the grasp is the one
-/// that the paper's program saw, else the one it meant.
+/// The printed normals (±0.8666, 0.5) have length 1.0005, and the paper's program did not normalise them. A normal of length s
+/// is equivalent to a unit normal with springs s² times as stiff and commands 1/s times as long. With `as_computed` the grasp is
+/// that of the paper's program, else the intended one.
 pub fn disk(as_computed: bool) -> Result<Grasp, Error> {
     let points = [[-0.8666, -0.5], [0.8666, -0.5], [0.0, 1.0]];
     Grasp::new(points.map(|p| {
@@ -27,11 +27,11 @@ pub fn disk_load() -> Wrench {
     Wrench::new([0.1, 0.2], 0.3)
 }
 
-/// A force as the paper prints it, with the true value where the print is wrong.
+/// A force printed in the paper, with the correct value for a misprint.
 pub struct Printed {
-    /// What is printed.
+    /// The printed force.
     pub force: [f64; 2],
-    /// What is wrong with it, and what it must be.
+    /// For a misprint: its description and the correct force.
     pub misprint: Option<(&'static str, [f64; 2])>,
 }
 
@@ -39,7 +39,7 @@ const fn printed(x: f64, y: f64) -> Printed {
     Printed { force: [x, y], misprint: None }
 }
 
-/// Contact forces, equilibrating forces, interaction forces of example 1, N.
+/// Contact forces, equilibrating forces and interaction forces of example 1, N.
 pub const DISK_FORCES: [(&str, [Printed; 3]); 3] = [
     ("contact", [printed(4.2496, 2.5216), printed(-4.4164, 2.3483), printed(0.0666, -5.0651)]),
     (
@@ -75,7 +75,7 @@ pub fn down() -> Wrench {
     Wrench::force([0.0, -1.0])
 }
 
-/// Load W, then normal and tangential force of finger 1 and of finger 2, as printed.
+/// The printed table of example 2: load W, then normal and tangential force of finger 1 and of finger 2.
 pub const TWO_FINGER_TABLE: [[f64; 5]; 15] = [
     [0.00, 0.5000, -0.0625, 0.5000, 0.0625],
     [0.01, 0.4994, -0.0674, 0.4994, 0.0674],
@@ -94,15 +94,15 @@ pub const TWO_FINGER_TABLE: [[f64; 5]; 15] = [
     [0.14, 0.4924, -0.1231, 0.4924, 0.1231],
 ];
 
-/// What is wrong with a row of [`TWO_FINGER_TABLE`], by its index.
+/// Faults in rows of [`TWO_FINGER_TABLE`], by index of the row.
 pub const TWO_FINGER_MISPRINTS: [(usize, &str); 3] = [
     (2, "F_2n printed 0.4998, must be 0.4988"),
     (13, "beyond the onset: no equilibrium; the QP stopped at the cone's edge"),
     (14, "beyond the onset: no equilibrium; the QP stopped at the cone's edge"),
 ];
 
-/// Two fingers like those of example 2, their normals inclined by `slope` downwards, and two smooth, soft rests under the object
-/// that take over what the fingers cannot carry.
+/// Two fingers as in example 2, with normals inclined downwards by `slope`, and two frictionless, soft rests under the object
+/// that carry the load in excess of the fingers.
 pub fn two_fingers_on_rests(slope: f64) -> Result<Grasp, Error> {
     let finger = |side: f64, name: &str| {
         Contact::new([4.0 * side, 1.8], [-side, -slope])

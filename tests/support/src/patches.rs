@@ -1,8 +1,8 @@
-//! The scenes: fingers around a body, and patches of springs.
+//! Scenes: fingers around a body, and patches of springs.
 
 use grasp_lcp::{planar, spatial};
 
-/// Fingers around a body, pressed unevenly, under a load that makes some of them slide.
+/// Fingers around a body with uneven squeeze, under a load that makes some of them slide.
 pub fn fingers(count: usize) -> Result<(spatial::Grasp, spatial::Wrench), grasp_lcp::Error> {
     let contact = |i: usize| {
         let (sin, cos) = (std::f64::consts::TAU * i as f64 / count as f64).sin_cos();
@@ -17,7 +17,7 @@ pub fn fingers(count: usize) -> Result<(spatial::Grasp, spatial::Wrench), grasp_
     Ok((grasp, spatial::Wrench::new([0.02, 0.03, -pull * count as f64], [0.0, 0.0, 0.02])))
 }
 
-/// A pad along x, pressed most in the middle and sheared until the outer two thirds slide.
+/// A pad along x with the largest pressure in the middle, sheared until the outer two thirds slide.
 pub fn planar_patch(n: usize) -> Result<(planar::Grasp, planar::Wrench), grasp_lcp::Error> {
     let press = |i: usize| {
         let x = (i as f64 + 0.5) / n as f64 * 2.0 - 1.0;
@@ -35,7 +35,7 @@ pub fn planar_patch(n: usize) -> Result<(planar::Grasp, planar::Wrench), grasp_l
     Ok((grasp, planar::Wrench::new([0.98 * 0.3 * pressed, -pressed], 0.0)))
 }
 
-/// A round pad, pressed most in the middle, and the sum of its presses.
+/// A round pad with the largest pressure in the middle, and the sum of its normal forces.
 pub fn round_pad(n: usize) -> Result<(spatial::Grasp, f64), grasp_lcp::Error> {
     let place = |i: usize| {
         let r = ((i as f64 + 0.5) / n as f64).sqrt();
@@ -54,14 +54,14 @@ pub fn round_pad(n: usize) -> Result<(spatial::Grasp, f64), grasp_lcp::Error> {
     Ok((grasp, (0..n).map(|i| place(i).2).sum()))
 }
 
-/// The round pad, sheared and turned until its outer half slides.
+/// The round pad under shear and torsion that make its outer half slide.
 pub fn spatial_patch(n: usize) -> Result<(spatial::Grasp, spatial::Wrench), grasp_lcp::Error> {
     let (grasp, pressed) = round_pad(n)?;
     let load = spatial::Wrench::new([0.23 * pressed, 0.07 * pressed, -pressed], [0.0, 0.0, 0.035 * pressed]);
     Ok((grasp, load))
 }
 
-/// A fixed sequence without structure in [0, 1).
+/// Element i of a fixed quasi-random sequence in [0, 1).
 pub fn uneven(i: usize) -> f64 {
     (i as f64 * 0.618_033_988_749_894_9 + 0.37).fract()
 }

@@ -11,16 +11,16 @@ use super::voussoirs::{Joint, NEVER_FAILS, Voussoirs, bisected};
 
 const GRAVITY: [f64; 2] = [0.0, -9.81];
 
-/// A pile of boxes, a load, and what is needed to add up what acts on each.
+/// A pile of boxes, a load, and the data needed to add up forces on each box.
 #[derive(Debug, Clone)]
 pub struct Pile {
     /// The boxes; the last one is loaded.
     pub bodies: Bodies,
-    /// The load.
+    /// The load on the last box.
     pub load: Wrench,
-    /// Mass and centre of mass of each.
+    /// Mass (kg) and centre of mass (m) of each box.
     pub boxes: Vec<(f64, [f64; 2])>,
-    /// Of each contact the box that it is on, the one below, and what it is like.
+    /// The boxes and the data of each contact.
     pub touches: Vec<Touching>,
 }
 
@@ -29,18 +29,18 @@ pub struct Pile {
 pub struct Touching {
     /// The box that its normal points into.
     pub on: usize,
-    /// The one on the other side; none for the table and for fingers.
+    /// The box on the other side; `None` for the table and for fingers.
     pub against: Option<usize>,
-    /// Friction.
+    /// Friction coefficient.
     pub friction: f64,
     /// Normal stiffness, N/m.
     pub stiffness: f64,
-    /// What it presses with before anything moves, N.
+    /// Normal force before any motion, N.
     pub pressed: f64,
 }
 
 impl Pile {
-    /// The worst by which an answer under its load breaks the law, over the largest force: balance of each box, cones, and normal springs.
+    /// The worst violation by an answer under the load, relative to the largest force (at least 1 N): balance of each box, cones, and normal springs.
     pub fn violation(&self, state: &Equilibrium<2>) -> f64 {
         let last = self.boxes.len() - 1;
         let mut sums: Vec<Wrench> =
@@ -69,8 +69,8 @@ impl Pile {
     }
 }
 
-/// Boxes of random size, mass and friction on each other, and a push at the last. If there are fingers two of them press the last, and pull it upwards, too. `None`
-/// if one box hardly stands on another.
+/// A pile of boxes of random size, mass and friction, with a push at the last one. With `fingers` two fingers press on the last box, and the push
+/// also has an upward part. `None` if two boxes overlap by less than 20 mm.
 pub fn boxes(random: &mut Random, count: usize, fingers: bool) -> Option<Pile> {
     let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
     let name = |k: usize| format!("box {k}");
@@ -110,20 +110,21 @@ pub fn boxes(random: &mut Random, count: usize, fingers: bool) -> Option<Pile> {
     Some(Pile { bodies, load, boxes, touches })
 }
 
-/// The row and column of the brick below a half of one, halves counted from the left; `None` on the ground.
+/// The row and column of the brick below half brick `half`, counted from the left of the wall, of row `row`. `None` above the ground.
 pub(crate) fn brick_below(rows: usize, row: usize, half: usize) -> Option<(usize, usize)> {
     let below = row.checked_sub(1)?;
     let column = half.checked_sub(below % 2)? / 2;
     (column < rows).then_some((below, column))
 }
 
-/// A wall of so many rows of as many bricks of 2 kg, 1 m by 0.5 m, every other row half a brick along, on whose first brick at the top loads act; half bricks of
-/// ground hold what overhangs.
+/// A wall of `rows` rows of `rows` bricks each. A brick has 2 kg and is 1 m by 0.5 m; every other row is shifted by half a brick.
+///
+/// Loads act on the first brick of the top row. Half bricks that overhang stand on the ground.
 pub fn wall(rows: usize) -> Bodies {
     let name = |row: usize, column: usize| format!("brick {row}.{column}");
     let (mut bodies, mut contacts) = (Vec::new(), Vec::new());
     for (row, column) in (0..rows).flat_map(|row| (0..rows).map(move |column| (row, column))) {
-        // Halves of bricks are counted from the left.
+        // Number of the first half brick, counted from the left.
         let (first, height) = (2 * column + row % 2, 0.5 * row as f64);
         bodies.push(Body::new(name(row, column)).mass(2.0, [0.5 * first as f64 + 0.5, height + 0.25]));
         for half in [first, first + 1] {
@@ -140,8 +141,9 @@ pub fn wall(rows: usize) -> Bodies {
     Bodies::new(bodies).contacts(contacts).gravity(GRAVITY).loaded(name(rows - 1, 0))
 }
 
-/// A row of so many books of 1 kg, 3 cm thick and 24 cm high at their edges, pressed together between two hands by twice what carries them and keeps their faces closed; loads
-/// act on the one in the middle.
+/// A row of `count` books of 1 kg, 3 cm thick and 24 cm high, pressed together between two hands. Loads act on the middle book.
+///
+/// The hands press with twice the force that carries the row and keeps the faces closed.
 pub fn books(count: usize) -> Bodies {
     let name = |k: usize| format!("book {k}");
     let face = |k: usize, normal: f64| {
@@ -151,7 +153,7 @@ pub fn books(count: usize) -> Bodies {
         })
     };
     let (weight, long) = (9.81 * count as f64, 0.03 * count as f64);
-    // At each of two points; the row bends under its weight like a beam.
+    // Force at each of two points. The second bound keeps faces closed: the row bends under its weight like a beam.
     let press = weight.max(weight * long / (8.0 * 0.12));
     let right = face(count, -1.0).map(|hand| hand.force(press).on(name(count - 1)));
     let between = (1..count).flat_map(|k| face(k, 1.0).map(|point| point.on(name(k)).against(name(k - 1))));
@@ -165,20 +167,20 @@ pub fn books(count: usize) -> Bodies {
 /// A semicircular arch.
 #[derive(Debug, Clone, Copy)]
 pub struct Arch {
-    /// Stones of equal angle, with radial joints.
+    /// Number of stones. They have equal angles and radial joints.
     pub stones: usize,
-    /// Thickness over the mean radius, which is 1 m.
+    /// Thickness relative to the mean radius, which is 1 m.
     pub thickness: f64,
 }
 
 impl Arch {
-    /// A joint, counted from the left foot.
+    /// Joint k, counted from the left foot.
     fn joint(&self, k: usize) -> Joint {
         let (sin, cos) = (PI * (1.0 - k as f64 / self.stones as f64)).sin_cos();
         Joint { middle: [cos, sin], across: [sin, -cos], half: 0.5 * self.thickness }
     }
 
-    /// Where a stone's weight acts, and how heavy it is: 1000 N for each square metre.
+    /// Centre of gravity of a stone (m) and its weight (N), at 1000 N for each square metre.
     fn weight(&self, stone: usize) -> ([f64; 2], f64) {
         let [outer, inner] = [1.0 + 0.5 * self.thickness, 1.0 - 0.5 * self.thickness];
         let half = 0.5 * PI / self.stones as f64;
@@ -189,7 +191,7 @@ impl Arch {
         ([radius * cos, radius * sin], 1000.0 * area)
     }
 
-    /// Its joints and stones.
+    /// The joints and stones of the arch.
     pub fn voussoirs(&self) -> Voussoirs {
         Voussoirs {
             joints: (0..=self.stones).map(|k| self.joint(k)).collect(),
@@ -197,7 +199,7 @@ impl Arch {
         }
     }
 
-    /// The least thickness at which an arch of so many stones stands, with friction that never fails.
+    /// The least thickness at which an arch of `stones` stones stands, with friction that never fails.
     pub fn least_thickness(stones: usize) -> f64 {
         bisected(1.0, |thickness| Self { stones, thickness }.voussoirs().stands(NEVER_FAILS))
     }

@@ -1,18 +1,18 @@
-//! Pointed arches of stones, round ones as their limit.
+//! Pointed arches of stones, with round arches as a limit case.
 
 use super::voussoirs::{Joint, NEVER_FAILS, Voussoirs, bisected};
 
-/// Panels of a sum over the thickness of the stones beside the apex.
+/// Number of panels of Simpson's rule over the thickness of a stone. It matters for stones beside the apex, whose rings end at different angles.
 const PANELS: usize = 400;
 
 /// Two arcs of mean radius 1 m that meet at the apex, symmetric, with radial joints and a vertical one at the apex.
 #[derive(Debug, Clone, Copy)]
 pub struct PointedArch {
-    /// Stones of each side, of equal angle but for the cut at the apex.
+    /// Number of stones on each side. They have equal angles, except for the vertical cut at the apex.
     pub stones: usize,
-    /// Thickness over the mean radius.
+    /// Thickness relative to the mean radius.
     pub thickness: f64,
-    /// How far beyond the middle the centre of each arc lies, over the mean radius: 0 is a semicircle.
+    /// Distance by which the centre of each arc lies beyond the middle, relative to the mean radius; 0 is a semicircle.
     pub eccentricity: f64,
 }
 
@@ -21,7 +21,7 @@ impl PointedArch {
         2 * self.stones
     }
 
-    /// The angle of a joint of the left side at its own centre, from the foot on.
+    /// Angle of joint k of the left side about the centre of its arc, from the foot, rad.
     fn angle(&self, k: usize) -> f64 {
         self.eccentricity.acos() * k as f64 / self.stones as f64
     }
@@ -30,7 +30,7 @@ impl PointedArch {
         [1.0 - 0.5 * self.thickness, 1.0 + 0.5 * self.thickness]
     }
 
-    /// A joint, counted from the left foot.
+    /// Joint k, counted from the left foot.
     fn joint(&self, k: usize) -> Joint {
         let half = 0.5 * self.thickness;
         if k > self.stones {
@@ -45,14 +45,14 @@ impl PointedArch {
         Joint { middle: [self.eccentricity - cos, sin], across: [sin, cos], half }
     }
 
-    /// Where a stone's weight acts, and how heavy it is: 1000 N for each square metre.
+    /// Centre of gravity of a stone (m) and its weight (N), at 1000 N for each square metre.
     fn weight(&self, stone: usize) -> ([f64; 2], f64) {
         if stone >= self.stones {
             let ([x, y], weight) = self.weight(self.count() - 1 - stone);
             return ([-x, y], weight);
         }
         let ([inner, outer], from, e) = (self.radii(), self.angle(stone), self.eccentricity);
-        // Over the thickness by Simpson's rule: every ring ends at the next joint, or at the middle.
+        // Simpson's rule over the thickness. A thin ring of the stone ends at the next joint, or at the vertical cut of the apex.
         let ring = |r: f64| {
             let to = if stone + 1 < self.stones { self.angle(stone + 1) } else { (e / r).acos() };
             let across = e * r * (to - from) - r * r * (to.sin() - from.sin());
@@ -68,7 +68,7 @@ impl PointedArch {
         ([sums[1] / sums[0], sums[2] / sums[0]], 1000.0 * sums[0])
     }
 
-    /// Its joints and stones.
+    /// The joints and stones of the arch.
     pub fn voussoirs(&self) -> Voussoirs {
         Voussoirs {
             joints: (0..=self.count()).map(|k| self.joint(k)).collect(),
@@ -76,12 +76,12 @@ impl PointedArch {
         }
     }
 
-    /// The least thickness at which such an arch stands with friction that never fails.
+    /// The least thickness at which the arch stands, with friction that never fails.
     pub fn least_thickness(&self) -> f64 {
         bisected(1.0, |thickness| Self { thickness, ..*self }.voussoirs().stands(NEVER_FAILS))
     }
 
-    /// The least friction with which it stands.
+    /// The least friction coefficient with which the arch stands.
     pub fn least_friction(&self) -> f64 {
         bisected(2.0, |friction| self.voussoirs().stands(friction))
     }

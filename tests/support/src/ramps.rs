@@ -1,4 +1,4 @@
-//! Ramps of load and finger commands, and whether everything sticks along them, without the library's onset.
+//! Random ramps of load and finger commands, and an oracle for the onset: the slack of all sticking conditions, without the library.
 
 use std::cell::Cell;
 use std::f64::consts::TAU;
@@ -12,26 +12,26 @@ use super::random::{Spread, for_all, scene};
 use super::scene::{Datum, Scene};
 use super::sticking;
 
-/// Corners of the polygon in space (the library's default).
+/// Number of corners of the friction polygon in space, as by default in the library.
 pub const FACETS: usize = 8;
 
-/// A load direction and a change of commands; the base is the scene itself.
+/// The change of load and commands per unit of the factor. The scene itself is the base.
 #[derive(Debug, Clone)]
 pub struct Change<const D: usize, const C: usize> {
-    /// Of the load.
+    /// Change of the load.
     pub load: SVector<f64, D>,
-    /// Of the commands, contact by contact.
+    /// Change of the commands, contact by contact.
     pub commands: Vec<SVector<f64, C>>,
 }
 
 impl<const D: usize, const C: usize> Change<D, C> {
-    /// The ramp from the scene on.
+    /// The ramp that begins at the scene.
     pub fn ramp(&self, scene: &Scene<D, C>) -> Ramp<C> {
         Ramp::load(scene.wrench(), Wrench::from_components(self.load.as_slice()))
             .with_commands(self.commands.clone())
     }
 
-    /// Whether the load works on a motion that no contact resists: then nothing holds from the start.
+    /// Whether the change of load works on a motion that no contact resists. Then no equilibrium exists beyond factor 0.
     pub fn works_on_free_motion(&self, scene: &Scene<D, C>) -> bool {
         sticking::forces(&Scene { load: self.load, ..scene.clone() }).is_none()
     }
@@ -47,19 +47,19 @@ impl<const D: usize, const C: usize> Change<D, C> {
     }
 }
 
-/// The cone that friction is measured with.
+/// The friction cone of an oracle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Friction {
     /// The round cone; in the plane the cone itself.
     Round,
-    /// The polygon with `FACETS` corners on the circle.
+    /// The polygon with [`FACETS`] corners on the circle.
     Polygon,
 }
 
-/// The least slack of all sticking conditions relative to the largest force of the scene; negative when something cannot stick.
+/// The least slack of all sticking conditions, relative to the largest force of the scene. It is negative if some contact cannot stick.
 pub fn slack<const D: usize, const C: usize>(scene: &Scene<D, C>, friction: Friction) -> Option<f64> {
     let forces = sticking::forces(scene)?;
-    // Where the forces cancel, what the softest spring would exert over the largest command.
+    // If all forces vanish, the force of the softest spring under the largest command is the scale.
     let softest = scene.contacts.iter().map(Datum::softest).fold(f64::INFINITY, f64::min);
     let command = scene.contacts.iter().map(|datum| datum.command.norm()).fold(0.0, f64::max);
     let size = forces.iter().map(SVector::norm).fold(softest * command, f64::max);
@@ -70,7 +70,7 @@ pub fn slack<const D: usize, const C: usize>(scene: &Scene<D, C>, friction: Fric
         let used = if C == 2 || friction == Friction::Round {
             f.rows_range(1..).norm()
         } else {
-            // Facet normals lie half way between the corners.
+            // A facet normal lies half way between two corners.
             let half = TAU / (2.0 * FACETS as f64);
             let along = |j: usize| {
                 let angle = half * (2 * j + 1) as f64;
@@ -83,19 +83,19 @@ pub fn slack<const D: usize, const C: usize>(scene: &Scene<D, C>, friction: Fric
     Some(each.fold(f64::INFINITY, f64::min) / size)
 }
 
-/// What the onset was found to be.
+/// Counts of outcomes of onsets.
 #[derive(Debug, Default)]
 pub struct Tally {
     /// A contact slides.
     pub slides: Cell<u32>,
     /// Contacts open, and none slides.
     pub opens: Cell<u32>,
-    /// Nothing happens at any factor.
+    /// All contacts stick at every factor.
     pub never: Cell<u32>,
 }
 
 impl Tally {
-    /// Adds one.
+    /// Counts an onset.
     pub fn count<const C: usize>(&self, onset: &Onset<C>) {
         let add = |cell: &Cell<u32>, yes: bool| cell.set(cell.get() + u32::from(yes));
         add(&self.never, matches!(onset, Onset::Never));
@@ -106,7 +106,7 @@ impl Tally {
         }
     }
 
-    /// So many of each were found.
+    /// Asserts that enough onsets of each kind were found.
     pub fn assert_at_least(&self, slides: u32, opens: u32, never: u32) {
         println!("{self:?}");
         let enough = self.slides.get() >= slides && self.opens.get() >= opens && self.never.get() >= never;
@@ -114,12 +114,12 @@ impl Tally {
     }
 }
 
-/// Equal to 1e-9 of the larger.
+/// Whether a and b are equal within 1e-9 of the larger.
 pub fn close(a: f64, b: f64) -> bool {
     a == b || (a.is_finite() && b.is_finite() && (a - b).abs() <= 1e-9 * a.abs().max(b.abs()))
 }
 
-/// What changes along the ramp.
+/// The quantity that changes along the ramp.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Driven {
     Load,
@@ -127,7 +127,7 @@ enum Driven {
     Both,
 }
 
-/// Scenes in which everything touches, and what changes.
+/// Random scenes in which all contacts touch, with a change of load or commands.
 pub fn ramps<const D: usize, const C: usize>(
     counts: std::ops::Range<usize>,
     spread: Spread,
@@ -136,9 +136,9 @@ pub fn ramps<const D: usize, const C: usize>(
     let driven = prop::sample::select(vec![Driven::Load, Driven::Commands, Driven::Both]);
     (scene::<D, C>(counts, spread, 0.05), vector(D), vector(5 * C), driven).prop_map(
         |(mut scene, load, commands, driven)| {
-            // Everything touches at the base.
+            // All contacts touch at the base.
             scene.contacts.iter_mut().for_each(|datum| datum.clearance = 0.0);
-            // A load of the size of the one at the base, so that neither the base nor the change is lost in the other.
+            // The change of load is as large as the base load, so that neither is negligible beside the other.
             let size = scene.load.norm();
             let (load_part, command_part) = match driven {
                 Driven::Load => (size, 0.0),
@@ -155,7 +155,7 @@ pub fn ramps<const D: usize, const C: usize>(
     )
 }
 
-/// Ramps of each kind.
+/// Number of random ramps for each spread of stiffness.
 pub const CASES: u32 = 2000;
 
 /// Runs a property on ramps of grasps with similar springs and with very different ones.

@@ -1,4 +1,4 @@
-//! Random grasps in the plane and in space, and loads that they can carry.
+//! Random grasps in the plane and in space, with loads that they can often carry.
 
 use nalgebra::SVector;
 use proptest::prelude::*;
@@ -13,7 +13,7 @@ pub enum Spread {
     Narrow,
     /// Stiffness 1 to 1e6; friction zero, tiny, ordinary, huge or infinite.
     Wide,
-    /// Stiffness 1 to 1e14, each axis for itself; friction zero, 1e-8 to 1e6, or infinite.
+    /// Stiffness 1 to 1e14, independent for each axis; friction zero, 1e-8 to 1e6, or infinite.
     Stiff,
 }
 
@@ -52,7 +52,7 @@ fn friction(spread: Spread) -> BoxedStrategy<f64> {
     }
 }
 
-/// A contact about a unit away from the origin, its normal inward within some 40 degrees, its finger pushing.
+/// A contact at a distance of 0.5 to 1.4 from the origin. Its normal points inward within some 40 degrees, and its command pushes.
 pub fn datum<const C: usize>(spread: Spread) -> impl Strategy<Value = Datum<C>> {
     let clearance = prop_oneof![6 => Just(0.0), 1 => 0.0..0.3];
     (
@@ -68,7 +68,7 @@ pub fn datum<const C: usize>(spread: Spread) -> impl Strategy<Value = Datum<C>> 
         .prop_map(|(point, tilt, tangent, stiffness, friction, command, clearance)| {
             let point = point * (0.5 + 0.5 / point.norm());
             let normal = tilt * 0.7 - point.normalize();
-            // Any direction but the normal; a tangent within 1e-3 of it would cost digits in the test, too.
+            // The tangent must not be nearly parallel to the normal: its projection would lose digits in the oracle, too.
             let across = normal.map_with_location(|a, _, x| if a == normal.iamin() { x + 1.0 } else { x });
             let tangent =
                 if tangent.normalize().dot(&normal.normalize()).abs() < 0.9 { tangent } else { across };
@@ -78,7 +78,7 @@ pub fn datum<const C: usize>(spread: Spread) -> impl Strategy<Value = Datum<C>> 
         })
 }
 
-/// A load that the contacts would balance at this twist, each by itself.
+/// The load that is balanced at this twist if each contact has its elastic force, with friction reduced to its limit.
 fn balancing_load<const D: usize, const C: usize>(
     contacts: &[Datum<C>],
     twist: &SVector<f64, D>,
@@ -99,7 +99,7 @@ fn balancing_load<const D: usize, const C: usize>(
     })
 }
 
-/// `count` contacts under a load that a motion of the given size would meet.
+/// Scenes of `count` contacts, under a load of the order of the forces that a twist of size `motion` causes.
 pub fn scene<const D: usize, const C: usize>(
     count: std::ops::Range<usize>,
     spread: Spread,
@@ -112,7 +112,7 @@ pub fn scene<const D: usize, const C: usize>(
     })
 }
 
-/// Runs a property on `cases` random scenes, the same on every run.
+/// Tests a property on `cases` random scenes, the same in every run.
 pub fn for_all<S: Strategy>(
     source_file: &'static str,
     cases: u32,

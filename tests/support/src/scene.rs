@@ -1,7 +1,7 @@
 //! The data of a grasp outside the library, and the conditions of an equilibrium recomputed from them.
 //!
-//! Nothing is taken from the library but the answer itself: the twist of the object and, contact by contact, force, gap
-//! and slip. Frames, grasp map and polygon are made here, from the definitions
+//! From the library this module uses only the answer: the twist of the object and, contact by contact, force, gap
+//! and slip. It computes frames, grasp map and polygon from the definitions
 //!
 //! ```text
 //! u = displacement of the contact point in the contact frame
@@ -10,7 +10,7 @@
 //! Σ F + W = 0, forces and moments
 //! ```
 //!
-//! where P is [-1, 1] in the plane, and in space the disc or a regular polygon with corners on the unit circle, whichever the answer is for.
+//! where P is [-1, 1] in the plane. In space P is the disc or a regular polygon with corners on the unit circle, according to the answer.
 
 use std::f64::consts::TAU;
 
@@ -22,36 +22,35 @@ use nalgebra::{SMatrix, SVector};
 /// One contact.
 #[derive(Debug, Clone, Copy)]
 pub struct Datum<const C: usize> {
-    /// Place.
+    /// Contact point.
     pub point: SVector<f64, C>,
-    /// Into the object, of any length.
+    /// Normal into the object, of any length.
     pub normal: SVector<f64, C>,
-    /// Direction of the first tangent in space; not used in the plane.
+    /// Direction of the first tangent in space; unused in the plane.
     pub tangent: SVector<f64, C>,
-    /// Series stiffness.
+    /// Series stiffness of each axis.
     pub stiffness: SVector<f64, C>,
     /// Coefficient of friction.
     pub friction: f64,
-    /// Of the finger, in the contact frame.
+    /// Command of the finger, in the contact frame.
     pub command: SVector<f64, C>,
-    /// Left open before the command.
+    /// Gap before the command.
     pub clearance: f64,
 }
 
 /// A grasp under a load.
 #[derive(Debug, Clone)]
 pub struct Scene<const D: usize, const C: usize> {
-    /// In order.
+    /// Contacts, in order.
     pub contacts: Vec<Datum<C>>,
-    /// On the object: force, and moment about the origin.
+    /// Load on the object: force, and moment about the origin.
     pub load: SVector<f64, D>,
 }
 
 /// The sizes that errors are measured against.
 #[derive(Debug, Clone, Copy)]
 pub struct Sizes {
-    /// The largest of load, contact forces, and what the softest spring would exert over the
-    /// largest command or clearance.
+    /// The largest of load, contact forces, and the force of the softest spring under the largest command or clearance.
     pub force: f64,
     /// The largest of commands, clearances, displacements of the body at the contacts, gaps and slips.
     pub motion: f64,
@@ -60,7 +59,7 @@ pub struct Sizes {
 }
 
 impl<const C: usize> Datum<C> {
-    /// Columns n, t (and t₂).
+    /// The contact frame, with columns n, t (and t₂).
     pub fn frame(&self) -> SMatrix<f64, C, C> {
         let n = self.normal.normalize();
         let mut frame = SMatrix::<f64, C, C>::zeros();
@@ -85,7 +84,7 @@ impl<const C: usize> Datum<C> {
         drive
     }
 
-    /// For the library.
+    /// The contact for the library.
     pub fn contact(&self) -> Contact<C> {
         let contact = Contact::new(self.point, self.normal)
             .series_stiffness_axes(self.stiffness)
@@ -95,12 +94,12 @@ impl<const C: usize> Datum<C> {
         if C == 2 { contact } else { contact.tangent(self.tangent) }
     }
 
-    /// The smallest stiffness that resists.
+    /// The smallest stiffness of the axes with a spring.
     pub fn softest(&self) -> f64 {
         (0..self.axes()).map(|a| self.stiffness[a]).fold(f64::INFINITY, f64::min)
     }
 
-    /// Number of axes with a spring.
+    /// Number of axes with a spring: a frictionless contact has only a normal one.
     pub fn axes(&self) -> usize {
         if self.friction == 0.0 { 1 } else { C }
     }
@@ -145,17 +144,17 @@ pub fn wrench<const D: usize, const C: usize>(
 }
 
 impl<const D: usize, const C: usize> Scene<D, C> {
-    /// For the library.
+    /// The grasp for the library.
     pub fn grasp(&self) -> Grasp<C> {
         Grasp::new(self.contacts.iter().map(Datum::contact)).expect("a scene is a valid grasp")
     }
 
-    /// The load, for the library.
+    /// The load for the library.
     pub fn wrench(&self) -> Wrench<C> {
         Wrench::from_components(self.load.as_slice())
     }
 
-    /// Of the scene in this equilibrium.
+    /// The sizes of the scene in this equilibrium.
     pub fn sizes(&self, answer: &Equilibrium<C>) -> Sizes {
         let load = SVector::<f64, C>::from_fn(|a, _| self.load[a]).norm();
         let mut sizes = Sizes { force: load, motion: 0.0, length: 0.0 };
@@ -202,7 +201,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
             check(-c.force[0], sizes.force);
             check(c.gap.min(c.force[0] / sizes.force * sizes.motion), sizes.motion);
             if datum.friction == f64::INFINITY {
-                // No slip while closed, no force while open.
+                // With infinite friction a closed contact has no slip, and an open one no force.
                 let closed = c.gap == 0.0 && c.force[0] > 0.0;
                 check(if closed { c.slip.norm() } else { 0.0 }, sizes.motion);
                 check(if c.gap > 0.0 { c.force.norm() } else { 0.0 }, sizes.force);
@@ -232,7 +231,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
     }
 }
 
-/// Corners of P, zero normal component.
+/// Corners of P, as vectors in the contact frame without normal component.
 fn corners<const C: usize>(facets: usize) -> Vec<SVector<f64, C>> {
     ring(if C == 2 { 2 } else { facets }, 0.0, 1.0)
 }

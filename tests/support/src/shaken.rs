@@ -1,4 +1,4 @@
-//! Random grasps whose load repeats, and their verdicts against cycles that are followed one after the other.
+//! Random grasps under a load that repeats, and a check of their verdicts by following single cycles.
 
 use crate::splitmix::Random;
 use grasp_lcp::ask::Grasp;
@@ -8,24 +8,24 @@ use grasp_lcp::shake::{Repeats, Shaken};
 use grasp_lcp::{Error, planar, spatial};
 use nalgebra::DVector;
 
-/// A motion is known to this part of where the object is.
+/// Rounding of a motion, relative to the displacement of the object.
 const ROUNDING: f64 = 1e-13;
-/// Forces that change by less than this part of the largest stay as they are.
+/// Changes of forces below this part of the largest count as none.
 const STILL: f64 = 1e-8;
-/// Most cycles that are followed one after the other.
+/// The largest number of cycles that are followed.
 const MOST: usize = 400;
 
 /// A grasp, the load at rest, and the legs of a cycle.
 pub struct Cycle<const C: usize> {
-    /// Who holds.
+    /// The grasp.
     pub grasp: Grasp<C>,
-    /// At rest.
+    /// Load at rest.
     pub base: Wrench<C>,
-    /// Of one cycle.
+    /// Legs of one cycle.
     pub legs: Vec<Leg<C>>,
 }
 
-/// Two to five fingers around a disc, and its weight; two to four accelerations in turn, up to 2.5 times what slides first.
+/// Two to five fingers around a disc under its weight. Two to four accelerations act in turn, with sizes of 0.7 to 2.5 times the first slip.
 pub fn in_the_plane(random: &mut Random) -> Result<Cycle<2>, Error> {
     let (count, loads) = (random.index(2, 5), random.index(2, 4));
     let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
@@ -50,7 +50,7 @@ pub fn in_the_plane(random: &mut Random) -> Result<Cycle<2>, Error> {
     turned_up(grasp, base, &loads, between(0.7, 2.5))
 }
 
-/// A block on two to five feet that is pulled, and rocked: it may walk.
+/// A block on two to five feet under a steady pull, rocked to and fro, so that it may walk.
 pub fn rocked_in_the_plane(random: &mut Random) -> Result<Cycle<2>, Error> {
     let count = random.index(2, 5);
     let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
@@ -72,7 +72,7 @@ pub fn rocked_in_the_plane(random: &mut Random) -> Result<Cycle<2>, Error> {
     Ok(Cycle { grasp, base, legs: legs.concat() })
 }
 
-/// A plate on three to five feet that is pulled, and rocked about two axes.
+/// A plate on three to five feet under a steady pull, rocked about two axes.
 pub fn rocked_in_space(random: &mut Random) -> Result<Cycle<3>, Error> {
     let count = random.index(3, 5);
     let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
@@ -93,7 +93,7 @@ pub fn rocked_in_space(random: &mut Random) -> Result<Cycle<3>, Error> {
     Ok(Cycle { grasp, base, legs: legs.concat() })
 }
 
-/// The same with friction that is lower once contacts slide, by up to 30 %.
+/// The same cycle with friction that falls by up to 30 % once contacts slide.
 pub fn weaker_once_it_slides<const C: usize>(
     cycle: Cycle<C>,
     random: &mut Random,
@@ -105,9 +105,9 @@ pub fn weaker_once_it_slides<const C: usize>(
     Ok(Cycle { grasp, ..cycle })
 }
 
-/// A roller on so many springs, under a shear of this part of μ P, that is rocked to and fro by `w` half widths of its contact.
+/// A roller on `springs` springs, pressed with force P and sheared by `part` μ P. The moment rocks P to and fro by `w` half widths of the contact.
 pub fn roller(springs: i32, w: f64, part: f64) -> Result<Cycle<2>, Error> {
-    // The half width is one; what is pressed in there, 1 mm.
+    // The half width of the contact is 1; the springs are compressed by `depth` in the middle.
     let (k, depth, mu) = (1e3, 1e-3, 0.4);
     let h = 2.8 / f64::from(springs);
     let spring = |i: i32| {
@@ -124,7 +124,7 @@ pub fn roller(springs: i32, w: f64, part: f64) -> Result<Cycle<2>, Error> {
     Ok(Cycle { grasp, base, legs: legs.concat() })
 }
 
-/// Up to which part of μ P such a roller comes to rest, to a thousandth or so; `None` where that is not known.
+/// The largest shear, as a part of μ P, under which the roller comes to rest, to about a thousandth. `None` if a verdict is undecided.
 pub fn roller_rests_up_to(springs: i32, w: f64) -> Result<Option<f64>, Error> {
     let (mut below, mut above) = (0.0, 1.0);
     for _ in 0..10 {
@@ -139,7 +139,7 @@ pub fn roller_rests_up_to(springs: i32, w: f64) -> Result<Option<f64>, Error> {
     Ok(Some(0.5 * (below + above)))
 }
 
-/// Three to five fingers around a ball, and its weight; accelerations to and fro along three axes.
+/// Three to five fingers around a ball under its weight, with accelerations to and fro along three axes.
 pub fn in_space(random: &mut Random) -> Result<Cycle<3>, Error> {
     let count = random.index(3, 5);
     let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
@@ -164,7 +164,7 @@ pub fn in_space(random: &mut Random) -> Result<Cycle<3>, Error> {
     turned_up(grasp, base, &loads, between(0.7, 2.5))
 }
 
-/// These loads in turn, so many times as large as the first of them that makes something slide.
+/// A cycle of these loads, each scaled to `times` the least factor at which one of them makes a contact slide.
 fn turned_up<const C: usize>(
     grasp: Grasp<C>,
     base: Wrench<C>,
@@ -181,8 +181,9 @@ fn turned_up<const C: usize>(
     Ok(Cycle { grasp, base, legs })
 }
 
-/// What is wrong with a verdict, seen by so many cycles that are followed, and as many more as it speaks of; `None` where nothing is. Amounts may be off by
-/// `error`, of the largest.
+/// The contradiction between a verdict and cycles that are followed one after the other; `None` if they agree.
+///
+/// The function follows `cycles` cycles, or the number to which the verdict refers. Amounts may differ by `error`, relative to the largest.
 pub fn fault<const C: usize>(
     cycle: &Cycle<C>,
     shaken: &Shaken<C>,
@@ -192,11 +193,11 @@ pub fn fault<const C: usize>(
     let cycles = match shaken.repeats {
         Repeats::Lost { cycle, .. } => cycles.max(cycle),
         _ if shaken.ratio > 0.0 => shaken.cycles + until(shaken.ratio, error * error),
-        // A walk that still changes has to be looked at where it is told.
+        // A walk that still changes is compared at the cycle of the verdict.
         Repeats::Walks { .. } if shaken.change > STILL => shaken.cycles,
         _ => cycles.max(shaken.cycles + 5 * shaken.every),
     };
-    // What is told of cycles that nobody follows is judged by the first of them alone: nothing is lost there.
+    // If the verdict refers to more than `MOST` cycles, only the first 100 are followed, and checked for a loss alone.
     let (is_all, cycles) = (cycles <= MOST, if cycles <= MOST { cycles } else { 100 });
     let mut path = cycle.grasp.follow(&cycle.base, &[])?;
     path.by_ref().for_each(drop);
@@ -216,7 +217,7 @@ pub fn fault<const C: usize>(
                 return Ok((!right).then(|| format!("lost in cycle {k}")));
             }
             Some(PathEnd::Undecided { doubt, .. }) => {
-                // Slips that are all but gone are followed no further.
+                // A path may end undecided once its slips have nearly died out.
                 let died_out = shaken.ratio > 0.0 && until(shaken.ratio, 1e-6) < k;
                 let right = died_out || matches!(shaken.repeats, Repeats::Undecided { .. });
                 return Ok((!right).then(|| format!("undecided in cycle {k}: {doubt}")));
@@ -242,11 +243,11 @@ pub fn fault<const C: usize>(
         .windows(2)
         .filter_map(|two| Some((two[1].as_ref()? - two[0].as_ref()?).norm()))
         .fold(0.0, f64::max);
-    // What cycles are away from the one that they lead to.
+    // Allowed distance of the last cycle from the limit cycle.
     let left = error + shaken.ratio.powf(0.5 * cycles.saturating_sub(shaken.cycles) as f64);
     let right = match &shaken.repeats {
         Repeats::Rests { after, .. } => {
-            // Where nothing ever slides both are rounding.
+            // If no contact ever slides, motion and step are both rounding.
             let moved = error * most + ROUNDING * last.norm();
             heats[*after..].iter().all(|heat| *heat <= error * most_heat) && step.norm() <= moved
         }
@@ -267,7 +268,7 @@ pub fn fault<const C: usize>(
     Ok((!right).then(|| format!("heat {heat} of {most_heat}, step {} of {most}", step.norm())))
 }
 
-/// How often a ratio has to be taken until no more than a part is left; a million at most.
+/// The number of cycles n with `ratio^n > part`; a million at most.
 fn until(ratio: f64, part: f64) -> usize {
     let mut left = 1.0;
     (0..1_000_000)

@@ -1,19 +1,19 @@
-//! Everyday pinches of two or three soft fingertips, and loads that shear and twist them.
+//! Typical pinch grasps of two or three soft fingertips, with loads that cause shear and torsion.
 
 use grasp_lcp::Error;
 use grasp_lcp::spatial::{Contact, Grasp, Pressure, SoftFingertip, Wrench};
 
 use super::splitmix::Random;
 
-/// Fingers on opposite sides.
+/// Directions of two opposite fingers from the centre of the object.
 pub const TWO: &[[f64; 2]] = &[[1.0, 0.0], [-1.0, 0.0]];
-/// Fingers around the object.
+/// Directions of three fingers around the object.
 pub const THREE: &[[f64; 2]] = &[[1.0, 0.0], [-0.5, 0.8], [-0.5, -0.8]];
 
-/// Soft fingertips in these directions from the object, `half` m away from its centre, 2 kN/m each, that press `press` m deep.
+/// A grasp of soft fingertips in these directions, `half` m from the centre of the object, with 2 kN/m each and a command of `press` m.
 ///
 /// # Errors
-/// As the contacts have them.
+/// Errors of invalid contacts.
 pub fn pinch(
     tip: &SoftFingertip,
     places: &[[f64; 2]],
@@ -30,10 +30,12 @@ pub fn pinch(
     Grasp::new(fingers.concat())
 }
 
-/// Any such pinch of tips of 6 mm, and a load: a weight, one that hangs beside the fingers, torsion between them, or any force with any moment.
+/// A random pinch of tips with a radius of 6 mm, and a load.
+///
+/// The load is a weight, a weight with torsion, torsion alone, or a random force with a random moment.
 ///
 /// # Errors
-/// None for what is drawn.
+/// Never for random pinches, which are valid.
 pub fn draw(random: &mut Random) -> Result<(Grasp, Wrench), Error> {
     let (points, kind) = (random.index(6, 8), random.index(0, 3));
     let tip = match random.index(0, 2) {

@@ -1,16 +1,17 @@
-//! Piles of several bodies in space: walls of bricks that touch at four points of each half.
+//! Piles of several bodies in space: walls of bricks with four contact points below each half brick.
 
 use grasp_lcp::spatial::{Bodies, Body, Contact};
 
 use super::piles::brick_below;
 
-/// A wall of so many rows of as many bricks of 2 kg, 1 m by 0.5 m by 0.5 m, every other row half a brick along x, on whose first brick at the top loads act; half bricks of
-/// ground hold what overhangs.
+/// A wall of `rows` rows of `rows` bricks each. A brick has 2 kg and is 1 m by 0.5 m by 0.5 m; every other row is shifted by half a brick along x.
+///
+/// Loads act on the first brick of the top row. Half bricks that overhang stand on the ground.
 pub fn spatial_wall(rows: usize) -> Bodies {
     let name = |row: usize, column: usize| format!("brick {row}.{column}");
     let (mut bodies, mut contacts) = (Vec::new(), Vec::new());
     for (row, column) in (0..rows).flat_map(|row| (0..rows).map(move |column| (row, column))) {
-        // Halves of bricks are counted from the left.
+        // Number of the first half brick, counted from the left.
         let (first, height) = (2 * column + row % 2, 0.5 * row as f64);
         bodies.push(Body::new(name(row, column)).mass(2.0, [0.5 * first as f64 + 0.5, 0.0, height + 0.25]));
         for half in [first, first + 1] {

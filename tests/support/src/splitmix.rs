@@ -1,6 +1,6 @@
-//! Numbers without structure, the same on every machine.
+//! Pseudo-random numbers, the same on every machine.
 
-/// A small deterministic generator, so that failures can be repeated.
+/// A small deterministic generator (SplitMix64), so that failures can be reproduced.
 pub struct Random(pub u64);
 impl Random {
     /// The next 64 bits.
@@ -11,19 +11,19 @@ impl Random {
         x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
         x ^ (x >> 31)
     }
-    /// An integer between low and high, both included.
+    /// A random integer from `low` to `high`, both included.
     pub fn integer(&mut self, low: i64, high: i64) -> i64 {
         low + (self.bits() % (high - low + 1).cast_unsigned()).cast_signed()
     }
-    /// Such an integer as an index.
+    /// A random index from `low` to `high`, both included.
     pub fn index(&mut self, low: usize, high: usize) -> usize {
         low + usize::try_from(self.bits() % (high - low + 1) as u64).expect("below an index")
     }
-    /// A number in [0, 1).
+    /// A random number, uniform in [0, 1).
     pub fn uniform(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
     }
-    /// A normally distributed number.
+    /// A random number with the standard normal distribution.
     pub fn normal(&mut self) -> f64 {
         (-2.0 * (1.0 - self.uniform()).ln()).sqrt() * (std::f64::consts::TAU * self.uniform()).cos()
     }

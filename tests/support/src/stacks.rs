@@ -1,4 +1,4 @@
-//! Random bodies on top of each other, and the conditions of an equilibrium recomputed from their data alone.
+//! Random piles of bodies, and the conditions of an equilibrium recomputed from their data alone.
 
 use super::scene::{self, Datum};
 use grasp_lcp::ask::Grasp;
@@ -7,33 +7,33 @@ use grasp_lcp::grasp::{Bodies, Body, Wrench};
 use nalgebra::SVector;
 use proptest::prelude::*;
 
-/// A contact, the body that its normal points into, and the one on the other side.
+/// A contact between two bodies, or between a body and the ground.
 #[derive(Debug, Clone)]
 pub struct Touch<const C: usize> {
-    /// Its data.
+    /// Data of the contact.
     pub datum: Datum<C>,
     /// The body that its normal points into.
     pub on: usize,
-    /// The one on the other side; none is the ground.
+    /// The body on the other side; `None` is the ground.
     pub against: Option<usize>,
 }
 
-/// Bodies in a pile, each with its own load, and a finger on the last.
+/// Bodies in a pile, each with its own load, and a finger on the last body.
 #[derive(Debug, Clone)]
 pub struct Stack<const D: usize, const C: usize> {
-    /// All contacts.
+    /// Contacts of all bodies.
     pub touches: Vec<Touch<C>>,
-    /// Of each body, force and moment about the origin.
+    /// Load of each body: force and moment about the origin.
     pub loads: Vec<SVector<f64, D>>,
 }
 
-/// What a body is called.
+/// Name of a body.
 pub fn name(body: usize) -> String {
     format!("body {body}")
 }
 
 impl<const D: usize, const C: usize> Stack<D, C> {
-    /// With loads of questions on this body.
+    /// The bodies for the library, where loads of questions act on body `loaded`.
     pub fn bodies(&self, loaded: usize) -> Bodies<C> {
         let contact = |touch: &Touch<C>| {
             let contact = touch.datum.contact().on(name(touch.on));
@@ -47,12 +47,12 @@ impl<const D: usize, const C: usize> Stack<D, C> {
             .loaded(name(loaded))
     }
 
-    /// For the library, with loads of questions on this body.
+    /// The grasp for the library, where loads of questions act on body `loaded`.
     pub fn grasp(&self, loaded: usize) -> Grasp<C> {
         grasp(self.bodies(loaded))
     }
 
-    /// The worst violation of any condition, relative to the largest force or displacement; `load` acts on body `loaded` beside its own.
+    /// The worst violation of any condition, relative to the largest force or displacement. `load` acts on body `loaded` in addition to its own load.
     pub fn violation(&self, answer: &Equilibrium<C>, loaded: usize, load: &SVector<f64, D>) -> f64 {
         let twist =
             |body: usize| SVector::<f64, D>::from_column_slice(answer.bodies[body].twist.components());
@@ -88,7 +88,7 @@ impl<const D: usize, const C: usize> Stack<D, C> {
             let limit = datum.friction * told.force[0];
             check(friction.norm() - limit, force);
             let slip = SVector::<f64, C>::from_fn(|a, _| if a == 0 { 0.0 } else { told.slip[a] });
-            // An open contact has lost what its slip was counted from.
+            // An open contact has no reference for its slip.
             if told.state != ContactState::Separated && datum.friction > 0.0 {
                 check((limit * slip.norm() - friction.dot(&slip)).abs(), force * motion);
             }
@@ -98,7 +98,7 @@ impl<const D: usize, const C: usize> Stack<D, C> {
                 sums[against] -= on_body;
             }
         }
-        // Arms are at most as long as the pile is high.
+        // Arms of moments are at most about the height of the pile: one for each body.
         for sum in &sums {
             check(sum.norm(), force * (1.0 + self.loads.len() as f64));
         }
@@ -111,7 +111,8 @@ pub fn grasp<const C: usize>(bodies: Bodies<C>) -> Grasp<C> {
     bodies.grasp().expect("well posed")
 }
 
-/// A face between body `below` and the one on it, at height `below`, of two or three points.
+/// Contacts at the lower face of body `below`, at height `below`: two points in the plane, three in space. `bends` perturbs places, normals and
+/// stiffnesses.
 fn face<const C: usize>(below: usize, bends: &[f64], friction: f64) -> Vec<Touch<C>> {
     let on = below;
     let against = below.checked_sub(1);
@@ -134,7 +135,7 @@ fn face<const C: usize>(below: usize, bends: &[f64], friction: f64) -> Vec<Touch
     corners.iter().zip(bends.chunks(4)).map(touch).collect()
 }
 
-/// Piles of so many bodies: weights, faces that are nearly level, and a finger that presses down on the last.
+/// Random piles of `bodies` bodies with weights, nearly level faces, and a finger that presses down on the last body.
 pub fn stack<const D: usize, const C: usize>(bodies: usize) -> impl Strategy<Value = Stack<D, C>> {
     let numbers = prop::collection::vec(-1.0..1.0f64, bodies * 16 + 8);
     let frictions = prop::collection::vec(prop_oneof![1 => Just(0.0), 6 => 0.1..0.9f64], bodies + 1);

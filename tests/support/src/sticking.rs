@@ -1,15 +1,14 @@
-//! What a grasp does while everything sticks: springs and nothing else, by the singular value decomposition.
+//! Contact forces of a grasp while all contacts stick, from its springs alone, by the singular value decomposition.
 //!
-//! The forces minimise the stored energy among all that balance the load. With `x = K^{-1/2} F`, `A = K^{1/2} Gᵀ` and
+//! These forces minimise the stored energy among all forces that balance the load. With `x = K^{-1/2} F`, `A = K^{1/2} Gᵀ` and
 //! `α = K^{1/2} a`,
 //!
 //! ```text
 //! min ½|x - α|²  subject to  Aᵀx = -W          A = U Σ Vᵀ:   x = α - U (Uᵀα + Σ⁻¹ Vᵀ W)
 //! ```
 //!
-//! The decomposition is Jacobi's, by rotations of the columns: a dozen lines, and accurate for rows of any size. (That
-//! of nalgebra 0.35 was tried first: for one 6 x 6 grasp matrix among these scenes its factors multiply back to the
-//! matrix with an error of 7e-3.)
+//! The decomposition is Jacobi's, by rotations of columns, because it is accurate for rows of very different size. That of nalgebra 0.35 failed
+//! for one 6 x 6 grasp matrix among these scenes: the product of its factors had an error of 7e-3.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -56,7 +55,7 @@ fn jacobi<const D: usize>(mut rows: Vec<SVector<f64, D>>) -> (Vec<SVector<f64, D
     (rows, v)
 }
 
-/// The contact forces, each in its contact frame, with everything sticking; `None` if the load works on a free motion.
+/// The contact forces with all contacts sticking, each in its contact frame. `None` if the load works on a free motion.
 pub fn forces<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Option<Vec<SVector<f64, C>>> {
     let axes: Vec<(usize, usize)> = scene
         .contacts
@@ -76,7 +75,7 @@ pub fn forces<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Option<Vec
         std::array::from_fn(|k| columns.iter().map(|row| row[k] * row[k]).sum::<f64>().sqrt());
     let largest = sigmas.into_iter().fold(0.0, f64::max);
     let mut x = alpha;
-    // Twice: what is left of large commands on stiff springs after one projection is rounding of the commands.
+    // Two projections: with large commands on stiff springs the first one leaves a residual of rounding.
     for _ in 0..2 {
         for (k, &sigma) in sigmas.iter().enumerate() {
             let along = v.column(k).dot(&scene.load);

@@ -1,30 +1,30 @@
-//! What is drawn in an SVG, read back.
+//! Reads shapes of an SVG back for tests.
 
 /// Why a picture could not be read.
 pub type Failure = Box<dyn std::error::Error>;
 
-/// What is drawn: its tag, its colour, its corners or its middle, the width of its line.
+/// A shape of an SVG.
 #[derive(Debug)]
 pub struct Shape {
-    /// `polyline`, `polygon`, `circle`, `text` …
+    /// Tag of the element: `polyline`, `polygon`, `circle`, `text` …
     pub tag: String,
-    /// Its fill, or else its stroke.
+    /// Fill colour, or the stroke colour without a fill.
     pub ink: String,
-    /// Its corners or its middle, pixels.
+    /// Corners, or the middle of a circle or the place of a text, pixels.
     pub points: Vec<[f64; 2]>,
-    /// The width of its line, pixels.
+    /// Width of the line, pixels.
     pub width: Option<f64>,
-    /// Whether its line is dashed.
+    /// Whether the line is dashed.
     pub dashed: bool,
-    /// Its letters.
+    /// Words of a text.
     pub words: String,
-    /// Their height, pixels.
+    /// Font size of the words, pixels; 0 for other shapes.
     pub size: f64,
-    /// The part of their width that is left of the place.
+    /// Part of the width of the words that lies left of the place: 0, 0.5 or 1.
     pub left: f64,
 }
 
-/// Everything but paths, in the order in which it is painted.
+/// All shapes except paths, in the order in which they are painted.
 pub fn shapes(svg: &str) -> Result<Vec<Shape>, Failure> {
     let mut shapes = Vec::new();
     for text in svg.split('<').skip(1) {
@@ -57,7 +57,7 @@ pub fn shapes(svg: &str) -> Result<Vec<Shape>, Failure> {
     Ok(shapes)
 }
 
-/// Closed lines of each path.
+/// Closed polygons of each path, pixels.
 pub fn paths(svg: &str) -> Result<Vec<Vec<Vec<[f64; 2]>>>, Failure> {
     let ways = svg.split("<path").skip(1).filter_map(|text| text.split(" d=\"M").nth(1)?.split('"').next());
     ways.map(|way| way.trim_end_matches('Z').split("ZM").map(pairs).collect()).collect()
@@ -71,13 +71,13 @@ fn pairs(text: &str) -> Result<Vec<[f64; 2]>, Failure> {
     text.split_whitespace().map(pair).collect()
 }
 
-/// Middles of circles of a colour, in the order in which they are painted.
+/// Centres of circles of one colour, in the order in which they are painted, pixels.
 pub fn circles(svg: &str, ink: &str) -> Result<Vec<[f64; 2]>, Failure> {
     let circles = shapes(svg)?.into_iter().filter(|shape| shape.tag == "circle" && shape.ink == ink);
     Ok(circles.map(|circle| circle.points[0]).collect())
 }
 
-/// Width and height in which an SVG is drawn.
+/// Width and height of the view box, pixels.
 pub fn view_box(svg: &str) -> Result<[f64; 2], Failure> {
     let text = svg.split("viewBox=\"0 0 ").nth(1).and_then(|rest| rest.split('"').next());
     let (wide, high) = text.ok_or("a view box")?.split_once(' ').ok_or("two numbers")?;
@@ -87,7 +87,7 @@ pub fn view_box(svg: &str) -> Result<[f64; 2], Failure> {
 /// Left, top, right and bottom, pixels.
 pub type Edges = [f64; 4];
 
-/// The light grounds on which names stand, line by line.
+/// The light backgrounds of names, one for each line of text.
 pub fn plaques(svg: &str) -> Result<Vec<Edges>, Failure> {
     let grounds =
         svg.split('<').filter(|text| text.starts_with("polygon fill=\"#FFFFFF\" fill-opacity=\"0.75\""));
@@ -103,14 +103,14 @@ pub fn plaques(svg: &str) -> Result<Vec<Edges>, Failure> {
     grounds.map(edges).collect()
 }
 
-/// The first two that overlap by more than rounding, if any do.
+/// The first two boxes that overlap by more than 0.02 pixels, the rounding of coordinates; `None` if no boxes overlap.
 pub fn overlap(boxes: &[Edges]) -> Option<[Edges; 2]> {
     let meet = |a: &Edges, b: &Edges| (0..2).all(|k| a[k] + 0.02 < b[k + 2] && b[k] + 0.02 < a[k + 2]);
     let pairs = boxes.iter().enumerate().flat_map(|(k, a)| boxes[..k].iter().map(move |b| [*a, *b]));
     pairs.into_iter().find(|[a, b]| meet(a, b))
 }
 
-/// The first thing with a place that is not on the paper, if there is one.
+/// The first shape with a point outside of the view box; `None` without one.
 pub fn outside(svg: &str) -> Result<Option<Shape>, Failure> {
     let [wide, high] = view_box(svg)?;
     let inside = |shape: &Shape| {

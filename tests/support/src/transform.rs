@@ -1,4 +1,4 @@
-//! The same grasp seen differently: turned, mirrored, moved, in other units.
+//! Images of a scene: rotated, mirrored, shifted, or in other units.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -13,7 +13,7 @@ pub struct Transform<const C: usize> {
     force: f64,
 }
 
-/// Turns each coordinate plane (i, i + 1) by an angle, one after the other.
+/// The rotation of coordinate planes (i, i + 1) by these angles, one after the other.
 pub fn rotation<const C: usize>(angles: [f64; 3]) -> SMatrix<f64, C, C> {
     let mut rotation = SMatrix::<f64, C, C>::identity();
     for (i, angle) in angles.into_iter().enumerate().take(if C == 2 { 1 } else { 3 }) {
@@ -30,24 +30,24 @@ impl<const C: usize> Transform<C> {
         Self { rotation: SMatrix::identity(), shift: SVector::zeros(), length: 1.0, force: 1.0 }
     }
 
-    /// Turns each coordinate plane (i, i + 1) by an angle, one after the other.
+    /// The rotation of coordinate planes (i, i + 1) by these angles, one after the other.
     pub fn turned(angles: [f64; 3]) -> Self {
         Self { rotation: rotation(angles), ..Self::identity() }
     }
 
-    /// The first axis changes sign.
+    /// The reflection of the first axis.
     pub fn mirrored() -> Self {
         let mut rotation = SMatrix::identity();
         rotation[(0, 0)] = -1.0;
         Self { rotation, ..Self::identity() }
     }
 
-    /// By a shift.
+    /// The translation by a shift.
     pub fn moved(shift: SVector<f64, C>) -> Self {
         Self { shift, ..Self::identity() }
     }
 
-    /// Numbers for lengths become this much larger, and for forces.
+    /// The change of units that multiplies numbers of lengths by `length` and of forces by `force`.
     pub fn in_units(length: f64, force: f64) -> Self {
         Self { length, force, ..Self::identity() }
     }
@@ -72,12 +72,12 @@ impl<const C: usize> Transform<C> {
         self.rotation * f * self.force
     }
 
-    /// A force of the image as the first scene sees it.
+    /// A force of the image, transformed back to the first scene.
     pub fn force_back(&self, f: &SVector<f64, C>) -> SVector<f64, C> {
         self.rotation.tr_mul(f) / self.force
     }
 
-    /// A displacement of the image as the first scene sees it.
+    /// A displacement of the image, transformed back to the first scene.
     pub fn displacement_back(&self, u: &SVector<f64, C>) -> SVector<f64, C> {
         self.rotation.tr_mul(u) / self.length
     }
@@ -93,7 +93,7 @@ impl<const C: usize> Transform<C> {
         SVector::from_fn(|k, _| if k < C { force[k] } else { side * turned(k - C) + carried[k] })
     }
 
-    /// A displacement in the contact frame: mirrored frames have their last tangent the other way round.
+    /// A displacement in the contact frame. A mirrored frame has its last tangent reversed, to stay right-handed.
     fn command(&self, mut command: SVector<f64, C>) -> SVector<f64, C> {
         if self.turns_over() {
             command[C - 1] = -command[C - 1];
@@ -121,7 +121,7 @@ impl<const C: usize> Transform<C> {
         }
     }
 
-    /// A load direction and command changes.
+    /// The images of a load direction and of command changes.
     pub fn ramp<const D: usize>(
         &self,
         direction: &SVector<f64, D>,

@@ -1,7 +1,7 @@
-//! The states of an equilibrium that the library returned, solved again in exact arithmetic.
+//! The equilibrium in the contact states that the library returned, solved again in exact arithmetic.
 //!
-//! The data are those that the library has: every number of the scene, and the contact frames as it rounded them
-//! ([`Grasp::frames`](grasp_lcp::ask::Grasp::frames)). With `v = a - Gᵀq` the stretch of a contact, a its command less its clearance,
+//! The data are those of the library: every number of the scene, and the contact frames with their rounding
+//! ([`Grasp::frames`](grasp_lcp::ask::Grasp::frames)). With the stretch `v = a - Gᵀq` of a contact, where a is its command less its clearance,
 //!
 //! ```text
 //! open                       F = 0
@@ -11,9 +11,9 @@
 //! balance                    Σ G F + W = 0
 //! ```
 //!
-//! In the plane d = ±1 and all of it is linear in the twist q. In space the direction d and the slip σ of each sliding contact are
-//! unknowns beside q of polynomial equations: Newton's method from the library's answer, with exact residuals, until its
-//! steps are below 1e-40 of what they change.
+//! In the plane d = ±1, and all equations are linear in the twist q. In space the direction d and the slip σ of each sliding contact are
+//! further unknowns, and the equations are polynomial. Newton's method starts at the library's answer and uses exact residuals, until its
+//! steps are below 1e-40 of the unknowns.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::{ContactState, Equilibrium};
@@ -23,73 +23,73 @@ use super::dyadic::{Dyadic, solve};
 use super::scene::Scene;
 use super::truth_equations::{Exactly, Known, dot, equations, norm, unit_wrench};
 
-/// Bits that are kept of a quotient.
+/// Bits kept of each quotient.
 const BITS: u64 = 320;
-/// Steps of Newton's method below this part are the last.
+/// Newton's method ends when its step is below this part of the unknowns.
 const SETTLED: f64 = 1e-40;
 const STEPS: usize = 12;
-/// A value below this part of its terms is zero: what division left of it.
+/// A value below this part of its terms counts as zero: it is the rounding of a division.
 const ZERO: f64 = 1e-60;
-/// Where nothing carries a force, this part of what the softest spring could have counts as one.
+/// Scale of forces where no contact carries one, relative to the force of the softest spring under the largest displacement.
 const NO_FORCE: f64 = 1e-20;
-/// Components below this part of the largest force are not looked at by themselves.
+/// Components below this part of the largest force have no relative error of their own.
 const SMALL: f64 = 1e-14;
 
-/// What the contacts really do in these states.
+/// Exact forces and displacements of the contacts in these states.
 pub struct Truth<const C: usize> {
-    /// In the contact frames.
+    /// Contact forces in the contact frames, N.
     pub forces: Vec<[Dyadic; C]>,
     /// Displacement of the body at the contacts, in the contact frames.
     moved: Vec<[Dyadic; C]>,
-    /// Size of the largest force, load included, N: at least 1e-20 of what the softest spring could have from the displacements.
+    /// Largest force, load included, N; at least 1e-20 of the force of the softest spring under the largest displacement.
     pub largest: f64,
-    /// The largest of displacements and commands, m.
+    /// Largest displacement or command, m.
     pub travel: f64,
-    /// Of all contacts.
+    /// Conditions of all contacts.
     pub conditions: Vec<Condition>,
 }
 
 /// A condition `value >= 0` of the state of a contact.
 #[derive(Debug, Clone, Copy)]
 pub struct Condition {
-    /// By its index.
+    /// Index of the contact.
     pub contact: usize,
-    /// Which condition.
+    /// Kind of the condition.
     pub kind: Kind,
-    /// The value over the size of its terms: exactly zero, or with the exact sign.
+    /// Value relative to the size of its terms. It is exactly zero, or has the exact sign.
     pub part: f64,
 }
 
-/// What a contact must keep to.
+/// A condition that a contact must satisfy.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// An open contact does not overlap.
     Gap,
-    /// A closed one presses.
+    /// A closed contact presses.
     Push,
     /// Friction stays within its limit.
     Margin,
-    /// Friction works against the slip.
+    /// Friction opposes the slip.
     Slip,
 }
 
 /// Errors of an answer.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Errors {
-    /// Largest error of a contact force over the largest force, load included.
+    /// Largest error of a contact force, relative to the largest force, load included.
     pub force: f64,
-    /// Largest error of a component of a force over that component.
+    /// Largest error of a force component, relative to that component.
     pub component: f64,
-    /// Largest error of the displacement of the body at a contact, over the largest of displacements and commands.
+    /// Largest error of the displacement of the body at a contact, relative to the largest displacement or command.
     pub motion: f64,
-    /// The error of a contact force, N.
+    /// Largest error of a contact force, N.
     pub newtons: f64,
-    /// The error of a displacement, m.
+    /// Largest error of a displacement, m.
     pub metres: f64,
 }
 
 impl<const C: usize> Truth<C> {
-    /// `None` where the states do not determine the twist, or Newton's method does not arrive.
+    /// The exact equilibrium in the states of the answer. `None` if the states do not determine the twist, or Newton's method does not converge.
     pub fn of<const D: usize>(
         scene: &Scene<D, C>,
         grasp: &Grasp<C>,
@@ -145,7 +145,7 @@ impl<const C: usize> Truth<C> {
             let mut settled = true;
             let longest = z[..D].iter().map(|q| q.float().abs()).fold(0.0, f64::max);
             for (k, (z, step)) in z.iter_mut().zip(&step).enumerate() {
-                // Of each direction two components come first; slips are as long as the twist at most.
+                // Unknowns after the twist come in triples d₁, d₂, σ. Directions have size one; slips are at most about as long as the twist.
                 let size = if k < D || (k - D) % 3 == 2 { longest } else { 1.0 };
                 settled &= step.float().abs() <= SETTLED * size;
                 *z = (&*z - step).rounded(BITS);
@@ -193,7 +193,7 @@ impl<const C: usize> Truth<C> {
             check(Kind::Push, &force[0], size);
             match (&contact.state, &contact.mu) {
                 (Exactly::Springs(axes), Some(mu)) if *axes == C => {
-                    // μ N - |F_t| by the difference of the squares: the sign is exact.
+                    // μ N - |F_t| from the difference of squares, so that the sign is exact.
                     let limit = mu * &force[0];
                     let used = force[1..].iter().fold(Dyadic::zero(), |sum, f| &sum + &(f * f));
                     let sum = limit.float().abs() + norm(&force[1..]);
@@ -219,7 +219,7 @@ impl<const C: usize> Truth<C> {
         truth
     }
 
-    /// Errors of the answer.
+    /// Errors of an answer against the exact equilibrium.
     pub fn errors(&self, grasp: &Grasp<C>, answer: &Equilibrium<C>) -> Errors {
         let mut errors = Errors::default();
         for (i, c) in answer.contacts.iter().enumerate() {

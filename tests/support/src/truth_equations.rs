@@ -1,13 +1,13 @@
-//! The law of one contact in a known state and the balance of all, in exact arithmetic, with their derivatives.
+//! The law of a contact in a known state and the balance of all contacts, in exact arithmetic, with their derivatives.
 
 use super::dyadic::Dyadic;
 
-/// Bits of a matrix that only directs the next step of Newton's method.
+/// Bits kept of the matrix of Newton's method. They only affect the speed of convergence, because residuals are exact.
 const DIRECTING: u64 = 100;
 
-/// One contact in its state.
+/// Exact data of a contact, with its state.
 pub(crate) struct Known<const C: usize> {
-    /// Wrench of a unit force along each axis, about the origin.
+    /// Wrench about the origin of a unit force along each axis.
     pub(crate) axes: [Vec<Dyadic>; C],
     pub(crate) k: [Dyadic; C],
     pub(crate) mu: Option<Dyadic>,
@@ -18,9 +18,9 @@ pub(crate) struct Known<const C: usize> {
 pub(crate) enum Exactly<const C: usize> {
     Open,
     Springs(usize),
-    /// In the plane: along ±t.
+    /// Sliding in the plane, along ±t.
     Along(Dyadic),
-    /// In space: place of its unknowns d₁, d₂, σ.
+    /// Sliding in space: index of its unknowns d₁, d₂, σ.
     Turning(usize),
 }
 
@@ -59,7 +59,7 @@ impl<const C: usize> Known<C> {
     }
 }
 
-/// The equations at z and their derivatives.
+/// The matrix of derivatives and the residuals of all equations at z. The matrix is rounded if `rounded`.
 pub(crate) fn equations<const D: usize, const C: usize>(
     contacts: &[Known<C>],
     load: &[Dyadic],
@@ -70,7 +70,7 @@ pub(crate) fn equations<const D: usize, const C: usize>(
     let mut value = vec![Dyadic::zero(); n];
     let mut matrix = vec![vec![Dyadic::zero(); n]; n];
     value[..D].clone_from_slice(load);
-    // Adds `g s`, s with this derivative by z, to the balance.
+    // Adds a force s along an axis with wrench g to the balance, where `slope` is the derivative of s by z.
     let mut push = |g: &[Dyadic], s: &Dyadic, slope: &[(usize, Dyadic)], matrix: &mut Vec<Vec<Dyadic>>| {
         for i in 0..D {
             value[i] = &value[i] + &(&g[i] * s);
@@ -156,7 +156,7 @@ pub(crate) fn unit_wrench<const C: usize>(point: &[Dyadic; C], axis: &[Dyadic; C
     wrench
 }
 
-/// Over the length of the first.
+/// The scalar product over the length of `a`; further entries of `b` are ignored.
 pub(crate) fn dot(a: &[Dyadic], b: &[Dyadic]) -> Dyadic {
     a.iter().zip(b).fold(Dyadic::zero(), |sum, (a, b)| &sum + &(a * b))
 }

@@ -1,4 +1,4 @@
-//! Two planar bodies and every combination of their contact states, those that come near in exact rational arithmetic.
+//! All equilibria of two planar bodies, from every combination of contact states. Close cases are decided in exact rational arithmetic.
 
 use super::elimination::Eliminated;
 use super::exact_lcp::is_feasible;
@@ -8,14 +8,14 @@ use num_traits::Signed;
 
 use super::stacks::{Stack, Touch};
 
-/// Singular values below this part of the largest are none.
+/// Singular values below this part of the largest count as zero.
 const SINGULAR: f64 = 1e-10;
-/// What fails by more than this part of its terms fails without exact arithmetic.
+/// A condition missed by more than this part of its terms fails; exact arithmetic is not needed.
 const NEAR: f64 = 1e-6;
-/// What holds or fails by less than this part need not be told by working precision.
+/// A condition met or missed by less than this part of its terms is too close for working precision.
 const NARROW: f64 = 1e-9;
 
-/// What a contact may do; slips along +t and along -t.
+/// State of a contact. The number of `Slides` is +1 or -1, for a slip along +t or -t.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum State {
     Open,
@@ -23,19 +23,19 @@ enum State {
     Slides(f64),
 }
 
-/// Linear functions of all coordinates: a row and a constant.
+/// An affine function of all coordinates: `row·q + constant`.
 struct Linear {
     row: DVector<f64>,
     constant: f64,
 }
 
-/// A combination of states as conditions: equal to zero, and at least zero; each with the size of what it is compared with.
+/// Conditions of a combination of states: `balance` must be zero, `signs` must not be negative.
 struct Conditions {
     balance: Vec<Linear>,
     signs: Vec<Linear>,
 }
 
-/// Wrench of a unit force along an axis of a contact, on all coordinates.
+/// Generalised force of a unit force along an axis of a contact, on the coordinates of both bodies.
 fn along(touch: &Touch<2>, axis: Vector2<f64>) -> DVector<f64> {
     let mut row = DVector::zeros(6);
     let p = touch.datum.point;
@@ -102,7 +102,7 @@ fn exactly(conditions: &Conditions) -> Option<Vec<BigRational>> {
     Eliminated::of(conditions.balance.iter().map(row), 6).solution()
 }
 
-/// A condition over the sizes of its terms.
+/// The value of a condition, relative to the sum of the sizes of its terms.
 fn value(of: &Linear, at: &DVector<f64>) -> f64 {
     let size = of.row.iter().zip(at).map(|(a, b)| (a * b).abs()).sum::<f64>() + of.constant.abs();
     (of.row.dot(at) + of.constant) / size.max(1e-12)
@@ -112,7 +112,8 @@ fn at_exactly(of: &Linear, at: &[BigRational]) -> BigRational {
     of.row.iter().zip(at).map(|(a, x)| rational(*a) * x).fold(rational(of.constant), |sum, x| sum + x)
 }
 
-/// Whether a combination without a unique motion holds for some: in exact arithmetic, with each coordinate as a difference of two that are not negative.
+/// Whether a combination without a unique motion holds for some motion, in exact arithmetic. Each coordinate is a difference of two
+/// nonnegative ones.
 fn has_a_point(conditions: &Conditions) -> bool {
     let all: Vec<&Linear> = conditions.balance.iter().chain(&conditions.signs).collect();
     let row = |of: &&Linear| {
@@ -124,12 +125,12 @@ fn has_a_point(conditions: &Conditions) -> bool {
     is_feasible(&rows, &constants, &equal)
 }
 
-/// What all combinations say.
+/// Result of all combinations of states.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Census {
-    /// So many combinations hold.
+    /// Number of combinations that hold.
     Held(usize),
-    /// A condition holds or fails by so little, or a combination has a free motion, that working precision need not tell.
+    /// A condition is met or missed by too little for working precision, or a combination has no unique motion in exact arithmetic.
     Narrow,
 }
 

@@ -1,32 +1,32 @@
-//! Arches of stones: as bodies, and whether a line of thrust keeps within their joints.
+//! Arches of stones: as bodies, and a check whether a line of thrust lies within all joints.
 
 use grasp_lcp::planar::{Bodies, Body, Contact, Wrench};
 
 /// Friction that never fails.
 pub const NEVER_FAILS: f64 = 1e3;
 
-/// A joint: its middle, the direction across it from the left to the right, and half of its length.
+/// A joint between two stones, or between a stone and the ground.
 #[derive(Debug, Clone, Copy)]
 pub struct Joint {
-    /// Its middle, m.
+    /// Middle of the joint, m.
     pub middle: [f64; 2],
-    /// Of length one.
+    /// Unit normal of the joint, from the left stone to the right one.
     pub across: [f64; 2],
-    /// Half of its length, m.
+    /// Half of the length of the joint, m.
     pub half: f64,
 }
 
-/// The stones of an arch, symmetric, from the left foot on.
+/// Stones and joints of a symmetric arch, from the left foot.
 #[derive(Debug, Clone)]
 pub struct Voussoirs {
-    /// One more than stones; the first and the last are on the ground.
+    /// Joints, one more than stones. The first and the last one are on the ground.
     pub joints: Vec<Joint>,
-    /// Where the weight of each stone acts (m), and how heavy it is (N).
+    /// Centre of gravity (m) and weight (N) of each stone.
     pub weights: Vec<([f64; 2], f64)>,
 }
 
 impl Voussoirs {
-    /// Its stones, with two points at the edges of each joint.
+    /// The stones as bodies, with contacts at both edges of each joint.
     pub fn bodies(&self, friction: f64) -> Bodies {
         let name = |stone: usize| format!("stone {}", stone + 1);
         let body = |stone: usize| {
@@ -35,7 +35,7 @@ impl Voussoirs {
         };
         let points = |k: usize| {
             let Joint { middle: [x, y], across: [a, b], half } = self.joints[k];
-            // The last joint is told from the other side, as the ground has no name.
+            // The normal of the last joint points into its left stone, because the ground is not a body.
             let (on, sign) = if k < self.weights.len() { (k, 1.0) } else { (k - 1, -1.0) };
             [-half, half].map(|off| {
                 let point = Contact::new([x - b * off, y + a * off], [sign * a, sign * b]);
@@ -46,8 +46,8 @@ impl Voussoirs {
         Bodies::new((0..self.weights.len()).map(body)).contacts((0..=self.weights.len()).flat_map(points))
     }
 
-    /// Whether some line of thrust stays within all joints, leaning on none by more than friction does. If any does, a symmetric one does; it has two unknowns, the
-    /// thrust and the moment at the feet.
+    /// Whether some line of thrust lies within all joints, at angles that friction holds. If a line exists, so does a symmetric one, with two
+    /// unknowns: the thrust and the moment at the feet.
     pub fn stands(&self, friction: f64) -> bool {
         let Self { joints, weights } = self;
         let upwards = 0.5 * weights.iter().map(|(_, weight)| weight).sum::<f64>();
@@ -70,7 +70,7 @@ impl Voussoirs {
         if least > most {
             return false;
         }
-        // Moments at the foot between which the line stays within all joints, at a thrust.
+        // At a given thrust: width of the interval of moments at the foot with which the line lies within all joints.
         let [foot_x, foot_y] = joints[0].middle;
         let room = |thrust: f64| {
             let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
@@ -90,7 +90,7 @@ impl Voussoirs {
     }
 }
 
-/// The least number from 0 on at which something is so, if it stays so from there on.
+/// The least number in [0, `most`] with `is_so`, to 1e-12, if `is_so` is monotonic.
 pub fn bisected(most: f64, is_so: impl Fn(f64) -> bool) -> f64 {
     let (mut low, mut high) = (0.0, most);
     while high - low > 1e-12 {

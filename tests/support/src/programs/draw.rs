@@ -1,4 +1,4 @@
-//! Random scenes and load programs, always the same ones.
+//! Reproducible random scenes and load programs.
 
 use std::f64::consts::TAU;
 
@@ -11,8 +11,8 @@ use proptest::test_runner::{Config, RngAlgorithm, TestError, TestRng, TestRunner
 use super::tally::Tally;
 use super::{Goal, Scene, Spot, Swing};
 
-/// Runs a property over `cases` scenes, always the same ones, and returns what it counted. A scene that breaks it is made
-/// smaller before it is shown.
+/// Tests a property on `cases` scenes, the same in every run, and returns its counts. A failing scene is shrunk before it is
+/// printed.
 pub fn over<S: Strategy>(
     cases: u32,
     scenes: &S,
@@ -29,7 +29,7 @@ pub fn over<S: Strategy>(
     }
 }
 
-/// What is drawn for one contact: numbers from -1 to 1, shaped by [`scene`].
+/// Random numbers of one contact: some from -1 to 1, one for its friction, and one for clearance and hold. [`scene`] interprets them.
 type Draw = (Vec<f64>, u8, u8);
 
 fn draws(contacts: std::ops::Range<usize>) -> impl Strategy<Value = (Vec<Draw>, Vec<Vec<f64>>)> {
@@ -45,7 +45,7 @@ pub fn planar_scenes() -> impl Strategy<Value = Scene<3, 2>> {
     draws(2..6).prop_map(|(contacts, legs)| scene(&contacts, &legs))
 }
 
-/// The same with 2 or 3 contacts.
+/// Planar scenes of 2 or 3 contacts.
 pub fn few_planar_contacts() -> impl Strategy<Value = Scene<3, 2>> {
     draws(2..4).prop_map(|(contacts, legs)| scene(&contacts, &legs))
 }
@@ -55,12 +55,12 @@ pub fn spatial_scenes() -> impl Strategy<Value = Scene<6, 3>> {
     draws(3..6).prop_map(|(contacts, legs)| scene(&contacts, &legs))
 }
 
-/// Exactly 3 contacts in space.
+/// Scenes in space of exactly 3 contacts.
 pub fn three_spatial_contacts() -> impl Strategy<Value = Scene<6, 3>> {
     draws(3..4).prop_map(|(contacts, legs)| scene(&contacts, &legs))
 }
 
-/// The same scenes, with loads that turn along most legs, by up to this many radians.
+/// The scenes with loads that turn along most legs, by up to `most` radians.
 pub fn turning<const D: usize, const C: usize>(
     scenes: impl Strategy<Value = Scene<D, C>>,
     most: f64,
@@ -81,8 +81,8 @@ pub fn turning<const D: usize, const C: usize>(
     })
 }
 
-/// Contacts around an object, pointing more or less inwards; stiffnesses over four decades; friction none, small, moderate,
-/// large or infinite; some with clearance, some kept closed or bonded. Forces of about 1 N at rest, loads of that size, commands that squeeze and let go.
+/// A scene of contacts around an object, with normals roughly inwards. Stiffnesses span four decades. Friction is zero, small, moderate,
+/// large or infinite; some contacts have clearance, are kept closed or bonded. Forces at rest and loads are about 1 N. Commands squeeze and release.
 fn scene<const D: usize, const C: usize>(contacts: &[Draw], legs: &[Vec<f64>]) -> Scene<D, C> {
     let n = contacts.len();
     let mut press = Vec::new();
@@ -130,7 +130,7 @@ fn scene<const D: usize, const C: usize>(contacts: &[Draw], legs: &[Vec<f64>]) -
         });
         let load = SVector::from_fn(|a, _| most * x[a] * if a < C { 1.0 } else { 0.6 });
         let goal = Goal { load, commands: commands.collect(), turn: None };
-        // Some legs only load, some only command, and a leg in five comes back to the first goal.
+        // By the size of x[5] a leg changes only the load (0.3), only commands (0.2), returns to goal 0 (0.2), or changes both.
         goals.push(match (j, x[5].abs()) {
             (1.., ..0.3) => Goal {
                 commands: goals.last().map_or(goal.commands, |g: &Goal<D, C>| g.commands.clone()),
@@ -144,7 +144,7 @@ fn scene<const D: usize, const C: usize>(contacts: &[Draw], legs: &[Vec<f64>]) -
     Scene { spots, goals }
 }
 
-/// A right-handed frame on a normal, in the plane t = (n_y, -n_x).
+/// A right-handed contact frame on a normal; in the plane t = (n_y, -n_x).
 fn frame<const C: usize>(n: &SVector<f64, C>) -> SMatrix<f64, C, C> {
     let mut frame = SMatrix::<f64, C, C>::zeros();
     frame.set_column(0, n);

@@ -1,5 +1,5 @@
-//! Scenes with load programs and the contact law written out once more. Nothing here uses the arithmetic of the crate: frames,
-//! grasp maps, springs and cones are made anew from points, normals and tangents.
+//! Scenes with load programs, and an independent implementation of the contact law. No arithmetic of the crate is used: frames,
+//! grasp maps, springs and cones are computed from points, normals and tangents.
 
 pub mod draw;
 pub mod steps;
@@ -16,67 +16,67 @@ use grasp_lcp::{ContactLabel, Settings};
 use nalgebra::{SMatrix, SVector};
 use proptest::prelude::*;
 
-/// Facets of the crate's default cone in space: inscribed, the first corner along the first tangent.
+/// Number of facets of the crate's default polygon in space. The polygon is inscribed, with its first corner along the first tangent.
 const FACETS: usize = 8;
 
-/// A contact.
+/// Data of a contact.
 #[derive(Debug, Clone)]
 pub struct Spot<const C: usize> {
-    /// Place.
+    /// Contact point.
     pub point: SVector<f64, C>,
-    /// Columns n, t….
+    /// Contact frame, with columns n, t….
     pub frame: SMatrix<f64, C, C>,
-    /// Series stiffness.
+    /// Series stiffness of each axis.
     pub k: SVector<f64, C>,
     /// Coefficient of friction.
     pub mu: f64,
-    /// Left open before the command.
+    /// Gap before the command.
     pub clearance: f64,
-    /// Whether it can open, or slide.
+    /// Whether the contact can open, and slide.
     pub hold: Hold,
 }
 
-/// Where a leg goes.
+/// Load and commands at the end of a leg.
 #[derive(Debug, Clone)]
 pub struct Goal<const D: usize, const C: usize> {
-    /// On the object.
+    /// Load on the object.
     pub load: SVector<f64, D>,
-    /// Of the fingers, in the contact frames.
+    /// Commands of the fingers, in the contact frames.
     pub commands: Vec<SVector<f64, C>>,
-    /// How the load turns on the way; straight without.
+    /// Turn of the load along the leg; `None` for a straight leg.
     pub turn: Option<Swing<D>>,
 }
 
-/// From a load W on: `W + c (cos φ - 1) + s sin φ`.
+/// A turn of the load: `W + c (cos φ - 1) + s sin φ`, where W is the load at the start of the leg.
 #[derive(Debug, Clone)]
 pub struct Swing<const D: usize> {
-    /// c.
+    /// The wrench c.
     pub cosine: SVector<f64, D>,
-    /// s.
+    /// The wrench s.
     pub sine: SVector<f64, D>,
-    /// The last φ.
+    /// Angle φ at the end of the leg, rad.
     pub angle: f64,
 }
 
 impl<const D: usize> Swing<D> {
-    /// What is added to the load at a fraction of the leg.
+    /// Change of the load at a fraction of the leg.
     pub fn at(&self, fraction: f64) -> SVector<f64, D> {
         let (sin, cos) = (self.angle * fraction).sin_cos();
         self.cosine * (cos - 1.0) + self.sine * sin
     }
 }
 
-/// Goal 0 is where it starts, goal j + 1 where leg j ends.
+/// Contacts with a load program. Goal 0 is the start, goal j + 1 the end of leg j.
 #[derive(Debug, Clone)]
 pub struct Scene<const D: usize, const C: usize> {
     /// The contacts.
     pub spots: Vec<Spot<C>>,
-    /// Of the load program.
+    /// Goals of the load program.
     pub goals: Vec<Goal<D, C>>,
 }
 
 impl<const C: usize> Spot<C> {
-    /// Along the axes of the contact frame, the wrench of a unit force; its transpose gives the displacement.
+    /// The grasp map: column a is the wrench of a unit force along axis a of the contact frame. Its transpose maps a twist to the displacement.
     pub fn map<const D: usize>(&self) -> SMatrix<f64, D, C> {
         let mut map = SMatrix::zeros();
         for axis in 0..C {
@@ -96,23 +96,23 @@ impl<const C: usize> Spot<C> {
         map
     }
 
-    /// Friction limits what it holds.
+    /// Whether friction limits the tangential force.
     pub fn rubs(&self) -> bool {
         self.mu > 0.0 && self.mu.is_finite() && self.hold != Hold::Bonded
     }
 
-    /// It has springs along its tangents.
+    /// Whether the contact has tangential springs.
     pub fn holds_along(&self) -> bool {
         self.mu > 0.0 || self.hold == Hold::Bonded
     }
 }
 
-/// The exact cone in the plane, the polygon whose law is written out below in space.
+/// Settings for the law of this module: the exact cone in the plane, the polygon in space.
 pub fn polygon() -> Settings {
     Settings::default().on_the_polygon()
 }
 
-/// Tangential vectors in the contact frame: facet normals h of `h·F_t <= μ F_n`.
+/// Facet normals h of the friction polygon, `h·F_t <= μ F_n`, as tangential vectors in the contact frame.
 pub fn facets<const C: usize>() -> Vec<SVector<f64, C>> {
     if C == 2 {
         return [1.0, -1.0].iter().map(|s| SVector::from_fn(|a, _| if a == 1 { *s } else { 0.0 })).collect();
@@ -121,7 +121,7 @@ pub fn facets<const C: usize>() -> Vec<SVector<f64, C>> {
     (0..FACETS).map(|j| flat((2 * j) as f64 * PI / m - PI / m, 1.0 / (PI / m).cos())).collect()
 }
 
-/// Corners of the polygon; corner j lies between the facets j and j + 1.
+/// Corners of the friction polygon. Corner j lies between facets j and j + 1.
 pub fn corners<const C: usize>() -> Vec<SVector<f64, C>> {
     if C == 2 {
         return facets();
@@ -137,7 +137,7 @@ fn flat<const C: usize>(angle: f64, length: f64) -> SVector<f64, C> {
     })
 }
 
-/// The tangential part.
+/// The tangential part of a vector in the contact frame.
 pub fn tangential<const C: usize>(f: &SVector<f64, C>) -> SVector<f64, C> {
     let mut t = *f;
     t[0] = 0.0;
@@ -145,7 +145,7 @@ pub fn tangential<const C: usize>(f: &SVector<f64, C>) -> SVector<f64, C> {
 }
 
 impl<const D: usize, const C: usize> Scene<D, C> {
-    /// With the commands of goal 0.
+    /// The grasp with the commands of goal 0.
     pub fn grasp(&self) -> Grasp<C> {
         let contacts = self.spots.iter().zip(&self.goals[0].commands).map(|(spot, command)| {
             let contact = Contact::new(spot.point, spot.frame.column(0).into_owned());
@@ -169,7 +169,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
         Wrench::from_components(self.goals[0].load.as_slice())
     }
 
-    /// One to each further goal.
+    /// The legs to the goals after goal 0.
     pub fn legs(&self) -> Vec<Leg<C>> {
         let to = |goal: &Goal<D, C>| {
             if let Some(Swing { cosine, sine, angle }) = &goal.turn {
@@ -181,7 +181,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
         self.goals[1..].iter().map(to).collect()
     }
 
-    /// Load and drives (commands less clearances) on the way.
+    /// Load and drives (commands less clearances) at a fraction of a leg.
     pub fn at(&self, leg: usize, fraction: f64) -> (SVector<f64, D>, Vec<SVector<f64, C>>) {
         let (from, to) = (&self.goals[leg], &self.goals[leg + 1]);
         let drives = (0..self.spots.len()).map(|i| {
@@ -196,25 +196,25 @@ impl<const D: usize, const C: usize> Scene<D, C> {
         (from.load + change, drives.collect())
     }
 
-    /// The largest force that the commands at rest would press with: a size that stays where all forces vanish.
+    /// The largest force with which commands of goal 0 press on a fixed object: a scale of forces that does not vanish with them.
     pub fn press(&self) -> f64 {
         let presses = self.spots.iter().zip(&self.goals[0].commands).map(|(spot, a)| spot.k[0] * a[0].abs());
         presses.fold(0.0, f64::max)
     }
 
-    /// By how much a state breaks the contact law at its worst, relative to the sizes of what is compared; the law is
-    /// written out as in the crate's first page, with the slip that the state carries.
+    /// The worst violation of the contact law on the polygon by a state, relative to the terms of each condition. The law is that of the
+    /// crate's first page, with the slip of the state.
     pub fn breach(&self, leg: usize, fraction: f64, state: &Equilibrium<C>) -> f64 {
         let reach = |t: &SVector<f64, C>| facets::<C>().iter().map(|h| h.dot(t)).fold(f64::MIN, f64::max);
         self.breach_of(leg, fraction, state, reach)
     }
 
-    /// The same on the round cone.
+    /// The worst violation of the contact law on the round cone by a state.
     pub fn breach_on_the_round_cone(&self, leg: usize, fraction: f64, state: &Equilibrium<C>) -> f64 {
         self.breach_of(leg, fraction, state, nalgebra::Matrix::norm)
     }
 
-    /// On the cone `reach(F_t) <= μ F_n`.
+    /// The worst violation on the cone `reach(F_t) <= μ F_n`.
     fn breach_of(
         &self,
         leg: usize,
@@ -239,7 +239,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
             let (n, t) = (c.force[0], tangential(&c.force));
             sum += map * c.force;
             sum_size += map.norm() * c.force.norm();
-            // Translation and rotation may cancel at the contact, their rounding does not.
+            // Translation and rotation may cancel at the contact, but their rounding does not.
             let moved = SVector::<f64, D>::from_column_slice(state.twist.components());
             let size = drives[i].norm() + map.norm() * moved.norm() + c.slip.norm();
             if spot.hold == Hold::Unilateral {
@@ -277,7 +277,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
     }
 }
 
-/// The size of forces and of displacements here: what rounding is measured against.
+/// The largest force and the largest displacement of a state, as scales for rounding.
 pub fn sizes<const C: usize>(state: &Equilibrium<C>) -> (f64, f64) {
     let load = SVector::<f64, C>::from_fn(|a, _| state.load.components()[a]).norm();
     let force = state.contacts.iter().fold(load, |most, c| most.max(c.force.norm()));
@@ -285,13 +285,13 @@ pub fn sizes<const C: usize>(state: &Equilibrium<C>) -> (f64, f64) {
     (force, motion.fold(0.0, f64::max))
 }
 
-/// State and force of each contact, for messages.
+/// State, force, slip and gap of each contact, for messages.
 pub fn brief<const C: usize>(state: &Equilibrium<C>) -> String {
     let of = |c: &ContactAnswer<C>| (c.state, c.force.as_slice().to_vec(), c.slip.as_slice().to_vec(), c.gap);
     format!("{:?}", state.contacts.iter().map(of).collect::<Vec<_>>())
 }
 
-/// The forces of two states, compared; and their motions.
+/// Asserts that two states have the same forces and motions, relative to the largest of each.
 pub fn same_state<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     a: &Equilibrium<C>,
@@ -313,17 +313,17 @@ pub fn same_state<const D: usize, const C: usize>(
     Ok(())
 }
 
-/// What changes at an event, by the number of the contact.
+/// Changes of contacts at an event, with the index of each contact.
 pub fn changes<const C: usize>(event: &Event<C>) -> Vec<(usize, Change<C>)> {
     event.changes.iter().map(|change| (change.contact.index, change.what)).collect()
 }
 
-/// What changes in the hand, by the number of the joint or the tendon.
+/// Changes of drives at an event, with the index of each joint or tendon.
 pub fn parts(drives: &[PartChange]) -> Vec<(HandPart, DriveChange)> {
     drives.iter().map(|drive| (drive.part.part, drive.what)).collect()
 }
 
-/// Their numbers.
+/// Indices of contacts.
 pub fn numbers(contacts: &[ContactLabel]) -> Vec<usize> {
     contacts.iter().map(|contact| contact.index).collect()
 }

@@ -1,5 +1,5 @@
-//! A load program followed in small implicit steps, in the plane: at the end of every step the contact law with the slip so
-//! far is solved by trying every combination of contact states, and of the solutions the nearest to the last one is taken.
+//! A planar load program followed in small implicit steps. At the end of every step the contact law, with the slip so far, is
+//! solved for every combination of contact states. The solution nearest to the last one is taken.
 
 use grasp_lcp::equilibrium::{ContactAnswer, ContactState, Equilibrium};
 use grasp_lcp::grasp::Hold;
@@ -7,42 +7,42 @@ use nalgebra::{Matrix3, Matrix3x2, SVector, Vector2, Vector3};
 
 use super::{Scene, Spot};
 
-/// What a contact does during a step.
+/// Behaviour of a contact during a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Does {
-    /// Is open at the end.
+    /// The contact is open at the end of the step.
     Opens,
-    /// Comes from being open: its slip follows the surfaces once more, F_t = 0.
+    /// The contact closes: its slip is reset to the present position, so that F_t = 0.
     Closes,
-    /// Holds with the slip so far.
+    /// The contact sticks with the slip so far.
     Sticks,
     /// The finger slips along +t or -t.
     Slips(f64),
 }
 
-/// Inequalities may be broken by this much of the size of the forces or displacements.
+/// Tolerance of inequalities, relative to the largest forces or displacements.
 const SLACK: f64 = 1e-9;
 
 /// The end of a step.
 #[derive(Debug, Clone)]
 pub struct Step {
-    /// In order of the contacts.
+    /// Behaviour of each contact.
     pub does: Vec<Does>,
-    /// In the contact frames.
+    /// Force of each contact, in the contact frames.
     pub forces: Vec<Vector2<f64>>,
     twist: Vector3<f64>,
     slips: Vec<f64>,
 }
 
 impl Step {
-    /// How far apart two steps are, the largest difference of forces.
+    /// The largest difference of a contact force from `forces`.
     pub fn distance(&self, forces: &[SVector<f64, 2>]) -> f64 {
         self.forces.iter().zip(forces).map(|(f, g)| (f - g).norm()).fold(0.0, f64::max)
     }
 }
 
 impl Scene<3, 2> {
-    /// What each contact does in a state of the crate.
+    /// Behaviour of each contact in a state of the crate.
     pub fn does(&self, state: &Equilibrium<2>) -> Vec<Does> {
         let of = |(spot, c): (&Spot<2>, &ContactAnswer<2>)| match c.state {
             ContactState::Separated => Does::Opens,
@@ -52,7 +52,7 @@ impl Scene<3, 2> {
         self.spots.iter().zip(&state.contacts).map(of).collect()
     }
 
-    /// The start of a path.
+    /// The step from which a path starts, in a state of the crate.
     pub fn first_step(&self, state: &Equilibrium<2>) -> Step {
         Step {
             does: self.does(state),
@@ -62,8 +62,8 @@ impl Scene<3, 2> {
         }
     }
 
-    /// Goes on to another fraction of a leg; where a contact changes its state or the forces change much, in halves. Several
-    /// states may follow: what the contacts do already goes on if it can, and else the nearest is taken.
+    /// Advances from one fraction of a leg to another. If a contact changes its behaviour or forces change much, the step is
+    /// halved. Of several possible states, one with unchanged behaviour is preferred, else the nearest one is taken.
     pub fn advance(&self, leg: usize, [from, to]: [f64; 2], last: &Step, halvings: usize) -> Option<Step> {
         let steps = self.steps_to(leg, to, last);
         let next = steps.iter().find(|next| next.does == last.does).or(steps.first());
@@ -78,7 +78,7 @@ impl Scene<3, 2> {
         }
     }
 
-    /// All states at a fraction of a leg that follow from `last` in one step, the nearest first.
+    /// All states at a fraction of a leg that can follow `last` in one step, the nearest first.
     pub fn steps_to(&self, leg: usize, fraction: f64, last: &Step) -> Vec<Step> {
         let choices: Vec<Vec<Does>> = self
             .spots
@@ -116,7 +116,7 @@ impl Scene<3, 2> {
         found
     }
 
-    /// One step to this load and these drives in which each contact does this, if the law allows it.
+    /// The step to this load and these drives with this behaviour of each contact. `None` if the law does not allow it.
     fn step(
         &self,
         (load, drives): &(Vector3<f64>, Vec<Vector2<f64>>),
@@ -125,7 +125,7 @@ impl Scene<3, 2> {
         does: Vec<Does>,
     ) -> Option<Step> {
         let (mut stiffness, mut pull) = (Matrix3::zeros(), *load);
-        // F = force of the springs at twist 0, less slope times twist.
+        // The law of each contact: F = (force at twist 0) - slope · twist.
         let mut laws = Vec::new();
         for (i, (spot, does)) in self.spots.iter().zip(&does).enumerate() {
             let map = maps[i];
@@ -162,7 +162,7 @@ impl Scene<3, 2> {
             let stretch = drives[i] - map.transpose() * twist;
             let travel = SLACK * (drives[i].norm() + map.norm() * twist.norm());
             let (n, friction) = (forces[i][0], forces[i][1]);
-            // Without friction or with no limit to it, what is kept closed may be pulled.
+            // A contact that cannot open, and whose friction has no limit or is zero, may carry a pull.
             let pulled = spot.hold != Hold::Unilateral && !spot.rubs();
             let pushes = |n: f64, least: f64| n >= least || pulled;
             let least = -SLACK * (1.0 + if spot.mu.is_finite() { spot.mu } else { 0.0 }) * most;
@@ -190,7 +190,7 @@ impl Scene<3, 2> {
 }
 
 impl Step {
-    /// Distance of forces and motion together.
+    /// Relative difference of forces plus relative difference of twists.
     pub fn apart(&self, next: &Self) -> f64 {
         let size = self.forces.iter().map(Vector2::norm).fold(0.0, f64::max);
         let travel = self.twist.norm();

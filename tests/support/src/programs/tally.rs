@@ -1,50 +1,50 @@
-//! A count of what happened on many paths.
+//! Counts of events and endings of many paths.
 
 use grasp_lcp::load_path::{Beyond, Change, Event, LoadPath, LossKind, PathEnd};
 
-/// What happened on many paths.
+/// Counts of events and endings of many paths.
 #[derive(Debug, Default, Clone)]
 pub struct Tally {
-    /// Paths.
+    /// Number of paths.
     pub scenes: usize,
-    /// Of all kinds.
+    /// Events of all kinds.
     pub events: usize,
     /// Contacts that start to slide.
     pub slides: usize,
-    /// That stop.
+    /// Contacts that stop sliding.
     pub sticks: usize,
-    /// That slide the other way.
+    /// Contacts that reverse their slip.
     pub reverses: usize,
-    /// That go on along another edge.
+    /// Contacts that continue to slide along another edge.
     pub turns: usize,
-    /// That open.
+    /// Contacts that open.
     pub opens: usize,
-    /// That close.
+    /// Contacts that close.
     pub closes: usize,
-    /// Paths followed to the end of the last leg.
+    /// Paths completed to the end of the last leg.
     pub completed: usize,
-    /// To a limit load.
+    /// Paths that end at a limit load.
     pub limits: usize,
-    /// To a snap, or to where nothing more is known than that they end.
+    /// Paths that end at a snap, or at a loss whose continuation is unknown.
     pub snaps: usize,
-    /// To where the object gives way.
+    /// Paths that end where the object gives way.
     pub gives_way: usize,
-    /// Without an equilibrium to start from.
+    /// Paths without an equilibrium at the start.
     pub no_start: usize,
-    /// With any other end.
+    /// Paths with any other end.
     pub undecided: usize,
     /// Losses just beyond which another method finds no equilibrium at all.
     pub nothing_beyond: usize,
-    /// Paths whose steps add up to a large error.
+    /// Paths with a large sum of step errors.
     pub inaccurate: usize,
-    /// Events whose state breaks the law by more than rounding, and says so.
+    /// Events whose state violates the law by more than rounding, and reports this in its residuals.
     pub admitted: usize,
-    /// What the property itself was checked on.
+    /// Cases on which the property itself was checked.
     pub checked: usize,
 }
 
 impl Tally {
-    /// Adds a path with its events.
+    /// Counts a path with its events.
     pub fn count<const C: usize>(&mut self, events: &[Event<C>], path: &LoadPath<'_, C>) {
         self.scenes += 1;
         self.events += events.len();

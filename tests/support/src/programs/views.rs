@@ -1,4 +1,4 @@
-//! The same scene seen differently: turned, mirrored, moved, in other units, its contacts in another order or halved.
+//! Images of a scene: rotated, mirrored, shifted, in other units, with contacts in another order or halved.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -11,30 +11,30 @@ pub struct View<const C: usize> {
     rotation: SMatrix<f64, C, C>,
     shift: SVector<f64, C>,
     length: f64,
-    /// Numbers for forces become this much larger.
+    /// Factor by which numbers of forces grow.
     pub force: f64,
 }
 
 impl<const C: usize> View<C> {
-    /// Numbers for lengths become this much larger, and for forces.
+    /// The change of units that multiplies numbers of lengths by `length` and of forces by `force`.
     pub fn in_units(length: f64, force: f64) -> Self {
         Self { rotation: SMatrix::identity(), shift: SVector::zeros(), length, force }
     }
 
-    /// Turned in each coordinate plane (i, i + 1) by an angle, one after the other, and moved.
+    /// The rotation of coordinate planes (i, i + 1) by these angles, one after the other, and then the translation by a shift.
     pub fn moved(angles: [f64; 3], shift: [f64; 3]) -> Self {
         let rotation = rotation(angles);
         Self { rotation, shift: SVector::from_fn(|a, _| shift[a]), ..Self::in_units(1.0, 1.0) }
     }
 
-    /// The first axis changes sign.
+    /// The reflection of the first axis.
     pub fn mirrored() -> Self {
         let mut view = Self::in_units(1.0, 1.0);
         view.rotation[(0, 0)] = -1.0;
         view
     }
 
-    /// A unit vector of the first scene as this view sees it.
+    /// The image of a unit vector of the first scene.
     pub fn direction(&self, d: &SVector<f64, C>) -> SVector<f64, C> {
         self.rotation * d
     }
@@ -50,7 +50,7 @@ impl<const C: usize> View<C> {
         determinant < 0.0
     }
 
-    /// The last tangent of a mirrored frame points the other way.
+    /// A vector in the contact frame of the image. A mirrored frame has its last tangent reversed.
     fn flipped(&self, mut v: SVector<f64, C>) -> SVector<f64, C> {
         if self.turns_over() {
             v[C - 1] = -v[C - 1];
@@ -75,7 +75,7 @@ impl<const C: usize> View<C> {
         })
     }
 
-    /// A scene as this view sees it.
+    /// The image of a scene.
     pub fn scene<const D: usize>(&self, scene: &Scene<D, C>) -> Scene<D, C> {
         let spot = |spot: &Spot<C>| {
             let mut frame = self.rotation * spot.frame;
@@ -118,7 +118,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
         }
     }
 
-    /// A contact becomes two at the same place with half its stiffness each, the second at the end.
+    /// The scene with one contact split into two of half its stiffness at the same place; the second is the last contact.
     pub fn halved(&self, contact: usize) -> Self {
         let mut order: Vec<usize> = (0..self.spots.len()).collect();
         order.push(contact);
