@@ -1,4 +1,4 @@
-//! How many times its weight do two fingers hold, and what do they carry?
+//! How many times its weight do two fingers hold, and which forces do they carry?
 //!
 //! `cargo run --profile quick -p grasp-lcp --example box_in_two_fingers`
 

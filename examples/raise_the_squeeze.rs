@@ -9,12 +9,12 @@ use grasp_lcp::spatial::{Contact, Fingers, Grasp, Wrench};
 
 const MASS: f64 = 0.3; // kg
 const TICK: f64 = 1e-3; // s
-/// The watch looks so far ahead, s: the fingers take some milliseconds to press harder.
+/// Time that the watch looks ahead, s: the fingers take some milliseconds to press harder.
 const AHEAD: f64 = 0.03;
-/// So much the squeeze may grow in a tick, in parts of the first one.
+/// Largest growth of the squeeze in a tick, over the first squeeze.
 const FASTEST: f64 = 0.01;
 
-/// Three fingers round a bottle, 6 N each times the squeeze.
+/// Three fingers round a bottle, which press with 6 N times the squeeze.
 fn fingers(squeeze: f64) -> [Contact; 3] {
     [0.0, 1.0, 2.0].map(|third: f64| {
         let (sin, cos) = (third * TAU / 3.0).sin_cos();
@@ -38,7 +38,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let mut slipped = None;
         for tick in 0..1000_u16 {
             let time = f64::from(tick) * TICK;
-            // The world: springs and Coulomb's law.
+            // The simulated world: springs and Coulomb's law.
             let world = Grasp::new(fingers(squeeze))?;
             let outcome = world.solve(&load(time))?;
             let Some(state) = outcome.equilibrium() else {
@@ -48,12 +48,12 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             if state.contacts.iter().any(|contact| contact.state != ContactState::Sticking) {
                 slipped = slipped.or(Some(time));
             }
-            // The sensors.
+            // The simulated sensors.
             let mut forces = [[0.0; 3]; 3];
             for ((force, contact), frame) in forces.iter_mut().zip(&state.contacts).zip(world.frames()) {
                 *force = (frame * contact.force).into();
             }
-            // The watch: what is planned, and a tenth of the load in reserve.
+            // The watch: the planned change of load, and a tenth of the load in reserve.
             let to_come = load(time + AHEAD) - load(time) + 0.1 * load(time);
             let seen = watch.watch(&forces, &to_come)?;
             least = least.min(seen.margin());

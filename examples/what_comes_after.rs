@@ -28,7 +28,7 @@ fn main() -> Result<(), grasp_lcp::Error> {
     if let Some(end) = path.end() {
         println!("{end}");
     }
-    // Friction remembers: without load the jar is not where it was.
+    // Friction remembers: without load the jar is not back at its start.
     if let Some(state) = path.state() {
         println!("{state}");
     }

@@ -10,7 +10,7 @@ use crate::words::{LinkKind, printable};
 /// violation look small. No unit of length or force brings a real grasp near this.
 pub(crate) const LARGEST: f64 = 1e50;
 
-/// How messages say so.
+/// Wording of this range in messages.
 pub(crate) const MODERATE: &str = "finite and at most 1e50 in size";
 
 /// Finite and at most [`LARGEST`] in size.
@@ -18,8 +18,8 @@ pub(crate) fn is_moderate(x: f64) -> bool {
     x.abs() <= LARGEST
 }
 
-/// What was wrong with a question, where, and what would have been allowed. "No equilibrium" is not among them: that is an
-/// answer, [`Outcome::NoEquilibrium`](crate::equilibrium::Outcome::NoEquilibrium).
+/// A fault in a question: its place, its value, and the allowed values. "No equilibrium" is not among them: that is an answer,
+/// [`Outcome::NoEquilibrium`](crate::equilibrium::Outcome::NoEquilibrium).
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -49,12 +49,12 @@ pub enum Error {
         /// What is allowed.
         allowed: &'static str,
     },
-    /// A curve or surface that a contact may move along is none, or the contact does not lie on it.
+    /// A curve or surface that a contact may move along is degenerate, or the contact does not lie on it.
     #[error("contact {contact}: {field} is {value}, must be {allowed}")]
     Surface {
         /// Which contact.
         contact: ContactLabel,
-        /// What of its surface.
+        /// Which datum of its surface.
         field: &'static str,
         /// What was given.
         value: f64,
@@ -99,7 +99,7 @@ pub enum Error {
         /// What is allowed.
         allowed: &'static str,
     },
-    /// A number of a question that is none of a contact, a load or a hand.
+    /// A number of a question is out of range, other than a number of a contact, a load or a hand.
     #[error("{what} is {value}, must be {allowed}")]
     Argument {
         /// Which number, such as "angle of the turn".
@@ -109,7 +109,7 @@ pub enum Error {
         /// What is allowed.
         allowed: &'static str,
     },
-    /// One number of a slip that was seen, or of an unknown that is sought from them.
+    /// A number of an observed slip, or of an unknown to be identified, is out of range.
     #[error("{what}: {field} is {value}, must be {allowed}")]
     Identify {
         /// Which slip or which unknown, by number.
@@ -121,18 +121,18 @@ pub enum Error {
         /// What is allowed.
         allowed: &'static str,
     },
-    /// Commands that change while the load turns: events would have no exact angles.
+    /// Commands change while the load turns: events would have no exact angles.
     #[error("commands of a leg: change while the load turns, must stay")]
     CommandsWhileTurning,
-    /// An onset of sliding is asked along a ramp that does not change anything, of a scene.
+    /// A scene asks for an onset along a ramp that changes nothing.
     #[error("onset: direction, command_change and joint_change are zero, one of them must change something")]
     NothingChanges,
-    /// A cycle of legs that does not end where it begins.
+    /// A cycle of legs does not end where it begins.
     #[error("cycle: the {what} at its end is {off} away from that at its beginning, must be the same")]
     NotClosed {
-        /// What is elsewhere.
+        /// The quantity that differs.
         what: &'static str,
-        /// By how much at most, in its own unit.
+        /// Its largest difference, in its own unit.
         off: f64,
     },
     /// A question that bounds normal forces, asked of a contact whose force they do not bound.
@@ -143,7 +143,7 @@ pub enum Error {
         /// Which contact.
         contact: ContactLabel,
     },
-    /// A question about loads of any size, asked of contacts that do not hold such loads by themselves and have a vacuum, which holds some.
+    /// A question about loads of any size, asked of contacts that do not hold all loads by themselves but have a vacuum, which holds some.
     #[error(
         "{question} asks for loads of any size: the vacuum of contact {contact} is limited, ask load_limit or ferrari_canny"
     )]
@@ -153,28 +153,28 @@ pub enum Error {
         /// Which contact.
         contact: ContactLabel,
     },
-    /// A field of a question is missing, or is none of this question.
+    /// A field of a question is missing, or does not belong to this question.
     #[error("{question}: {field} {fault}")]
     Question {
         /// Which question.
         question: &'static str,
         /// Which of its fields.
         field: &'static str,
-        /// What is wrong, and what is allowed.
+        /// The fault, and the allowed values.
         fault: &'static str,
     },
-    /// A load that turns where only straight ones can be followed.
+    /// A load turns where only straight ones can be followed.
     #[error("{method}: the load of a leg turns, must go straight")]
     StraightOnly {
         /// The method that was called.
         method: &'static str,
     },
-    /// One of several bodies is not well posed, or is named and not there.
+    /// One of several bodies is not well posed, or a named body does not exist.
     #[error("body {name:?} {fault}")]
     Body {
         /// The name that was given.
         name: String,
-        /// What is wrong with it, and what is allowed.
+        /// The fault, and the allowed values.
         fault: String,
     },
     /// One datum of a link between bodies is out of range.
@@ -212,7 +212,7 @@ pub enum Error {
         what: String,
         /// Which matrix.
         field: &'static str,
-        /// What is wrong with it.
+        /// The fault.
         fault: &'static str,
         /// By how much: the largest difference across the diagonal, or the least eigenvalue.
         value: f64,
@@ -227,7 +227,7 @@ pub enum Error {
         /// What is wanted.
         expected: (usize, usize),
     },
-    /// A question that is answered for one object and contacts with springs of their own, and not for hands.
+    /// A question about one object and contacts with springs of their own, asked of a hand or of several bodies.
     #[error(
         "{question} knows neither joints nor several bodies: ask it of one object that no hand with joints holds"
     )]
@@ -235,7 +235,7 @@ pub enum Error {
         /// The method.
         question: &'static str,
     },
-    /// A question that would have to tell of a contact that slides, whose friction is lower then.
+    /// A question that reports sliding contacts, asked of a contact with lower kinetic friction, which it does not support.
     #[error(
         "{question} does not know that the friction of contact {contact} is lower once it slides: ask hold, follow or shake, which do, or leave kinetic friction out"
     )]
@@ -245,8 +245,8 @@ pub enum Error {
         /// Which contact.
         contact: ContactLabel,
     },
-    /// A question that knows several bodies, and no joints, asked of bodies that a hand with joints holds. A contact that presses with a given force has a
-    /// slide behind it, a joint.
+    /// A question that supports several bodies but no joints, asked of bodies that a hand with joints holds. A contact that presses with a given
+    /// force has a slide behind it, which is a joint.
     #[error(
         "{question} knows no joints: ask it of bodies that no hand with joints holds, and no contact presses with a given force"
     )]
@@ -281,22 +281,22 @@ pub enum Error {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ContactLabel {
-    /// Position in the list of contacts, from 0: that of the grasp, and where a scene tells an answer that of the scene. Written as `contact`.
+    /// Position in the list of contacts, from 0: of the grasp, or of the scene in the answer to a scene. Written as `contact`.
     #[cfg_attr(feature = "serde", serde(rename = "contact"))]
     pub index: usize,
-    /// Which point of a soft fingertip, from 0, where a scene tells an answer; `None`, and not written, for a contact that is a point itself.
+    /// Number of the point in its soft fingertip, from 0, in the answer to a scene; `None`, and omitted, for a contact that is a point itself.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub point: Option<usize>,
-    /// The user's name for it; not written if it has none.
+    /// The user's name for it; omitted if it has none.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub name: Option<Arc<str>>,
-    /// What kind of link between bodies it is; not written of a contact.
+    /// Kind of the link between bodies that it belongs to; omitted for a contact.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub link: Option<LinkKind>,
 }
 
 impl ContactLabel {
-    /// How tables and pictures call the contact: its name as it may be printed, or "contact" and its number, and the point of a soft fingertip.
+    /// Name of the contact in tables and pictures: its own, safe to print, or "contact" and its number, and the point of a soft fingertip.
     #[must_use]
     pub fn text(&self) -> String {
         let name = self.name.as_deref().map(|name| printable(name).into_owned());
@@ -344,8 +344,7 @@ pub enum Field {
     KineticFriction,
     /// Commanded finger displacement, contact frame, m.
     Command,
-    /// Change of the commanded finger displacement along a ramp or a leg, contact frame, m; the command itself where a leg says
-    /// where it goes to.
+    /// Change of the commanded finger displacement along a ramp or a leg, contact frame, m; the command itself for a leg given by its end.
     CommandChange,
     /// Force with which the finger is commanded to press, N.
     Press,

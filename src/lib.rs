@@ -1,9 +1,8 @@
 //! Does the grasp hold?
 //!
-//! A multifingered hand holds an object. Each contact is a point with Coulomb friction; finger and object give way like
-//! springs; the fingers are commanded to move a little and a load pulls on the object. This crate says where the object
-//! goes, what the contact forces are, **at which load a contact starts to slide**, and whether an equilibrium exists
-//! beyond.
+//! A multifingered hand holds an object. Each contact is a point with Coulomb friction. Finger and object give way like springs. The fingers are
+//! commanded to move a little, and a load pulls on the object. This crate computes the motion of the object, the contact forces, **the load at which
+//! a contact starts to slide**, and whether an equilibrium exists beyond it.
 //!
 //! ```
 //! use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -49,70 +48,69 @@
 //! | g, s | gap between the surfaces; slip of the finger over the body | m | 1, c - 1 |
 //! | μ | coefficient of friction, each contact its own | | 1 |
 //!
-//! Signs: normals point into the object, the way the finger pushes; in the plane `t = (n_y, -n_x)`. Friction drags the body
-//! along with the finger, so F_t and the slip s point the same way. The law is the unified one of the paper, its sections 3.A and 3.B, with
-//! contacts that may also open; the sign of its equation 3.B.5 is a misprint. Units are SI in the docs.
-//! Any consistent ones will do.
+//! Signs: normals point into the object, the way the finger pushes; in the plane `t = (n_y, -n_x)`. Friction drags the body along with the finger, so
+//! F_t and the slip s point the same way. The law is the unified one of the paper, its sections 3.A and 3.B, with contacts that may also open; the
+//! sign of its equation 3.B.5 is a misprint. Units are SI in the docs. Any consistent units work.
 //!
 //! # The map
 //!
-//! | module | room |
+//! | module | contents |
 //! |---|---|
 //! | [`planar`], [`spatial`] | the names to start from |
 //! | [`guide`] | which answer to trust, several equilibria, rays, facets, hands |
-//! | [`ask`] | a grasp and what it can be asked, whatever its number of coordinates |
-//! | [`grasp`] | the question: contacts, soft fingertips, stiffness, friction, wrench and twist; vectors of other libraries |
-//! | [`forms`] | kinematic and force form, what their rows mean |
+//! | [`ask`] | a grasp and its questions, for any number of coordinates |
+//! | [`grasp`] | the parts of a question: contacts, soft fingertips, stiffness, friction, hands, bodies, wrench and twist; vectors of other libraries |
+//! | [`forms`] | kinematic and force form, and the meaning of their rows |
 //! | [`lcp`] | `0 <= z ⟂ M z + q >= 0` by Lemke's method; knows nothing of contacts |
 //! | [`friction`] | frictional contact problems (W, q, μ) as simulators pose them, on the round cone |
-//! | [`hold`] | does it hold: one load put on from rest, answered in a sentence |
-//! | [`identify`] | friction, loads of supports, squeeze and stiffness from slips that were seen, with their errors |
-//! | [`need`] | how much squeeze, friction, load, arm or angle it takes or allows |
-//! | [`improve`] | where fingers should be on given surfaces, and how hard they should press, so that the first slip comes late |
+//! | [`hold`] | does it hold: the verdict on a load that is applied from rest, in a sentence |
+//! | [`shake`] | loads that repeat: rest, slip to and fro, walking or loss |
+//! | [`identify`] | friction, loads of supports, squeeze and stiffness from observed slips, with their errors |
+//! | [`need`] | how much squeeze, friction, load, arm or angle a grasp needs or allows |
+//! | [`improve`] | places of fingers on given surfaces, and squeezes, for a late first slip |
 //! | [`equilibrium`] | trial state → kinematic form → force form → proofs; the answer as physics |
 //! | [`statics`] | force closure and form closure: which loads contact forces could balance |
-//! | [`squeeze`] | how much squeeze suffices for a set of loads, which direction is weakest, and the least onset within bounds of commands and loads |
-//! | [`load_path`] | onset of sliding, what comes just beyond it; load programs followed with slip memory, for a few contacts ([`load_path::LoadPath`]) or thousands ([`load_path::PatchPath`]); sensitivities |
+//! | [`squeeze`] | the least squeeze for a set of loads, the weakest direction, and the least onset within bounds of commands and loads |
+//! | [`load_path`] | onset of sliding and the behaviour just beyond it; load programs followed with slip memory, for a few contacts ([`load_path::LoadPath`]) or thousands ([`load_path::PatchPath`]); sensitivities |
 //! | [`screening`] | the onset of sliding as a load grows or turns, with its gradient, and the least squeeze, for millions of grasps of two to five contacts; a watch over measured forces |
 //! | [`energy`] | the paper's quadratic program, its comparison with complementarity, three laws of friction, stability |
-//! | [`sweep`] | many questions at once, in parallel (feature `parallel`, on by default); grasps that are not known exactly |
-//! | [`words`] | numbers with their units, motions and names as people read them |
+//! | [`sweep`] | many questions at once, in parallel (feature `parallel`, on by default); grasps with uncertain data |
+//! | [`words`] | numbers with their units, motions and names, in words |
 //! | `picture` | grasps, load curves and maps over all directions as SVG, spatial grasps also as HTML pages (feature `plot`) |
-//! | `scene` | scenes and answers in any format of serde that describes itself (feature `serde`), JSON with messages that name the field (feature `json`) |
+//! | `scene` | scenes and answers in any self-describing format of serde (feature `serde`), JSON with messages that name the field (feature `json`) |
 //! | `stream` | scenes in JSON, one a line, answered in order on all cores (feature `json`) |
 //! | `schema` | the JSON Schemas of scenes and answers (feature `schema`) |
 //!
 //! # Answers
 //!
-//! "No equilibrium exists" is an answer ([`equilibrium::Outcome::NoEquilibrium`]) with its proof, never an error and never
-//! numbers; malformed input is an [`Error`] that names contact, field, value and what is allowed. Every equilibrium
-//! carries [residuals](equilibrium::Residuals) recomputed from the question. With friction several equilibria are common:
-//! [`equilibrium::Rung`] says by which rule the returned one was found, [`ask::Grasp::equilibria`] lists all (on the round cone those that
-//! a polygon leads to).
+//! "No equilibrium exists" is an answer ([`equilibrium::Outcome::NoEquilibrium`]) with its proof, never an error and never numbers. Malformed input
+//! is an [`Error`] with the contact, the field, its value and the allowed values. Every equilibrium carries [residuals](equilibrium::Residuals)
+//! recomputed from the question. With friction several equilibria are common: [`equilibrium::Rung`] is the rule by which the returned one was found.
+//! [`ask::Grasp::equilibria`] lists all of them (on the round cone those that a polygon leads to).
 //!
-//! A point contact carries no moment: a two-finger pinch in space turns freely about its line, and the answer says so
-//! ([`equilibrium::Equilibrium::free_motions`]). [`grasp::SoftFingertip`] spreads a contact over a patch that resists.
+//! A point contact carries no moment: a two-finger pinch in space turns freely about its line, which is one of the answer's
+//! [`free_motions`](equilibrium::Equilibrium::free_motions). [`grasp::SoftFingertip`] spreads a contact over a patch that resists.
 //!
-//! The model is that of "Position Control for Multifingered Robot Hand", which solves the sticking case as a quadratic
-//! program ([`energy`] has it, and says where it stops being an equilibrium); `paper-notes.md` in the repository tells what
-//! is taken from it, its misprints, and where this crate goes on.
+//! The model is that of "Position Control for Multifingered Robot Hand". The paper solves the sticking case as a quadratic program; [`energy`] has
+//! it, and shows where its minimum stops being an equilibrium. `paper-notes.md` in the repository lists what this crate takes from the paper, its
+//! misprints, and the extensions.
 //!
 //! # Without the standard library
 //!
-//! `default-features = false, features = ["libm"]` makes the crate `no_std`: every question above is there, with the same answers to rounding. It takes an
+//! `default-features = false, features = ["libm"]` makes the crate `no_std`, with every question above, and the same answers to rounding. It needs an
 //! allocator and atomic pointers (`thumbv7em`, `riscv32imac`; not `thumbv6m`), and double precision, which small processors compute in software.
 //!
 //! | needs std | feature |
 //! |---|---|
-//! | several cores: sweeps and long sums go one after the other | `parallel` |
-//! | vectors that the processor is asked for | `simd` |
+//! | several cores; without them sweeps and long sums run one after the other | `parallel` |
+//! | vector instructions, chosen by the processor at run time | `simd` |
 //! | pictures and pages | `plot` |
 //! | scenes, files, streams, schemas | `serde`, `json`, `schema` |
 //! | the program | `cli`, `cli-full` |
 //!
-//! In a control loop [`screening::Fingers`] has all it needs in itself: [`onset`](screening::Fingers::onset) and [`watch`](screening::Fingers::watch) allocate
-//! nothing and take the same steps whatever the numbers. Functions of floating point come from `libm`, whose last digits are not those of std: where a load has
-//! several equilibria, another of them may be found.
+//! In a control loop [`screening::Fingers`] needs nothing else: [`onset`](screening::Fingers::onset) and [`watch`](screening::Fingers::watch)
+//! allocate nothing and take the same steps for all numbers. Floating-point functions come from `libm`, whose last digits differ from std's: if a
+//! load has several equilibria, the answer may be another one.
 #![cfg_attr(not(feature = "std"), no_std)]
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
@@ -165,10 +163,10 @@ pub mod sweep;
 pub mod words;
 
 pub use contact::{Fit, PolygonCone};
-pub use equilibrium::Settings;
+pub use equilibrium::{Settings, SmallMotions};
 pub use error::{ContactLabel, Error, Field};
 pub use grasp::Limit;
-/// The library of the vectors and matrices in questions and answers, of the version that fits.
+/// The library of vectors and matrices in questions and answers, in the matching version.
 pub use nalgebra;
 
 /// The programs in the README are doctests.

@@ -6,7 +6,7 @@ pub use crate::grasp::{Pressure, SuctionCup};
 
 /// A point contact in space; see [`crate::grasp::Contact`].
 pub type Contact = crate::grasp::Contact<3>;
-/// A ring, disc or rectangle of point contacts that stands for one fingertip; see [`crate::grasp::SoftFingertip`].
+/// A ring, disc or rectangle of point contacts that models one fingertip; see [`crate::grasp::SoftFingertip`].
 pub type SoftFingertip = crate::grasp::SoftFingertip<3>;
 /// A spatial grasp; see [`crate::ask::Grasp`].
 pub type Grasp = crate::ask::Grasp<3>;
@@ -16,29 +16,29 @@ pub type Wrench = crate::grasp::Wrench<3>;
 pub type Twist = crate::grasp::Twist<3>;
 /// A body that an arm carries, and its load; see [`crate::grasp::Payload`].
 pub type Payload = crate::grasp::Payload<3>;
-/// How the arm moves; see [`crate::grasp::ArmMotion`].
+/// Motion of the arm at an instant; see [`crate::grasp::ArmMotion`].
 pub type ArmMotion = crate::grasp::ArmMotion<3>;
 /// One body of several; see [`crate::grasp::Body`].
 pub type Body = crate::grasp::Body<3>;
 /// Several bodies; see [`crate::grasp::Bodies`].
 pub type Bodies = crate::grasp::Bodies<3>;
-/// What joins them to each other and to the ground; see [`crate::grasp::Link`].
+/// A link between bodies, or to the ground; see [`crate::grasp::Link`].
 pub type Link = crate::grasp::Link<3>;
-/// What becomes of a load that is put on; see [`crate::hold::Verdict`].
+/// The verdict on a load that is applied from rest; see [`crate::hold::Verdict`].
 pub type Verdict = crate::hold::Verdict<3>;
-/// A quantity that is sought, with its loads; see [`crate::need::Need`].
+/// A question for the needed amount of a quantity, with its loads; see [`crate::need::Need`].
 pub type Need = crate::need::Need<3>;
-/// How a question for an equilibrium ends; see [`crate::equilibrium::Outcome`].
+/// The answer to a question for an equilibrium; see [`crate::equilibrium::Outcome`].
 pub type Outcome = crate::equilibrium::Outcome<3>;
 /// An equilibrium; see [`crate::equilibrium::Equilibrium`].
 pub type Equilibrium = crate::equilibrium::Equilibrium<3>;
-/// No equilibrium, and why; see [`crate::equilibrium::NoEquilibrium`].
+/// No equilibrium exists, with the proof; see [`crate::equilibrium::NoEquilibrium`].
 pub type NoEquilibrium = crate::equilibrium::NoEquilibrium<3>;
-/// How it is known that none exists; see [`crate::equilibrium::Proof`].
+/// A proof that no equilibrium exists; see [`crate::equilibrium::Proof`].
 pub type Proof = crate::equilibrium::Proof<3>;
 /// One contact of an equilibrium; see [`crate::equilibrium::ContactAnswer`].
 pub type ContactAnswer = crate::equilibrium::ContactAnswer<3>;
-/// What a contact does; see [`crate::equilibrium::ContactState`].
+/// State of a contact; see [`crate::equilibrium::ContactState`].
 pub type ContactState = crate::equilibrium::ContactState<3>;
 /// One load on three friction cones; see [`crate::equilibrium::Bracket`].
 pub type Bracket = crate::equilibrium::Bracket<3>;
@@ -50,63 +50,63 @@ pub type Ramp = crate::load_path::Ramp<3>;
 pub type Closure = crate::statics::Closure<3>;
 /// The loads that a grasp is to hold; see [`crate::squeeze::Loads`].
 pub type Loads = crate::squeeze::Loads<3>;
-/// How much squeeze that takes; see [`crate::squeeze::LeastSqueeze`].
+/// The least squeeze for these loads; see [`crate::squeeze::LeastSqueeze`].
 pub type LeastSqueeze = crate::squeeze::LeastSqueeze<3>;
-/// A force of which direction slides first; see [`crate::squeeze::WeakestDirection`].
+/// The direction in which the least force slides; see [`crate::squeeze::WeakestDirection`].
 pub type WeakestDirection = crate::squeeze::WeakestDirection<3>;
-/// How far commands and loads may be off; see [`crate::squeeze::Bounds`].
+/// Bounds on the errors of commands and loads; see [`crate::squeeze::Bounds`].
 pub type Bounds = crate::squeeze::Bounds<3>;
 /// The least onset of sliding within bounds; see [`crate::squeeze::LeastOnset`].
 pub type LeastOnset = crate::squeeze::LeastOnset<3>;
 /// A load that turns; see [`crate::load_path::Turn`].
 pub type Turn = crate::load_path::Turn<3>;
-/// When the first contact stops sticking while a load turns; see [`crate::load_path::TurnOnset`].
+/// The angle at which the first contact stops sticking while a load turns; see [`crate::load_path::TurnOnset`].
 pub type TurnOnset = crate::load_path::TurnOnset<3>;
-/// When the first contact stops sticking; see [`crate::load_path::Onset`].
+/// The factor at which the first contact stops sticking; see [`crate::load_path::Onset`].
 pub type Onset = crate::load_path::Onset<3>;
 /// Memory for one onset after another; see [`crate::ask::OnsetWorkspace`].
 pub type OnsetWorkspace = crate::ask::OnsetWorkspace<3>;
-/// The first contact stops sticking; see [`crate::load_path::OnsetEvent`].
+/// The event at which the first contact stops sticking; see [`crate::load_path::OnsetEvent`].
 pub type OnsetEvent = crate::load_path::OnsetEvent<3>;
 /// A contact that stops sticking; see [`crate::load_path::Leaving`].
 pub type Leaving = crate::load_path::Leaving<3>;
 /// How a contact stops sticking; see [`crate::load_path::Departure`].
 pub type Departure = crate::load_path::Departure<3>;
-/// What comes after the onset; see [`crate::load_path::Beyond`].
+/// The behaviour just beyond the onset; see [`crate::load_path::Beyond`].
 pub type Beyond = crate::load_path::Beyond<3>;
-/// How an equilibrium goes on past an event; see [`crate::load_path::Continuation`].
+/// The continuation of an equilibrium past an event; see [`crate::load_path::Continuation`].
 pub type Continuation = crate::load_path::Continuation<3>;
 /// One leg of a load program; see [`crate::load_path::Leg`].
 pub type Leg = crate::load_path::Leg<3>;
-/// Something changes on a load path; see [`crate::load_path::Event`].
+/// An event on a load path; see [`crate::load_path::Event`].
 pub type Event = crate::load_path::Event<3>;
-/// A contact that does something else from an event on; see [`crate::load_path::ContactChange`].
+/// A contact whose state changes at an event; see [`crate::load_path::ContactChange`].
 pub type ContactChange = crate::load_path::ContactChange<3>;
-/// What a contact does from an event on; see [`crate::load_path::Change`].
+/// The change of a contact's state at an event; see [`crate::load_path::Change`].
 pub type Change = crate::load_path::Change<3>;
-/// A jump at one load on it; see [`crate::load_path::Jump`].
+/// A jump on a load path at constant load; see [`crate::load_path::Jump`].
 pub type Jump = crate::load_path::Jump<3>;
-/// How a load path ends; see [`crate::load_path::PathEnd`].
+/// The end of a load path; see [`crate::load_path::PathEnd`].
 pub type PathEnd = crate::load_path::PathEnd<3>;
 /// A load program being followed; see [`crate::load_path::LoadPath`].
 pub type LoadPath<'g> = crate::load_path::LoadPath<'g, 3>;
-/// A few contacts made ready for screening; see [`crate::screening::Fingers`].
+/// A few contacts prepared for screening; see [`crate::screening::Fingers`].
 pub type Fingers<const N: usize> = crate::screening::Fingers<6, 3, N>;
-/// Many of them; see [`crate::screening::Batch`].
+/// Many grasps prepared for screening; see [`crate::screening::Batch`].
 pub type Batch<const N: usize> = crate::screening::Batch<6, 3, N>;
-/// The load on them; see [`crate::screening::Pull`].
+/// A load for screening; see [`crate::screening::Pull`].
 pub type Pull = crate::screening::Pull<3>;
-/// A load on them that turns; see [`crate::screening::TurningPull`].
+/// A load for screening that turns; see [`crate::screening::TurningPull`].
 pub type TurningPull = crate::screening::TurningPull<3>;
-/// The loads that they are to hold; see [`crate::screening::LoadCases`].
+/// Loads for screening that fingers are to hold; see [`crate::screening::LoadCases`].
 pub type LoadCases = crate::screening::LoadCases<3>;
 /// A load program being followed for many contacts; see [`crate::load_path::PatchPath`].
 pub type PatchPath<'g> = crate::load_path::PatchPath<'g, 3>;
-/// One contact changes on it; see [`crate::load_path::PatchEvent`].
+/// The change of one contact on such a path; see [`crate::load_path::PatchEvent`].
 pub type PatchEvent = crate::load_path::PatchEvent<3>;
 /// A load program being followed in steps; see [`crate::load_path::SteppedPath`].
 pub type SteppedPath<'g> = crate::load_path::SteppedPath<'g, 3>;
-/// One of them; see [`crate::load_path::Step`].
+/// A step of such a path; see [`crate::load_path::Step`].
 pub type Step = crate::load_path::Step<3>;
 
 /// Names for hands with joints in space: [`Hand::grasp`](crate::grasp::Hand::grasp) makes a [`Grasp`] like any other.

@@ -87,6 +87,11 @@ impl InSpace for Setup<3> {
     }
 }
 
+/// Refuses a question that counts the weight of bodies twice. Text that is no JSON is refused by the parser that follows.
+fn once<const C: usize>(setup: &Setup<C>, question: &str, path: &str) -> PyResult<()> {
+    setup.refuse_weight_twice(&serde_json::from_str(question).unwrap_or_default(), path).map_err(wrong)
+}
+
 /// Asks one question through the scene room, which supports joints and several bodies. Returns the answer in JSON.
 fn asked<const C: usize>(setup: &Setup<C>, question: Question<C>) -> PyResult<String>
 where
@@ -147,6 +152,7 @@ where
     }
 
     fn turn(self: Arc<Self>, turn: &str) -> PyResult<Reply> {
+        once(&self.setup, turn, "turn")?;
         let turn: Turn<C> = serde_json::from_str(turn).map_err(|error| of_json("turn", &error))?;
         let Some(grasp) = &self.grasp else {
             return asked(&self.setup, Question::OnsetOfTurn(turn)).map(Reply::Written);
@@ -156,6 +162,7 @@ where
     }
 
     fn ask(&self, py: Python<'_>, question: &str) -> PyResult<String> {
+        once(&self.setup, question, "question")?;
         let question = serde_json::from_str(question).map_err(|error| of_json("question", &error))?;
         py.detach(|| asked(&self.setup, question))
     }

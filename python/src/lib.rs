@@ -27,9 +27,6 @@ mod words;
 mod _grasp_lcp {
     #[pymodule_export]
     use super::answers::Told;
-    /// Rotation beyond which an equilibrium is outside small motions, rad; see [`grasp_lcp::equilibrium::Equilibrium`].
-    #[pymodule_export]
-    const LARGE_ROTATION: f64 = <grasp_lcp::planar::Equilibrium>::LARGE_ROTATION;
     #[pymodule_export]
     use super::equilibria::equilibria_of_rows;
     #[pymodule_export]

@@ -75,7 +75,7 @@ def test_a_block_walks_while_it_is_rocked() -> None:
     feet = Grasp.planar([[-0.1, 0], [0.1, 0]], [[0, 1], [0, 1]], series_stiffness=[1e5, 1e5], friction=0.5)
     shaken = feet.shake([[0, 0, 0.4], [0, 0, -0.4]], base=[3.5, -10])
     assert (shaken.outcome, shaken.rests, shaken.stays) == ("walks", False, False)
-    assert str(shaken) == "WALKS: the object moves 0.01 mm along +x in every cycle, contact 0 and contact 1 slide"
+    assert str(shaken).startswith("WALKS: the object moves 0.01 mm along +x in every cycle, contact 0 and contact 1 slide")
     assert feet.shake([[0, 0, 0.2], [0, 0, -0.2]], base=[3.5, -10]).rests
     found = feet.shakedown([[0, 0, 0.2], [0, 0, -0.2]], base=[3.5, -10])
     assert found.factor == pytest.approx(1.5, rel=1e-8) and str(found).startswith("RESTS in whichever order they come")

@@ -1,4 +1,4 @@
-//! A grasp with other data – commands, torques, friction, squeeze – asked with the same settings.
+//! A grasp with other data – commands, torques, friction, squeeze – and the same settings.
 
 use alloc::sync::Arc;
 
@@ -12,21 +12,20 @@ use crate::grasp::{Contact, Wrench};
 use crate::prelude::*;
 
 impl<const C: usize> Grasp<C> {
-    /// This grasp by other contacts or commands.
+    /// A grasp with the engine of other data and the same settings.
     pub(super) fn changed(&self, engine: Result<Arc<dyn Questions<C>>, Error>) -> Result<Self, Error> {
         Ok(Self { engine: engine?, settings: self.settings })
     }
 
-    /// The grasp of an equilibrium: under the loads of bodies that a program had put on there.
+    /// The grasp of an equilibrium, under the body loads that a load program had applied there.
     pub(super) fn of_equilibrium(&self, equilibrium: &Equilibrium<C>) -> Self {
         let loads = &equilibrium.body_loads;
         let changed = (!loads.is_empty()).then(|| self.changed(self.engine.with_body_loads(loads)));
-        // Bodies that are not there are those of another grasp, whose answers tell nothing here anyway.
+        // An unknown body belongs to another grasp, about which this one has no answers anyway.
         changed.and_then(Result::ok).unwrap_or_else(|| self.clone())
     }
 
-    /// This grasp with other finger commands u_f, one a contact, each in its contact frame (m):
-    /// arrays, or vectors.
+    /// This grasp with other finger commands u_f, one for each contact in its contact frame (m): arrays, or vectors.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -42,8 +41,7 @@ impl<const C: usize> Grasp<C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Size`] if there are more or fewer than contacts, [`Error::Contact`] if one is not
-    /// finite.
+    /// [`Error::Size`] unless there is one command for each contact, [`Error::Contact`] if one is not finite.
     pub fn with_commands(
         &self,
         commands: impl IntoIterator<Item = impl Into<[f64; C]>>,
@@ -70,12 +68,13 @@ impl<const C: usize> Grasp<C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::JointCommands`] if there are more or fewer than joints and tendons, [`Error::Hand`] if one is not finite.
+    /// [`Error::JointCommands`] unless there is one command for each joint and each tendon, [`Error::Hand`] if one is not finite.
     pub fn with_joint_commands(&self, commands: &[f64]) -> Result<Self, Error> {
         self.changed(self.engine.with_joint_commands(commands))
     }
 
-    /// This grasp with torques from outside on the joints of its hand, N m or N, positive along their displacements: what acts behind the object.
+    /// This grasp with external torques on the joints of its hand, N m or N, positive along their displacements. They act
+    /// in addition to the load on the object.
     ///
     /// ```
     /// use grasp_lcp::planar::hand::{Finger, Hand, Joint};
@@ -93,14 +92,14 @@ impl<const C: usize> Grasp<C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::JointCommands`] if there are more or fewer than joints, [`Error::Hand`] if one is not finite.
+    /// [`Error::JointCommands`] unless there is one torque for each joint, [`Error::Hand`] if one is not finite.
     pub fn with_joint_torques(&self, torques: &[f64]) -> Result<Self, Error> {
         self.changed(self.engine.with_joint_torques(torques))
     }
 
-    /// These bodies where other loads grow with a load: a question that puts on τ times `load` puts on τ times each of the others, too, each on its body.
-    /// All loads of questions, base loads included, are then multiples of `load`, and what of them is not along it is left out; what is always there
-    /// belongs to the bodies ([`Body::load`](crate::grasp::Body::load)).
+    /// These bodies with further loads that grow in proportion to `load`: a question with τ times `load` applies τ times each of the others, too,
+    /// each to its body. All loads of questions, base loads included, then count as multiples of `load`; only their part along it matters. Constant
+    /// loads belong to the bodies ([`Body::load`](crate::grasp::Body::load)).
     ///
     /// ```
     /// use grasp_lcp::planar::{Bodies, Body, Contact, Link, Wrench};
@@ -125,7 +124,7 @@ impl<const C: usize> Grasp<C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Body`] for a body that is not there, [`Error::NothingChanges`] if `load` is none, [`Error::Wrench`] if a component is not finite.
+    /// [`Error::Body`] for an unknown body, [`Error::NothingChanges`] if `load` is zero, [`Error::Wrench`] if a component is not finite.
     pub fn growing_together<N: Into<String>>(
         &self,
         load: &Wrench<C>,
@@ -135,8 +134,8 @@ impl<const C: usize> Grasp<C> {
         self.changed(self.engine.growing_together(load, &named.collect::<Vec<_>>()))
     }
 
-    /// This grasp with other coefficients of friction, from the number of each contact and what it has. Those of contacts that
-    /// [slide](crate::grasp::Contact::kinetic) change in proportion.
+    /// This grasp with other coefficients of friction, from the index of each contact and its present coefficient. Coefficients of [kinetic
+    /// friction](crate::grasp::Contact::kinetic) change in proportion.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp};
@@ -153,13 +152,13 @@ impl<const C: usize> Grasp<C> {
         self.changed(self.engine.with_friction(&friction))
     }
 
-    /// This grasp with other data of its contacts, as many of them, whose joints stay.
+    /// This grasp with other data of its contacts, equally many; its joints stay.
     pub(crate) fn with_contacts(&self, contacts: Vec<Contact<C>>) -> Result<Self, Error> {
         self.changed(self.engine.with_contacts(contacts))
     }
 
-    /// This grasp squeezed so many times as much: commands of contacts, of joints and of tendons, and torques that hold joints by force. Tensions
-    /// that hold tendons stay.
+    /// This grasp with its squeeze multiplied by `factor`: commands of contacts, joints and tendons, torques that hold joints, forces that hold
+    /// contacts, and vacuums. Constant tensions of tendons stay.
     ///
     /// # Errors
     /// [`Error::Argument`] unless the factor is finite and at most 1e50.

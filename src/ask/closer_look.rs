@@ -1,4 +1,4 @@
-//! A closer look at equilibria: all of them, how accurate they are, what they are made of, and proofs that there are none.
+//! All equilibria under a load, their accuracy, the forms behind them, and proofs that none exists.
 
 use super::grasp::Grasp;
 use crate::contact::PolygonCone;
@@ -9,11 +9,10 @@ use crate::grasp::Wrench;
 use crate::prelude::*;
 
 impl<const C: usize> Grasp<C> {
-    /// All equilibria under a load, for few contacts, by trying every combination of contact states; the one that
-    /// [`Self::solve`] returns is among them. On the round cone: that one, and those that Newton's method reaches from the equilibria of
-    /// the polygon, which may be fewer than there are. Whether it is proved that there is none says [`Self::solve`]. Combinations that
-    /// share one equilibrium (a contact exactly on an edge) are listed once; a line of equilibria by one of its points, with its
-    /// [`neutral_motions`](Equilibrium::neutral_motions).
+    /// All equilibria under a load, for few contacts, by trying every combination of contact states. The one that [`Self::solve`] returns is among
+    /// them. On the round cone these are that one, and those that Newton's method reaches from the equilibria of the polygon; others may be missing.
+    /// An empty list is no proof: [`Self::solve`] returns the proof, if there is one. Combinations with the same equilibrium (a contact exactly on an
+    /// edge) are listed once. A line of equilibria is listed by one of its points, with its [`neutral_motions`](Equilibrium::neutral_motions).
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -29,14 +28,14 @@ impl<const C: usize> Grasp<C> {
     ///
     /// # Errors
     /// [`Error::TooManyStates`] beyond [`Settings::most_states`](crate::Settings::most_states) combinations, [`Error::Wrench`] if the load is not
-    /// finite, or beyond 1e50.
+    /// finite, or beyond 1e50; [`Error::KineticFriction`] as for [`Self::solve`].
     pub fn equilibria(&self, load: &Wrench<C>) -> Result<Vec<Equilibrium<C>>, Error> {
         self.engine.equilibria(load, &self.settings)
     }
 
-    /// How far an equilibrium of this grasp is from the exact one, and how strongly it depends on the last digits of the question: two more
-    /// passes over the contacts in twice the working precision. `None` for an equilibrium with another number of contacts, and on a load path
-    /// with sliding on the round cone, whose error is [`LoadPath::step_error`](crate::load_path::LoadPath::step_error).
+    /// Estimated error of an equilibrium of this grasp, and its dependence on the last digits of the question: two more passes over the contacts in
+    /// twice the working precision. `None` for an equilibrium with another number of contacts, and on a load path with sliding on the round cone,
+    /// whose error is [`LoadPath::step_error`](crate::load_path::LoadPath::step_error).
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -55,12 +54,12 @@ impl<const C: usize> Grasp<C> {
         self.of_equilibrium(equilibrium).engine.accuracy(equilibrium)
     }
 
-    /// Contact by contact, whether working precision tells the state of an equilibrium from its neighbours.
+    /// Whether each contact's state is clear of its neighbouring states in working precision.
     ///
-    /// A state has conditions on gap, normal force, friction in reserve and slip. Each of them must be larger than 1e-12 of the terms it is
-    /// a difference of, and than ten times the estimated error ([`Self::accuracy`], which this asks for). Where the answer is
-    /// `false` the last digits of the question decide between, say, sticking and just sliding. Forces and displacements hardly
-    /// depend on that. `None` for an equilibrium with another number of contacts.
+    /// A state has conditions on gap, normal force, friction in reserve and slip. Each of them must be larger than 1e-12 of the terms whose
+    /// difference it is, and than ten times the estimated error from [`Self::accuracy`]. Where the answer is `false`, the last digits of the question
+    /// decide between, say, sticking and just sliding. Forces and displacements hardly depend on that. `None` for an equilibrium with another number
+    /// of contacts.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -80,8 +79,8 @@ impl<const C: usize> Grasp<C> {
         self.of_equilibrium(equilibrium).engine.distinct(equilibrium)
     }
 
-    /// The equilibrium under a load on the round cone, and on the inscribed and the circumscribed polygon with as many facets as
-    /// `settings.cone` has; its fit and `settings.round` are not looked at. In the plane the three are one.
+    /// The equilibrium under a load on the round cone, and on the inscribed and the circumscribed polygon with as many facets as `settings.cone`; the
+    /// fit of that cone and `settings.round` are ignored. In the plane all three are equal.
     ///
     /// ```
     /// use grasp_lcp::spatial::{Contact, Grasp, Wrench};
@@ -104,8 +103,8 @@ impl<const C: usize> Grasp<C> {
         self.engine.bracket(load, &self.settings)
     }
 
-    /// The proof, case by case, that no equilibrium exists under a load on the round cone. `None` where none was found: there is an
-    /// equilibrium, [`Settings::most_states`](crate::Settings::most_states) allows too few cases, or no cone is round, as in the plane.
+    /// The proof, case by case, that no equilibrium exists under a load on the round cone. `None` without a proof: an equilibrium exists,
+    /// [`Settings::most_states`](crate::Settings::most_states) allows too few cases, or no cone is round, as in the plane.
     ///
     /// ```
     /// use grasp_lcp::spatial::{Contact, Grasp, Wrench};
@@ -132,9 +131,9 @@ impl<const C: usize> Grasp<C> {
         self.engine.refutation(load, &self.settings)
     }
 
-    /// The [kinematic form](crate::forms) under a load: jumps (gaps and slips) on top of the elastic trial state in which everything
-    /// sticks. `None` if no contact needs a row, if the load works on a motion that no contact resists, or if a number overflows. When
-    /// `lcp.vector() >= 0` everything sticks and z = 0 is the answer. In the plane `cone` is not looked at.
+    /// The [kinematic form](crate::forms) under a load: jumps (gaps and slips) on top of the elastic trial state in which everything sticks. `None`
+    /// if no contact needs a row, if the load works on a motion that no contact resists, or if a number overflows. If `lcp.vector() >= 0`, everything
+    /// sticks and z = 0 is the answer. In the plane `cone` is ignored.
     ///
     /// ```
     /// use grasp_lcp::forms::Row;
@@ -159,9 +158,9 @@ impl<const C: usize> Grasp<C> {
         self.engine.kinematic_form(load, cone)
     }
 
-    /// The [force form](crate::forms) under a load: forces as unknowns, the twist free and split in two halves ([`Row::Balance`](crate::forms::Row::Balance)). Contacts that act
-    /// both ways (bonded, kept closed, infinite friction) have springs in the rows of the balance and no rows of their own. `None` if a
-    /// number overflows. In the plane `cone` is not looked at.
+    /// The [force form](crate::forms) under a load: forces as unknowns, the twist free and split in two halves
+    /// ([`Row::Balance`](crate::forms::Row::Balance)). Contacts that act both ways (bonded, kept closed, infinite friction) have springs in the rows
+    /// of the balance and no rows of their own. `None` if a number overflows. In the plane `cone` is ignored.
     ///
     /// ```
     /// use grasp_lcp::forms::Row;
@@ -188,9 +187,9 @@ impl<const C: usize> Grasp<C> {
 }
 
 impl<const C: usize> Refutation<C> {
-    /// Checks the proof against a grasp and a load: the factor by which an equilibrium that rounding has hidden would have to exceed
-    /// the data, at least. Stretches and forces of all contacts together are measured in √J, against those of the elastic trial
-    /// state. `None` where the proof does not hold for this grasp and this load, or by a factor below 1e4.
+    /// Checks the proof for a grasp and a load. Returns the least factor by which an equilibrium hidden by rounding would have to exceed the data:
+    /// stretches and forces of all contacts together, in √J, over those of the elastic trial state. `None` if the proof does not hold for this grasp
+    /// and this load, or by a factor below 1e4.
     ///
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.

@@ -11,15 +11,15 @@ use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::load_path::Ramp;
 
-/// The paper's quadratic programs and other laws of friction beside Coulomb's, made by [`Grasp::energy`]; see [the room](crate::energy).
+/// The paper's quadratic programs and laws of friction other than Coulomb's, made by [`Grasp::energy`]; see [`energy`](crate::energy).
 #[derive(Debug, Clone, Copy)]
 pub struct Energy<'g, const C: usize>(pub(super) &'g Grasp<C>);
 
 impl<const C: usize> Energy<'_, C> {
-    /// How far along a ramp the minimum of the paper's program is an equilibrium. In space on the polygonal cone of the settings.
+    /// Range of a ramp in which the minimum of the paper's program is an equilibrium; in space on the polygonal cone of the settings.
     ///
-    /// Where every contact has friction and touches at factor 0 this is the
-    /// [onset of sliding](Grasp::onset) on the polygon, found another way. Frictionless contacts may open and close before.
+    /// If every contact has friction and touches at factor 0, this is the [onset of sliding](Grasp::onset) on the polygon, found in another way.
+    /// Frictionless contacts may open and close before.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
@@ -40,7 +40,8 @@ impl<const C: usize> Energy<'_, C> {
         self.0.engine.agreement_with_minimum_energy(ramp, &self.0.settings)
     }
 
-    /// What the associated friction law says under a load ([`AssociatedState`](crate::energy::AssociatedState) has the law). In space on the polygonal cone of the settings.
+    /// State under a load by the associated friction law, which [`AssociatedState`](crate::energy::AssociatedState) explains; in space on the
+    /// polygonal cone of the settings.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -65,7 +66,7 @@ impl<const C: usize> Energy<'_, C> {
         self.0.engine.associated_friction(load, &self.0.settings)
     }
 
-    /// Complementarity against the paper's quadratic program; in space on their polygonal cone.
+    /// Compares complementarity with the paper's quadratic program; in space on the polygonal cone of the settings.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -89,11 +90,11 @@ impl<const C: usize> Energy<'_, C> {
         self.0.engine.compare_with_minimum_energy(load, &self.0.settings)
     }
 
-    /// The minimum of the paper's quadratic program under a load. In space on the polygonal cone of the settings.
+    /// The minimum of the paper's quadratic program under a load; in space on the polygonal cone of the settings.
     ///
-    /// The minimum is that of [`Energy::reduced_qp`](crate::ask::Energy::reduced_qp) with its gaps, and that of [`Energy::printed_qp`](crate::ask::Energy::printed_qp) as long as the printed
-    /// program opens no contact with infinite friction. Springs stand in series and orthogonal factors keep their digits,
-    /// so that rigid sides and series stiffness are welcome.
+    /// It equals the minimum of [`Energy::reduced_qp`](crate::ask::Energy::reduced_qp) with its gaps, and that of
+    /// [`Energy::printed_qp`](crate::ask::Energy::printed_qp) as long as the printed program opens no contact with infinite friction. Springs are
+    /// taken in series and orthogonal factors keep their digits, so rigid sides and series stiffness are allowed.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -117,7 +118,7 @@ impl<const C: usize> Energy<'_, C> {
         self.0.engine.minimum_energy(load, &self.0.settings)
     }
 
-    /// The paper's quadratic program under a load (section 5.1), in all displacements; `cone` stands for the round cone in space.
+    /// The paper's quadratic program under a load (section 5.1), in all displacements; `cone` replaces the round cone in space.
     ///
     /// ```
     /// use grasp_lcp::PolygonCone;
@@ -149,7 +150,7 @@ impl<const C: usize> Energy<'_, C> {
         self.0.engine.printed_qp(load, cone)
     }
 
-    /// The reduced quadratic program under a load; `cone` stands for the round cone in space.
+    /// The reduced quadratic program under a load; `cone` replaces the round cone in space.
     ///
     /// ```
     /// use grasp_lcp::PolygonCone;
@@ -179,9 +180,9 @@ impl<const C: usize> Energy<'_, C> {
         self.0.engine.reduced_qp(load, cone, unknowns)
     }
 
-    /// The equilibrium under a load with the second-order displacement of equation 4.1, about the origin of the coordinates: the
-    /// load's force acts at the object's point there. At most 100 iterations, each an equilibrium of first order; contact frames, springs and
-    /// commands stay as they are in space.
+    /// The equilibrium under a load with the second-order displacement of equation 4.1, about the origin of the coordinates: the load's force acts at
+    /// the object's point there. At most 100 iterations, each a first-order equilibrium; contact frames, springs and commands keep their directions
+    /// in space.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -209,7 +210,7 @@ impl<const C: usize> Energy<'_, C> {
         self.0.engine.second_order_equilibrium(load, &self.0.settings)
     }
 
-    /// The stability of an equilibrium of this grasp, its contacts where they are at first (displacements are small).
+    /// Stability of an equilibrium of this grasp, with its contacts at their initial places (displacements are small).
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -232,7 +233,7 @@ impl<const C: usize> Energy<'_, C> {
         self.0.of_equilibrium(equilibrium).engine.stability(equilibrium)
     }
 
-    /// The same load under three laws of friction; the module [`energy`](crate::energy) has them side by side.
+    /// Answers to one load under three laws of friction, which the module [`energy`](crate::energy) compares.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};

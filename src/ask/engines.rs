@@ -1,4 +1,4 @@
-//! Where engines are made: for the plane and for space, and for hands.
+//! Makes engines: for the plane and for space, for contacts, hands and several bodies.
 
 use alloc::sync::Arc;
 use core::any::Any;
@@ -11,7 +11,7 @@ use crate::prelude::*;
 
 type Made<const C: usize> = Result<Arc<dyn Questions<C>>, Error>;
 
-/// The engine of a grasp without joints; contacts that are held by a force have slides.
+/// The engine of a grasp without joints; contacts that are held by a force get slides.
 pub(super) fn of_contacts<const C: usize>(contacts: Vec<Contact<C>>) -> Made<C> {
     if contacts.iter().any(|contact| contact.force.is_some()) {
         return of_hand(Hand::new(contacts.into_iter().map(Finger::fixed)));
@@ -29,7 +29,7 @@ pub(super) fn of_bodies<const C: usize>(bodies: Bodies<C>) -> Made<C> {
     in_the_plane_or_in_space(bodies, planar_bodies, spatial_bodies)
 }
 
-// None of the six has a parameter: one that has is compiled once more, with the engine behind it, by every program of an optimised build.
+// None of the six functions has a parameter. If one had, every program with an optimised build would compile it again, with the engine behind it.
 
 fn planar(contacts: Vec<Contact<2>>) -> Made<2> {
     Ok(Arc::new(Engine::<Fixed<3>, 2>::new(contacts)?))
@@ -57,8 +57,8 @@ fn spatial_bodies(bodies: Bodies<3>) -> Made<3> {
     Ok(Arc::new(hand.engine(Some(bodies))?))
 }
 
-/// Does one thing in the plane and another in space, for whoever knows the number of axes only by a parameter of its type. So engines are
-/// compiled here alone, and not again by whoever calls a function with that parameter.
+/// Calls the function for the plane or the one for space, for callers that know the number of axes only as a parameter of a type. So engines are
+/// compiled here alone, and not again in every function with that parameter.
 fn in_the_plane_or_in_space<T: Any, R: Any, T2: Any, R2: Any, T3: Any, R3: Any>(
     given: T,
     planar: fn(T2) -> R2,

@@ -1,4 +1,4 @@
-//! A grasp, and what it can be asked.
+//! A grasp, and the questions that it answers.
 
 use alloc::sync::Arc;
 
@@ -18,28 +18,27 @@ use crate::prelude::*;
 
 /// An object held by elastic fingers: a checked list of contacts, and the joints behind them if a [`Hand`] holds it.
 ///
-/// The reference point of wrenches and twists is the origin of the coordinates in which the contact
-/// points are given. `C` is the number of axes of a contact: 2 in the plane ([`planar::Grasp`](crate::planar::Grasp)), 3 in space
-/// ([`spatial::Grasp`](crate::spatial::Grasp)).
+/// Wrenches and twists refer to the origin of the coordinates in which the contact points are given. `C` is the number of axes of a contact: 2 in the
+/// plane ([`planar::Grasp`](crate::planar::Grasp)), 3 in space ([`spatial::Grasp`](crate::spatial::Grasp)).
 ///
-/// | what you want | method |
+/// | question | method |
 /// |---|---|
-/// | does it hold, and how much more would it take | [`hold`](Self::hold) |
-/// | where the object goes and what contacts carry under a load, or the proof that nothing holds | [`solve`](Self::solve) |
+/// | does it hold a load, and how much more of it | [`hold`](Self::hold) |
+/// | motion of the object and contact forces under a load, or the proof that no equilibrium exists | [`solve`](Self::solve) |
 /// | the load at first slip | [`onset_of_sliding`](Self::onset_of_sliding), with commands [`onset`](Self::onset) |
 /// | the angle at which it slides while a weight is tilted | [`onset_of_turn`](Self::onset_of_turn) |
-/// | what comes just beyond an onset | [`beyond`](Self::beyond), [`state_at_onset`](Self::state_at_onset) |
+/// | the behaviour just beyond an onset | [`beyond`](Self::beyond), [`state_at_onset`](Self::state_at_onset) |
 /// | every event of a load program, with slip memory | [`follow`](Self::follow); thousands of contacts [`follow_patch`](Self::follow_patch); on the round cone in steps [`follow_in_steps`](Self::follow_in_steps) |
 /// | how much squeeze, friction, load, arm or angle it takes | [`need`](Self::need); for squeeze in closed form [`least_squeeze`](Self::least_squeeze) |
 /// | where the fingers should be, and how hard they should press | [`Improve`](crate::improve::Improve) |
 /// | the direction in which the least force slides | [`weakest_direction`](Self::weakest_direction) |
 /// | how an answer changes with the data | [`sensitivity`](crate::ask::Sensitivity::of) |
 /// | how far an onset spreads where data are not known exactly | [`robust_onset`](Self::robust_onset), [`least_onset_within`](Self::least_onset_within) |
-/// | whether fingers could hold it at all | [`statics`](Self::statics) |
+/// | whether any contact forces could hold it | [`statics`](Self::statics) |
 /// | all equilibria under a load, the error of one | [`equilibria`](Self::equilibria), [`accuracy`](Self::accuracy), [`distinct`](Self::distinct) |
-/// | many questions on all cores | [`solve_each`](Self::solve_each), [`onset_each`](Self::onset_each), [the room](crate::sweep) |
-/// | what the paper's quadratic program says | [`energy`](Self::energy) |
-/// | any of these for another cone, or with other budgets | [`with`](Self::with) settings |
+/// | many questions on all cores | [`solve_each`](Self::solve_each), [`onset_each`](Self::onset_each), [`sweep`](crate::sweep) |
+/// | the paper's quadratic program, other laws of friction | [`energy`](Self::energy) |
+/// | any of these for another cone, or with other limits on work | [`with`](Self::with) settings |
 #[derive(Debug, Clone)]
 pub struct Grasp<const C: usize> {
     pub(super) engine: Arc<dyn Questions<C>>,
@@ -47,7 +46,7 @@ pub struct Grasp<const C: usize> {
 }
 
 impl<const C: usize> Grasp<C> {
-    /// Checks the contacts and lays out their frames.
+    /// Checks the contacts and computes their frames.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp};
@@ -63,17 +62,17 @@ impl<const C: usize> Grasp<C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::EmptyGrasp`], or [`Error::Contact`] naming the first contact, field and value that
-    /// is out of range.
+    /// [`Error::EmptyGrasp`], or [`Error::Contact`] with the first contact, field and value out of range.
     pub fn new(contacts: impl IntoIterator<Item = Contact<C>>) -> Result<Self, Error> {
-        engines::of_contacts(contacts.into_iter().collect()).map(Self::of)
+        Self::of(engines::of_contacts(contacts.into_iter().collect())?).installed()
     }
 
     pub(crate) fn of(engine: Arc<dyn Questions<C>>) -> Self {
         Self { engine, settings: Settings::default() }
     }
 
-    /// This grasp asked with other [`Settings`]: for another cone, with other budgets. Contacts and factors are shared with this one, not copied.
+    /// This grasp with other [`Settings`]: for another cone, or with other limits on work. Contacts and factors are shared with this grasp, not
+    /// copied.
     ///
     /// ```
     /// use grasp_lcp::spatial::{Contact, Grasp, Wrench};
@@ -97,25 +96,25 @@ impl<const C: usize> Grasp<C> {
         Self { engine: self.engine.clone(), settings: *settings }
     }
 
-    /// Contacts as people count them, of those that are meant: a soft fingertip is one, with so many of its points.
+    /// The contacts with `is_meant`, counted as users do: a soft fingertip is one contact, with the number of its points among them.
     #[must_use]
     pub fn whole_contacts(&self, is_meant: impl Fn(usize) -> bool) -> Vec<WholeContact> {
         WholeContacts::of(self.contacts()).with(&is_meant)
     }
 
-    /// The settings with which it is asked.
+    /// The settings of its questions.
     #[must_use]
     pub fn settings(&self) -> &Settings {
         &self.settings
     }
 
-    /// Does it hold? The load is put on from rest, and the [`Verdict`] says in a sentence what becomes of it: it holds and everything
-    /// sticks, or some contacts slide, or it is lost at such a part of it, and how. Beside that stand first slip and gross slip as multiples of the
-    /// load, looked for up to [`Settings::most_load`].
+    /// Whether the grasp holds a load that is applied from rest. The [`Verdict`] says in a sentence whether it holds with everything sticking, holds
+    /// while some contacts slide, or is lost at a fraction of the load, and how. It also has first slip and gross slip as multiples of the load, up
+    /// to [`Settings::most_load`].
     ///
-    /// A load is a [`Wrench`], put on from nothing, or a [`Ramp`] with a base load and changes of commands. It is followed as by [`Self::follow`]; nothing
-    /// is searched for, so that it is undecided only where that path is. Where the load is lost, [`Lost::nothing_near`](crate::hold::Lost::nothing_near)
-    /// proves that nothing holds it near there.
+    /// A load is a [`Wrench`], applied from zero, or a [`Ramp`] with a base load and changes of commands. It is followed as by [`Self::follow`],
+    /// without any search, so the verdict is undecided only where that path is. For a lost load,
+    /// [`Lost::nothing_near`](crate::hold::Lost::nothing_near) proves that no equilibrium holds it near there.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -144,7 +143,7 @@ impl<const C: usize> Grasp<C> {
 
     /// The equilibrium under a load.
     ///
-    /// Where several equilibria exist, the one in which everything sticks comes first; else see [`Rung`](crate::equilibrium::Rung).
+    /// If several equilibria exist, one in which everything sticks comes first; for the others see [`Rung`](crate::equilibrium::Rung).
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Outcome, Wrench};
@@ -170,30 +169,29 @@ impl<const C: usize> Grasp<C> {
         self.engine.solve(load, &self.settings)
     }
 
-    /// Refuses a question where there are joints or several bodies.
+    /// Refuses a question if there are joints or several bodies.
     pub(crate) fn refuse_hands(&self, question: &'static str) -> Result<(), Error> {
         self.engine.refuse_hands(question)
     }
 
-    /// Whether some drive pushes at rest.
-    #[cfg(feature = "serde")]
+    /// Whether anything presses at rest.
     pub(crate) fn presses(&self) -> bool {
         self.engine.presses()
     }
 
-    /// Which loads any contact forces could balance, whatever springs and commands.
+    /// Static questions: loads that some contact forces could balance, whatever springs and commands.
     #[must_use]
     pub fn statics(&self) -> Statics<'_, C> {
         Statics(self)
     }
 
-    /// How answers change with the data.
+    /// Derivatives of answers by the data.
     #[must_use]
     pub fn sensitivity(&self) -> Sensitivity<'_, C> {
         Sensitivity(self)
     }
 
-    /// The paper's quadratic programs and other laws of friction beside Coulomb's, and stability.
+    /// The paper's quadratic programs and laws of friction other than Coulomb's, and stability.
     #[must_use]
     pub fn energy(&self) -> Energy<'_, C> {
         Energy(self)
@@ -206,16 +204,15 @@ impl<const C: usize> Grasp<C> {
         self.contacts().len()
     }
 
-    /// The contacts as they were given, their commands in the contact frames.
+    /// The contacts as given, with their commands in the contact frames.
     #[must_use]
     pub fn contacts(&self) -> &[Contact<C>] {
         self.engine.contacts()
     }
 
-    /// The contact frames, orthonormal columns n, t (and t₂): `frame * force` is along the
-    /// coordinate axes. In space each is a rotation,
-    /// [`Rotation3::from_matrix_unchecked`](nalgebra::Rotation3::from_matrix_unchecked) takes it;
-    /// in the plane it is a reflection, since `t = (n_y, -n_x)` lies clockwise of n.
+    /// The contact frames, orthonormal columns n, t (and t₂): `frame * force` is along the coordinate axes. In space each is a rotation, as for
+    /// [`Rotation3::from_matrix_unchecked`](nalgebra::Rotation3::from_matrix_unchecked); in the plane it is a reflection, since `t = (n_y, -n_x)`
+    /// lies clockwise of n.
     ///
     /// ```
     /// use grasp_lcp::nalgebra::{Rotation3, Vector3};
@@ -239,19 +236,19 @@ impl<const C: usize> Grasp<C> {
         self.engine.joint_commands()
     }
 
-    /// How pictures and messages call a part of the hand: its name, or what it is and its number.
+    /// Name of a part of the hand in pictures and messages, or its kind and its number.
     #[must_use]
     pub fn label_of(&self, part: HandPart) -> String {
         self.engine.label_of(part)
     }
 
-    /// Ends of the hand's links, from revolute joint to revolute joint and on to the contacts, m, before anything moves: for pictures.
+    /// Ends of the hand's links, from revolute joint to revolute joint and on to the contacts, m, in the initial posture: for pictures.
     #[must_use]
     pub fn links(&self) -> &[[SVector<f64, C>; 2]] {
         self.engine.links()
     }
 
-    /// Where each joint of the hand turns, m, before anything moves: for pictures. `None` for what slides, or is known by Jacobians alone.
+    /// Centre of each joint of the hand, m, in the initial posture: for pictures. `None` for a joint that slides, or has Jacobians alone.
     #[must_use]
     pub fn joint_centres(&self) -> &[Option<SVector<f64, C>>] {
         self.engine.joint_centres()
@@ -259,22 +256,22 @@ impl<const C: usize> Grasp<C> {
 }
 
 impl<const C: usize> Hand<C> {
-    /// The grasp of an object by this hand, whatever its number of joints.
+    /// The grasp of an object by this hand, with any number of joints.
     ///
     /// # Errors
-    /// [`Error::EmptyGrasp`] without contacts; [`Error::Hand`] naming joint, tendon or finger, the field and what is
-    /// allowed; [`Error::Contact`] as for [`Grasp::new`].
+    /// [`Error::EmptyGrasp`] without contacts; [`Error::Hand`] with the joint, tendon or finger, the field and the allowed values; [`Error::Contact`]
+    /// as for [`Grasp::new`].
     pub fn grasp(self) -> Result<Grasp<C>, Error> {
-        engines::of_hand(self).map(Grasp::of)
+        Grasp::of(engines::of_hand(self)?).installed()
     }
 }
 
 impl<const C: usize> Bodies<C> {
-    /// The grasp of these bodies. What it answers about "the object" is said of the body that loads act on.
+    /// The grasp of these bodies. Its answers about "the object" are about the body that loads act on.
     ///
     /// # Errors
-    /// [`Error::Body`] naming the body, and what is wrong with it; others as for [`Hand::grasp`].
+    /// [`Error::Body`] with the name of the body and the fault; others as for [`Hand::grasp`].
     pub fn grasp(self) -> Result<Grasp<C>, Error> {
-        engines::of_bodies(self).map(Grasp::of)
+        Grasp::of(engines::of_bodies(self)?).installed()
     }
 }

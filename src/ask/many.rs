@@ -1,4 +1,4 @@
-//! Many questions on all cores, and grasps that are not known exactly.
+//! Many questions on all cores, and grasps with uncertain data.
 
 use super::grasp::Grasp;
 use crate::equilibrium::Outcome;
@@ -9,8 +9,7 @@ use crate::prelude::*;
 use crate::sweep::{Reserve, RobustOnset, Uncertainty, map_in_order};
 
 impl<const C: usize> Grasp<C> {
-    /// The equilibria under many loads, each that of [`Self::solve`], in the order of the
-    /// loads; an error in one does not stop the rest.
+    /// The equilibria under many loads, each as from [`Self::solve`], in the order of the loads; an error in one does not stop the others.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -29,8 +28,7 @@ impl<const C: usize> Grasp<C> {
         self.engine.solve_each(loads, &self.settings)
     }
 
-    /// The onsets of sliding along many ramps, each that of [`Self::onset`], in the order of the
-    /// ramps; an error in one does not stop the rest.
+    /// The onsets of sliding along many ramps, each as from [`Self::onset`], in the order of the ramps; an error in one does not stop the others.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
@@ -51,8 +49,8 @@ impl<const C: usize> Grasp<C> {
         self.engine.onset_each(ramps, &self.settings)
     }
 
-    /// The onsets of sliding while each of many loads turns, each that of [`Self::onset_of_turn`], in the order of the turns; an
-    /// error in one does not stop the rest.
+    /// The onsets of sliding while each of many loads turns, each as from [`Self::onset_of_turn`], in the order of the turns; an error in one does
+    /// not stop the others.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Turn};
@@ -73,8 +71,8 @@ impl<const C: usize> Grasp<C> {
         self.engine.onset_of_turn_each(turns, &self.settings)
     }
 
-    /// The onset of sliding with its mean and standard deviation to first order, by the gradients of the onset: samples of a grasp beside
-    /// it are asked for by [`Self::onset_of_samples`].
+    /// The onset of sliding with its mean and standard deviation to first order, from the gradients of the onset. [`Self::onset_of_samples`] has
+    /// samples for comparison.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
@@ -97,10 +95,10 @@ impl<const C: usize> Grasp<C> {
         self.engine.robust_onset(ramp, uncertainty, &self.settings)
     }
 
-    /// Up to which load everything keeps sticking with so many standard deviations in reserve, on top of a base load and in any direction. Of all grasps
-    /// that this one may be at most the part Φ(-sigmas) – 0.00135 for three – slides below [`Reserve::along`]. All contacts count, whichever would be the
-    /// first. What each datum does to the forces is looked at, not only its derivative; for what two do together a fifth of that part is kept. The report
-    /// `reserve` has samples beside it.
+    /// The load up to which everything sticks with `sigmas` standard deviations in reserve, on top of a base load and in any direction. Of all grasps
+    /// within the uncertainty at most the fraction Φ(-sigmas) – 0.00135 for three – slides below [`Reserve::along`]. All contacts count, not only the
+    /// first one to slide. The effect of each datum on the forces is followed beyond its derivative; a fifth of that fraction is kept for combined
+    /// effects of two data. The report `reserve` compares it with samples.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -117,7 +115,7 @@ impl<const C: usize> Grasp<C> {
     /// ```
     ///
     /// # Errors
-    /// As for [`Self::solve`]; [`Error::Argument`] unless `sigmas` are above 0 and at most 8; as for [`Self::sample`] where a datum cannot be off so far.
+    /// As for [`Self::solve`]; [`Error::Argument`] unless `sigmas` is above 0 and at most 8; as for [`Self::sample`] if a datum cannot be off so far.
     #[doc(alias = "safety margin")]
     #[doc(alias = "reliability")]
     pub fn reserve(
@@ -129,9 +127,8 @@ impl<const C: usize> Grasp<C> {
         self.engine.reserve(base, uncertainty, sigmas, &self.settings)
     }
 
-    /// The onsets of sliding ([`Self::onset`]) of so many samples, in the order of their numbers,
-    /// which are [`Self::sample`] 0, 1, …, each under its own load: the same bits for any number of
-    /// threads. An error in one does not stop the rest.
+    /// The onsets of sliding ([`Self::onset`]) of the samples 0, 1, …, `samples` - 1 of [`Self::sample`], each under its own load, in this order. The
+    /// bits are the same for any number of threads. An error in one does not stop the others.
     #[must_use]
     pub fn onset_of_samples(
         &self,
@@ -142,20 +139,20 @@ impl<const C: usize> Grasp<C> {
         self.engine.onset_of_samples(ramp, uncertainty, samples, &self.settings)
     }
 
-    /// What the grasp may be, joint springs of a hand included: sample `number` of those with the seed, whatever else is sampled. See
-    /// [`Uncertainty`]. What the load may be is told by [`Uncertainty::load_factor`].
+    /// Sample `number` of the grasp within an uncertainty, joint springs of a hand included. It depends on the seed and the number alone, whatever
+    /// else is sampled. See [`Uncertainty`]; the load of a sample is in [`Uncertainty::load_factor`].
     ///
     /// # Errors
-    /// [`Error::Contact`] if an uncertainty is not a number, or so large that a datum leaves its
-    /// range (1e50 at most). [`Error::NotForHands`] for uncertain positions of a hand's contacts, whose joints would move them otherwise.
+    /// [`Error::Contact`] if an uncertainty is not a number, or so large that a datum leaves its range (1e50 at most). [`Error::NotForHands`] for
+    /// uncertain positions of a hand's contacts, which would move differently with its joints.
     pub fn sample(&self, uncertainty: &Uncertainty, number: u64) -> Result<Self, Error> {
         let engine = self.engine.sample(uncertainty, number)?;
         Ok(Self { engine, settings: self.settings })
     }
 }
 
-/// The onsets of sliding of many grasps along one ramp, each that of [`Grasp::onset`], in the order
-/// of the grasps; an error in one does not stop the rest.
+/// The onsets of sliding of many grasps along one ramp, each as from [`Grasp::onset`], in the order of the grasps; an error in one does not stop the
+/// others.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};

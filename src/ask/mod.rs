@@ -1,10 +1,11 @@
-//! Questions put to a grasp.
+//! Questions to a grasp.
 //!
-//! [`Grasp`] is the one type to ask. Behind it stands an engine for as many coordinates as the grasp has; who asks need not know.
-//! What is rarely asked has a view of its own: [`Statics`], [`Sensitivity`], [`Energy`].
+//! [`Grasp`] is the one type to ask. Its engine has as many coordinates as the grasp needs; callers need not know their number. Rare questions have
+//! views of their own: [`Statics`], [`Sensitivity`], [`Energy`].
 
-// First, for the page of its documentation begins with what stands here.
+// First, because the documentation of `Grasp` begins with the methods of the first file.
 mod grasp;
+mod installed;
 
 mod changed;
 mod closer_look;

@@ -1,4 +1,4 @@
-//! Where the first contact stops sticking, along a load or as it turns.
+//! The load or the angle at which the first contact stops sticking.
 
 use super::grasp::Grasp;
 use crate::equilibrium::Equilibrium;
@@ -36,7 +36,7 @@ impl<const C: usize> Grasp<C> {
     /// the plane exact, in space on the round cone. No stepping and no bisection: a linear equation for each facet in the plane, a quadratic
     /// one for each contact on the round cone.
     ///
-    /// The equilibrium there and what comes next are one call further: [`Self::state_at_onset`], [`Self::beyond`].
+    /// The equilibrium at the onset and the behaviour beyond it need one more call: [`Self::state_at_onset`], [`Self::beyond`].
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
@@ -60,8 +60,8 @@ impl<const C: usize> Grasp<C> {
         self.engine.onset(ramp, &self.settings)
     }
 
-    /// The equilibrium at an onset: everything sticks, the leaving contacts stand on the edge of their cone. `None` for the event of a grasp
-    /// with another number of contacts.
+    /// The equilibrium at an onset: everything sticks, and the leaving contacts are on the edge of their cone. `None` for the event of a grasp with
+    /// another number of contacts.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -77,10 +77,10 @@ impl<const C: usize> Grasp<C> {
     /// ```
     #[must_use]
     pub fn state_at_onset(&self, event: &OnsetEvent<C>) -> Option<Equilibrium<C>> {
-        self.engine.state_at_onset(event)
+        self.engine.state_at_onset(event, &self.settings)
     }
 
-    /// What comes after an onset; see [`Self::beyond`].
+    /// The behaviour of the grasp just beyond an onset: see [`Beyond`].
     #[doc(alias = "gross slip")]
     #[must_use]
     pub fn beyond(&self, event: &OnsetEvent<C>) -> Option<Beyond<C>> {

@@ -1,4 +1,4 @@
-//! Load programs, followed from event to event or in steps.
+//! Load programs, followed from event to event or in steps, and loads that repeat.
 
 use super::grasp::Grasp;
 use crate::error::Error;
@@ -7,21 +7,25 @@ use crate::load_path::{Leg, LoadPath, PatchPath, SteppedPath};
 use crate::shake::Shaken;
 
 impl<const C: usize> Grasp<C> {
-    /// Follows a load program from the equilibrium under `start` (that of [`Self::solve`]) with the finger commands of the grasp, on the
-    /// exact cone: in space the round one. Nothing is computed beyond the start until the path is asked for an event. See [`LoadPath`],
-    /// and [`Leg`] for an example. It ends where a suction cup is open all around. For hundreds of contacts and more there are [`Self::follow_patch`] and [`Self::follow_in_steps`].
+    /// Follows a load program from the equilibrium under `start` (that of [`Self::solve`]) with the finger commands of the grasp, on the exact cone:
+    /// in space the round one. Events beyond the start are computed only when the path is asked for them. See [`LoadPath`], and [`Leg`] for an
+    /// example. The path ends where a suction cup is open all around. Where nothing resists the object any more, it moves on until a gap closes, if
+    /// that motion is small, and the path continues from there ([`Jump::reaches`](crate::load_path::Jump::reaches)); the paths of patches and of steps
+    /// end there. For hundreds of contacts and more use [`Self::follow_patch`] and [`Self::follow_in_steps`].
     ///
     /// # Errors
-    /// [`Error::Wrench`] if a load, [`Error::Contact`] if a command of a leg is not finite or beyond 1e50; [`Error::Size`] if a leg has more
-    /// or fewer commands than there are contacts. That there is no equilibrium to start from is [`PathEnd::NoStart`](crate::load_path::PathEnd::NoStart).
+    /// [`Error::Wrench`] if a load, [`Error::Contact`] if a command of a leg is not finite or beyond 1e50; [`Error::Size`] if a leg has more or fewer
+    /// commands than there are contacts. A missing equilibrium at the start is no error: the path ends with
+    /// [`PathEnd::NoStart`](crate::load_path::PathEnd::NoStart).
     #[doc(alias = "gross slip")]
     pub fn follow(&self, start: &Wrench<C>, legs: &[Leg<C>]) -> Result<LoadPath<'_, C>, Error> {
         self.engine.follow(start, legs, &self.settings)
     }
 
-    /// Does it survive a load that repeats? From rest under `base` a cycle of legs, which leads back to where it begins, is gone again and again. The grasp comes to rest,
-    /// contacts slide to and fro for ever, the object walks on by as much in every cycle, or it is lost in one of them. [`Shaken`] says which, for all time, in a
-    /// sentence; see [`shake`](crate::shake). It follows up to [`Settings::most_cycles`](crate::Settings::most_cycles) cycles.
+    /// Whether the grasp survives a load that repeats: from rest under `base` a closed cycle of legs is followed again and again. The grasp comes to
+    /// rest, contacts slide to and fro for ever, the object walks by the same amount in every cycle, or it is lost in one of them. [`Shaken`] says
+    /// which, for all time, in a sentence; see [`shake`](crate::shake). At most [`Settings::most_cycles`](crate::Settings::most_cycles) cycles are
+    /// followed.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
@@ -42,16 +46,15 @@ impl<const C: usize> Grasp<C> {
     /// ```
     ///
     /// # Errors
-    /// As for [`Self::follow`]; [`Error::NotClosed`] for a cycle that ends elsewhere.
+    /// As for [`Self::follow`]; [`Error::NotClosed`] for a cycle that does not end where it begins.
     #[doc(alias = "shakedown", alias = "ratcheting", alias = "vibration", alias = "cyclic load")]
     pub fn shake(&self, base: &Wrench<C>, cycle: &[Leg<C>]) -> Result<Shaken<C>, Error> {
         self.engine.shake(base, cycle, &self.settings)
     }
 
-    /// Follows a load program from the equilibrium under `start` with the finger commands of the
-    /// grasp, for any number of contacts. An event costs about as much as the contacts that it
-    /// concerns. In space on the default polygonal cone, 8 facets inside the round one; for the round one
-    /// there is [`Self::follow_in_steps`]. Vacuums of suction cups stay on whatever their lips do. See [`PatchPath`].
+    /// Follows a load program from the equilibrium under `start` with the finger commands of the grasp, for any number of contacts. An event costs
+    /// about as much as the contacts that it concerns. In space the cone is the default polygon, 8 facets inside the round one;
+    /// [`Self::follow_in_steps`] has the round one. Vacuums of suction cups stay on, whatever their lips do. See [`PatchPath`].
     ///
     /// # Errors
     /// As for [`Self::follow`]; [`Error::NotForHands`]; [`Error::KineticFriction`]; [`Error::StraightOnly`] if the load of a leg turns.
@@ -59,15 +62,15 @@ impl<const C: usize> Grasp<C> {
         self.engine.follow_patch(start, legs, &self.settings)
     }
 
-    /// Follows a load program in steps from the equilibrium under `start`, for any number of contacts on the round cone: a patch that is
-    /// sheared and twisted. `error` is the estimated error of forces over the largest one that a leg may add, such as 1e-5. A step costs
-    /// a few passes over all contacts, by several threads with the same bits; steps are as long as the square root of the error. Vacuums of suction cups
-    /// stay on whatever their lips do. See [`SteppedPath`].
+    /// Follows a load program in steps from the equilibrium under `start`, for any number of contacts on the round cone: a patch that is sheared and
+    /// twisted. `error` is the estimated error of forces that a leg may add, over the largest force, such as 1e-5. A step costs a few passes over all
+    /// contacts, by several threads with the same bits. The length of a step is proportional to the square root of `error`. Vacuums of suction cups
+    /// stay on, whatever their lips do. See [`SteppedPath`].
     ///
-    /// Where no step leads on the path is [lost](crate::load_path::PathEnd::Lost), if the speed of the object or the rates of what stands on an edge tell how; else it is
-    /// [undecided](crate::load_path::PathEnd::Undecided).
+    /// If no step continues the path, it is [lost](crate::load_path::PathEnd::Lost) where the speed of the object or the rates of contacts on an edge
+    /// show how; else it is [undecided](crate::load_path::PathEnd::Undecided).
     ///
-    /// In the plane nothing turns, and [`Self::follow_patch`] tells every event exactly.
+    /// In the plane friction forces do not turn, and [`Self::follow_patch`] finds every event exactly.
     ///
     /// ```
     /// use grasp_lcp::load_path::PathEnd;

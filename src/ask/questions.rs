@@ -1,4 +1,4 @@
-//! What every engine answers, whatever its number of coordinates.
+//! The questions that every engine answers, for any number of coordinates.
 
 use alloc::sync::Arc;
 use core::fmt::Debug;
@@ -27,8 +27,8 @@ use crate::statics::{Budget, Closure, LoadLimit, WrenchBall, WrenchScale};
 use crate::structured::{Search, SearchSettings};
 use crate::sweep::{OnsetSpread, Reserve, RobustOnset, Uncertainty};
 
-/// Declares the questions once, and answers them by the engine's methods of the same names. Engines of hands refuse what knows no joints, so that it is
-/// compiled for the plane and for space alone.
+/// Declares the questions once, and answers them by the engine's methods of the same names. Engines of hands refuse the questions without joints, so
+/// these are compiled for the plane and for space alone.
 macro_rules! questions {
     (any $any:tt without_joints $other:tt) => {
         questions!(@trait $any $other);
@@ -120,7 +120,7 @@ macro_rules! questions {
     };
 }
 
-/// The engine of a grasp with other data.
+/// An engine with other data.
 type Changed<const C: usize> = Result<Arc<dyn Questions<C>>, Error>;
 
 questions! {
@@ -128,7 +128,6 @@ questions! {
         fn contacts(&self) -> &[Contact<C>];
         fn refuse_hands(&self, question: &'static str) -> Result<(), Error>;
         fn frame(&self, contact: usize) -> &SMatrix<f64, C, C>;
-        #[cfg(feature = "serde")]
         fn presses(&self) -> bool;
         fn links(&self) -> &[[SVector<f64, C>; 2]];
         fn joint_centres(&self) -> &[Option<SVector<f64, C>>];
@@ -150,7 +149,7 @@ questions! {
         fn hold(&self, ramp: &Ramp<C>, settings: &Settings) -> Result<Verdict<C>, Error>;
         fn onset_gradients(&self, event: &OnsetEvent<C>) -> Vec<OnsetGradient<C>>;
         fn onset(&self, ramp: &Ramp<C>, settings: &Settings) -> Result<Onset<C>, Error>;
-        fn state_at_onset(&self, event: &OnsetEvent<C>) -> Option<Equilibrium<C>>;
+        fn state_at_onset(&self, event: &OnsetEvent<C>, settings: &Settings) -> Option<Equilibrium<C>>;
         fn beyond(&self, event: &OnsetEvent<C>, settings: &Settings) -> Option<Beyond<C>>;
         fn follow(&self, start: &Wrench<C>, legs: &[Leg<C>], settings: &Settings) -> Result<LoadPath<'_, C>, Error>;
         fn shake(&self, base: &Wrench<C>, cycle: &[Leg<C>], settings: &Settings) -> Result<Shaken<C>, Error>;

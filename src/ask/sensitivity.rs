@@ -1,4 +1,4 @@
-//! How answers change with the data.
+//! Derivatives of answers by the data.
 
 use super::grasp::Grasp;
 use crate::equilibrium::Equilibrium;
@@ -9,16 +9,16 @@ use crate::load_path::{
 use crate::prelude::*;
 use crate::sweep::{OnsetSpread, Uncertainty};
 
-/// How the answers of a grasp change with its data, made by [`Sensitivity::of`](crate::ask::Sensitivity::of).
+/// Derivatives of a grasp's answers by its data, made by [`Grasp::sensitivity`].
 #[derive(Debug, Clone, Copy)]
 pub struct Sensitivity<'g, const C: usize>(pub(super) &'g Grasp<C>);
 
 impl<const C: usize> Sensitivity<'_, C> {
-    /// Derivatives of the onset by every parameter, one gradient for each leaving contact: `dτ = -dm / m'`. The margin that vanishes is
-    /// m = `μ F_n - |F_t|` (F_n where a contact opens), and m' its rate along the ramp. Of a load that turns they are those of the angle.
+    /// Derivatives of the onset by every parameter, one gradient for each leaving contact: `dτ = -dm / m'`. The vanishing margin is
+    /// m = `μ F_n - |F_t|` (F_n where a contact opens), and m' its rate along the ramp. For a load that turns they are derivatives of the angle.
     ///
-    /// Empty if a contact had closed on the way, since the history then enters, too, or closes there and slides at once. Empty as well if the event has
-    /// another number of contacts.
+    /// Empty if a contact had closed on the way, since its history then matters, too, or closes there and slides at once. Empty as well if the event
+    /// has another number of contacts.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
@@ -39,10 +39,10 @@ impl<const C: usize> Sensitivity<'_, C> {
         self.0.engine.onset_gradients(event)
     }
 
-    /// Derivatives of the onset by positions and normals of the contacts, one answer for each leaving contact, exact to first order: one
-    /// linear solve for each datum. Empty where [`Sensitivity::onset_gradients`](crate::ask::Sensitivity::onset_gradients) is.
+    /// Derivatives of the onset by positions and normals of the contacts, one for each leaving contact, exact to first order: one linear solve for
+    /// each datum. Empty where [`Sensitivity::onset_gradients`](crate::ask::Sensitivity::onset_gradients) is.
     ///
-    /// What a contact carries is seen from its frame: a frame that turns or moves changes the grasp map,
+    /// Forces of a contact are given in its frame; a frame that turns or moves changes the grasp map,
     ///
     /// ```text
     /// dF_i = -K_i (G_iᵀdq + dG_iᵀq),      Σ (G_i dF_i + dG_i F_i) = 0,      dτ = -dm / m'
@@ -63,8 +63,8 @@ impl<const C: usize> Sensitivity<'_, C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::NotForHands`] for a grasp by a hand, whose joints would move a contact at another place otherwise. Directions of normals
-    /// alone [`Sensitivity::of`](crate::ask::Sensitivity::of) knows for hands, too.
+    /// [`Error::NotForHands`] for a grasp by a hand, whose joints would move a contact at another place differently. Derivatives by directions of
+    /// normals alone are in [`Sensitivity::of`](crate::ask::Sensitivity::of), for hands, too.
     pub fn onset_gradients_by_geometry(
         &self,
         event: &OnsetEvent<C>,
@@ -72,8 +72,8 @@ impl<const C: usize> Sensitivity<'_, C> {
         self.0.engine.onset_gradients_by_geometry(event)
     }
 
-    /// How an equilibrium of this grasp answers to its finger commands while every contact keeps its state: one linear solve for each axis
-    /// of each contact. `None` if the equilibrium has another number of contacts, or if a command has no equilibrium in these states.
+    /// Response of an equilibrium of this grasp to its finger commands while every contact keeps its state: one linear solve for each axis of each
+    /// contact. `None` if the equilibrium has another number of contacts, or if a command has no equilibrium in these states.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Twist, Wrench};
@@ -98,8 +98,8 @@ impl<const C: usize> Sensitivity<'_, C> {
         self.0.of_equilibrium(equilibrium).engine.response(equilibrium)
     }
 
-    /// How an equilibrium answers to the joint commands of its hand while every contact and every drive keeps its state: as [`Sensitivity::response`](crate::ask::Sensitivity::response), with a column
-    /// for each joint and then each tendon.
+    /// Response of an equilibrium to the joint commands of its hand while every contact and every drive keeps its state: as
+    /// [`Sensitivity::response`](crate::ask::Sensitivity::response), with a column for each joint and then each tendon.
     ///
     /// ```
     /// use grasp_lcp::planar::hand::{Finger, Hand, Joint};
@@ -123,10 +123,10 @@ impl<const C: usize> Sensitivity<'_, C> {
         self.0.of_equilibrium(equilibrium).engine.joint_response(equilibrium)
     }
 
-    /// How an equilibrium of this grasp changes with one parameter while every contact keeps its state: one linear solve, exact.
-    /// On a load path what has slipped so far stays. `None` if an index is out of range, if the equilibrium has another number of
-    /// contacts, or if the change has no equilibrium in these states (a load on a free motion). `None`, too, for the position of a
-    /// contact of a hand, and where another geometry holds a motion that is free in this one.
+    /// Derivative of an equilibrium of this grasp by one parameter while every contact keeps its state: one linear solve, exact. On a load path the
+    /// slip so far stays. `None` if an index is out of range or the equilibrium has another number of contacts. `None`, too, if the change has no
+    /// equilibrium in these states (a load on a free motion), for the position of a contact of a hand, and where another geometry resists a motion
+    /// that is free in this one.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -147,7 +147,8 @@ impl<const C: usize> Sensitivity<'_, C> {
         self.0.of_equilibrium(equilibrium).engine.sensitivity(equilibrium, by)
     }
 
-    /// How far an onset spreads, of a ramp or of a load that turns. `None` where [`Sensitivity::onset_gradients`](crate::ask::Sensitivity::onset_gradients) is empty.
+    /// Spread of an onset, of a ramp or of a load that turns. `None` where [`Sensitivity::onset_gradients`](crate::ask::Sensitivity::onset_gradients)
+    /// is empty.
     ///
     /// # Errors
     /// [`Error::NotForHands`] for uncertain positions of a hand's contacts.
@@ -159,9 +160,8 @@ impl<const C: usize> Sensitivity<'_, C> {
         self.0.engine.onset_spread(event, uncertainty)
     }
 
-    /// The range of factors of a ramp, around 0, in which everything that touches sticks: for an affine choice of load or
-    /// commands all the values that a planner may take without sliding. Two onsets, one each way. `None` where at 0 something slides, nothing
-    /// holds, or neither is known.
+    /// The range of factors of a ramp, around 0, in which everything that touches sticks: all values of an affine load or command that a planner may
+    /// use without sliding. Two onsets, one in each direction. `None` if at 0 something slides, no equilibrium exists, or neither is known.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};

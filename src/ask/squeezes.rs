@@ -1,4 +1,4 @@
-//! How much squeeze suffices, and the worst case within bounds or of all directions.
+//! The least squeeze that suffices, and the worst case within bounds or over all directions.
 
 use super::grasp::Grasp;
 use crate::error::Error;
@@ -7,12 +7,11 @@ use crate::load_path::Ramp;
 use crate::squeeze::{Bounds, LeastOnset, LeastSqueeze, Loads, WeakestDirection};
 
 impl<const C: usize> Grasp<C> {
-    /// The least common factor of all finger commands with which every contact touches and sticks under each of a set of loads. On the round
-    /// cone in space.
+    /// The least common factor of all finger commands with which every contact touches and sticks under each of a set of loads; in space on the round
+    /// cone.
     ///
-    /// Every condition is linear in the factor or concave, so what suffices is an interval. A condition that is broken at one factor gives
-    /// another that is needed at least, where the next step begins: what is needed and what suffices meet in one number. Clearances stay as
-    /// they are.
+    /// Every condition is linear in the factor or concave, so the sufficient factors form an interval. A condition that is broken at one factor gives
+    /// a larger lower bound, at which the next step begins, until the bound itself suffices. Clearances do not change.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, LeastSqueeze, Loads, Turn, Wrench};
@@ -42,11 +41,11 @@ impl<const C: usize> Grasp<C> {
         self.engine.least_squeeze(loads, &self.settings)
     }
 
-    /// The least onset of sliding along a ramp over all commands and loads within bounds, with the case in which it is. On the round cone
-    /// in space. Exact, not by sampling: see [`Bounds`].
+    /// The least onset of sliding along a ramp over all commands and loads within bounds, with the case in which it is attained; in space on the
+    /// round cone. Exact, not by sampling: see [`Bounds`].
     ///
-    /// Of friction the worst case is the least: ask a grasp with that. Stiffness and geometry do not enter linearly;
-    /// [`Self::robust_onset`] has them to first order.
+    /// The worst case of friction is the smallest coefficient: ask a grasp with it. Stiffness and geometry do not enter linearly;
+    /// [`Self::robust_onset`] includes them to first order.
     ///
     /// ```
     /// use grasp_lcp::planar::{Bounds, Contact, Grasp, LeastOnset, Ramp, Wrench};
@@ -69,13 +68,13 @@ impl<const C: usize> Grasp<C> {
         self.engine.least_onset_within(ramp, bounds, &self.settings)
     }
 
-    /// The direction in which the least force through a point (m) makes a contact stop sticking, beside a base load. On the round cone in
-    /// space.
+    /// The direction in which the least force through a point (m) makes a contact stop sticking, in addition to a base load; in space on the round
+    /// cone.
     ///
-    /// Of each facet the worst direction is known in closed form: with forces `F⁰ + A x` it is `x` along `-Aᵀa`, of size `a·F⁰ / |Aᵀa|`.
+    /// The worst direction of each facet has a closed form: with forces `F⁰ + A x` it is `x` along `-Aᵀa`, of size `a·F⁰ / |Aᵀa|`.
     ///
-    /// The round cone has a facet at every angle. The least is found where a trigonometric polynomial falls below zero, see [the room](crate::squeeze).
-    /// So it is least over all directions up to rounding, whatever the number of minima.
+    /// The round cone has a facet at every angle. The least force is found where a trigonometric polynomial falls below zero, see
+    /// [`squeeze`](crate::squeeze). So it is the least over all directions up to rounding, whatever the number of minima.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, WeakestDirection, Wrench};

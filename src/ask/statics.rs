@@ -1,4 +1,4 @@
-//! Which loads any contact forces could balance.
+//! Loads that some contact forces could balance.
 
 use super::grasp::Grasp;
 use crate::equilibrium::{Decomposition, Equilibrium};
@@ -7,14 +7,14 @@ use crate::grasp::Wrench;
 use crate::shake::Shakedown;
 use crate::statics::{Budget, Closure, LoadLimit, WrenchBall, WrenchScale};
 
-/// Static questions to a grasp, made by [`Grasp::statics`]: springs and commands do not matter.
+/// Static questions to a grasp, made by [`Grasp::statics`]: all but [`shakedown`](Self::shakedown) are independent of springs and commands.
 #[derive(Debug, Clone, Copy)]
 pub struct Statics<'g, const C: usize>(pub(super) &'g Grasp<C>);
 
 impl<const C: usize> Statics<'_, C> {
     /// Whether contact forces inside their friction cones could balance any load, on the round cone in space.
     ///
-    /// Stiffness, commands and squeeze play no part in this: it says what fingers *could* hold if they pressed as needed, not what these do.
+    /// Stiffness, commands and squeeze play no part in this: fingers *could* balance the load if they pressed as needed, whether these do or not.
     ///
     /// ```
     /// use grasp_lcp::planar::{Closure, Contact, Grasp};
@@ -28,7 +28,8 @@ impl<const C: usize> Statics<'_, C> {
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     ///
-    /// Of several bodies it says whether any loads on all of them at once could be balanced, and if not, how bodies move with nothing against it.
+    /// For several bodies the question is about all loads on all of them at once. If these cannot be balanced, the answer has motions of the bodies
+    /// that nothing resists.
     ///
     /// ```
     /// use grasp_lcp::planar::{Bodies, Body, Closure, Contact};
@@ -48,7 +49,8 @@ impl<const C: usize> Statics<'_, C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::NotForHands`] for a grasp by a hand, [`Error::NotForJoints`] for bodies that one holds, or that a given force presses. [`Error::Vacuum`] where contacts alone do not hold it and suction cups hold some loads.
+    /// [`Error::NotForHands`] for a grasp by a hand, [`Error::NotForJoints`] for bodies that a hand holds or a given force presses. [`Error::Vacuum`]
+    /// if contacts alone do not hold the object and suction cups hold some loads.
     pub fn force_closure(&self) -> Result<Closure<C>, Error> {
         self.0.engine.force_closure(&self.0.settings)
     }
@@ -62,8 +64,8 @@ impl<const C: usize> Statics<'_, C> {
         self.0.engine.form_closure()
     }
 
-    /// The largest factor λ for which *some* contact forces with normal forces within a budget balance the load `base + λ direction`: limit
-    /// analysis, on the round cone in space. Vacuums of suction cups pull besides. What these fingers do as springs is for [`Grasp::hold`] to say.
+    /// The largest factor λ for which *some* contact forces with normal forces within a budget balance the load `base + λ direction`: limit analysis,
+    /// on the round cone in space. Vacuums of suction cups pull in addition. [`Grasp::hold`] shows how these fingers act as springs.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -80,8 +82,8 @@ impl<const C: usize> Statics<'_, C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Wrench`] if a load is not finite, or beyond 1e50; [`Error::Argument`] for a direction or a budget of nothing; [`Error::Unlimited`]
-    /// for a contact that is bonded, pulls or never slides; [`Error::NotForHands`] for a grasp by a hand.
+    /// [`Error::Wrench`] if a load is not finite, or beyond 1e50; [`Error::Argument`] for a direction or a budget of zero; [`Error::Unlimited`] for a
+    /// contact that is bonded, pulls or never slides; [`Error::NotForHands`] for a grasp by a hand.
     pub fn load_limit(
         &self,
         base: &Wrench<C>,
@@ -94,10 +96,9 @@ impl<const C: usize> Statics<'_, C> {
     /// The measure ε of Ferrari and Canny for normal forces within a budget, with the default [`WrenchScale`] and [`Settings`](crate::Settings): on the round
     /// cone in space.
     ///
-    /// Vacuums of suction cups pull besides: a load counts as balanced if forces within the budget balance it together with them.
+    /// Vacuums of suction cups pull in addition: a load counts as balanced if forces within the budget balance it together with them.
     ///
-    /// It is what some contact forces *could* do, if fingers were told. What these fingers do, squeezed this much, is for
-    /// [`Self::onset`](Grasp::onset) to say.
+    /// It measures what some contact forces *could* do. For these fingers with their squeeze, see [`Self::onset`](Grasp::onset).
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp};
@@ -119,11 +120,11 @@ impl<const C: usize> Statics<'_, C> {
         self.ferrari_canny_scaled(budget, &WrenchScale::of(self.0.contacts()))
     }
 
-    /// [`Statics::ferrari_canny`](crate::ask::Statics::ferrari_canny) with another scale of moments. [`Settings::most_steps`](crate::Settings::most_steps) bounds the support points that are asked
-    /// for.
+    /// [`Statics::ferrari_canny`](crate::ask::Statics::ferrari_canny) with another scale of moments.
+    /// [`Settings::most_steps`](crate::Settings::most_steps) limits the number of support points.
     ///
     /// # Errors
-    /// As for [`Statics::ferrari_canny`](crate::ask::Statics::ferrari_canny); [`Error::Argument`] for a scale whose point or length is none.
+    /// As for [`Statics::ferrari_canny`](crate::ask::Statics::ferrari_canny); [`Error::Argument`] for a scale whose point or length is out of range.
     pub fn ferrari_canny_scaled(
         &self,
         budget: Budget,
@@ -132,8 +133,8 @@ impl<const C: usize> Statics<'_, C> {
         self.0.engine.ferrari_canny(budget, scale, &self.0.settings)
     }
 
-    /// How much of a budget a load needs: with `Budget::Each(1.0)` the least largest normal force that balances it, N, with
-    /// `Budget::Total(1.0)` the least sum of them. Infinite where no forces do.
+    /// Budget that a load needs, as a lower and an upper bound: with `Budget::Each(1.0)` the least largest normal force that balances it, N, with
+    /// `Budget::Total(1.0)` the least sum of normal forces. Infinite if no forces balance it.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -158,8 +159,9 @@ impl<const C: usize> Statics<'_, C> {
     /// Splits the contact forces of an equilibrium of this grasp into equilibrating and interaction forces (section
     /// 5.2 of the paper).
     ///
-    /// The equilibrating forces are the least-squares solution of `Σ G_i F_i = -W`. In it the difference of the forces of any two
-    /// frictional contacts has no component along the line that joins them. Separated contacts carry neither. Lists as long as the shorter of grasp and equilibrium, if that is one of another grasp.
+    /// The equilibrating forces are the least-squares solution of `Σ G_i F_i = -W`. In it the difference of the forces of any two frictional contacts
+    /// has no component along the line that joins them. Separated contacts carry neither. For an equilibrium of another grasp the lists are as long
+    /// as the shorter of both.
     ///
     /// ```
     /// use grasp_lcp::nalgebra::Vector2;
@@ -180,11 +182,12 @@ impl<const C: usize> Statics<'_, C> {
         self.0.of_equilibrium(equilibrium).engine.decompose(equilibrium)
     }
 
-    /// Up to how many times these loads, beside a base load and in whichever order they come, some slips could keep everything from sliding: the shakedown
-    /// factor. With more the grasp never comes to rest as long as no contact opens; whether it does with less [`Grasp::shake`] says. In space
-    /// with a polygon around the round cone, of as many facets as [`Settings::cone`](crate::Settings::cone) has. `None` where no slips keep what is there at rest, or nothing resists a load.
+    /// The shakedown factor: the largest multiple of these loads, in addition to a base load and in any order, under which some slips could keep
+    /// everything from sliding. Beyond it the grasp never comes to rest as long as no contact opens; [`Grasp::shake`] decides whether it does below.
+    /// In space with a polygon around the round cone, of as many facets as [`Settings::cone`](crate::Settings::cone) has. `None` if no slips keep the
+    /// grasp at rest under the base load, or nothing resists a load.
     ///
-    /// It is the one static question that springs and commands matter to: slips push contacts against each other.
+    /// It is the one static question that depends on springs and commands: slips push contacts against each other.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};

@@ -1,4 +1,4 @@
-//! One question after another in the same memory, for loops that must not wait for an allocator.
+//! Memory for one question after another, for loops that must not wait for an allocator.
 
 use super::grasp::Grasp;
 use crate::contact::PolygonCone;
@@ -11,9 +11,9 @@ use crate::structured::{Search, SearchSettings};
 
 /// Memory for one onset after another, for loops that must not wait for an allocator: [`Grasp::onset`] with the same answers.
 ///
-/// From the second question on nothing is allocated for grasps with no more contacts, where one contact stops sticking before all others. Where
-/// several reach the edge of their cones together, a gap closes on the way, or the base does not clearly stick, rates decide what happens, and they
-/// take memory of their own. So do the factors of a grasp that is asked for the first time, and those of more than 256 contacts at every question.
+/// From the second question on nothing is allocated for grasps with no more contacts, if one contact stops sticking before all others. If several
+/// reach the edge of their cones together, a gap closes on the way, or the base does not clearly stick, rates decide, which allocate memory. So do
+/// the factors of a grasp at its first question, and those of more than 256 contacts at every question.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Grasp, OnsetWorkspace, Ramp, Wrench};
@@ -41,13 +41,13 @@ pub struct OnsetWorkspace<const C: usize> {
 }
 
 impl<const C: usize> OnsetWorkspace<C> {
-    /// A workspace without memory yet, for answers with these settings.
+    /// An empty workspace, for answers with these settings.
     #[must_use]
     pub fn new(settings: Settings) -> Self {
         Self { settings, ..Self::default() }
     }
 
-    /// The onset of a grasp along a ramp, as [`Grasp::onset`] tells it, up to the next question. Clone it to keep it.
+    /// The onset of a grasp along a ramp, as from [`Grasp::onset`], valid until the next question. Clone it to keep it.
     ///
     /// # Errors
     /// As for [`Grasp::onset`].
@@ -60,17 +60,14 @@ impl<const C: usize> OnsetWorkspace<C> {
 /// Memory for equilibria under one load after another, by Lemke's method on lists of contact
 /// states.
 ///
-/// After the first scene it allocates nothing for scenes with no more contacts. The first that needs
-/// Lemke's method after others that Newton's has settled is a first scene, too. With thousands of
-/// contacts the thread pool of the feature `parallel` may allocate.
+/// After the first scene it allocates nothing for scenes with no more contacts. The first scene that needs Lemke's method, after others that Newton's
+/// method has solved, counts as a first scene, too. With thousands of contacts the thread pool of the feature `parallel` may allocate.
 ///
-/// It looks for one equilibrium, in space on the polygonal cone or
-/// [on the round one](Self::on_the_round_cone), and says how exactly it satisfies every condition.
-/// It proves nothing where it finds none. [`Grasp::solve`] knows more ways to one, proofs that there
-/// is none, and the answer as physics.
+/// It searches for one equilibrium, in space on the polygonal cone or [on the round one](Self::on_the_round_cone), and reports how exactly it
+/// satisfies every condition. A search without a result proves nothing. [`Grasp::solve`] has more methods, proofs that no equilibrium exists, and the
+/// answer as physics.
 ///
-/// Each scene is solved by itself, from slips of zero: nothing of the answer before goes into the
-/// next one. `C` is 2 in the plane, 3 in space.
+/// Each scene is solved independently, from slips of zero: no answer enters the next one. `C` is 2 in the plane, 3 in space.
 #[derive(Debug, Clone)]
 pub struct Workspace<const C: usize> {
     asked: SearchSettings,
@@ -84,16 +81,14 @@ impl<const C: usize> Default for Workspace<C> {
 }
 
 impl<const C: usize> Workspace<C> {
-    /// A workspace without memory yet, for answers on this polygonal cone, which is looked at in
-    /// space only.
+    /// An empty workspace, for answers on this polygonal cone, which matters in space only.
     #[must_use]
     pub fn new(cone: PolygonCone) -> Self {
         Self { asked: SearchSettings { cone, round: false, one_path: false }, memory: Memory::default() }
     }
 
-    /// A workspace without memory yet, for answers on the round cone: by Newton's method from the
-    /// elastic trial state, else from an equilibrium on the default polygonal cone. In the plane
-    /// there is only one cone.
+    /// An empty workspace, for answers on the round cone: by Newton's method from the elastic trial state, else from an equilibrium on the default
+    /// polygonal cone. In the plane there is only one cone.
     ///
     /// ```
     /// use grasp_lcp::spatial::{Contact, Grasp, Wrench};
@@ -118,7 +113,7 @@ impl<const C: usize> Workspace<C> {
         workspace
     }
 
-    /// The polygonal cone that answers are for, or that leads to the round one.
+    /// The polygonal cone of the answers, or of the proposals for the round cone.
     #[must_use]
     pub fn cone(&self) -> PolygonCone {
         self.asked.cone
@@ -130,9 +125,8 @@ impl<const C: usize> Workspace<C> {
         self.asked.round
     }
 
-    /// An equilibrium of a grasp under a load on the object. It is found by Newton's method from 32
-    /// contacts on and on the round cone, if that arrives, else along up to four of Lemke's paths from
-    /// the elastic trial state. A step of Newton's method and a pivot cost O(n) with n contacts.
+    /// An equilibrium of a grasp under a load on the object. From 32 contacts on, and on the round cone, Newton's method comes first. If it does not
+    /// converge, up to four of Lemke's paths from the elastic trial state follow. A step of Newton's method and a pivot cost O(n) with n contacts.
     ///
     /// ```
     /// use grasp_lcp::PolygonCone;
@@ -160,8 +154,8 @@ impl<const C: usize> Workspace<C> {
         grasp.engine.search_in(load, &self.asked, &mut self.memory)
     }
 
-    /// The same along Lemke's first path only, that of the covering vector of ones, whatever the
-    /// number of contacts. On the round cone Newton's method goes on from where it leads.
+    /// As [`Self::solve`], along Lemke's first path only, with the covering vector of ones, for any number of contacts. On the round cone Newton's
+    /// method continues from its end.
     ///
     /// # Errors
     /// As for [`Workspace::solve`].

@@ -1,4 +1,4 @@
-//! How far an answer is from the exact one, and how strongly it depends on the last digits of the question.
+//! Estimated error of an answer, and its dependence on the last digits of the question.
 
 use nalgebra::SVector;
 
@@ -13,28 +13,27 @@ use crate::search::Rung;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// Patterns of signs with which the data are varied.
+/// Number of sign patterns with which the data are varied.
 const PATTERNS: u64 = 3;
 
-/// How far an equilibrium is from the exact one for its contact states.
+/// Estimated errors of an equilibrium, relative to the exact one with the same contact states, and its condition.
 ///
-/// Errors are found by evaluating the conditions in twice the working precision and solving for what is left of them; the
-/// condition by varying all data in a few patterns of signs at once (small-sample estimates, C. S. Kenney and A. J. Laub,
-/// SIAM J. Sci. Comput. 15, 1994).
+/// The errors come from the residual of the conditions, evaluated in twice the working precision, and a solve for it. The condition comes from
+/// varying all data at once, in a few patterns of signs (small-sample estimates, C. S. Kenney and A. J. Laub, SIAM J. Sci. Comput. 15, 1994).
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Accuracy {
-    /// Estimated error of the contact forces, N: that of the contact with the largest. The data – points, contact frames, stiffnesses, friction,
-    /// commands, load – are taken as exact.
+    /// Estimated error of the contact forces, N: the largest of all contacts. The data – points, contact frames, stiffnesses, friction, commands,
+    /// load – are taken as exact.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub force: f64,
-    /// Estimated error of the displacements of the body at the contacts, m: that of the contact with the largest. Free motions do not count.
+    /// Estimated error of the displacements of the body at the contacts, m: the largest of all contacts. Free motions do not count.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub displacement: f64,
-    /// Condition of the contact forces: if all data are known to a relative error ε, the forces are known to about this times ε, relative
-    /// to the largest. A normal that was rounded to double precision alone makes it `condition · 1.1e-16`.
+    /// Condition of the contact forces: if all data have a relative error ε, the forces have about this times ε, relative to the largest. Rounding of
+    /// a normal to double precision alone causes `condition · 1.1e-16`.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub condition: f64,
 }
@@ -43,14 +42,14 @@ impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Grasp::accuracy`](crate::ask::Grasp::accuracy).
     pub(crate) fn accuracy(&self, equilibrium: &Equilibrium<C>) -> Option<Accuracy> {
         let problem = self.problem_of(equilibrium)?;
-        // Slips along a path on the round cone are integrated: its law is not that of one state.
+        // Slips along a path on the round cone are integrated: its law is not that of a single state.
         let slides = equilibrium.local.states.iter().any(State::slides);
         if equilibrium.rule == Rung::LoadPath && equilibrium.cone == Cone::Round && slides {
             return None;
         }
         let at = PieceState { forces: equilibrium.site_forces(), twist: equilibrium.local.twist.to() };
         let twist = PreciseTwist::new(problem.size(), at.twist.clone());
-        // Slides on the round cone belong to forces and slips as they are now.
+        // Slides on the round cone follow the present forces and slips.
         let states = problem.slid_on(&equilibrium.local.states, &at.forces, &twist);
         let piece = Piece::new(&problem, &states);
         let largest = problem.largest_force(&at.forces, &at.twist);
@@ -59,7 +58,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let mut displacement = 0.0_f64;
         for (i, site) in self.sites().iter().enumerate() {
             let moved = site.map.tr_mul(&missing.twist).norm();
-            // Displacements are sums of this size, rounded.
+            // Displacements are sums of terms of this size, rounded.
             displacement = displacement.max(moved + 0.5 * f64::EPSILON * problem.span(i, &at.twist));
         }
         let varied = |pattern| {
@@ -78,7 +77,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         })
     }
 
-    /// The local problem that an equilibrium solves; `None` for one with another number of contacts.
+    /// The local problem that an equilibrium solves; `None` for an equilibrium with another number of contacts.
     pub(super) fn problem_of(&self, equilibrium: &Equilibrium<C>) -> Option<Problem<'_, D, C>> {
         if !equilibrium.knows_all_of(self.sites().len()) {
             return None;
@@ -93,11 +92,11 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 }
 
-/// What the conditions miss, to first order, if every number of the question changes by its own size, up or down as the pattern says.
+/// First-order residual of the conditions if every number of the question changes by its own size, up or down by the pattern of signs.
 struct Variation<D: Size, const C: usize> {
     stretches: Vec<SVector<f64, C>>,
     load: Vector<D>,
-    /// Change of the forces by friction.
+    /// Change of the friction forces by their coefficients.
     dragged: Vec<SVector<f64, C>>,
 }
 
@@ -132,7 +131,7 @@ impl<D: Size, const C: usize> Variation<D, C> {
                 }
             }
             site.map.push(&variation.dragged[i], &mut variation.load);
-            // The digits of a point count from the origin it is given in, not from its neighbours.
+            // The digits of a point count from the origin of its coordinates, not from its neighbours.
             let point = grasp
                 .contacts()
                 .get(i)

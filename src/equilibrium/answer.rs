@@ -9,6 +9,7 @@ use super::hand_answer::{JointAnswer, TendonAnswer};
 use super::no_equilibrium::NoEquilibrium;
 use super::pad_answer::PadAnswer;
 use super::residuals::Residuals;
+use super::too_far::TooFar;
 use crate::contact::{Coulomb, State};
 use crate::forms::LeftOut;
 use crate::grasp::{BodyLoad, BodyMotion, Coordinates, Motion, Twist, WholeContact, Wrench};
@@ -68,6 +69,11 @@ pub struct Equilibrium<const C: usize> {
     /// Loads on bodies of their own that a [program](crate::load_path::Leg::body_load_by) has put on beside `load`; what always acts on them is not among them.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub body_loads: Vec<BodyLoad<C>>,
+    /// The motion that is farthest beyond [small motions](crate::Settings::small_motions): contact points and normals stay where they are in all that is
+    /// computed, so that the answer solves the question as it was put and says little about the object. A taper of 1e-9 rad holds any load, once the
+    /// object has gone far enough along it. `None` where all motions are small.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub too_far: Option<TooFar>,
     /// Contact by contact, in the order of the grasp; a soft fingertip of a scene point by point.
     pub contacts: Vec<ContactAnswer<C>>,
     /// Soft fingertips, the points of each together.
@@ -122,20 +128,10 @@ pub struct Equilibrium<const C: usize> {
 }
 
 impl<const C: usize> Equilibrium<C> {
-    /// Rotation from which motions are not small, rad: there the first order misses a tenth of an arm's length. It only labels answers.
-    pub const LARGE_ROTATION: f64 = 0.5;
-
-    /// Whether the object turns by more than [`Self::LARGE_ROTATION`]. Contact points and normals stay where they are in all that is computed here. So such
-    /// an answer solves the question as it was put, and says little about the object. A taper of 1e-9 rad holds any load, once the object has
-    /// gone far enough along it.
+    /// Whether a motion is [too far](Self::too_far) to be small.
     #[must_use]
     pub fn is_beyond_small_motions(&self) -> bool {
-        // One angle in the plane, three in space.
-        let turns = |twist: &Twist<C>| {
-            let rotation = twist.components().iter().skip(C);
-            rotation.map(|angle| angle * angle).sum::<f64>().sqrt() > Self::LARGE_ROTATION
-        };
-        turns(&self.twist) || self.bodies.iter().any(|body| turns(&body.twist))
+        self.too_far.is_some()
     }
 
     /// The largest force among those of contacts and the load, N: what a person reads as a force is one beside this.

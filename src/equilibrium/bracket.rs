@@ -1,4 +1,4 @@
-//! What facets do to an answer: the polygon inside the round cone, the cone itself, the polygon around it.
+//! Effect of facets on an answer: the polygon inside the round cone, the cone itself, the polygon around it.
 
 use super::answer::{Equilibrium, Outcome};
 use crate::contact::{Fit, PolygonCone};
@@ -9,21 +9,21 @@ use crate::search::Settings;
 
 /// One load on three friction cones: inscribed polygon ⊂ round cone ⊂ circumscribed polygon.
 ///
-/// What follows from the inclusion:
+/// Consequences of the inclusion:
 ///
-/// * What sticks on a smaller cone sticks on a larger one with the same forces. If everything that touches sticks on the inscribed
-///   polygon, the three answers are one.
+/// * A contact that sticks on a smaller cone sticks on a larger one with the same forces. If everything that touches sticks on the inscribed
+///   polygon, the three answers are equal.
 /// * The onset of sliding is bracketed, from a base that the inscribed polygon answers by
 ///   [`Rung::EverythingSticks`](super::Rung::EverythingSticks) or
 ///   [`Rung::EverythingTouchingSticks`](super::Rung::EverythingTouchingSticks): until the first contact slides or opens, forces do not
-///   depend on the cone. The factors of [`Grasp::onset`](crate::ask::Grasp::onset) on the two polygons then have that of [`Grasp::onset`](crate::ask::Grasp::onset) between
-///   them. From other bases they need not: there the inscribed polygon may have come to rest on fewer contacts.
-/// * A load that [a motion separates](super::Proof::SeparatingMotion) from everything the circumscribed polygon can do is too much
+///   depend on the cone. The factor of [`Grasp::onset`](crate::ask::Grasp::onset) on the round cone then lies between those on the two polygons.
+///   From other bases it need not: there the inscribed polygon may have come to rest on fewer contacts.
+/// * A load that [a motion separates](super::Proof::SeparatingMotion) from all forces of the circumscribed polygon is too large
 ///   for the round cone as well, with any stiffness.
 ///
-/// Once contacts slide there is no such order: a force on a larger cone may be smaller, and the direction of slip on a polygon
-/// jumps from normal to normal. The spread is then the measured effect of the facets, **not a bound** of the round answer's
-/// distance to either, nor must that answer lie between them. Where several equilibria exist the three may be different ones.
+/// Once contacts slide there is no such order: a force on a larger cone may be smaller, and the direction of slip on a polygon jumps from normal to
+/// normal. The spread is then the measured effect of the facets, **not a bound** on the distance of the round answer to either. That answer need
+/// not lie between them. If several equilibria exist, the three may be different ones.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct Bracket<const C: usize> {
@@ -33,7 +33,7 @@ pub struct Bracket<const C: usize> {
     pub round: Outcome<C>,
     /// The answer on the polygon with facets that touch the round cone.
     pub circumscribed: Outcome<C>,
-    /// How far they lie apart; `None` unless all three are equilibria.
+    /// Largest distances between them; `None` unless all three are equilibria.
     pub spread: Option<Spread>,
 }
 

@@ -1,34 +1,48 @@
-//! The friction cone that an answer is for.
+//! The friction cone of an answer, and the range of its small motions.
 
 use crate::contact::PolygonCone;
-use crate::search::Settings;
+use crate::search::{Settings, SmallMotions};
 
-/// The friction cone an answer is for.
+/// What an answer is for.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct AnswerFor {
+    pub(crate) cone: Cone,
+    pub(crate) small: SmallMotions,
+}
+
+impl AnswerFor {
+    /// What answers with C axes a contact are for.
+    pub(crate) fn of<const C: usize>(settings: &Settings) -> Self {
+        Self { cone: Cone::of::<C>(settings), small: settings.small_motions }
+    }
+}
+
+/// The friction cone of an answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Cone {
-    /// The planar cone, which is polygonal by nature: nothing is approximated.
+    /// The planar cone, which is polygonal and so exact.
     Planar,
-    /// A polygon in place of the round cone.
+    /// A polygon that replaces the round cone.
     Polygon(PolygonCone),
     /// The round cone in space.
     Round,
 }
 
 impl Cone {
-    /// The cone that answers with C axes a contact are for.
+    /// The cone of answers with C axes a contact.
     pub(crate) fn of<const C: usize>(settings: &Settings) -> Self {
         if settings.is_round::<C>() { Self::Round } else { Self::polygonal::<C>(settings) }
     }
 
-    /// The polygonal cone of the settings, which is the exact one in the plane.
+    /// The polygonal cone of the settings, in the plane the exact one.
     pub(crate) fn polygonal<const C: usize>(settings: &Settings) -> Self {
         if C == 2 { Self::Planar } else { Self::Polygon(settings.cone) }
     }
 
-    /// Facets of a formulation with this cone: 2 in the plane, and the one facet that touches a round cone.
+    /// Facets of a form with this cone: 2 in the plane, and the one tangent facet of a round cone.
     pub(crate) fn facets(self) -> usize {
         match self {
             Self::Planar => 2,

@@ -1,4 +1,4 @@
-//! What one contact does in an equilibrium, and what it carries.
+//! State and forces of one contact in an equilibrium.
 
 use nalgebra::SVector;
 
@@ -14,10 +14,10 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct ContactAnswer<const C: usize> {
-    /// Which contact.
+    /// Label of the contact.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub contact: ContactLabel,
-    /// What the contact does.
+    /// State of the contact.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub state: ContactState<C>,
     /// Force of the finger on the object in the contact frame, N: (`F_n`, `F_t`…); `F_n` > 0 pushes. Without friction `F_t` is zero.
@@ -29,9 +29,9 @@ pub struct ContactAnswer<const C: usize> {
     /// Gap between the surfaces along the normal, `n·u_c - a_n` if that is positive, m; zero for a closed contact.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub gap: f64,
-    /// Slip of the finger over the body in the contact frame, `s = a_t - t·u_c - F_t/k_t`, m; its normal component is zero. Along F_t
-    /// where it slides, zero where it sticks; on a load path all the slip so far, which a sticking contact keeps. For a separated or
-    /// frictionless contact: how far the surfaces have moved past each other.
+    /// Slip of the finger over the body in the contact frame, `s = a_t - t·u_c - F_t/k_t`, m; its normal component is zero. It is along F_t where the
+    /// contact slides, and zero where it sticks. On a load path it is all the slip so far, which a sticking contact keeps. For a separated or
+    /// frictionless contact it is the displacement of the surfaces past each other.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub slip: SVector<f64, C>,
     /// Friction in reserve of a sticking contact, N: `μ F_n - |F_t|` in the plane and on the round cone, on a polygon the least of
@@ -39,14 +39,14 @@ pub struct ContactAnswer<const C: usize> {
     /// frictionless contact.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub margin: f64,
-    /// Whether working precision tells the state from its neighbours, where that was asked for: `None` unless a scene that asks to `solve` has
-    /// told it, see [`Grasp::distinct`](crate::ask::Grasp::distinct).
+    /// Whether working precision distinguishes the state from its neighbours, see [`Grasp::distinct`](crate::ask::Grasp::distinct). `None` where it
+    /// was not computed; scenes that ask to `solve` compute it.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub distinct: Option<bool>,
-    /// Displacement u_c of the body's core at the contact, that of the rigid object, coordinate axes, m.
+    /// Displacement u_c of the body's core at the contact, as part of the rigid object, along the coordinate axes, m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub body_core: SVector<f64, C>,
-    /// Displacement u_d of the body's surface, coordinate axes, m; `None`, and not written, if only the series stiffness is known.
+    /// Displacement u_d of the body's surface, coordinate axes, m; `None`, and omitted, if only the series stiffness is known.
     #[cfg_attr(
         feature = "serde",
         serde(
@@ -57,7 +57,7 @@ pub struct ContactAnswer<const C: usize> {
     )]
     #[cfg_attr(feature = "schema", schemars(!default))]
     pub body_surface: Option<SVector<f64, C>>,
-    /// Displacement u_e of the finger's surface, coordinate axes, m; `None`, and not written, if only the series stiffness is known.
+    /// Displacement u_e of the finger's surface, coordinate axes, m; `None`, and omitted, if only the series stiffness is known.
     #[cfg_attr(
         feature = "serde",
         serde(
@@ -83,8 +83,8 @@ impl<const C: usize> ContactAnswer<C> {
         self.force.iter().skip(1).fold(0.0, |h: f64, f| h.hypot(*f))
     }
 
-    /// How much friction is used, `|F_t| / F_n`, to be compared with μ; zero where nothing presses. Of no meaning for a bonded contact,
-    /// whose normal force may pull.
+    /// Friction used, `|F_t| / F_n`, to be compared with μ; zero where nothing presses. It has no meaning for a bonded contact, whose normal force
+    /// may pull.
     #[must_use]
     pub fn friction_used(&self) -> f64 {
         let friction = self.friction_force();
@@ -106,7 +106,7 @@ impl ContactAnswer<2> {
     }
 }
 
-/// What a contact does.
+/// State of a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -117,16 +117,16 @@ impl ContactAnswer<2> {
 pub enum ContactState<const C: usize> {
     /// Open, or touching without force: F = 0, gap >= 0.
     Separated,
-    /// Closed and stuck: gap = 0, no slip (on a load path none beyond what it has slipped before), `|F_t| <= μ F_n`. The paper
-    /// says rolling; today that word is kept for a fingertip that rolls. A bonded contact is always in this state, whatever its force.
+    /// Closed and stuck: gap = 0, no slip (on a load path no more than before), `|F_t| <= μ F_n`. The paper calls it rolling; today that word is used
+    /// for a fingertip that rolls. A bonded contact is always in this state, whatever its force.
     #[doc(alias = "rolling")]
     Sticking,
     /// Closed and on the edge of its cone: gap = 0, `|F_t| = μ F_n`, F_t along the slip.
     Sliding {
-        /// Unit direction in which the finger slips over the body, coordinate axes; friction pulls the body that way.
+        /// Unit direction in which the finger slips over the body, coordinate axes; friction pulls the body in this direction.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         direction: SVector<f64, C>,
     },
-    /// Closed without friction: F_t = 0 and the surfaces move past each other as they like.
+    /// Closed without friction: F_t = 0, and the surfaces move freely past each other.
     Frictionless,
 }

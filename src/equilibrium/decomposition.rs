@@ -11,24 +11,24 @@ use crate::numerics::{Map, Size};
 use crate::object::least_forces;
 use crate::prelude::*;
 
-/// Contact forces split in two, each along the coordinate axes, contact by contact (N).
+/// Contact forces in two parts, each along the coordinate axes, contact by contact (N).
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Decomposition<const C: usize> {
     /// The smallest forces that balance the load: `F_E = -G⁺W` over the contacts that carry force.
     pub equilibrating: Vec<SVector<f64, C>>,
-    /// What the contacts only exert on each other: `F_I = F - F_E`, with `Σ G_i F_I = 0`.
+    /// Forces that contacts exert on each other only: `F_I = F - F_E`, with `Σ G_i F_I = 0`.
     pub interaction: Vec<SVector<f64, C>>,
 }
 
 impl<D: Size, const C: usize> Engine<D, C> {
-    /// [`Grasp::decompose`](crate::ask::Grasp::decompose).
+    /// [`Statics::decompose`](crate::ask::Statics::decompose).
     pub(crate) fn decompose(&self, equilibrium: &Equilibrium<C>) -> Decomposition<C> {
         let contact = |i: usize| equilibrium.contacts.get(i);
         let carries: Vec<bool> =
             (0..self.len()).map(|i| contact(i).is_some_and(|c| c.state != ContactState::Separated)).collect();
         let load = self.inside_unchecked(&self.with_vacuum(&equilibrium.load));
-        // Forces on the object, whatever joints are behind them.
+        // Only forces on the object count, whatever joints are behind the contacts.
         let load = object_alone::<D, C>(&load);
         let on_object = |site: &Site<D, C>| {
             let mut map = Map::zeros(site.map.size());

@@ -33,6 +33,7 @@ impl<const C: usize> fmt::Display for Equilibrium<C> {
         if let Some(caution) = self.caution() {
             write!(f, "; {caution}")?;
         }
+        self.told_free_motions(words).iter().try_for_each(|free| write!(f, "; {free}"))?;
         if let Some(gone) = self.vacuum_gone() {
             write!(f, "; {gone}")?;
         }
@@ -121,10 +122,17 @@ impl<const C: usize> Equilibrium<C> {
         self.bodies.iter().map(|body| words.body_motion(body)).collect()
     }
 
-    /// What is to be said beside the answer: that it [is no small motion](Self::is_beyond_small_motions).
+    /// What is to be said beside the answer: that it [is no small motion](Self::too_far).
     #[must_use]
-    pub fn caution(&self) -> Option<&'static str> {
-        self.is_beyond_small_motions().then_some("far beyond the small motions that this is good for")
+    pub fn caution(&self) -> Option<String> {
+        self.too_far.as_ref().map(|far| format!("{far}, beyond the small motions that this is good for"))
+    }
+
+    /// The [motions that nothing resists](Self::free_motions): "nothing resists turning about …".
+    #[must_use]
+    pub fn told_free_motions(&self, words: Words) -> Vec<String> {
+        let told = |motion| format!("nothing resists {}", words.direction_of(motion));
+        self.free_motions.iter().map(told).collect()
     }
 }
 

@@ -1,7 +1,7 @@
-//! Which contact states working precision tells apart from their neighbours.
+//! Contact states that working precision distinguishes from their neighbours.
 //!
-//! Open and touching, sticking and sliding, sliding this way and that meet where a gap, a force, the friction in reserve or a slip
-//! vanishes. Next to such an edge the last digits of the question decide.
+//! Neighbouring states – open and touching, sticking and sliding, sliding in two directions – meet where a gap, a force, the friction in reserve or a
+//! slip vanishes. Next to such an edge the last digits of the question decide.
 
 use super::answer::Equilibrium;
 use crate::contact::{Mode, State};
@@ -10,10 +10,10 @@ use crate::numerics::Size;
 use crate::object::largest_force;
 use crate::prelude::*;
 
-/// A condition met by less than this part of the size of its terms may be rounding of the data. Normals, arms and products of
-/// them carry a few units of 1e-16, which well-posed grasps magnify a hundred times and more.
+/// Value of a condition, over the size of its terms, below which it may be rounding of the data. Normals, arms and their products carry a few units
+/// of 1e-16, which well-posed grasps magnify a hundred times and more.
 const ROUNDING_OF_DATA: f64 = 1e-12;
-/// A condition met by less than so many times the estimated error may be that error.
+/// Value of a condition, over the estimated error, below which it may be that error.
 const ERRORS: f64 = 10.0;
 
 impl<D: Size, const C: usize> Engine<D, C> {

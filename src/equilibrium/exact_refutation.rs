@@ -1,7 +1,7 @@
-//! A refutation checked once more in exact rational arithmetic, on the numbers of the problem as they are.
+//! Checks a refutation in exact rational arithmetic, on the numbers of the problem.
 //!
-//! Virtual forces are first balanced exactly, by six of them. Then every generator of what the law allows in a case is taken along, with polygons
-//! around arcs of directions: none may do more than the gain over [`ESCAPE`] times the data, for its length in √J.
+//! Virtual forces are first balanced exactly, by changing six of them. Then every generator of the law's set in a case is tested, with polygons
+//! around arcs of directions. Its work, for its length in √J, must not exceed the gain over [`ESCAPE`] times the data.
 
 use core::f64::consts::FRAC_PI_8;
 
@@ -19,7 +19,7 @@ use crate::search::{Settings, refute};
 
 type Rational = BigRational;
 
-/// Points of polygons around arcs are moved outwards by this part: more than the rounding of sines.
+/// Relative distance by which corners of polygons around arcs are moved outwards: more than the rounding of sines.
 const BEYOND_ROUNDING: f64 = 1e-15;
 
 fn exact(x: f64) -> Rational {
@@ -51,7 +51,7 @@ impl Exact {
         }
     }
 
-    /// Generators (ξ, F) of what the law allows under a label; the contact may open, and slides at finite friction.
+    /// Generators (ξ, F) of the law's set under a label; the contact may open, and slides at finite friction.
     fn generators(&self, label: &Label) -> Vec<[[Rational; 3]; 2]> {
         let zero = Rational::zero;
         let none = || [zero(), zero(), zero()];
@@ -93,7 +93,7 @@ impl Exact {
     }
 }
 
-/// Corners of a polygon around the arc of the unit circle between two angles, with twice the sides that proofs are made with.
+/// Corners of a polygon around the arc of the unit circle between two angles, with twice as many sides as in proofs.
 fn around(from: f64, to: f64) -> Vec<[Rational; 2]> {
     let pieces = (1..16).find(|k| to - from <= FRAC_PI_8 * f64::from(*k)).unwrap_or(16);
     let half = 0.25 * (to - from) / f64::from(pieces);
@@ -105,7 +105,7 @@ fn around(from: f64, to: f64) -> Vec<[Rational; 2]> {
     (0..2 * pieces).map(corner).chain([point(from, 1.0), point(to, 1.0)]).collect()
 }
 
-/// Forces that balance one another to the last digit: six of them are moved, by elimination.
+/// Forces that balance one another exactly: six of them are changed, by elimination.
 fn balanced(contacts: &[Exact], forces: &[SVector<f64, 3>]) -> Vec<Rational> {
     let mut forces: Vec<Rational> = forces.iter().flat_map(|f| f.iter().map(|x| exact(*x))).collect();
     let column = |j: usize| &contacts[j / 3].map[j % 3];
@@ -152,7 +152,7 @@ fn is_contradicted(
     let parts = || contacts.iter().zip(forces.chunks(3));
     let work = parts().fold(Rational::zero(), |sum, (contact, f)| sum + dot(f, &contact.drive));
     let gain = work - dot(&motion, &load);
-    // Nothing is lost by what balancing has moved.
+    // The changed forces balance without a residual.
     let sum =
         |k: usize| parts().flat_map(|(c, f)| (0..3).map(move |a| &c.map[a][k] * &f[a])).sum::<Rational>();
     assert!((0..6).all(|k| sum(k).is_zero()));
@@ -171,7 +171,7 @@ fn is_contradicted(
         })
 }
 
-/// Three fingers around a jar, each with a number of its own, pulled out with more than they hold.
+/// Three fingers around a jar, each with different data, pulled with more than they hold.
 fn jar(shift: f64, load: [f64; 3]) -> (Engine<Fixed<6>, 3>, Wrench<3>) {
     let finger = |k: f64| {
         let (sin, cos) = (2.0 * k + shift).sin_cos();
@@ -194,13 +194,13 @@ fn every_leaf_is_contradicted_in_exact_arithmetic() -> Result<(), crate::Error> 
         let escape = check(&problem, &steps).expect("a proof");
         let laws = problem.sites.iter().zip(problem.locals()).zip(&problem.drives);
         let contacts: Vec<_> = laws.map(|(law, drive)| Exact::new(law, drive)).collect();
-        // Data as in `check`: the trial state in √J.
+        // Size of the data as in `check`: the trial state in √J.
         let trial = problem.trial();
         let state = trial.solve(problem.sites, &problem.drives, problem.load()).expect("it is held");
         let stored = problem.sites.iter().zip(&state.forces).map(|(s, f)| 2.0 * s.springs.stored(f));
         let data = exact(stored.sum::<f64>().sqrt());
 
-        // A quarter of the load is held: the same steps cannot contradict every case of that.
+        // A quarter of the load is held, so the same steps cannot contradict every case of it.
         let (held, mut weak) = (grasp.problem_under(&(load * 0.25), &settings)?, 0);
         let mut open = vec![problem.each(|local| local.first_label())];
         for step in &steps {

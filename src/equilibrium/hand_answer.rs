@@ -1,4 +1,4 @@
-//! What the joints and tendons of a hand do in an equilibrium.
+//! States and torques of the joints and tendons of a hand in an equilibrium.
 
 use nalgebra::SVector;
 
@@ -19,28 +19,29 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct JointAnswer {
-    /// Which joint.
+    /// Label of the joint.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub joint: PartLabel,
     /// Whether it turns or slides.
     #[cfg_attr(feature = "serde", serde(default))]
     pub kind: JointKind,
-    /// What its own drive does.
+    /// State of its own drive.
     pub state: DriveState,
     /// Displacement φ from the posture in which the contacts were given, rad or m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub displacement: f64,
-    /// Torque of all drives on the joint along φ – its own, couplings, tendons, and what is given – N m or N. It balances the contact forces,
-    /// `τ = Σ Jᵀ F - τ_ext`.
+    /// Torque of all drives on the joint along φ – its own, couplings, tendons, and constant torques – N m or N. It balances the contact forces, `τ =
+    /// Σ Jᵀ F - τ_ext`.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub torque: f64,
-    /// What its own drive exerts, without what is given, N m or N; zero where it has none.
+    /// Torque of its own drive, without constant torques, N m or N; zero without a drive.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub drive: f64,
-    /// What is left of its limit, the bound less |drive|, N m or N; infinite without a limit.
+    /// Limit in reserve, the bound less |drive|, N m or N; infinite without a limit.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub margin: f64,
-    /// How far its own drive has given way beyond its spring, `θ - φ - drive/k`, rad or m: zero while it holds, except for what a clutch has slipped before.
+    /// Displacement by which its own drive has yielded beyond its spring, `θ - φ - drive/k`, rad or m: zero while it holds, apart from earlier slip
+    /// of a clutch.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub yielded: f64,
 }
@@ -51,23 +52,23 @@ pub struct JointAnswer {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct TendonAnswer {
-    /// Which tendon.
+    /// Label of the tendon.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub tendon: PartLabel,
-    /// What its drive does.
+    /// State of its drive.
     pub state: DriveState,
-    /// Its tension, N, that of its spring and what is given.
+    /// Its tension, N: that of its spring and the constant one.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub tension: f64,
-    /// What is left of its limit, N; infinite without one.
+    /// Limit in reserve, N; infinite without a limit.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub margin: f64,
-    /// How far its drive has given way beyond its spring, `x - r·φ - T/k`, m.
+    /// Displacement by which its drive has yielded beyond its spring, `x - r·φ - T/k`, m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub yielded: f64,
 }
 
-/// What the drive of a joint or of a tendon does.
+/// State of the drive of a joint or of a tendon.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -77,13 +78,13 @@ pub enum DriveState {
     Holds,
     /// It has reached its limit and yields.
     Yields,
-    /// A tendon without tension, which follows.
+    /// A tendon without tension, which follows the joints.
     Slack,
-    /// There is no spring: a torque is given, or other joints' drives hold it.
+    /// There is no spring: a constant torque acts, or drives of other joints hold it.
     Absent,
 }
 
-/// What one owner's drives amount to.
+/// State of all drives of one owner together.
 struct Own {
     carried: f64,
     state: DriveState,
@@ -91,7 +92,7 @@ struct Own {
 }
 
 impl<D: Size, const C: usize> Engine<D, C> {
-    /// Joints and tendons of a solution of the local problem.
+    /// Answers for joints and tendons, from a solution of the local problem.
     pub(super) fn hand_answers(
         &self,
         problem: &Problem<D, C>,
@@ -155,7 +156,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 }
 
-/// What is left of the limit of a drive.
+/// Limit of a drive in reserve.
 fn margin(named: &Named, carried: f64, state: DriveState) -> f64 {
     match named.limit {
         None => f64::INFINITY,
@@ -164,7 +165,7 @@ fn margin(named: &Named, carried: f64, state: DriveState) -> f64 {
     }
 }
 
-/// What a drive does, and how far it has given way, along its own axis.
+/// State of a drive, and the displacement by which it has yielded along its own axis.
 fn doing<D: Size, const C: usize>(
     drive: &Drive<D>,
     state: &State<C>,
@@ -176,7 +177,7 @@ fn doing<D: Size, const C: usize>(
     match drive.role {
         Role::Pulls if open => (DriveState::Slack, stretch[0].min(0.0)),
         Role::EndsAbove if open => (DriveState::Yields, (-stretch[0]).max(0.0)),
-        // The lower bound of a tendon is zero: where it ends the tendon is slack.
+        // The lower bound of a tendon is zero: at this bound the tendon is slack.
         Role::EndsBelow if open && drive.pulls_only() => (DriveState::Slack, stretch[0].min(0.0)),
         Role::EndsBelow if open => (DriveState::Yields, stretch[0].min(0.0)),
         Role::Holds | Role::Pulls | Role::EndsAbove | Role::EndsBelow => (DriveState::Holds, 0.0),

@@ -1,7 +1,7 @@
 //! Equilibrium under a load: the ladder on the `d x d` structure, and the answer as physics.
 //!
-//! Sought are the twist q and the contact forces that satisfy the law of the [crate page](crate#the-problem). Once the state of every contact is
-//! known, and the direction of what slides, that is linear, and all that couples the contacts is the object, d equations:
+//! Sought are the twist q and the contact forces that satisfy the law of the [crate page](crate#the-problem). With given states of all contacts, and
+//! given directions of slides, the conditions are linear. Contacts are then coupled by the object alone, through d equations:
 //!
 //! | state | force | must hold |
 //! |---|---|---|
@@ -9,17 +9,15 @@
 //! | sticking | `F = K (a - G_iᵀq)` | `F_n >= 0`, `\|F_t\| <= μ F_n` |
 //! | sliding | `F_n = k_n (a_n - n·u_c)`, `\|F_t\| = μ F_n` | `F_n >= 0`, slip `s = a_t - t·u_c - F_t/k_t` along F_t |
 //!
-//! What is to be found are the states. The rungs of a ladder ([`Rung`]) propose them, the cheapest first: everything sticks; everything that
-//! touches sticks; Newton's method, in space and with many contacts; Lemke's method on the kinematic form, then on the force form
-//! (see [`forms`](crate::forms)); every combination of states, with few contacts. In space Newton's method goes to the round cone, from the trial
-//! state and then from what Lemke's method proposes on a polygonal cone; where neither leads anywhere, branch and bound
-//! over states and directions of friction decides. Whoever has proposed them, the states are
-//! solved for again, every condition is checked, and residuals are recomputed from the question, before the answer is called an
+//! The states remain to be found. The rungs of a ladder ([`Rung`]) propose them, the cheapest first: everything sticks; everything that touches
+//! sticks; Newton's method, in space and with many contacts; Lemke's method on the kinematic form, then on the force form (see
+//! [`forms`](crate::forms)); every combination of states, with few contacts. In space Newton's method goes to the round cone, from the trial state
+//! and then from proposals of Lemke's method on a polygonal cone. If both fail, branch and bound over states and directions of friction decides.
+//! Proposed states are solved for again, every condition is checked, and residuals are recomputed from the question, before the answer is called an
 //! [`Equilibrium`].
 //!
-//! Where none is found the answer is a [`Proof`] that none exists, or [`Undecided`], with the reason. A proof is a motion that nothing
-//! resists, a motion that separates the load from all that friction can do, all states tried, or all cases
-//! contradicted ([`Refutation`]).
+//! If no equilibrium is found, the answer is a [`Proof`] that none exists, or [`Undecided`], with the reason. A proof is a motion that nothing
+//! resists, a motion that separates the load from all that friction can do, all states tried, or all cases contradicted ([`Refutation`]).
 
 mod accuracy;
 mod answer;
@@ -38,12 +36,14 @@ mod questions;
 mod recomputed;
 mod refutation;
 mod residuals;
+mod too_far;
 mod write_out;
 
-pub use crate::search::{Doubt, Rung, Settings};
+pub use crate::search::{Doubt, Rung, Settings, SmallMotions};
 pub use accuracy::Accuracy;
 pub use answer::{Equilibrium, Outcome, Undecided, WorkDone};
 pub use bracket::{Bracket, Spread};
+pub(crate) use cone::AnswerFor;
 pub use cone::Cone;
 pub use contact_answer::{ContactAnswer, ContactState};
 pub use decomposition::Decomposition;
@@ -52,6 +52,8 @@ pub use no_equilibrium::{NoEquilibrium, Proof};
 pub use pad_answer::{PadAnswer, WholeAnswer};
 pub use refutation::Refutation;
 pub use residuals::Residuals;
+pub use too_far::TooFar;
+pub(crate) use too_far::{CountedMotion, Standing, farthest};
 pub(crate) use write_out::site_states;
 
 pub(crate) use questions::ACCURATE;

@@ -1,4 +1,4 @@
-//! That no equilibrium exists, and how that is known.
+//! Proofs that no equilibrium exists.
 
 use crate::grasp::Motion;
 #[cfg(feature = "serde")]
@@ -10,12 +10,12 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct NoEquilibrium<const C: usize> {
-    /// Why, and how that is known.
+    /// Proof that no equilibrium exists.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub proof: Proof<C>,
 }
 
-/// Why no equilibrium exists, and how that is known.
+/// Proof that no equilibrium exists.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -27,7 +27,7 @@ pub struct NoEquilibrium<const C: usize> {
 pub enum Proof<const C: usize> {
     /// No contact resists this unit motion in any state, and the load works on it.
     FreeMotion {
-        /// The motion, the way the load drives it; lengths as for [`Equilibrium::free_motions`](super::Equilibrium::free_motions).
+        /// The motion, in the direction in which the load drives it; lengths as for [`Equilibrium::free_motions`](super::Equilibrium::free_motions).
         motion: Motion<C>,
         /// Work of the load on it, `W·q` > 0, J.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
@@ -36,7 +36,7 @@ pub enum Proof<const C: usize> {
     /// The load lies outside the friction wrench cone: no admissible contact force works against this unit motion, and
     /// the load drives it. Holds for any stiffness and any command.
     SeparatingMotion {
-        /// The motion, the way the load drives it; lengths as for [`Equilibrium::free_motions`](super::Equilibrium::free_motions).
+        /// The motion, in the direction in which the load drives it; lengths as for [`Equilibrium::free_motions`](super::Equilibrium::free_motions).
         motion: Motion<C>,
         /// Work of the load on it, `W·q` > 0, J.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
@@ -44,17 +44,17 @@ pub enum Proof<const C: usize> {
     },
     /// Every combination of contact states was tried; each violates a condition clearly. In the plane and on polygons.
     EveryStateTried {
-        /// How many combinations.
+        /// Number of combinations.
         combinations: usize,
     },
-    /// On the round cone: what contacts do was divided into cases, open or closed, sticking or sliding, friction between two angles.
-    /// In each case all that the contact laws allow, and more, is contradicted by a linear combination of the conditions. Beyond an onset or
-    /// the end of a path, in the plane too, a single case may do: nothing responds to a motion when everything on an edge slides.
+    /// On the round cone: behaviours of contacts were divided into cases, open or closed, sticking or sliding, friction between two angles. In each
+    /// case a linear combination of the conditions contradicts all that the contact laws allow, and more. Beyond an onset or the end of a path, in
+    /// the plane too, a single case may suffice: nothing responds to a motion when everything on an edge slides.
     EveryCaseContradicted {
-        /// How many cases.
+        /// Number of cases.
         cases: usize,
-        /// By this factor at least an equilibrium that rounding has hidden would have to exceed the data, in √J: stretches and
-        /// forces of all contacts together over those of the elastic trial state. At least 1e4.
+        /// Least factor by which an equilibrium hidden by rounding would have to exceed the data, in √J: stretches and forces of all contacts
+        /// together over those of the elastic trial state. At least 1e4.
         escape: f64,
     },
 }

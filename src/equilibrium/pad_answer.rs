@@ -1,4 +1,4 @@
-//! Soft fingertips of an equilibrium: each is one contact, whatever number of points stand for it.
+//! Soft fingertips of an equilibrium, each as one contact with several points.
 
 use core::ops::Range;
 
@@ -14,32 +14,32 @@ use crate::prelude::*;
 use crate::serial::AsComputed;
 use crate::words::{LinkKind, Words};
 
-/// Sums below this part of the sizes of what they sum are rounding.
+/// Size of a sum, over the sizes of its terms, below which it is rounding.
 const ROUNDING: f64 = 1e-14;
 
-/// A soft fingertip of an equilibrium: what its points are and carry together.
+/// A soft fingertip of an equilibrium: states and forces of its points together.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct PadAnswer<const C: usize> {
-    /// Which contact, where a soft fingertip counts as one: as in a scene.
+    /// Label of the contact, where a soft fingertip counts as one: as in a scene.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub contact: ContactLabel,
-    /// Where its points begin in the list of contacts of the answer.
+    /// Index of its first point in the list of contacts of the answer.
     pub first: usize,
-    /// How many points it has.
+    /// Number of its points.
     pub points: usize,
-    /// How many of them slide.
+    /// Number of its sliding points.
     pub sliding: usize,
-    /// How many of them are open.
+    /// Number of its open points.
     pub open: usize,
-    /// Force of the finger on the object in the contact frame, N, normal part first, and moment about the middle of the pad, N m. The moment is in space along the
-    /// axes of the contact frame, the torsion first, in the plane from x to y.
+    /// Force of the finger on the object in the contact frame, N, normal part first, and moment about the middle of the pad, N m. In space the moment
+    /// is along the axes of the contact frame, the torsion first, in the plane from x to y.
     pub wrench: Wrench<C>,
-    /// Friction in reserve, N: the sum of the [margins](ContactAnswer::margin) of its points, `Σ (μ F_n - |F_t|)`. A force of that size in
-    /// any direction along the surface is carried by the same normal forces, if each point takes as much of it as its own margin. Zero where the pad slides
-    /// everywhere or is open; infinite if friction does not count.
+    /// Friction in reserve, N: the sum of the [margins](ContactAnswer::margin) of its points, `Σ (μ F_n - |F_t|)`. A force of that size in any
+    /// direction along the surface is carried by the same normal forces, if each point takes as much of it as its own margin. Zero if the pad slides
+    /// everywhere or is open; infinite if friction is unlimited.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub margin: f64,
 }
@@ -51,7 +51,7 @@ impl<const C: usize> PadAnswer<C> {
         self.first..self.first + self.points
     }
 
-    /// What it does: "sticks", "3 of 12 points slide", "slides everywhere", "open".
+    /// Its state in words: "sticks", "3 of 12 points slide", "slides everywhere", "open".
     #[must_use]
     pub fn doing(&self) -> String {
         let Self { points, sliding, open, .. } = *self;
@@ -85,7 +85,7 @@ impl<const C: usize> PadAnswer<C> {
     }
 }
 
-/// A contact as people count them.
+/// A contact as users count them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum WholeAnswer<'a, const C: usize> {
     /// A contact that is a point itself.
@@ -104,7 +104,7 @@ impl<const C: usize> WholeAnswer<'_, C> {
         }
     }
 
-    /// What kind of link between bodies it is, if it is no contact.
+    /// Kind of the link between bodies that it represents, if it is no contact.
     #[must_use]
     pub fn link(&self) -> Option<LinkKind> {
         match self {
@@ -113,7 +113,7 @@ impl<const C: usize> WholeAnswer<'_, C> {
         }
     }
 
-    /// What a link does, in a sentence without its name, "carries 12 N"; forces that are rounding beside the largest one are none.
+    /// Forces of a link in a sentence without its name, "carries 12 N"; forces that are rounding beside `largest` are zero.
     #[must_use]
     pub fn carries(&self, words: Words, largest: f64) -> Option<String> {
         let force = |x: f64| words.beside(x, largest);
@@ -124,7 +124,7 @@ impl<const C: usize> WholeAnswer<'_, C> {
         Some(self.link()?.carries(words, force(self.force()[0]), force(self.force().norm()), moment))
     }
 
-    /// What it does: "sticks".
+    /// Its state in words: "sticks".
     #[must_use]
     pub fn doing(&self) -> String {
         match self {
@@ -153,7 +153,7 @@ impl<const C: usize> WholeAnswer<'_, C> {
 }
 
 impl<const C: usize> Equilibrium<C> {
-    /// Contacts in order, points of one soft fingertip together.
+    /// Contacts in order, with the points of each soft fingertip as one.
     pub fn whole_contacts(&self) -> impl Iterator<Item = WholeAnswer<'_, C>> {
         let mut pads = self.pads.iter().peekable();
         self.contacts.iter().enumerate().filter_map(move |(i, contact)| {
@@ -168,7 +168,7 @@ impl<const C: usize> Equilibrium<C> {
 }
 
 impl<D: Size, const C: usize> Engine<D, C> {
-    /// The soft fingertips among contacts that are solved.
+    /// The soft fingertips among the contacts of a solution.
     pub(super) fn pads(&self, solved: &[ContactAnswer<C>]) -> Vec<PadAnswer<C>> {
         let contacts = self.contacts();
         if contacts.iter().all(|contact| contact.point_of_pad.is_none()) {
@@ -209,7 +209,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             };
             (0..C).for_each(|a| add(a, force[a]));
             let arm = self.contacts()[i].point - about;
-            // What a force does on a turn about an axis is its moment about that.
+            // The work of a force on a unit rotation about an axis is its moment about that axis.
             for turn in 0..of_the_object::<C>() - C {
                 let mut unit = Vector::<Fixed<6>>::zeros();
                 if C == 2 {

@@ -1,7 +1,7 @@
-//! The questions for equilibria.
+//! Questions about equilibria.
 
 use super::answer::{Equilibrium, Outcome, Undecided, WorkDone};
-use super::cone::Cone;
+use super::cone::{AnswerFor, Cone};
 use super::contact_answer::ContactState;
 use super::no_equilibrium::{NoEquilibrium, Proof};
 use crate::contact::Polygon;
@@ -14,12 +14,12 @@ use crate::search::{
     Doubt, Effort, Found, Rung, Settings, Settled, combinations, on_the_whole_line, search, settle,
 };
 
-/// No answer with a larger residual is called an equilibrium. Usual ones are below 1e-15; only scenes whose numbers lie apart by
-/// more than the working precision come near this.
+/// Largest residual of an equilibrium. Usual residuals are below 1e-15; only scenes whose numbers lie apart by more than the working precision come
+/// near this.
 pub(crate) const ACCURATE: f64 = 1e-10;
-/// The bound on the round cone, where a larger residual means that Newton's method has not arrived.
+/// Largest residual on the round cone; a larger one means that Newton's method has not converged.
 const ACCURATE_ON_THE_ROUND_CONE: f64 = 1e-12;
-/// Two answers whose forces and displacements differ by less than this part of the largest are one equilibrium.
+/// Difference of forces and of displacements, over the largest, below which two answers are the same equilibrium.
 const SAME: f64 = 1e-9;
 
 impl<D: Size, const C: usize> Engine<D, C> {
@@ -30,12 +30,12 @@ impl<D: Size, const C: usize> Engine<D, C> {
         if let Settled::Found(found, rule) = settled {
             settled = Settled::Found(on_the_whole_line(&problem, found), rule);
         }
-        let outcome = self.outcome(&problem, load, settled, &effort, Cone::of::<C>(settings));
+        let outcome = self.outcome(&problem, load, settled, &effort, AnswerFor::of::<C>(settings));
         outcome.equilibrium().map_or(Ok(()), |state| self.refuse_kinetic_slides("solve", state))?;
         Ok(outcome)
     }
 
-    /// An equilibrium is told with the friction of rest, which contacts that slide may not have.
+    /// Refuses sliding contacts with kinetic friction, since an equilibrium is computed with friction at rest.
     fn refuse_kinetic_slides(&self, question: &'static str, state: &Equilibrium<C>) -> Result<(), Error> {
         let slides = |i: &usize| matches!(state.contacts[*i].state, ContactState::Sliding { .. });
         match self.weaker_once_they_slide().find(slides) {
@@ -63,7 +63,8 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let effort = Effort { combinations: search.tried, ..Effort::default() };
         let mut list: Vec<Equilibrium<C>> = Vec::new();
         let mut add = |found: Found<D, C>, rule, effort: &Effort| {
-            let equilibrium = self.equilibrium(&problem, load, found, rule, effort, Cone::of::<C>(settings));
+            let equilibrium =
+                self.equilibrium(&problem, load, found, rule, effort, AnswerFor::of::<C>(settings));
             if accurate(&equilibrium) && !list.iter().any(|known| same(known, &equilibrium)) {
                 list.push(equilibrium);
             }
@@ -87,6 +88,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         load: &Wrench<C>,
         settings: &Settings,
     ) -> Result<Problem<'_, D, C>, Error> {
+        settings.small_motions.check()?;
         let polygon = Polygon::shared(&settings.cone);
         let load = self.load(load, "load")?;
         Ok(self.problem(polygon, settings.is_round::<C>(), self.drives(), &load))
@@ -98,13 +100,13 @@ impl<D: Size, const C: usize> Engine<D, C> {
         load: &Wrench<C>,
         settled: Settled<D, C>,
         effort: &Effort,
-        cone: Cone,
+        answer_for: AnswerFor,
     ) -> Outcome<C> {
         let none = |proof| Outcome::NoEquilibrium(NoEquilibrium { proof });
         let motion_and_work = |v: &Vector<D>| (self.motion_outside(v), v.dot(&problem.wrench));
         match settled {
             Settled::Found(found, rule) => {
-                let equilibrium = self.equilibrium(problem, load, found, rule, effort, cone);
+                let equilibrium = self.equilibrium(problem, load, found, rule, effort, answer_for);
                 if accurate(&equilibrium) {
                     Outcome::Equilibrium(Box::new(equilibrium))
                 } else {
@@ -125,7 +127,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
                 let work = WorkDone {
                     pivots: effort.pivots,
                     rows_made: effort.rows,
-                    rows_left_out: self.left_out(effort, cone, false),
+                    rows_left_out: self.left_out(effort, answer_for.cone, false),
                     combinations: effort.combinations,
                 };
                 Outcome::Undecided(Undecided { doubt, work })
@@ -134,13 +136,13 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 }
 
-/// Whether residuals are those of an equilibrium.
+/// Whether the residuals are small enough for an equilibrium.
 fn accurate<const C: usize>(equilibrium: &Equilibrium<C>) -> bool {
     let most = if equilibrium.cone == Cone::Round { ACCURATE_ON_THE_ROUND_CONE } else { ACCURATE };
     equilibrium.residuals.worst() <= most
 }
 
-/// Two answers of the same question are one equilibrium.
+/// Whether two answers to the same question are the same equilibrium.
 fn same<const C: usize>(a: &Equilibrium<C>, b: &Equilibrium<C>) -> bool {
     let size = |e: &Equilibrium<C>| e.contacts.iter().map(|c| c.force.norm()).fold(0.0, f64::max);
     let force_size = size(a).max(size(b));

@@ -1,4 +1,4 @@
-//! How well an answer satisfies the conditions, recomputed from the question alone.
+//! Residuals of an answer, recomputed from the question alone.
 
 use nalgebra::SVector;
 
@@ -12,22 +12,22 @@ use crate::object::{NO_FORCE, Problem, least_spring_force};
 use crate::prelude::*;
 use crate::search::Found;
 
-/// Sizes below this are taken for this: products of subnormal numbers have no relative precision.
+/// Least size, N or m, by which residuals are divided: products of subnormal numbers have no relative precision.
 const SMALLEST: f64 = 1e-250;
-/// Displacements below this part of the largest of the scene are none.
+/// Least size of the displacements at a contact, over the largest of the scene.
 const STILL: f64 = 1e-20;
 
-/// What an answer tells of one site: a contact, or a drive of a hand.
+/// Answer at one site: a contact, or a drive of a hand.
 struct Told<'a, const C: usize> {
     force: &'a SVector<f64, C>,
     gap: f64,
     separated: bool,
     stretch: SVector<f64, C>,
-    /// Slip since the state was decided.
+    /// Slip since the state was decided, m.
     slip: SVector<f64, C>,
 }
 
-/// What a contact has to satisfy, and what its residuals are measured against, N and m.
+/// Law of one site, and the sizes by which its residuals are divided, N and m.
 struct ContactLaw<'c, D: Size, const C: usize> {
     site: &'c Site<D, C>,
     friction: Coulomb,
@@ -38,7 +38,7 @@ struct ContactLaw<'c, D: Size, const C: usize> {
 }
 
 impl Residuals {
-    /// Takes in those of one site.
+    /// Raises each residual to that of one site, if that is larger.
     fn note<D: Size, const C: usize>(&mut self, law: &ContactLaw<'_, D, C>, told: &Told<'_, C>) {
         let ContactLaw { site, friction, polygon, cone, force_size, travel } = *law;
         let Told { force: f, gap: g, separated, stretch, slip: s } = *told;
@@ -82,7 +82,7 @@ impl Residuals {
 }
 
 impl<D: Size, const C: usize> Engine<D, C> {
-    /// Recomputes the residuals of an answer from points, normals, stiffnesses, commands and load; of joints from their Jacobians and drives.
+    /// Recomputes the residuals of an answer from points, normals, stiffnesses, commands and load; for joints from their Jacobians and drives.
     pub(crate) fn residuals(
         &self,
         problem: &Problem<D, C>,
@@ -92,7 +92,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         cone: Cone,
     ) -> Residuals {
         let [force_terms, travel_terms] = found.sizes;
-        // Comparisons below pass over what is not a number.
+        // The comparisons below ignore NaN.
         if !answers.iter().all(is_finite) || !twist.iter().all(|x| x.is_finite()) {
             return Residuals::NONE_HOLDS;
         }
@@ -100,7 +100,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let object = of_the_object::<C>();
         let turned: f64 = twist.iter().take(object).skip(C).map(|x| x.abs()).sum();
         let translated = object_alone::<D, C>(twist);
-        // The law is about the slip since the state that the drives count from.
+        // The law is about the slip since the state from which the drives count.
         let slip = |i: usize| answers[i].slip - problem.slips[i];
         let of_drives = self.drives_told(problem, twist, found);
         let mut travels: Vec<f64> = (0..self.len())
@@ -118,7 +118,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             let moved = self.sites()[i].map.norm() * found.twist.norm();
             travels.push((problem.drives[i].norm() + give + moved).max(travel_terms).max(SMALLEST));
         }
-        // Where nothing is driven and the object stays, what is left is the rounding of the rounding elsewhere.
+        // If nothing is driven and the object stays, the displacements here are rounding of displacements elsewhere.
         let still = STILL * travels.iter().copied().fold(0.0, f64::max);
         for travel in &mut travels {
             *travel = travel.max(still);
@@ -152,7 +152,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         r
     }
 
-    /// How far the joints of its finger move a contact, along the coordinate axes, and the size of the terms of that sum.
+    /// Displacement of a contact by the joints of its finger, along the coordinate axes, and the size of the terms of that sum.
     fn carried(&self, contact: usize, twist: &Vector<D>) -> (SVector<f64, C>, f64) {
         let (mut sum, mut size) = (SVector::zeros(), 0.0);
         let Some(linkage) = self.linkage() else { return (sum, size) };
@@ -164,7 +164,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         (sum, size)
     }
 
-    /// What drives of a hand do.
+    /// Answers at the drives of a hand.
     fn drives_told<'a>(
         &self,
         problem: &Problem<D, C>,
@@ -222,8 +222,8 @@ impl<D: Size, const C: usize> Engine<D, C> {
         (object..count).map(|k| sums[k].abs() / sizes[k].max(force_size)).fold(0.0, f64::max)
     }
 
-    /// `spring_force` is the least force that a spring could have from the displacements of its contact, or what the forces
-    /// are sums of.
+    /// Imbalance of forces and moments on the object, over their sizes. `spring_force` is the least force that a spring could have from the
+    /// displacements of its contact, or the size of the terms of the forces.
     fn out_of_balance(&self, load: &Wrench<C>, answers: &[ContactAnswer<C>], spring_force: f64) -> f64 {
         let mut sum = load.coordinates::<D>();
         if let Some(bodies) = self.bodies() {
@@ -245,9 +245,9 @@ impl<D: Size, const C: usize> Engine<D, C> {
             force_size += contact.suction;
             moment_size += contact.point.norm() * contact.suction;
         }
-        // Where nothing carries anything, forces are the rounding of what the springs could do.
+        // If no contact carries a force, forces are rounding of those that the springs could have.
         force_size += spring_force;
-        // A moment counts against the moments, and against the forces at the distance of the contacts.
+        // A moment is compared with the moments, and with the forces at the distance of the contacts.
         moment_size += force_size * self.length();
         let force = SVector::<f64, C>::from_fn(|a, _| sum[a]).norm();
         let moment = sum.iter().take(of_the_object::<C>()).skip(C).map(|m| m * m).sum::<f64>().sqrt();

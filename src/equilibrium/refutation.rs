@@ -11,22 +11,22 @@ use crate::prelude::*;
 use crate::proofs::{self, ProofStep};
 use crate::search::{self, Settings};
 
-/// A proof that no equilibrium exists on the round cone, to be kept and to be checked.
+/// A proof that no equilibrium exists on the round cone, which can be kept and checked.
 ///
-/// What contacts do is divided into cases: open or closed, sticking or sliding, friction between two angles. Each case is contradicted by a
-/// virtual motion of the object and virtual forces of the contacts that balance one another. Together they do work on every
-/// equilibrium that no contact can do in that case. [`Self::check`] repeats that from the data, in closed form for
-/// every contact, and that no case is left out; it knows nothing of how the proof was found.
+/// Behaviours of contacts are divided into cases: open or closed, sticking or sliding, friction between two angles. Each case is contradicted by a
+/// virtual motion of the object and virtual forces of the contacts that balance one another. Together they do work on every equilibrium that no
+/// contact can do in that case. [`Self::check`] repeats that from the data, in closed form for every contact, and checks that no case is left out; it
+/// does not depend on how the proof was found.
 #[derive(Debug, Clone)]
 pub struct Refutation<const C: usize> {
-    /// A list of [`ProofStep`]s in as many coordinates as the grasp has.
+    /// A list of [`ProofStep`]s in the grasp's number of coordinates.
     steps: Arc<dyn Any + Send + Sync>,
     cases: usize,
     axes: PhantomData<[(); C]>,
 }
 
 impl<const C: usize> Refutation<C> {
-    /// The number of cases, those that were divided further among them.
+    /// Number of cases, including those that were divided further.
     #[must_use]
     pub fn cases(&self) -> usize {
         self.cases
@@ -59,7 +59,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         load: &Wrench<C>,
     ) -> Result<Option<f64>, Error> {
         let problem = self.problem_under(load, &Settings::default())?;
-        // Steps in another number of coordinates are about another grasp.
+        // Steps in another number of coordinates belong to another grasp.
         let steps = proof.steps().downcast_ref::<Vec<ProofStep<D, C>>>();
         Ok(steps.and_then(|steps| proofs::check(&problem, steps)))
     }

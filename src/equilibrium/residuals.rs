@@ -1,30 +1,29 @@
-//! By how much an answer violates the conditions.
+//! Residuals of an answer.
 
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// Relative residuals of an equilibrium; all are zero in exact arithmetic, and some 1e-16 as a rule. Nothing with one above 1e-10
-/// (1e-12 on the round cone) is called an equilibrium.
+/// Relative residuals of an equilibrium; all are zero in exact arithmetic, and usually about 1e-16. No answer with a residual above 1e-10 (1e-12 on
+/// the round cone) is called an equilibrium.
 ///
-/// Recomputed from points, frames, stiffnesses, commands and load, not from what the solver had. Forces are measured against the largest
-/// contact force or load of the scene; where there is none at all, against 1e-25 of the least force that a spring could have.
-/// Displacements of a contact are measured against the sum of the sizes of its own displacements, products against the product of
-/// both. On a load path a slip is that since the state of the contact was last decided.
+/// Recomputed from points, frames, stiffnesses, commands and load, not from data of the solver. Forces are measured against the largest contact force
+/// or load of the scene; without any force, against 1e-25 of the least force that a spring could have. Displacements of a contact are measured
+/// against the sum of the sizes of its own displacements, products against the product of both. On a load path a slip counts since the state of the
+/// contact was last decided.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Residuals {
-    /// `|Σ F_i + W|` over the sum of the sizes of its terms and the least force that a spring could have from the
-    /// displacements of its contact; the same for moments, to which forces count at the root mean square distance of the contacts;
-    /// the larger of both.
+    /// `|Σ F_i + W|` over the sum of the sizes of its terms and the least force that a spring could have from the displacements of its contact; the
+    /// same for moments, where forces count at the root mean square distance of the contacts; the larger of both.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub equilibrium: f64,
     /// `|F/k - (a - u_c + g - s)|` axis by axis, the gap along the normal and the slip along the tangents: the contact springs.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub springs: f64,
-    /// `max(0, -F_n)`, and `max(0, |F_t| - μ F_n)` over 1 + μ: the friction cone. For a polygon its own size of `F_t`, the largest
-    /// `h·F_t`. Of contacts that this binds, see [`Hold`](crate::grasp::Hold).
+    /// `max(0, -F_n)`, and `max(0, |F_t| - μ F_n)` over 1 + μ: the friction cone. For a polygon the size of `F_t` is the largest `h·F_t`. Only for
+    /// contacts that are bound by it, see [`Hold`](crate::grasp::Hold).
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub cone: f64,
     /// `max(0, -g)`: penetration; `|g|` of a bonded contact.
@@ -36,7 +35,7 @@ pub struct Residuals {
 }
 
 impl Residuals {
-    /// Of an answer with a number that is not finite: nothing holds.
+    /// Residuals of an answer with a number that is not finite.
     pub(super) const NONE_HOLDS: Self = Self {
         equilibrium: f64::INFINITY,
         springs: f64::INFINITY,
@@ -45,7 +44,7 @@ impl Residuals {
         complementarity: f64::INFINITY,
     };
 
-    /// The largest of them; infinite if one is not a number.
+    /// The largest residual; infinite if one is not a number.
     #[must_use]
     pub fn worst(&self) -> f64 {
         [self.equilibrium, self.springs, self.cone, self.gap, self.complementarity]

@@ -1,10 +1,11 @@
-//! From a solution of the local problem to the answer as physics.
+//! Converts a solution of the local problem to an answer in physical quantities.
 
 use nalgebra::{SMatrix, SVector};
 
 use super::answer::{Equilibrium, LocalAnswer, WorkDone};
-use super::cone::Cone;
+use super::cone::{AnswerFor, Cone};
 use super::contact_answer::{ContactAnswer, ContactState};
+use super::too_far::Standing;
 use crate::contact::{LocalLaw, Mode, State};
 use crate::forms::{LeftOut, Why};
 use crate::grasp::{Contact, Coordinates, Engine, Hold, Stiffness, Twist, Wrench};
@@ -14,7 +15,7 @@ use crate::prelude::*;
 use crate::search::{Effort, Found, Rung};
 
 impl<D: Size, const C: usize> Engine<D, C> {
-    /// Writes a solution of the local problem out as physics.
+    /// The answer in physical quantities for a solution of the local problem.
     pub(crate) fn equilibrium(
         &self,
         problem: &Problem<D, C>,
@@ -22,7 +23,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         found: Found<D, C>,
         rule: Rung,
         effort: &Effort,
-        cone: Cone,
+        AnswerFor { cone, small }: AnswerFor,
     ) -> Equilibrium<C> {
         let with_joints = |i: usize| {
             let joints = &found.twist - self.body_alone(i, &found.twist);
@@ -44,12 +45,14 @@ impl<D: Size, const C: usize> Engine<D, C> {
             stored_energy += stored.sum::<f64>();
         }
         let (joints, tendons) = self.hand_answers(problem, &found);
+        let too_far = self.farthest_beyond(&small, &Standing::found(problem, &found));
         Equilibrium {
             load: *load,
             residuals: self.residuals(problem, load, &twist, (&contacts, &found), cone),
             twist: Twist::among(&twist),
             bodies: self.body_motions(&twist),
             body_loads: self.body_loads(),
+            too_far,
             pads: self.pads(&contacts),
             open_cups: self.cups_open(|i| contacts[i].state == ContactState::Separated),
             contacts,
@@ -110,7 +113,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 }
 
-/// What every site does in a solution of the local problem, in order: contacts, then the drives of a hand.
+/// State of every site in a solution of the local problem, in order: contacts, then the drives of a hand.
 pub(crate) fn site_states<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     found: &Found<D, C>,
@@ -143,15 +146,15 @@ struct SolvedContact<'s, const C: usize> {
     bonded: bool,
     state: &'s State<C>,
     force: SVector<f64, C>,
-    /// From the slip so far, which is the memory.
+    /// Offset counted from the slip so far, which is `memory`.
     drive: SVector<f64, C>,
     memory: SVector<f64, C>,
-    /// Motion of the body's core past that of the finger, as far as joints move it.
+    /// Displacement of the body's core relative to the finger's, as far as joints move the finger.
     moved: SVector<f64, C>,
 }
 
 impl<const C: usize> SolvedContact<'_, C> {
-    /// What the contact does, and the slip since its memory.
+    /// State of the contact, and its slip since the memory.
     fn state(&self) -> (ContactState<C>, SVector<f64, C>) {
         let slip = self.local.springs.slip(&(self.drive - self.moved), &self.force);
         match self.state {
@@ -159,8 +162,8 @@ impl<const C: usize> SolvedContact<'_, C> {
             Mode::Sticking if self.local.is_frictionless() => (ContactState::Frictionless, slip),
             Mode::Sticking => (ContactState::Sticking, SVector::zeros()),
             sliding => {
-                // Friction pulls the body the way the finger slips; where the slip is still zero (the very edge), the
-                // direction is the one in which it would start.
+                // Friction pulls the body the way the finger slips. If the slip is still zero (the very edge), the direction is that in which it
+                // would start.
                 let outward = self.local.outward(sliding).unwrap_or(slip);
                 let told = sliding.slide().is_none() && slip.norm() > 0.0 && slip.dot(&outward) > 0.0;
                 let along = if told { slip } else { outward };
@@ -169,7 +172,7 @@ impl<const C: usize> SolvedContact<'_, C> {
         }
     }
 
-    /// With the finger's part in its motion, which counts against it.
+    /// The answer of the contact. The finger's own motion with joints counts against the body's.
     fn answer(
         &self,
         (contact, index): (&Contact<C>, usize),

@@ -83,7 +83,14 @@ impl<const C: usize> FrictionProblem<C> {
                 Outcome::NearlyInfeasible(certificate) => {
                     unsolved = unsolved.or(Some(Outcome::NearlyInfeasible(spread(&certificate, island, n))));
                 }
-                stopped @ Outcome::Breakdown { cause: BreakdownCause::Stopped { .. }, .. } => return stopped,
+                Outcome::Breakdown { pivots, cause: BreakdownCause::Stopped { residual, contact } } => {
+                    let cause = BreakdownCause::Stopped { residual, contact: island[contact] };
+                    return Outcome::Breakdown { pivots, cause };
+                }
+                Outcome::Breakdown { pivots, cause: BreakdownCause::NoConvergence { residual, contact } } => {
+                    let cause = BreakdownCause::NoConvergence { residual, contact: island[contact] };
+                    unsolved = unsolved.or(Some(Outcome::Breakdown { pivots, cause }));
+                }
                 // A ray of one island is no ray of the whole problem.
                 Outcome::Ray(ray) => {
                     let cause = BreakdownCause::NoConvergence { residual: f64::INFINITY, contact: island[0] };

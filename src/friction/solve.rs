@@ -82,7 +82,7 @@ impl<const C: usize> FrictionProblem<C> {
         self.solve_island(&blocks, settings, (&all, watch))
     }
 
-    /// The outcome for contacts that are one island; `names` are their indices in the caller's problem.
+    /// The outcome for contacts that are one island, with their indices in it; `names` are those in the caller's problem, for progress reports.
     pub(super) fn solve_island<'a>(
         &'a self,
         blocks: &'a Blocks<C>,
@@ -128,7 +128,7 @@ impl<const C: usize> FrictionProblem<C> {
                 return Outcome::Solved(Solution { pivots, steps, ..solution });
             }
             if best.stopped {
-                let cause = BreakdownCause::Stopped { residual: best.residual, contact: names[best.worst] };
+                let cause = BreakdownCause::Stopped { residual: best.residual, contact: best.worst };
                 return Outcome::Breakdown { pivots, cause };
             }
         }
@@ -146,7 +146,7 @@ impl<const C: usize> FrictionProblem<C> {
                 let (residual, worst) = [polygons.least, (approach.best.residual, approach.best.worst)]
                     .into_iter()
                     .fold((f64::INFINITY, 0), |least, next| if next.0 < least.0 { next } else { least });
-                let cause = BreakdownCause::NoConvergence { residual, contact: names[worst] };
+                let cause = BreakdownCause::NoConvergence { residual, contact: worst };
                 Outcome::Breakdown { pivots: polygons.pivots, cause }
             }
         }

@@ -4,7 +4,7 @@ use nalgebra::SVector;
 
 use super::wrench::Twist;
 
-/// A rotation of the plane from x to y, or the vector of one in space, rad.
+/// A rotation: in the plane its angle from x to y, in space its rotation vector, rad.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Rotation<const C: usize> {
     Plane(f64),
@@ -12,7 +12,7 @@ pub(crate) enum Rotation<const C: usize> {
 }
 
 impl<const C: usize> Twist<C> {
-    /// Translation of the origin, and rotation.
+    /// Translation of the origin, m, and rotation.
     pub(crate) fn parts(&self) -> (SVector<f64, C>, Rotation<C>) {
         let (along, turning) = self.components().split_at(C);
         let rotation = if C == 2 {
@@ -25,7 +25,7 @@ impl<const C: usize> Twist<C> {
 }
 
 impl<const C: usize> Rotation<C> {
-    /// rad.
+    /// Absolute angle of the rotation, rad.
     pub(crate) fn size(&self) -> f64 {
         match self {
             Self::Plane(turn) => turn.abs(),
@@ -41,7 +41,7 @@ impl<const C: usize> Rotation<C> {
         }
     }
 
-    /// From a point that moves like this to the nearest one of the axis: `ω × u / |ω|²`.
+    /// Vector from a point with displacement u = `moves` to the nearest point of the axis: `ω × u / |ω|²`.
     pub(crate) fn way_to_axis(&self, moves: &SVector<f64, C>) -> SVector<f64, C> {
         match self {
             Self::Plane(turn) => {
@@ -56,7 +56,7 @@ impl<const C: usize> Rotation<C> {
         }
     }
 
-    /// What a point moves along the axis.
+    /// Part of a point's displacement `moves` along the axis.
     pub(crate) fn along_axis(&self, moves: &SVector<f64, C>) -> SVector<f64, C> {
         let axis = self.axis();
         axis * axis.dot(moves)

@@ -1,4 +1,4 @@
-//! How a finger is commanded: to a position or with a force, and from how far away.
+//! Commands of a finger: a position or a force, and its clearance.
 
 use nalgebra::SVector;
 
@@ -7,9 +7,9 @@ use super::contact::Contact;
 /// The axes along which a command is given.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Axes {
-    /// Those of the contact frame, the normal first.
+    /// Axes of the contact frame, the normal first.
     Frame,
-    /// Those of the coordinates in which the contact is given.
+    /// Axes of the coordinates in which the contact is given.
     World,
 }
 
@@ -45,11 +45,12 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// A squeeze as people think of it: the finger is commanded so far that it presses with this force on an object that stays where it is, N, from 0.
-    /// In place of the normal part of the command, `clearance + force / k_n`; the tangential part stays. The finger holds that **position** afterwards: when the
-    /// object moves the force changes, and fingers that press with unequal forces push the object to where they agree.
+    /// A squeeze given as a force, N, from 0: the finger is commanded so far that it presses with this force on an object that stays in place. It
+    /// replaces the normal part of the command by `clearance + force / k_n`; the tangential part stays. Afterwards the finger holds that
+    /// **position**: when the object moves the force changes. Fingers with unequal forces push the object until their forces agree.
     ///
-    /// On a finger [with joints](crate::grasp::Finger) these are commanded with it, `K⁻¹Jᵀ` times the force, so that nothing pulls along the tangents either.
+    /// On a finger [with joints](crate::grasp::Finger) the joints are commanded as well, by `K⁻¹Jᵀ` times the force, so that nothing pulls along the
+    /// tangents.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -69,11 +70,11 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// A normal force that **stays**: an air cylinder, a weight on a lever, a motor that holds its current, N, from 0. The finger follows the object along
-    /// the normal wherever it goes, in place of a position; along the tangents its springs hold as usual. The points of a soft fingertip are pressed on by one
-    /// slide, so that they share the force as they stand. In place of [`Self::pressed_with`] and of the normal part of the command.
+    /// A **constant** normal force, N, from 0: of an air cylinder, a weight on a lever, a motor at constant current. The finger follows the object
+    /// along the normal, instead of holding a position; along the tangents its springs act as usual. The points of a soft fingertip are pressed by
+    /// one common slide, so that their springs share the force. It replaces [`Self::pressed_with`] and the normal part of the command.
     ///
-    /// The grasp has a joint more for it, "slide of" the contact, behind all other joints. Questions that are not for hands are not for such a grasp.
+    /// The grasp gets one more joint for it, "slide of" the contact, after all other joints. Questions that refuse hands refuse such a grasp.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -124,9 +125,8 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// Commanded displacement of the finger's core in the contact frame, m. One that was given
-    /// along the coordinate axes is not a number where the contact has no frame, which a grasp
-    /// refuses.
+    /// Commanded displacement of the finger's core in the contact frame, m. It is not a number if the command was given along the coordinate axes and
+    /// the contact has no frame; a grasp refuses such a contact.
     #[must_use]
     pub fn commanded(&self) -> SVector<f64, C> {
         let mut command = match self.command_axes {
@@ -141,7 +141,7 @@ impl<const C: usize> Contact<C> {
         command
     }
 
-    /// The contact with its command along the axes of its frame, and nothing left to be resolved.
+    /// The contact with its command along the axes of its frame, and with its press converted to a command.
     pub(super) fn resolved(mut self) -> Self {
         (self.command, self.command_axes, self.press) = (self.commanded(), Axes::Frame, None);
         self

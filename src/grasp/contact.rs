@@ -1,4 +1,4 @@
-//! One contact: where it touches, how it gives way, how it rubs, how its finger is commanded.
+//! One contact: its place, compliance and friction, and the command of its finger.
 
 use alloc::sync::Arc;
 
@@ -10,7 +10,7 @@ use crate::error::ContactLabel;
 use crate::prelude::*;
 use crate::words::LinkKind;
 
-/// How the contact is held together.
+/// Whether a contact can open, and whether it can slip.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -23,15 +23,14 @@ pub enum Hold {
     /// acts both ways, and the object never slips. With friction in between `|F_t| <= μ F_n` holds
     /// as usual: where a pull would be needed there is no equilibrium.
     KeptClosed,
-    /// Glued: normal and tangential springs act both ways and without limit. Gap and slip are zero,
-    /// friction does not count.
+    /// Glued: normal and tangential springs act both ways and without limit. Gap and slip are zero, and friction has no effect.
     Bonded,
 }
 
 /// A point contact with Coulomb friction between the object and an elastic finger.
 ///
-/// Built step by step; what is not said has the default given with each method. Checked when the
-/// [`Grasp`](crate::ask::Grasp) is made. `C` is the number of axes: 2 in the plane, 3 in space.
+/// Built step by step; each method states its default. [`Grasp`](crate::ask::Grasp) checks a contact when it is made. `C` is the number of axes: 2 in
+/// the plane, 3 in space.
 ///
 /// The contact frame is (n, t) in the plane with `t = (n_y, -n_x)`, and (n, t₁, t₂) in space with
 /// `t₂ = n × t₁`. Stiffnesses, commands and forces are along its axes, the normal first.
@@ -64,33 +63,34 @@ pub struct Contact<const C: usize> {
     pub(crate) tangent: Option<SVector<f64, C>>,
     pub(crate) stiffness: Stiffness<C>,
     pub(crate) friction: f64,
-    /// The coefficient while it slides, if that is another one.
+    /// Coefficient of kinetic friction, if it differs from `friction`.
     pub(crate) kinetic: Option<f64>,
     pub(crate) command: SVector<f64, C>,
-    /// The axes of `command`; those of the contact frame once the contact is part of a grasp.
+    /// Axes of `command`; those of the contact frame once the contact is part of a grasp.
     pub(crate) command_axes: Axes,
-    /// Force that the command stands for, in place of its normal part; resolved once the contact is part of a grasp.
+    /// Force that replaces the normal part of the command, N; converted to a command once the contact is part of a grasp.
     pub(crate) press: Option<f64>,
-    /// Force along the normal that stays whatever the object does.
+    /// Normal force at rest after everything has given way, N; the grasp finds the command for it when it is made.
+    pub(crate) at_rest: Option<f64>,
+    /// Constant normal force, whatever the object does, N.
     pub(crate) force: Option<f64>,
-    /// Force with which a vacuum pulls the object onto the contact, whatever it does, N.
+    /// Constant force with which a vacuum pulls the object onto the contact, N.
     pub(crate) suction: f64,
     pub(crate) clearance: f64,
     pub(crate) hold: Hold,
-    /// Which point of a soft fingertip it is, from 0.
+    /// Number of the point in its soft fingertip, from 0.
     pub(crate) point_of_pad: Option<usize>,
-    /// Of several bodies the one that the normal points into.
+    /// Name of the body into which the normal points, of several bodies.
     pub(crate) on: Option<Arc<str>>,
-    /// Of several bodies the one on the other side.
+    /// Name of the body on the other side, of several bodies.
     pub(crate) against: Option<Arc<str>>,
-    /// The kind of link that it is a point of, if it is no contact that is touched.
+    /// Kind of the link that this point belongs to; `None` for a real contact.
     pub(crate) link: Option<LinkKind>,
 }
 
 impl<const C: usize> Contact<C> {
-    /// A contact at `point` (m) whose `normal` points **into the object**, the way the finger
-    /// pushes. The normal need not have length one. Friction 0, command 0 and clearance 0 until
-    /// said otherwise; a stiffness must be given.
+    /// A contact at `point` (m) whose `normal` points **into the object**, the way the finger pushes. The normal need not have length one. Friction,
+    /// command and clearance are 0 by default; a stiffness must be given.
     pub fn new(point: impl Into<[f64; C]>, normal: impl Into<[f64; C]>) -> Self {
         Self {
             name: None,
@@ -103,6 +103,7 @@ impl<const C: usize> Contact<C> {
             command: SVector::zeros(),
             command_axes: Axes::Frame,
             press: None,
+            at_rest: None,
             force: None,
             suction: 0.0,
             clearance: 0.0,
@@ -114,23 +115,23 @@ impl<const C: usize> Contact<C> {
         }
     }
 
-    /// Of [several bodies](super::Bodies) the one that the normal points into, and that forces and displacements of the contact are told of.
+    /// Names the body, of [several](super::Bodies), that the normal points into. Forces and displacements of the contact refer to this body.
     #[must_use]
     pub fn on(mut self, body: impl Into<String>) -> Self {
         self.on = Some(body.into().into());
         self
     }
 
-    /// Of [several bodies](super::Bodies) the one on the other side, in place of the ground or a finger. The body stiffness of a contact is that of the body
-    /// that it is [on](Self::on), the finger stiffness that of this one.
+    /// Names the body, of [several](super::Bodies), on the other side, in place of the ground or a finger. The body stiffness of the contact belongs
+    /// to the body that it is [on](Self::on), the finger stiffness to this one.
     #[must_use]
     pub fn against(mut self, body: impl Into<String>) -> Self {
         self.against = Some(body.into().into());
         self
     }
 
-    /// A vacuum that pulls the object onto the contact with this force, N, from 0: against the normal, whatever object and finger do.
-    /// What presses is the lip, with this force less what pulls at the object. See [`SuctionCup`](super::SuctionCup), whose lip is a ring.
+    /// A vacuum that pulls the object onto the contact, against the normal, with a constant force, N, from 0. Only the lip presses, with this force
+    /// less the pull on the object. See [`SuctionCup`](super::SuctionCup), whose lip is a ring.
     #[must_use]
     pub fn suction(mut self, force: f64) -> Self {
         self.suction = force;
@@ -174,16 +175,17 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// Coefficient of friction while the contact slides, from a millionth of [that at rest](Self::friction) up to all of it. As soon as the contact begins
-    /// to slide its friction falls to that, at one load: other contacts catch the object, or it is lost. Once it is at rest again it has friction of rest.
+    /// Coefficient of kinetic friction, from a millionth of the coefficient [at rest](Self::friction) up to all of it. As soon as the contact begins
+    /// to slide, its friction falls to this value, at constant load: other contacts catch the object, or it is lost. A contact at rest again has its
+    /// friction of rest.
     ///
-    /// The answer is the **overdamped** one: the object comes to rest where forces balance again, without overshoot. One that is not damped shoots over, up
-    /// to twice as far, and may be lost where this one is caught. See the [guide](crate::guide::kinetic_friction).
+    /// Answers are **overdamped**: the object comes to rest where forces balance again, without overshoot. An undamped object overshoots, up to twice
+    /// as far, and may be lost where the overdamped one is caught. See the [guide](crate::guide::kinetic_friction).
     ///
-    /// [`follow`](crate::ask::Grasp::follow), [`hold`](crate::ask::Grasp::hold), [`shake`](crate::ask::Grasp::shake) and needs that are to
-    /// [hold](crate::need::Need::to_hold) or to [rest](crate::need::Need::to_rest) count with it. The first slip does not depend on it. [`solve`](crate::ask::Grasp::solve),
-    /// [`follow_patch`](crate::ask::Grasp::follow_patch) and [`follow_in_steps`](crate::ask::Grasp::follow_in_steps) refuse what they would have to tell of
-    /// a contact that slides. All other questions are about contacts at rest.
+    /// [`follow`](crate::ask::Grasp::follow), [`hold`](crate::ask::Grasp::hold), [`shake`](crate::ask::Grasp::shake) and needs to
+    /// [hold](crate::need::Need::to_hold) or to [rest](crate::need::Need::to_rest) take it into account. The first slip does not depend on it.
+    /// [`solve`](crate::ask::Grasp::solve) refuses an equilibrium in which such a contact slides. [`follow_patch`](crate::ask::Grasp::follow_patch)
+    /// and [`follow_in_steps`](crate::ask::Grasp::follow_in_steps) refuse grasps with such a contact. All other questions are about contacts at rest.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -247,13 +249,13 @@ impl<const C: usize> Contact<C> {
         self.friction
     }
 
-    /// Coefficient of friction while the contact slides; that at rest unless another one [was given](Self::kinetic).
+    /// Coefficient of kinetic friction; that at rest unless another one [was given](Self::kinetic).
     #[must_use]
     pub fn kinetic_coefficient(&self) -> f64 {
         self.kinetic.unwrap_or(self.friction)
     }
 
-    /// With this coefficient of friction at rest, and that of sliding in proportion.
+    /// Sets the coefficient of friction at rest, and scales the kinetic one in proportion.
     pub(crate) fn set_friction(&mut self, mu: f64) {
         let proportion = mu / self.friction;
         self.kinetic = self
@@ -268,14 +270,13 @@ impl<const C: usize> Contact<C> {
         if self.friction == 0.0 && self.hold != Hold::Bonded { 1 } else { C }
     }
 
-    /// How tables and pictures call the contact: its name, or "contact" and `index`, its place in
-    /// the list.
+    /// Name of the contact in tables and pictures: its own, or "contact" and `index`, its place in the list.
     #[must_use]
     pub fn label_text(&self, index: usize) -> String {
         self.label(index).text()
     }
 
-    /// How messages speak of it: "contact 1 (thumb)", of a link "hinge "pin"".
+    /// Name of the contact in messages: "contact 1 (thumb)", of a link "hinge "pin"".
     pub(crate) fn said_in_full(&self, index: usize) -> String {
         match (self.link, self.whole_name()) {
             (Some(kind), Some(name)) => format!("{} {name:?}", kind.name()),

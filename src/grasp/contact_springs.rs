@@ -1,4 +1,4 @@
-//! How a contact gives way: the springs of object and finger.
+//! Springs of a contact: stiffness of object and finger.
 
 use nalgebra::SVector;
 
@@ -6,9 +6,8 @@ use super::contact::Contact;
 use super::stiffness::Stiffness;
 
 impl<const C: usize> Contact<C> {
-    /// Springs of the object at this contact: normal and tangential stiffness, N/m, positive;
-    /// `f64::INFINITY` for a rigid object (the default). Takes the place of a series stiffness
-    /// given before.
+    /// Springs of the object at this contact: normal and tangential stiffness, N/m, positive; `f64::INFINITY` for a rigid object (the default).
+    /// Replaces a series stiffness given before.
     #[must_use]
     pub fn body_stiffness(self, normal: f64, tangential: f64) -> Self {
         self.body_stiffness_axes(normal_and_tangential(normal, tangential))
@@ -22,8 +21,8 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// Springs of the finger: normal and tangential stiffness, N/m, positive; `f64::INFINITY` for a
-    /// rigid finger (the default). Takes the place of a series stiffness given before.
+    /// Springs of the finger: normal and tangential stiffness, N/m, positive; `f64::INFINITY` for a rigid finger (the default). Replaces a series
+    /// stiffness given before.
     #[must_use]
     pub fn finger_stiffness(self, normal: f64, tangential: f64) -> Self {
         self.finger_stiffness_axes(normal_and_tangential(normal, tangential))
@@ -37,9 +36,8 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// Body and finger springs in series, `1/k = 1/k_body + 1/k_finger`, given at once: normal and
-    /// tangential, N/m, positive and finite. Takes the place of both; how far each surface gives
-    /// way is then not known.
+    /// Body and finger springs in series, `1/k = 1/k_body + 1/k_finger`, given at once: normal and tangential, N/m, positive and finite. Replaces
+    /// both; the displacements of the two surfaces are then unknown.
     #[must_use]
     pub fn series_stiffness(self, normal: f64, tangential: f64) -> Self {
         self.series_stiffness_axes(normal_and_tangential(normal, tangential))

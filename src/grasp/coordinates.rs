@@ -1,4 +1,4 @@
-//! Inside coordinates as an answer keeps them, whatever their number.
+//! Inside coordinates as answers store them, for any number of coordinates.
 
 use nalgebra::SVector;
 
@@ -6,7 +6,7 @@ use super::rotation::of_the_object;
 use crate::numerics::{Size, Vector};
 use crate::prelude::*;
 
-/// Coordinates of the object and of the joints behind them. Without joints nothing is allocated.
+/// Inside coordinates of the object and of the joints behind it. Without joints nothing is allocated.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Coordinates<const C: usize> {
     object: SVector<f64, 6>,
@@ -18,7 +18,7 @@ impl<const C: usize> Coordinates<C> {
         Self::of_in(coordinates, Vec::new())
     }
 
-    /// [`Self::of`] in a list that is there.
+    /// [`Self::of`] in the memory of `joints`.
     pub(crate) fn of_in<D: Size>(coordinates: &Vector<D>, mut joints: Vec<f64>) -> Self {
         let all = coordinates.as_slice();
         let (of_object, of_joints) = all.split_at(of_the_object::<C>().min(all.len()));
@@ -29,7 +29,7 @@ impl<const C: usize> Coordinates<C> {
         Self { object, joints }
     }
 
-    /// As coordinates of this size; zeros behind those that there are.
+    /// As coordinates of this size, with zeros behind the stored ones.
     pub(crate) fn to<D: Size>(&self) -> Vector<D> {
         let mut coordinates = Vector::<D>::zeros();
         let of_object = self.object.iter().take(of_the_object::<C>());
@@ -39,7 +39,7 @@ impl<const C: usize> Coordinates<C> {
         coordinates
     }
 
-    /// Its list, for other coordinates.
+    /// Takes out the list of joints, so that its memory can be used again.
     pub(crate) fn take_list(&mut self) -> Vec<f64> {
         core::mem::take(&mut self.joints)
     }

@@ -1,4 +1,4 @@
-//! What contacts and joints are driven by, and the same grasp driven otherwise.
+//! Commands and torques of a grasp, and the same grasp with other ones.
 
 use nalgebra::SVector;
 
@@ -112,20 +112,20 @@ impl<D: Size, const C: usize> Engine<D, C> {
         self.linkage.as_ref().map_or(&[], |linkage| &linkage.commands)
     }
 
-    /// What every site is driven by: a_i of the contacts, commands in the contact frames, the normal part less the clearance; then those of
-    /// the drives of a hand.
+    /// Offset of every site: for contacts a_i, the command in the contact frame with the clearance taken off its normal part; then those for the
+    /// drives of a hand.
     pub(crate) fn drives(&self) -> Vec<SVector<f64, C>> {
         let mut drives = Vec::new();
         self.drives_into(&mut drives);
         drives
     }
 
-    /// [`Self::drives`] in memory that is there.
+    /// [`Self::drives`] in existing memory.
     pub(crate) fn drives_into(&self, drives: &mut Vec<SVector<f64, C>>) {
         self.driven_by(self.contacts.iter().map(|contact| contact.command), self.joint_commands(), drives);
     }
 
-    /// The drives with other commands.
+    /// Offsets of all sites under other commands.
     pub(crate) fn driven_by(
         &self,
         commands: impl Iterator<Item = SVector<f64, C>>,
@@ -142,7 +142,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         }
     }
 
-    /// What the drives change by with these changes of commands; without any they stay.
+    /// Change of the offsets for a change of commands; `None` leaves commands unchanged.
     pub(crate) fn drive_changes(
         &self,
         commands: Option<&[SVector<f64, C>]>,
@@ -153,7 +153,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         changes
     }
 
-    /// [`Self::drive_changes`] in memory that is there; commands that are missing stay.
+    /// [`Self::drive_changes`] in existing memory; missing commands do not change.
     pub(crate) fn changed_by(
         &self,
         commands: impl Iterator<Item = SVector<f64, C>>,

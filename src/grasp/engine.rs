@@ -1,4 +1,4 @@
-//! A grasp: the contacts that were given, checked, with what the arithmetic needs of them.
+//! The engine of a grasp: its contacts, checked, and the data that the arithmetic needs of them.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -15,24 +15,22 @@ use crate::error::{Error, LARGEST};
 use crate::numerics::{Fixed, Size};
 use crate::prelude::*;
 
-/// A checked list of contacts in D coordinates: those of the object, 3 in the plane and 6 in space, and those of joints behind them.
+/// A checked list of contacts in D coordinates: 3 of the object in the plane or 6 in space, then those of joints and other bodies.
 #[derive(Debug, Clone)]
 pub(crate) struct Engine<D: Size, const C: usize> {
     size: D,
     pub(super) contacts: Vec<Contact<C>>,
     pub(super) sites: Vec<Site<D, C>>,
-    /// Centroid of the contact points: inside, moments and rotations are taken about it, so that a
-    /// far away reference point costs no digits.
+    /// Centroid of the contact points, m. Inside, moments and rotations are taken about it, so that a far reference point costs no digits.
     pub(super) origin: SVector<f64, C>,
-    /// Root mean square distance of the contact points from their centroid: inside, the unit of
-    /// length of arms, so that rotations and translations have comparable size whatever the user's
-    /// unit.
+    /// Root mean square distance of the contact points from their centroid, m. Inside it is the unit of length of arms. Rotations and translations
+    /// then have comparable size in any unit of the user.
     pub(super) length: f64,
     /// The joints behind the contacts, if any.
     pub(super) linkage: Option<Box<Linkage<D, C>>>,
-    /// What vacuums pull with beside the caller's loads, if there are any.
+    /// Total pull of the vacuums, in addition to the caller's loads.
     pub(super) vacuum: Option<Box<Vacuum<D, C>>>,
-    /// The factors of the elastic trial.
+    /// Factors of the elastic trial, made on first use.
     trial: Remembered,
 }
 
@@ -46,7 +44,7 @@ impl<const D: usize, const C: usize> Engine<Fixed<D>, C> {
 }
 
 impl<D: Size, const C: usize> Engine<D, C> {
-    /// A grasp by contacts that joints move, in so many coordinates.
+    /// A grasp by contacts that joints move, in `size` coordinates.
     pub(super) fn by_hand(size: D, contacts: Vec<Contact<C>>, linkage: Linkage<D, C>) -> Result<Self, Error> {
         let on_object =
             |i: usize| linkage.bodies.as_ref().map_or(1.0, |bodies| bodies.sign(i, bodies.object));
@@ -60,7 +58,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         Ok(grasp)
     }
 
-    /// This grasp with other data of its contacts, at the same places, and with own springs of joints and tendons so many times as stiff.
+    /// This grasp with other data of its contacts at the same places; `stiffer` scales the own springs of joints and tendons.
     pub(crate) fn with_data(
         &self,
         contacts: Vec<Contact<C>>,
@@ -76,7 +74,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         }
     }
 
-    /// These bodies with other loads on them.
+    /// This grasp with other loads on its bodies.
     pub(super) fn with_bodies(&self, bodies: PlacedBodies<C>) -> Self {
         let mut grasp = self.clone();
         if let Some(linkage) = &mut grasp.linkage {
@@ -85,8 +83,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         grasp
     }
 
-    /// Whether some drive pushes at rest, or a force is held, or a vacuum pulls, or a body has a weight.
-    #[cfg(feature = "serde")]
+    /// Whether anything presses at rest: a drive, a held force, a vacuum, or a constant load on a body.
     pub(crate) fn presses(&self) -> bool {
         let by_force = self.linkage().is_some_and(|linkage| linkage.held.iter().any(|force| *force != 0.0));
         let by_load =
@@ -104,7 +101,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         self.linkage().map_or(&[], |linkage| &linkage.centres)
     }
 
-    /// A grasp by contacts, about the middle of those that are meant.
+    /// A grasp by contacts, whose origin is the centroid of the contacts with `is_meant`.
     fn of(size: D, contacts: Vec<Contact<C>>, is_meant: &dyn Fn(usize) -> bool) -> Result<Self, Error> {
         if contacts.is_empty() {
             return Err(Error::EmptyGrasp);
@@ -117,7 +114,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let count = meant().count().max(1) as f64;
         let origin = meant().fold(SVector::zeros(), |sum, c| sum + c.point / count);
         let spread = meant().map(|c| (c.point - origin).norm_squared() / count).sum::<f64>().sqrt();
-        // A single point has no size of its own; then any unit of length does.
+        // A single point has no size of its own; any unit of length works then.
         let length = if spread * LARGEST > 1.0 { spread } else { 1.0 };
         let site = |(index, contact)| Site::new(size, (contact, index), (&origin, length));
         let sites = contacts.iter().enumerate().map(site).collect::<Result<Vec<_>, Error>>()?;
@@ -125,7 +122,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         Ok(Self { size, contacts, sites, origin, length, linkage: None, vacuum, trial })
     }
 
-    /// How many coordinates it has.
+    /// Number of coordinates.
     #[inline]
     pub(crate) fn size(&self) -> D {
         self.size
@@ -141,7 +138,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         &self.contacts
     }
 
-    /// One of [`Grasp::frames`](crate::ask::Grasp::frames).
+    /// Frame of one contact, of [`Grasp::frames`](crate::ask::Grasp::frames).
     pub(crate) fn frame(&self, contact: usize) -> &SMatrix<f64, C, C> {
         &self.sites[contact].frame
     }
@@ -155,7 +152,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         self.with_data(contacts, &|_| 1.0)
     }
 
-    /// This grasp as if everything slid: with friction of sliding from the beginning.
+    /// This grasp with kinetic friction in place of friction at rest.
     pub(crate) fn with_friction_of_sliding(&self) -> Result<Self, Error> {
         let mut contacts = self.contacts.clone();
         for contact in &mut contacts {
@@ -169,12 +166,12 @@ impl<D: Size, const C: usize> Engine<D, C> {
         self.linkage.as_ref().map_or_else(String::new, |linkage| linkage.label(part).text())
     }
 
-    /// For questions that know no joints.
+    /// Refuses a hand, for questions without joints.
     pub(crate) fn refuse_hands(&self, question: &'static str) -> Result<(), Error> {
         if self.linkage.is_some() { Err(Error::NotForHands { question }) } else { Ok(()) }
     }
 
-    /// For questions that would have to tell of sliding contacts, and do not know that their friction is lower.
+    /// Refuses kinetic friction, for questions that report sliding contacts with their friction at rest.
     pub(crate) fn refuse_kinetic(&self, question: &'static str) -> Result<(), Error> {
         match self.weaker_once_they_slide().next() {
             Some(i) => Err(Error::KineticFriction { question, contact: self.contacts[i].label(i) }),
@@ -182,15 +179,15 @@ impl<D: Size, const C: usize> Engine<D, C> {
         }
     }
 
-    /// Contacts whose friction is lower once they slide.
+    /// Contacts whose kinetic friction is lower than that at rest.
     pub(crate) fn weaker_once_they_slide(&self) -> impl Iterator<Item = usize> {
         (0..self.len()).filter(|&i| self.sites()[i].kinetic.is_some())
     }
 
-    /// Refuses questions that know no joints.
+    /// Refuses joints; several bodies without joints and drives are allowed.
     ///
     /// # Errors
-    /// [`Error::NotForHands`] for a hand, [`Error::NotForJoints`] where several bodies are held by one, or pressed by a given force.
+    /// [`Error::NotForHands`] for a hand, [`Error::NotForJoints`] for several bodies that a hand holds or a given force presses.
     pub(crate) fn refuse_joints(&self, question: &'static str) -> Result<(), Error> {
         match &self.linkage {
             Some(linkage) if linkage.bodies.is_none() => Err(Error::NotForHands { question }),
@@ -201,7 +198,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         }
     }
 
-    /// The drives of a joint or, behind the joints, of a tendon, with the numbers of their sites.
+    /// Drives of an actuator, with the numbers of their sites. Actuators are the joints, then the tendons.
     pub(crate) fn drives_of(&self, actuator: usize) -> impl Iterator<Item = (usize, &Drive<D>)> {
         let first = self.len();
         self.linkage()
@@ -215,7 +212,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         self.linkage.as_deref()
     }
 
-    /// Where the factors of the elastic trial are kept.
+    /// Memory for the factors of the elastic trial.
     pub(crate) fn remembered_trial(&self) -> &Remembered {
         &self.trial
     }

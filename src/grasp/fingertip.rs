@@ -1,9 +1,8 @@
 //! Soft fingertips: one contact spread over a patch.
 //!
-//! A point contact carries no moment: two of them let the object turn freely about the line through
-//! them. A fingertip touches over a patch and does carry one. The patch is made of point contacts
-//! in the tangent plane that share the springs of the one they replace, so everything the crate
-//! says of contacts holds for it.
+//! A point contact carries no moment: two of them let the object turn freely about the line through them. A fingertip touches over a patch and
+//! carries one. The patch is made of point contacts in the tangent plane. They share the springs of the contact that they replace, so everything in
+//! this crate about contacts applies to them.
 
 use core::f64::consts::TAU;
 
@@ -14,11 +13,10 @@ use super::pressure::{Layer, Pressure};
 use crate::error::{Error, LARGEST};
 use crate::prelude::*;
 
-/// A patch of point contacts that stands for one fingertip, with its stiffness and its friction in
-/// closed form.
+/// A patch of point contacts that models one fingertip, with its stiffness and its friction in closed form.
 ///
-/// `C` is the number of axes: 2 in the plane, 3 in space; use the names in [`crate::planar`] and
-/// [`crate::spatial`]. [`Self::contacts`] puts it in the place of a contact.
+/// `C` is the number of axes: 2 in the plane, 3 in space; use the names in [`crate::planar`] and [`crate::spatial`]. [`Self::contacts`] replaces a
+/// contact by the patch.
 ///
 /// The points have the shares w_i, `Σ w_i = 1`, and the places ρ_i about the centre. With
 /// r_i = |ρ_i| the mean of a quantity f is `⟨f⟩ = Σ w_i f(ρ_i)`. A tip has the normal and
@@ -81,7 +79,7 @@ use crate::prelude::*;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct SoftFingertip<const C: usize> {
-    /// Distance of the outermost points from the centre.
+    /// Distance of the outermost points from the centre, m.
     pub(super) radius: f64,
     pub(super) points: Vec<PatchPoint<C>>,
 }
@@ -94,12 +92,12 @@ const ZERO: f64 = 1e-15;
 /// One point of the patch.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct PatchPoint<const C: usize> {
-    /// Where, in the frame of the contact (its normal component is zero), from the centre.
+    /// Place relative to the centre, in the frame of the contact, m; its normal component is zero.
     pub(super) offset: SVector<f64, C>,
     pub(super) share: f64,
 }
 
-/// Layers on both sides of the middle, in order along a line: where, in units of the half width, and the share.
+/// Layers on both sides of the middle, in order along a line: place in units of the half width, and share.
 pub(super) fn along_a_line(layers: &[Layer]) -> impl Iterator<Item = (f64, f64)> {
     let side = |sign: f64| move |layer: &Layer| (sign * layer.distance, 0.5 * layer.share);
     layers.iter().rev().map(side(-1.0)).chain(layers.iter().map(side(1.0)))
@@ -128,17 +126,16 @@ impl SoftFingertip<3> {
         Self::of_rings(radius, &[Layer { distance: 1.0, share: 1.0 }], points)
     }
 
-    /// A disc of this radius (m) cut into `annuli` of equal width, each of which is stood for by
-    /// two rings of `points` points. Every other ring is turned by half a spacing; the one on the
-    /// rim has a point along the first tangent.
+    /// A disc of this radius (m) cut into `annuli` of equal width, each represented by two rings of `points` points. Every other ring is turned by
+    /// half a spacing; the one on the rim has a point along the first tangent.
     ///
     /// The closed forms above hold for any number of annuli and points. More annuli refine how slip
     /// spreads from the rim. More points refine the behaviour of a tip that slides and spins at
     /// once.
     ///
     /// # Errors
-    /// [`Error::Fingertip`] if the radius is not from 1e-50 to 1e50, or without an annulus. Fewer
-    /// than 3 points on a ring are refused, too, and more than [`Self::MOST_POINTS`] in all.
+    /// [`Error::Fingertip`] unless the radius is from 1e-50 to 1e50, there is at least one annulus, each ring has at least 3 points, and there are at
+    /// most [`Self::MOST_POINTS`] points in all.
     pub fn disc(radius: f64, annuli: usize, points: usize, pressure: Pressure) -> Result<Self, Error> {
         check(annuli >= 1, "number of annuli", annuli as f64, "at least 1")?;
         let rings = annuli.saturating_mul(2);
@@ -208,9 +205,8 @@ impl SoftFingertip<2> {
         Self::of_layers(width, &[Layer { distance: 1.0, share: 1.0 }])
     }
 
-    /// A pad of this width (m); each half is cut into `strips` of equal width, each of which is
-    /// stood for by two points, one of them on its outer edge. The closed forms above hold for any
-    /// number of strips.
+    /// A pad of this width (m); each half is cut into `strips` of equal width, each represented by two points, one of them on its outer edge. The
+    /// closed forms above hold for any number of strips.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Pressure, SoftFingertip};
@@ -234,7 +230,7 @@ impl SoftFingertip<2> {
         Self::of_layers(width, &pressure.layers::<2>(strips))
     }
 
-    /// In order along the tangent.
+    /// Points in order along the tangent.
     fn of_layers(width: f64, layers: &[Layer]) -> Result<Self, Error> {
         let radius = 0.5 * usable(width, "width")?;
         let place = |(at, share)| PatchPoint { offset: SVector::from([0.0, at * radius]), share };
@@ -244,14 +240,13 @@ impl SoftFingertip<2> {
 }
 
 impl<const C: usize> SoftFingertip<C> {
-    /// More points than this say nothing that the model of a fingertip would not blur.
+    /// Largest number of points; more would show details that the model of a fingertip does not resolve.
     pub const MOST_POINTS: usize = 4096;
 
-    /// The point contacts that take the place of `contact`.
+    /// The point contacts that replace `contact`.
     ///
-    /// Each has the normal, tangents, friction, command, clearance and hold of `contact`. Of the
-    /// stiffness of its body and its finger, and of forces, it has the share w_i. Its name is
-    /// that of `contact` and a number from 0, "thumb 3".
+    /// Each has the normal, tangents, friction, command, clearance and hold of `contact`. It has the share w_i of its stiffness (of body and finger)
+    /// and of its forces. Its name is that of `contact` and a number from 0, "thumb 3".
     ///
     /// # Errors
     /// [`Error::Contact`] with index 0 if `contact` has a number that is out of range.
@@ -272,8 +267,7 @@ impl<const C: usize> SoftFingertip<C> {
         Ok(self.points.iter().enumerate().map(child).collect())
     }
 
-    /// This patch where the compiler does not know the number of axes; none if the patch has
-    /// another number.
+    /// This patch as one with `B` axes, for callers generic over that number; `None` if it has another number.
     #[cfg(feature = "serde")]
     pub(crate) fn of_axes<const B: usize>(self) -> Option<SoftFingertip<B>> {
         let Self { radius, points } = self;
@@ -297,19 +291,17 @@ impl<const C: usize> SoftFingertip<C> {
         self.points.iter().map(|place| (place.offset, place.share))
     }
 
-    /// Stiffness against tilting about any tangent, N m/rad: `k_n ⟨r²⟩/2` in space, `k_n ⟨x²⟩` in
-    /// the plane. Of a rectangle the lesser of the [two](SoftFingertip::tilting_stiffnesses).
+    /// Stiffness against tilting about any tangent, N m/rad: `k_n ⟨r²⟩/2` in space, `k_n ⟨x²⟩` in the plane. For a rectangle the lesser of the
+    /// [two](SoftFingertip::tilting_stiffnesses).
     #[must_use]
     pub fn tilting_stiffness(&self, contact: &Contact<C>) -> f64 {
         let least = (1..C).map(|axis| self.square(axis)).fold(f64::INFINITY, f64::min);
         contact.series_stiffness_of_axes()[0] * least
     }
 
-    /// The moment about a tangent at which the first point opens, N m, if the tip is squeezed by
-    /// `normal_force` (N): `N ⟨r²⟩/2R` in space, `N ⟨x²⟩/b` in the plane. In space this is for a
-    /// tilt towards a point on the rim; half a spacing beside it the first opening comes later, by
-    /// up to the factor 1/cos(π/points). Of a rectangle it is the lesser of both tilts along a
-    /// side; towards a corner an edge opens earlier.
+    /// The moment about a tangent at which the first point opens, N m, if the tip is squeezed by `normal_force` (N): `N ⟨r²⟩/2R` in space, `N ⟨x²⟩/b`
+    /// in the plane. In space this is for a tilt towards a point on the rim. For a tilt half a spacing away from it the first point opens later, by
+    /// up to the factor 1/cos(π/points). For a rectangle it is the lesser of both tilts along a side; towards a corner an edge opens earlier.
     #[must_use]
     pub fn first_opening(&self, normal_force: f64) -> f64 {
         let along = |axis: usize| self.square(axis) / self.largest(|at| at[axis].abs());
@@ -321,7 +313,7 @@ impl<const C: usize> SoftFingertip<C> {
         self.mean(|at| at[axis] * at[axis])
     }
 
-    /// `Σ w_i f(ρ_i)`.
+    /// Mean ⟨f⟩, `Σ w_i f(ρ_i)`.
     fn mean(&self, f: impl Fn(&SVector<f64, C>) -> f64) -> f64 {
         self.points.iter().map(|place| place.share * f(&place.offset)).sum()
     }
@@ -331,7 +323,7 @@ impl<const C: usize> SoftFingertip<C> {
     }
 }
 
-/// How messages say which lengths are [usable].
+/// Allowed range of lengths, in messages; see [usable].
 const NEITHER_TINY_NOR_HUGE: &str = "from 1e-50 to 1e50";
 
 pub(super) fn usable(length: f64, what: &'static str) -> Result<f64, Error> {

@@ -1,8 +1,7 @@
 //! Contacts, loads and motions in other coordinates.
 //!
-//! A pose says where the frame in which something was given lies in the frame in which it is
-//! wanted: r' = R r + p for points. With f the force, m the moment about the origin, u the
-//! translation of the origin and θ the rotation,
+//! A pose says where the frame in which something was given lies in the frame in which it is wanted: r' = R r + p for points. With f the force, m the
+//! moment about the origin, u the translation of the origin and θ the rotation,
 //!
 //! ```text
 //! f' = R f,   m' = R m + p × f',      θ' = R θ,   u' = R u + p × θ'
@@ -26,9 +25,8 @@ impl<const C: usize> Contact<C> {
     /// last link, say, or of the object – as seen from the frame in which it is wanted. Contacts of
     /// one grasp must all be in one frame.
     ///
-    /// For points `r' = R r + p`, for normal and tangents R alone. A tangent that was not given
-    /// becomes the one that the contact has by default, turned with it: commands, stiffnesses and
-    /// forces in its contact frame stay as they were.
+    /// For points `r' = R r + p`, for normal and tangents R alone. A tangent that was not given becomes the default one, turned with the contact. So
+    /// commands, stiffnesses and forces in the contact frame stay the same.
     ///
     /// ```
     /// use grasp_lcp::nalgebra::{Isometry2, Vector2};
@@ -42,7 +40,7 @@ impl<const C: usize> Contact<C> {
     /// ```
     #[must_use]
     pub fn transformed<R: AbstractRotation<f64, C>>(mut self, pose: &Isometry<f64, R, C>) -> Self {
-        // A contact without a frame is refused when its grasp is made.
+        // A contact without a frame is refused later, when its grasp is made.
         let tangent = self.frame(0).map_or(self.tangent, |frame| Some(frame.column(1).into_owned()));
         self.tangent = tangent.map(|tangent| pose.rotation.transform_vector(&tangent));
         self.point = pose.rotation.transform_vector(&self.point) + pose.translation.vector;
@@ -53,10 +51,10 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// This contact with its normal tilted towards its tangents by these angles, rad, and its frame turned with it: about the one axis
-    /// across both, by the root of the sum of their squares. The first component does not count.
+    /// This contact with its normal tilted towards its tangents by these angles, rad; its frame turns with it. The axis is across the normal and the
+    /// tilt, the angle the root of the sum of their squares. The first component is ignored.
     pub(crate) fn tilted(mut self, tilt: &SVector<f64, C>) -> Self {
-        // A contact without a frame is refused when its grasp is made.
+        // A contact without a frame is refused later, when its grasp is made.
         let Ok(frame) = self.frame(0) else { return self };
         let mut towards = *tilt;
         towards[0] = 0.0;
@@ -73,11 +71,11 @@ impl<const C: usize> Contact<C> {
     }
 }
 
-/// Linear and angular part of `v`, each turned.
+/// `v` with its linear and its angular part rotated.
 fn turned<R: AbstractRotation<f64, C>, D: Size, const C: usize>(rotation: &R, v: &Vector<D>) -> Vector<D> {
     let part = |from: usize| rotation.transform_vector(&SVector::from_fn(|a, _| v[from + a]));
     let linear = part(0);
-    // A rotation about the one axis of the plane is the same in all frames, and so is what joints do.
+    // A rotation about the one axis of the plane is the same in all frames, and so are displacements of joints.
     let angular = (C == 3).then(|| part(C));
     let mut turned = v.clone();
     for a in 0..C {
@@ -110,9 +108,8 @@ macro_rules! in_other_frames {
         }
 
         impl Twist<$c> {
-            /// This motion told of the object's point at `point` instead of the one at the origin:
-            /// its translation is [`Self::displacement_at`] that point, its rotation stays. In its
-            /// result `point` is the origin.
+            /// This motion with the translation of the object's point at `point` instead of that at the origin: its translation is
+            /// [`Self::displacement_at`] that point, its rotation stays. In its result `point` is the origin.
             #[must_use]
             pub fn about(&self, point: impl Into<[f64; $c]>) -> Self {
                 Self::among(&moved_twist::<Fixed<6>, $c>(&-SVector::from(point.into()), &self.coordinates()))

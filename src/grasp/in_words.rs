@@ -9,23 +9,24 @@ use super::wrench::{Twist, Wrench};
 use crate::prelude::*;
 use crate::words::{Words, listed, printable};
 
-/// Turning that shifts points by less than this part of what all of them move by is told beside that; else the object turns about an axis.
+/// Displacement by rotation, over the mean displacement of the points, up to which the words begin with the translation; above, with the rotation
+/// about its axis. Also the least speed of a body, over the fastest, at which it is named.
 const SEEN: f64 = 0.05;
-/// Turning or moving by less than this part of the other one is rounding.
+/// Rotation or translation, over the other one, that counts as rounding.
 const ROUNDING: f64 = 1e-9;
-/// The same where nothing but the motion is known, m, and among forces and moments.
+/// The same where only the motion is known, in m, and for components of a load over the largest one.
 const LITTLE_ROUNDING: f64 = 1e-13;
-/// Points that move by less, m, stay where they are for whoever reads it: less than a nucleus is wide.
+/// Displacement, m, below which a point counts as at rest: less than the width of an atomic nucleus.
 const NOWHERE: f64 = 1e-15;
 
-/// So many bodies that move alike are told one by one.
+/// Up to this number of bodies with the same motion are named one by one.
 const APART: usize = 3;
 
-/// A force and a moment this close to a right angle act along one line: a force somewhere.
+/// Largest `|f·m|/(|f||m|)` at which force and moment act along one line, and so are a single force.
 const ONE_LINE: f64 = 1e-12;
 
 impl<const C: usize> Wrench<C> {
-    /// The size of a load that is one force or one moment, and its unit.
+    /// Size and unit of a load that is one force or one moment.
     pub(crate) fn measure(&self) -> Option<(f64, &'static str)> {
         let (force, moment) = self.components().split_at(C);
         let norm = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -60,8 +61,8 @@ impl Words {
         }
     }
 
-    /// What the object does as it moves by a small motion that takes some of its points along by `moved`, m: "turns 1.9° about …, moves 2.8 mm", or
-    /// the other way round where it hardly turns.
+    /// Words for a small motion of the object that moves some of its points by `moved`, m: "turns 1.9° about …, moves 2.8 mm". The translation comes
+    /// first if the object hardly turns.
     #[must_use]
     pub fn motion<const C: usize>(self, twist: &Twist<C>, moved: &[SVector<f64, C>]) -> String {
         if moved.is_empty() {
@@ -78,7 +79,7 @@ impl Words {
         format!("{} {told}", printable(&motion.body))
     }
 
-    /// With what points move by in the mean, and how far they are from that, where that is known.
+    /// [`Self::motion`] from the mean displacement of points and their distance from it, m, where known.
     fn moved<const C: usize>(self, twist: &Twist<C>, points: Option<(SVector<f64, C>, f64)>) -> String {
         let (along, omega) = twist.parts();
         let (mean, spread) = points.unwrap_or((along, 0.0));
@@ -96,7 +97,7 @@ impl Words {
         if !seen {
             return format!("{}, turns {}", moves(&mean), self.about(&omega));
         }
-        // What turning moves points by, as a scale for what is rounding.
+        // Distance of the points from the axis, m, as the scale of rounding.
         let arm = if spread > 0.0 { spread / omega.size() } else { 1.0 };
         let through = omega.way_to_axis(&along).map(|x| if x.abs() <= ROUNDING * arm { 0.0 } else { x });
         let turning = format!("turns {}{} m", self.about(&omega), self.point::<C>(&through));
@@ -107,7 +108,7 @@ impl Words {
         format!("{turning}, {}", moves(&pitch))
     }
 
-    /// A motion of which only the direction is meant: "turning about +z through (0, 0.03, 0) m".
+    /// Words for the direction of a motion: "turning about +z through (0, 0.03, 0) m".
     #[must_use]
     pub fn direction_of<const C: usize>(self, motion: &Motion<C>) -> String {
         if !motion.bodies.is_empty() {
@@ -118,7 +119,7 @@ impl Words {
         if moves { format!("{object}, the hand with it") } else { object }
     }
 
-    /// Of several bodies those that move: "wedge moving along −x, block moving along +y".
+    /// Directions of the bodies that move: "wedge moving along −x, block moving along +y".
     fn directions_of<const C: usize>(self, bodies: &[BodyMotion<C>]) -> String {
         let fastest = bodies.iter().map(BodyMotion::speed).fold(0.0, f64::max);
         let moves = bodies.iter().filter(|motion| motion.speed() > SEEN * fastest);
@@ -159,7 +160,7 @@ impl Words {
         }
     }
 
-    /// How far and which way: "1.9° about +z", in the plane "1.9° clockwise".
+    /// Angle and direction: "1.9° about +z", in the plane "1.9° clockwise".
     fn about<const C: usize>(self, omega: &Rotation<C>) -> String {
         let angle = self.angle(omega.size());
         match omega {
@@ -169,7 +170,7 @@ impl Words {
         }
     }
 
-    /// " about (0, 0.03)", in space " through (0, 0.03, 0)".
+    /// Place of the axis: " about (0, 0.03)", in space " through (0, 0.03, 0)".
     fn point<const C: usize>(self, through: &SVector<f64, C>) -> String {
         let at = self.numbers(through.as_slice());
         if C == 2 { format!(" about {at}") } else { format!(" through {at}") }

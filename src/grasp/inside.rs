@@ -1,8 +1,8 @@
 //! Inside coordinates: moments and rotations about the centroid of the contact points, in their own
 //! unit of length.
 //!
-//! Wrenches and twists of a question are moved there and those of an answer are moved back, so that
-//! neither a far away reference point nor the unit of the user costs digits.
+//! Wrenches and twists of questions are converted to them, and answers are converted back. So neither a far reference point nor the user's unit of
+//! length costs digits.
 
 use nalgebra::SVector;
 
@@ -31,12 +31,12 @@ impl<D: Size, const C: usize> Engine<D, C> {
         }
     }
 
-    /// A wrench on the body in the coordinates of the object.
+    /// A wrench on the body in the coordinates of the object, in inside coordinates.
     pub(crate) fn on_object(&self, wrench: &Wrench<C>) -> Vector<D> {
         self.per_length(moved_wrench::<D, C>(&-self.origin, &wrench.coordinates()))
     }
 
-    /// What rounding takes from a wrench moved inside.
+    /// Rounding of a wrench in inside coordinates: exact moments less rounded ones. It is zero where loads are shared among bodies.
     pub(crate) fn inside_rest(&self, wrench: &Wrench<C>) -> Vector<D> {
         let (w, inside) = (wrench.coordinates::<D>(), self.inside_unchecked(wrench));
         let mut rest = Vector::zeros();
@@ -63,7 +63,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         self.length
     }
 
-    /// A wrench as the user sees it, from inside coordinates.
+    /// A wrench in the user's coordinates, from inside coordinates.
     pub(crate) fn wrench_outside(&self, w: &Vector<D>) -> Wrench<C> {
         let outside = self.times_length(w.clone());
         let on_object = Wrench::among(&moved_wrench::<D, C>(&self.origin, &outside));
@@ -75,17 +75,17 @@ impl<D: Size, const C: usize> Engine<D, C> {
         }
     }
 
-    /// All coordinates of a motion inside, from those that the user sees.
+    /// All coordinates of a motion, converted from the user's to inside coordinates.
     pub(crate) fn inside_motion(&self, outside: &Vector<D>) -> Vector<D> {
         self.times_length(moved_twist::<D, C>(&-self.origin, outside))
     }
 
-    /// A motion of the object as the user sees it, from inside coordinates.
+    /// A motion of the object in the user's coordinates, from inside coordinates.
     pub(crate) fn outside(&self, q: &Vector<D>) -> Twist<C> {
         Twist::among(&self.outside_coordinates(q))
     }
 
-    /// A motion of object and joints as the user sees it, from inside coordinates.
+    /// A motion of object, joints and bodies in the user's coordinates, from inside coordinates.
     pub(crate) fn motion_outside(&self, q: &Vector<D>) -> Motion<C> {
         let outside = self.outside_coordinates(q);
         let joints = self.linkage().map_or(0, |linkage| linkage.joints.len());
@@ -93,12 +93,12 @@ impl<D: Size, const C: usize> Engine<D, C> {
         Motion { object: Twist::among(&outside), joints, bodies: self.body_motions(&outside) }
     }
 
-    /// All coordinates as the user sees them, those of drives that saturate behind the joints.
+    /// All coordinates in the user's units; coordinates of saturating drives come after the joints.
     pub(crate) fn outside_coordinates(&self, q: &Vector<D>) -> Vector<D> {
         moved_twist::<D, C>(&self.origin, &self.per_length(q.clone()))
     }
 
-    /// Angular components divided by the inside unit of length, those of joints by the lengths that measure them.
+    /// Divides angular components by the inside unit of length, and components of joints by the lengths that measure them.
     fn per_length(&self, mut v: Vector<D>) -> Vector<D> {
         v.iter_mut().take(of_the_object::<C>()).skip(C).for_each(|x| *x /= self.length);
         if let Some(linkage) = self.linkage() {
@@ -107,7 +107,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         v
     }
 
-    /// Angular components times the inside unit of length, those of joints times the lengths that measure them.
+    /// Multiplies angular components by the inside unit of length, and components of joints by the lengths that measure them.
     fn times_length(&self, mut v: Vector<D>) -> Vector<D> {
         v.iter_mut().take(of_the_object::<C>()).skip(C).for_each(|x| *x *= self.length);
         if let Some(linkage) = self.linkage() {

@@ -1,8 +1,7 @@
-//! The question: contacts, soft fingertips, stiffness, friction, wrench and twist, grasp.
+//! The parts of a question: contacts, soft fingertips, hands, several bodies, wrenches and twists.
 //!
-//! Written once for the plane and for space: `C` is the number of axes of a contact, 2 in the plane
-//! and 3 in space. Use the names
-//! in [`crate::planar`] and [`crate::spatial`].
+//! Written once for the plane and for space: `C` is the number of axes of a contact, 2 in the plane and 3 in space. Use the names in
+//! [`crate::planar`] and [`crate::spatial`].
 //!
 //! # Vectors of other libraries
 //!
@@ -17,9 +16,9 @@
 //! `DVec3::from_array(contact.force_world.into())`. Single precision is widened by its owner
 //! (`Vec3::as_dvec3`) and narrowed again (`DVec3::as_vec3`); nothing here computes in it.
 //!
-//! Poses are nalgebra's: [`Contact::transformed`], [`Wrench::transformed`] and
-//! [`Twist::transformed`] bring the coordinates of a link or of the object to those of the grasp,
-//! `about` moves the reference point, and [`Twist::exp`](crate::spatial::Twist::exp) is the rigid
+//! Poses are nalgebra's. [`Contact::transformed`], [`Wrench::transformed`] and
+//! [`Twist::transformed`] convert from the coordinates of a link or of the object to those of the
+//! grasp. `about` moves the reference point. [`Twist::exp`](crate::spatial::Twist::exp) is the rigid
 //! motion of an object's twist. Poses of glam, parry and rapier convert with `glamx` and its
 //! feature `nalgebra`: `DPose3::from(twist.exp())`, `Isometry3::from(pose)`. The package
 //! `collision-contacts` in the repository takes contacts from parry and shows all of it.

@@ -1,4 +1,4 @@
-//! A body that an arm carries: what it pulls with while the arm accelerates, and turns.
+//! A body carried by an arm, and its load while the arm accelerates and turns.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -6,18 +6,19 @@ use super::rotation::of_the_object;
 use super::wrench::Wrench;
 use crate::error::{Error, MODERATE, is_moderate};
 
-/// Standard weight of a kilogram as people round it, m/s².
+/// Standard gravity, rounded, m/s².
 const GRAVITY: f64 = 9.81;
 
-/// A body of some mass, carried by an arm: [`Self::load`] is what it pulls its grasp with.
+/// A body with a mass, carried by an arm; [`Self::load`] is its load on the grasp.
 ///
-/// With the centre of mass c, the mass m and the moment of inertia I about c, the load is that of gravity g less what accelerates the body:
+/// With the centre of mass c, the mass m and the moment of inertia I about c, the load is that of gravity g less the inertia of the body:
 ///
 /// ```text
 /// a_c = a + α × r + ω × (ω × r),  r = c - p        force m (g - a_c) at c,  moment -(I α + ω × I ω)
 /// ```
 ///
-/// where the arm's point p accelerates with a, and the arm turns about p with ω and α. Axes and moments are those of the grasp at that instant.
+/// where the arm's point p has the acceleration a, and the arm turns about p with the angular velocity ω and acceleration α. Axes and moments are
+/// those of the grasp at that instant.
 ///
 /// ```
 /// use grasp_lcp::planar::{ArmMotion, Payload, Wrench};
@@ -41,11 +42,11 @@ const GRAVITY: f64 = 9.81;
 pub struct Payload<const C: usize> {
     mass: f64,
     centre: Vector3<f64>,
-    /// About the centre; of the plane what stands last.
+    /// Matrix of inertia about the centre of mass; in the plane only its last diagonal entry counts.
     inertia: Option<Matrix3<f64>>,
 }
 
-/// How an arm moves at an instant: gravity, the acceleration of one of its points, and how it turns.
+/// Motion of an arm at an instant: gravity, the acceleration of one of its points, and its rotation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ArmMotion<const C: usize> {
     gravity: Vector3<f64>,
@@ -60,16 +61,17 @@ fn of_space<const C: usize>(v: [f64; C]) -> Vector3<f64> {
 }
 
 impl<const C: usize> Payload<C> {
-    /// A body of so many kg with its centre of mass there, m.
+    /// A body of this mass, kg, with its centre of mass at `centre`, m.
     pub fn new(mass: f64, centre: impl Into<[f64; C]>) -> Self {
         Self { mass, centre: of_space(centre.into()), inertia: None }
     }
 
-    /// What it pulls with while the arm moves like this.
+    /// Load of the body on its grasp while the arm moves like this.
     ///
     /// # Errors
-    /// [`Error::Argument`] unless the mass is from 0 to 1e50, and for a motion that is not finite or too large; [`Error::Question`] if its moment of inertia is asked for and was not given: where
-    /// the arm speeds up its turning, and in space where it turns at all. [`Error::Wrench`] for what overflows.
+    /// [`Error::Argument`] unless the mass is from 0 to 1e50, and for a motion or an inertia that is not finite or too large. [`Error::Question`] if
+    /// the moment of inertia is needed and was not given: where the arm has an angular acceleration, and in space where it turns at all.
+    /// [`Error::Wrench`] for a load that overflows.
     pub fn load(&self, arm: &ArmMotion<C>) -> Result<Wrench<C>, Error> {
         arm.check()?;
         if !(self.mass >= 0.0 && is_moderate(self.mass)) {
@@ -92,7 +94,7 @@ impl<const C: usize> Payload<C> {
         let force = (gravity - centre_accelerates) * self.mass;
         let spin = match self.inertia {
             Some(inertia) => inertia * alpha + omega.cross(&(inertia * omega)),
-            // The plane has one axis, about which nothing wobbles.
+            // Rotation in the plane has one fixed axis, and so no gyroscopic moment.
             None if *alpha == Vector3::zeros() && (C == 2 || *omega == Vector3::zeros()) => Vector3::zeros(),
             None => {
                 let fault = "is missing, must be given where the arm turns: about the centre of mass, kg m², zero for a body that is small beside its arm";
@@ -108,7 +110,8 @@ impl<const C: usize> Payload<C> {
 }
 
 impl<const C: usize> Payload<C> {
-    /// Its moments of inertia about axes through its centre of mass along x, y and z, kg m², where these are its principal axes. Of the plane the last counts.
+    /// Sets principal moments of inertia about axes through the centre of mass along x, y and z, kg m². These must be principal axes; in the plane
+    /// only the last one counts.
     #[must_use]
     pub fn of_inertia(mut self, axes: [f64; 3]) -> Self {
         self.inertia = Some(Matrix3::from_diagonal(&axes.into()));
@@ -117,7 +120,7 @@ impl<const C: usize> Payload<C> {
 }
 
 impl Payload<2> {
-    /// Its moment of inertia about its centre of mass, kg m².
+    /// Sets the moment of inertia about the centre of mass, kg m².
     #[must_use]
     pub fn inertia(self, inertia: f64) -> Self {
         self.of_inertia([0.0, 0.0, inertia])
@@ -125,13 +128,13 @@ impl Payload<2> {
 }
 
 impl Payload<3> {
-    /// Its moments of inertia about axes through its centre of mass along those of the coordinates, kg m², where these are its principal axes.
+    /// Sets principal moments of inertia about axes through the centre of mass along the coordinate axes, kg m². These must be principal axes.
     #[must_use]
     pub fn inertia(self, axes: impl Into<[f64; 3]>) -> Self {
         self.of_inertia(axes.into())
     }
 
-    /// Its matrix of inertia about its centre of mass, kg m², row by row.
+    /// Sets the matrix of inertia about the centre of mass, kg m², row by row.
     #[must_use]
     pub fn inertia_matrix(mut self, rows: impl Into<[[f64; 3]; 3]>) -> Self {
         self.inertia = Some(Matrix3::from(rows.into()).transpose());
@@ -161,21 +164,22 @@ impl<const C: usize> ArmMotion<C> {
         }
     }
 
-    /// With another gravity, m/s².
+    /// Sets gravity, m/s².
     #[must_use]
     pub fn gravity(mut self, gravity: impl Into<[f64; C]>) -> Self {
         self.gravity = of_space(gravity.into());
         self
     }
 
-    /// With an acceleration, m/s²: of all of the arm, or if it turns of the point that it turns about.
+    /// Sets the acceleration of the arm, m/s²; for an arm that turns, of the point about which it turns.
     #[must_use]
     pub fn accelerated(mut self, acceleration: impl Into<[f64; C]>) -> Self {
         self.acceleration = of_space(acceleration.into());
         self
     }
 
-    /// Turning besides about a point, m: with vectors of three axes, of which the plane has the last, rad/s and rad/s².
+    /// Adds a rotation about a point, m. The angular velocity, rad/s, and acceleration, rad/s², have three components, of which the plane uses the
+    /// last.
     #[must_use]
     pub fn and_turning(
         mut self,

@@ -1,5 +1,4 @@
-//! How the pressure is distributed over a soft fingertip, and the few distances from its centre
-//! that stand for it.
+//! Pressure over a soft fingertip, and the few distances from its centre at which points represent it.
 
 use crate::prelude::*;
 
@@ -27,7 +26,7 @@ pub enum Pressure {
     Hertz,
 }
 
-/// Everything at one distance from the centre, as if the pressure stood there.
+/// Pressure concentrated at one distance from the centre.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Layer {
     /// Distance from the centre, in units of the radius.
@@ -37,20 +36,16 @@ pub(super) struct Layer {
 }
 
 impl Pressure {
-    /// `bands` bands of equal width (annuli of a disc, strips on both sides of a line), two layers
-    /// for each.
+    /// Layers for `bands` bands of equal width (annuli of a disc, strips on both sides of a line), two for each.
     ///
-    /// Over the band [a, b] the density ρ^(c-2) p(ρ) (c = 2 for a line, 3 for a disc) has the
-    /// moments `m_k = ∫ ρ^k density dρ`. One layer lies on the outer edge b; the other one, at x,
-    /// and the two shares are what is needed to have m_0, m_1 and m_2 exactly (Radau's rule with
-    /// two points):
+    /// Over the band [a, b] the density ρ^(c-2) p(ρ) (c = 2 for a line, 3 for a disc) has the moments `m_k = ∫ ρ^k density dρ`. One layer lies on the
+    /// outer edge b, the other one at x. Their shares and x give m_0, m_1 and m_2 exactly (Radau's rule with two points):
     ///
     /// ```text
     /// x = (b m_1 - m_2) / (b m_0 - m_1),   share at x = (b m_0 - m_1) / (b - x),   at b = (m_1 - x m_0) / (b - x)
     /// ```
     ///
-    /// Hence the load, ⟨r⟩, ⟨r²⟩ and the rim are those of the continuum whatever the number of
-    /// bands.
+    /// Hence the load, ⟨r⟩, ⟨r²⟩ and the rim agree with the continuum for any number of bands.
     pub(super) fn layers<const C: usize>(self, bands: usize) -> Vec<Layer> {
         let around = i32::from(C == 3);
         let moment = |k, a, b| self.integral(k + around, b) - self.integral(k + around, a);
@@ -130,8 +125,7 @@ mod tests {
         layers_carry_the_moments_of_their_band::<2>();
     }
 
-    /// Thin bands lose digits to cancellation; the layers still lie in their bands, in order, and
-    /// carry something.
+    /// Thin bands lose digits to cancellation; the layers still lie in their bands, in order, with positive shares.
     #[test]
     fn layers_lie_in_their_bands() {
         for pressure in [Pressure::Uniform, Pressure::Parabolic, Pressure::Hertz] {

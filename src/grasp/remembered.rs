@@ -1,4 +1,4 @@
-//! What is made once for a grasp and kept with it.
+//! A value computed once for a grasp and kept with it.
 
 use alloc::sync::Arc;
 use core::any::Any;
@@ -6,12 +6,12 @@ use core::fmt;
 
 use crate::numerics::Once;
 
-/// Something that follows from the sites of a grasp alone, and that a room above makes when it first needs it.
+/// A value that depends on the sites of a grasp alone; a room above computes it on first use.
 #[derive(Clone, Default)]
 pub(crate) struct Remembered(Once<Arc<dyn Any + Send + Sync>>);
 
 impl Remembered {
-    /// What is remembered, made now if it never was.
+    /// The stored value, computed by `make` on first use.
     pub(crate) fn get<T: Any + Send + Sync>(&self, make: impl Fn() -> T) -> Arc<T> {
         let kept = self.0.get_or_init(|| Arc::new(make())).clone();
         kept.downcast().unwrap_or_else(|_| Arc::new(make()))

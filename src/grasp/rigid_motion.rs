@@ -9,9 +9,8 @@
 //! translation  R(θ/2) (s u⊥ + u∥),      s = sin(|θ|/2) / (|θ|/2)   (chord over arc)
 //! ```
 //!
-//! It differs from any other rigid motion that fits the twist to second order only, about which the
-//! first-order answers of this crate say nothing. The exponential is the one that does not depend
-//! on the frame: a pure rotation about a pivot stays one, however far away the origin lies.
+//! Any other rigid motion that fits the twist differs from it to second order, about which the first-order answers of this crate say nothing. The
+//! exponential map does not depend on the frame: a pure rotation about a pivot stays one, however far away the origin lies.
 
 use nalgebra::{ComplexField, Isometry2, Isometry3, SVector, UnitComplex, UnitQuaternion, Vector3};
 

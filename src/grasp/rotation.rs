@@ -14,7 +14,7 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::numerics::{DoubleDouble, Map, Size, Vector};
 
-/// Refuses other dimensions where the program is compiled.
+/// Refuses other dimensions at compile time.
 pub(crate) const fn assert_plane_or_space<const D: usize, const C: usize>() {
     assert!(
         (D == 3 && C == 2) || (D == 6 && C == 3),
@@ -23,12 +23,12 @@ pub(crate) const fn assert_plane_or_space<const D: usize, const C: usize>() {
     );
 }
 
-/// Coordinates of the object: its translations and rotations. Those of joints come behind them.
+/// Number of coordinates of the object: its translations and rotations. Those of joints come behind them.
 pub(crate) const fn of_the_object<const C: usize>() -> usize {
     C + planes::<C>().len()
 }
 
-/// A vector over all coordinates without its joint components.
+/// A vector over all coordinates, with zeros behind the object's.
 pub(crate) fn object_alone<D: Size, const C: usize>(v: &Vector<D>) -> Vector<D> {
     let mut alone = v.clone();
     alone.iter_mut().skip(of_the_object::<C>()).for_each(|x| *x = 0.0);
@@ -73,7 +73,7 @@ pub(crate) fn displacement_of<D: Size, const C: usize>(
     u
 }
 
-/// A wrench whose origin lies at `p`, about the origin.
+/// A wrench about `p`, converted to the origin.
 pub(crate) fn moved_wrench<D: Size, const C: usize>(p: &SVector<f64, C>, w: &Vector<D>) -> Vector<D> {
     let moments = wrench_of::<D, C>(p, &SVector::from_fn(|a, _| w[a]));
     let mut moved = w.clone();
@@ -83,7 +83,7 @@ pub(crate) fn moved_wrench<D: Size, const C: usize>(p: &SVector<f64, C>, w: &Vec
     moved
 }
 
-/// A twist whose origin lies at `p`, about the origin.
+/// A twist of the object's point at `p`, converted to the point at the origin.
 pub(crate) fn moved_twist<D: Size, const C: usize>(p: &SVector<f64, C>, q: &Vector<D>) -> Vector<D> {
     let translation = displacement_of::<D, C>(&-p, q);
     let mut moved = q.clone();
@@ -107,8 +107,7 @@ pub(crate) fn grasp_map<D: Size, const C: usize>(
     map
 }
 
-/// The grasp map about `origin` in the unit `length`, and what rounding took from it: the second is
-/// the difference from the exact map of this point and this frame, rounded.
+/// The grasp map about `origin` in the unit `length`, and its rounding: the exact map of this point and this frame less the first, rounded.
 pub(super) fn grasp_map_in_twice<D: Size, const C: usize>(
     size: D,
     point: &SVector<f64, C>,

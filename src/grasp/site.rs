@@ -1,4 +1,4 @@
-//! One contact as the arithmetic sees it.
+//! One contact or drive in the engine.
 
 use crate::numerics::{Map, Size, Vector};
 use alloc::sync::Arc;
@@ -13,25 +13,25 @@ use crate::contact::{Compliance, Coulomb, Law, Polygon};
 use crate::error::Error;
 use crate::numerics::DoubleDouble;
 
-/// What the arithmetic needs of one contact, in inside coordinates.
+/// Data of one contact or drive, in inside coordinates.
 #[derive(Debug, Clone)]
 pub(crate) struct Site<D: Size, const C: usize> {
     /// Grasp map G_i.
     pub(crate) map: Map<D, C>,
-    /// What rounding took from G_i, given the points and the frame.
+    /// Rounding of G_i for the given points and frame: the exact map less G_i.
     pub(crate) map_rest: Map<D, C>,
     /// Norm of G_i.
     size: f64,
-    /// Where G_i has entries.
+    /// Coordinates in which G_i has entries.
     pub(crate) support: Support<D>,
     /// Contact frame, columns n, t….
     pub(crate) frame: SMatrix<f64, C, C>,
     pub(crate) springs: Compliance<C>,
     pub(crate) friction: Coulomb,
-    /// The cone while it slides, if that is a smaller one.
+    /// Friction cone while it slides, if smaller than at rest.
     pub(crate) kinetic: Option<Coulomb>,
     pub(crate) hold: Hold,
-    /// The polygon that stands for the cone whatever the question says.
+    /// Polygon that replaces the friction cone, whatever the settings; for drives that slip.
     pub(crate) polygon: Option<Arc<Polygon<C>>>,
 }
 
@@ -66,14 +66,14 @@ impl<D: Size, const C: usize> Site<D, C> {
         })
     }
 
-    /// This site with another map, exactly.
+    /// This site with another map, taken as exact.
     pub(crate) fn with_map(&self, mut map: Map<D, C>) -> Self {
         let mut map_rest = Map::zeros(map.size());
         let (size, support) = (map.norm(), Support::of(&mut map, &mut map_rest));
         Self { map, map_rest, size, support, ..self.clone() }
     }
 
-    /// A site whose only force acts along one axis of its own: a drive of a hand.
+    /// A site with a force along one of its own axes only: a drive of a hand.
     pub(super) fn of_axis(
         size: D,
         (axis, along): (usize, &Vector<D>),
@@ -96,8 +96,8 @@ impl<D: Size, const C: usize> Site<D, C> {
         }
     }
 
-    /// Lets joints move the contact: columns of its Jacobian along the coordinate axes, and the lengths that measure joint displacements. Its force acts on
-    /// the object with this sign, or not at all.
+    /// Adds the motion of the contact with joints: columns of its Jacobian along the coordinate axes, and the lengths that measure joint
+    /// displacements. The contact force acts on the object with the factor `on_object`: 1, -1 or 0.
     pub(super) fn move_with(
         &mut self,
         motions: &[(usize, SVector<f64, C>)],
@@ -114,7 +114,7 @@ impl<D: Size, const C: usize> Site<D, C> {
         for (coordinate, motion) in motions {
             let k = object + coordinate;
             for a in 0..C {
-                // The object gives way where the finger comes: the sign is the other one.
+                // A motion of the finger stretches the springs like a motion of the object in the opposite direction, hence the sign.
                 let entry = -self.frame.column(a).dot(motion) / lengths[k];
                 let mut rest = DoubleDouble::new(-entry * lengths[k]);
                 for b in 0..C {
@@ -127,7 +127,7 @@ impl<D: Size, const C: usize> Site<D, C> {
         self.support = Support::of(&mut self.map, &mut self.map_rest);
     }
 
-    /// Some entries of a column of G_i, each with what rounding took from it.
+    /// Entries of a column of G_i within a range, each with its rounding.
     #[inline(always)]
     pub(crate) fn column_in_twice(
         &self,
@@ -139,7 +139,7 @@ impl<D: Size, const C: usize> Site<D, C> {
         map.iter().copied().zip(rest.iter().copied())
     }
 
-    /// How many coordinates there are.
+    /// Number of coordinates.
     #[inline]
     pub(crate) fn coordinates(&self) -> D {
         self.map.size()
@@ -154,13 +154,13 @@ impl<D: Size, const C: usize> Site<D, C> {
         }
     }
 
-    /// `a - G_iᵀq`.
+    /// Stretch of the springs, `a - G_iᵀq`.
     #[inline(always)]
     pub(crate) fn stretch(&self, drive: &SVector<f64, C>, twist: &Vector<D>) -> SVector<f64, C> {
         drive - self.map.tr_mul(twist)
     }
 
-    /// Size of the displacements at the contact: translation and rotation may cancel there, their rounding does not.
+    /// Scale of rounding of the displacements at the contact: translation and rotation may cancel there, but their rounding does not.
     #[inline(always)]
     pub(crate) fn span(&self, drive: &SVector<f64, C>, twist: &Vector<D>) -> f64 {
         self.span_moved(drive, twist.norm())
@@ -173,7 +173,7 @@ impl<D: Size, const C: usize> Site<D, C> {
     }
 }
 
-/// How many coordinates these sites move in: a grasp has one site at least.
+/// Number of coordinates of these sites; a grasp has at least one site.
 #[inline]
 pub(crate) fn size_of<D: Size, const C: usize>(sites: &[Site<D, C>]) -> D {
     sites.first().map_or(D::default(), Site::coordinates)

@@ -5,15 +5,14 @@ use nalgebra::SVector;
 /// Stiffness of a contact along the axes of its frame (normal first), N/m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Stiffness<const C: usize> {
-    /// Body and finger each with their own springs; `f64::INFINITY` means rigid.
+    /// Springs of body and finger, given separately; `f64::INFINITY` means rigid.
     BodyAndFinger {
         /// Springs between the body's core and its surface, u_c and u_d, N/m.
         body: SVector<f64, C>,
         /// Springs between the finger's core and its surface, u_f and u_e, N/m.
         finger: SVector<f64, C>,
     },
-    /// Both in series; how they share the deformation is not said, and displacements of the
-    /// surfaces are not known.
+    /// Both in series. Their shares of the deformation are unknown, and so are displacements of the surfaces.
     Series(SVector<f64, C>),
 }
 
@@ -26,7 +25,7 @@ impl<const C: usize> Stiffness<C> {
         }
     }
 
-    /// The springs of body and finger; both rigid where only the series of the two is known.
+    /// Springs of body and finger; both rigid if only their series is known.
     pub(super) fn sides(&self) -> [SVector<f64, C>; 2] {
         match self {
             Self::BodyAndFinger { body, finger } => [*body, *finger],
@@ -34,7 +33,7 @@ impl<const C: usize> Stiffness<C> {
         }
     }
 
-    /// These springs in series with more compliance of the finger, axis by axis, m/N.
+    /// These springs with additional compliance of the finger in series, axis by axis, m/N.
     pub(super) fn softened(&self, compliance: &SVector<f64, C>) -> Self {
         let soften = |k: &SVector<f64, C>| k.zip_map(compliance, |k, more| in_series(k, 1.0 / more));
         match self {
@@ -45,12 +44,12 @@ impl<const C: usize> Stiffness<C> {
         }
     }
 
-    /// Springs so many times as stiff; a rigid side stays rigid.
+    /// Springs multiplied by `factor`; a rigid side stays rigid.
     pub(crate) fn scaled(&self, factor: f64) -> Self {
         self.each(|k| k * factor)
     }
 
-    /// The same of tangential springs alone.
+    /// [`Self::scaled`] for tangential springs alone.
     pub(crate) fn scaled_tangentially(&self, factor: f64) -> Self {
         self.each(|k| SVector::from_fn(|axis, _| if axis == 0 { k[0] } else { k[axis] * factor }))
     }

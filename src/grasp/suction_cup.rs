@@ -1,4 +1,4 @@
-//! Suction cups: a lip, and the vacuum within it.
+//! Suction cups: a lip, and the vacuum inside it.
 
 use core::f64::consts::PI;
 
@@ -7,11 +7,11 @@ use super::fingertip::{SoftFingertip, check};
 use crate::error::{Error, LARGEST};
 use crate::prelude::*;
 
-/// A suction cup: a vacuum pulls the object onto a lip, a ring of points that shares stiffness and friction of one contact.
+/// A suction cup: a vacuum pulls the object onto a lip, a ring of points that share the stiffness and friction of one contact.
 ///
-/// The vacuum acts between cup and object, with the same force V whatever the load does, as long as the lip is closed. It is no load of
-/// the caller's: an object that hangs at a cup has no more than its weight. The lip presses with V less what pulls at the object. With the radius R and the
-/// friction μ, a load of one kind alone makes the first point of the lip leave at
+/// The vacuum acts between cup and object with a constant force V as long as the lip is closed. It is not part of the caller's load: an object that
+/// hangs from a cup is loaded by its weight alone. The lip presses with V less the pull on the object. With the radius R and the friction coefficient
+/// μ, the first point of the lip opens or slides under a load of one kind alone at
 ///
 /// | load | | how |
 /// |---|---|---|
@@ -20,17 +20,17 @@ use crate::prelude::*;
 /// | a moment across the normal | V R/2 | one point opens |
 /// | a moment about the normal | μ V R | all of it slides |
 ///
-/// A real lip lets air in where its first point opens: that is the onset. Where all of it is open the vacuum is gone at the latest:
+/// A real lip lets air in where its first point opens, which is the onset. At the latest the vacuum is gone where the whole lip is open:
 ///
-/// | question | says so by |
+/// | question | answer |
 /// |---|---|
-/// | [`hold`](crate::ask::Grasp::hold), [`need`](crate::ask::Grasp::need) | it lets go ([`WayOut::LetsGo`](crate::hold::WayOut::LetsGo)), and is lost there |
-/// | [`follow`](crate::ask::Grasp::follow), maps of what is held | the path ends ([`LossKind::LetsGo`](crate::load_path::LossKind::LetsGo)) |
-/// | [`onset`](crate::ask::Grasp::onset), also of a turn | what comes [beyond](crate::load_path::Beyond::WithoutVacuum) |
-/// | [`solve`](crate::ask::Grasp::solve) and every equilibrium | [`open_cups`](crate::equilibrium::Equilibrium::open_cups): it does not hold |
+/// | [`hold`](crate::ask::Grasp::hold), [`need`](crate::ask::Grasp::need) | the cup lets go ([`WayOut::LetsGo`](crate::hold::WayOut::LetsGo)), and the object is lost |
+/// | [`follow`](crate::ask::Grasp::follow), maps of held loads | the path ends ([`LossKind::LetsGo`](crate::load_path::LossKind::LetsGo)) |
+/// | [`onset`](crate::ask::Grasp::onset), also of a turn | [`beyond`](crate::ask::Grasp::beyond) returns [`Beyond::WithoutVacuum`](crate::load_path::Beyond::WithoutVacuum) |
+/// | [`solve`](crate::ask::Grasp::solve) and every equilibrium | [`open_cups`](crate::equilibrium::Equilibrium::open_cups) lists the cup: the equilibrium does not hold |
 /// | [`least_squeeze`](crate::ask::Grasp::least_squeeze), the weakest direction, the reserve | every lip touches and sticks there |
-/// | [`statics`](crate::ask::Statics) | forces besides: limits count them, closure of cups alone is refused |
-/// | [`follow_patch`](crate::ask::Grasp::follow_patch), [`follow_in_steps`](crate::ask::Grasp::follow_in_steps) | nothing: they leave the vacuum on, look at the states |
+/// | [`statics`](crate::ask::Statics) | limits include the forces of vacuums; closure by cups alone is refused |
+/// | [`follow_patch`](crate::ask::Grasp::follow_patch), [`follow_in_steps`](crate::ask::Grasp::follow_in_steps) | not detected: the vacuum stays on; check the contact states |
 ///
 /// ```
 /// use grasp_lcp::spatial::{Contact, Grasp, SuctionCup, Wrench};
@@ -51,8 +51,8 @@ pub struct SuctionCup {
 }
 
 impl SuctionCup {
-    /// A cup whose lip is a ring of this radius (m) and so many points, and whose vacuum pulls with this force (N). That is the
-    /// difference of pressure times the area within the lip, or what was measured.
+    /// A cup whose lip is a ring of this radius (m) with `points` points, and whose vacuum pulls with this force (N). That is the difference of
+    /// pressure times the area within the lip, or a measured force.
     ///
     /// # Errors
     /// [`Error::Fingertip`] as for [`SoftFingertip::ring`], and unless the force is from 0 to 1e50.
@@ -61,7 +61,7 @@ impl SuctionCup {
         Ok(Self { lip: SoftFingertip::ring(radius, points)?, force })
     }
 
-    /// A cup under this pressure below that of the air around, Pa: it pulls with `π R²` times that.
+    /// A cup with this pressure below ambient, Pa; its vacuum pulls with `π R²` times the pressure.
     ///
     /// # Errors
     /// As for [`Self::of_force`].
@@ -70,13 +70,13 @@ impl SuctionCup {
         Self::of_force(radius, points, PI * radius * radius * pressure)
     }
 
-    /// What its vacuum pulls with, N.
+    /// Pull of its vacuum, N.
     #[must_use]
     pub fn force(&self) -> f64 {
         self.force
     }
 
-    /// Its lip.
+    /// The lip, a ring of points.
     #[must_use]
     pub fn lip(&self) -> &SoftFingertip<3> {
         &self.lip

@@ -1,4 +1,4 @@
-//! Which coordinates a site feels.
+//! Coordinates on which a site depends.
 
 use crate::numerics::{Map, Size};
 use core::ops::Range;
@@ -6,8 +6,8 @@ use core::ops::Range;
 use super::rotation::of_the_object;
 use crate::prelude::*;
 
-/// The coordinates in which a map has entries, as two ranges: those of the object, or none of them, and some joints next to each other; or
-/// those of two bodies of which neither has the coordinates of the object. A contact feels the joints of one finger, a drive its own.
+/// Coordinates in which a map has entries, as two ranges: those of the object, if any, and some neighbouring joints; or those of two bodies other
+/// than the object. A contact depends on the joints of one finger, a drive on its own.
 #[derive(Debug, Clone)]
 pub(crate) struct Support<D: Size> {
     size: D,
@@ -15,7 +15,7 @@ pub(crate) struct Support<D: Size> {
 }
 
 impl<D: Size> Support<D> {
-    /// That of these two maps together, in which only its rows are kept.
+    /// Support of these two maps together; both then store these rows only.
     pub(super) fn of<const C: usize>(map: &mut Map<D, C>, rest: &mut Map<D, C>) -> Self {
         let size = map.size();
         let count = size.count();
@@ -33,7 +33,7 @@ impl<D: Size> Support<D> {
         Self { size, ranges }
     }
 
-    /// Its coordinates, as two ranges. Of a grasp without joints the first is all there is, and of a length known to the compiler.
+    /// Its coordinates, as two ranges. Without joints the first one has all coordinates, and a length known to the compiler.
     #[inline(always)]
     pub(crate) fn ranges<const C: usize>(&self) -> [Range<usize>; 2] {
         let all = self.size.count();
@@ -41,7 +41,7 @@ impl<D: Size> Support<D> {
     }
 }
 
-/// A range divided where it is not felt for longest.
+/// Divides a range at the longest gap between the coordinates in `felt`.
 fn apart(range: Range<usize>, felt: &[usize]) -> [Range<usize>; 2] {
     let Range { start, end } = range;
     let (mut gap, mut last) = (end..end, start);

@@ -1,4 +1,4 @@
-//! What vacuums pull the object with: a load that is there beside the caller's, whatever that is.
+//! Pull of vacuums on the object: a constant load in addition to the caller's.
 
 use super::contact::Contact;
 use super::engine::Engine;
@@ -11,13 +11,13 @@ use crate::numerics::{Size, Vector};
 use crate::prelude::*;
 use crate::words::listed;
 
-/// "cup opens all around, and its vacuum is gone".
+/// Message of a lost vacuum: "cup opens all around, and its vacuum is gone".
 pub(crate) fn vacuum_is_gone(cups: &[WholeContact]) -> String {
     let [opens, its] = if cups.len() == 1 { ["opens", "its"] } else { ["open", "their"] };
     format!("{} {opens} all around, and {its} vacuum is gone", listed(cups))
 }
 
-/// The vacuums of all contacts together.
+/// Total pull of the vacuums of all contacts.
 #[derive(Debug, Clone)]
 pub(crate) struct Vacuum<D: Size, const C: usize> {
     /// On object and joints, in inside coordinates.
@@ -27,7 +27,7 @@ pub(crate) struct Vacuum<D: Size, const C: usize> {
 }
 
 impl<D: Size, const C: usize> Vacuum<D, C> {
-    /// Between each finger and the object, along the normal of the contact; `None` where there is none.
+    /// Pulls between fingers and object along the contact normals; `None` without a vacuum.
     pub(super) fn of(contacts: &[Contact<C>], sites: &[Site<D, C>]) -> Option<Box<Self>> {
         if contacts.iter().all(|contact| contact.suction == 0.0) {
             return None;
@@ -42,14 +42,14 @@ impl<D: Size, const C: usize> Vacuum<D, C> {
 }
 
 impl<const C: usize> Contact<C> {
-    /// What its vacuum does to the object.
+    /// Wrench of its vacuum on the object, about the origin.
     pub(crate) fn pulled<D: Size>(&self, site: &Site<D, C>) -> Vector<D> {
         wrench_of::<D, C>(&self.point, &(site.frame.column(0) * -self.suction))
     }
 }
 
 impl<D: Size, const C: usize> Engine<D, C> {
-    /// What vacuums pull with, if there are any.
+    /// Total pull of the vacuums, if there are any.
     pub(crate) fn vacuum(&self) -> Option<&Vacuum<D, C>> {
         self.vacuum.as_deref()
     }
@@ -71,13 +71,13 @@ impl<D: Size, const C: usize> Engine<D, C> {
         cups.first().map(|cup| WholeContacts::of(self.contacts()).whole(cup.contact))
     }
 
-    /// The points of some contacts, by their place in the list.
+    /// Indices of the points that belong to these parts.
     pub(crate) fn points_of(&self, parts: &[WholeContact]) -> Vec<usize> {
         let whole = WholeContacts::of(self.contacts());
         parts.iter().flat_map(|part| whole.ranges()[part.contact].clone()).collect()
     }
 
-    /// A load of the caller's with what vacuums do to the object.
+    /// A load of the caller's plus the pull of the vacuums.
     pub(crate) fn with_vacuum(&self, load: &Wrench<C>) -> Wrench<C> {
         self.vacuum().map_or(*load, |vacuum| *load + vacuum.on_object)
     }

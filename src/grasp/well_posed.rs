@@ -1,4 +1,4 @@
-//! Whether a contact is well posed: its numbers, one by one, and the frame that its normal and tangent make.
+//! Checks of a contact: its numbers, one by one, and the frame from its normal and tangent.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -6,12 +6,11 @@ use super::contact::Contact;
 use super::stiffness::Stiffness;
 use crate::error::{Error, Field, LARGEST, MODERATE, is_moderate};
 
-/// A tangent whose part across the normal is at most this much of its length lies along the normal.
-/// Rounding turns a tangent by some 1e-16; with a smaller bound it would choose the direction of
-/// the frame, with a much larger one tangents would be refused that say clearly where to go.
+/// Part of a tangent across the normal, over its length, up to which it counts as along the normal. Rounding turns a tangent by some 1e-16: with a
+/// smaller bound it would choose the direction of the frame. A much larger bound would refuse tangents with a clear direction.
 const ALONG_NORMAL: f64 = 1e-12;
 
-/// A contact whose friction falls below this part of that at rest slides on rounding: its friction force has no direction any more.
+/// Least kinetic friction over that at rest: below it a sliding contact's friction force has no direction but rounding.
 const LEAST_KINETIC: f64 = 1e-6;
 
 impl<const C: usize> Contact<C> {
@@ -50,8 +49,7 @@ impl<const C: usize> Contact<C> {
             axis[n.iamin()] = 1.0;
             axis
         };
-        // Twice, so that t₁ is orthogonal to n to the last bit even when the hint nearly points
-        // along n.
+        // Projected twice, so that t₁ is orthogonal to n to the last bit even when the hint nearly points along n.
         let flat = hint - n * n.dot(&hint);
         let flat = flat - n * n.dot(&flat);
         if flat.norm() <= ALONG_NORMAL {
@@ -68,7 +66,7 @@ impl<const C: usize> Contact<C> {
         Ok(frame)
     }
 
-    /// Everything but the frame, checked number by number.
+    /// Checks all numbers but those of the frame.
     pub(crate) fn check(&self, index: usize) -> Result<(), Error> {
         let fault =
             |field, value, allowed| Err(Error::Contact { contact: self.label(index), field, value, allowed });
@@ -139,7 +137,7 @@ pub(super) fn unit<const C: usize>(v: &SVector<f64, C>) -> Option<SVector<f64, C
     Some(scaled / scaled.norm())
 }
 
-/// What an error message shows of a bad vector: its non-finite component, or else its length.
+/// Value shown in messages for a bad vector: its non-finite component, or else its length.
 pub(super) fn length_or_culprit<const C: usize>(v: &SVector<f64, C>) -> f64 {
     v.iter().copied().find(|x| !x.is_finite()).unwrap_or_else(|| v.norm())
 }

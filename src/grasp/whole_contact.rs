@@ -1,4 +1,4 @@
-//! Contacts as people count them: a soft fingertip is one, however many points stand for it.
+//! Contacts as users count them: a soft fingertip is one, with several points.
 
 use alloc::borrow::Cow;
 use alloc::sync::Arc;
@@ -12,33 +12,33 @@ use crate::error::ContactLabel;
 use crate::prelude::*;
 use crate::words::{LinkKind, printable};
 
-/// A contact that an answer speaks of, or a soft fingertip with those of its points that are meant.
+/// A contact in an answer, or some of the points of a soft fingertip.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct WholeContact {
-    /// Its place in the list of contacts, from 0, where a soft fingertip counts as one.
+    /// Its place in the list of contacts, from 0; a soft fingertip counts as one.
     pub contact: usize,
-    /// Its name, or "contact" and that number.
+    /// Its name, or "contact" and its place.
     pub label: String,
-    /// What kind of link between bodies it is; not written of a contact.
+    /// Kind of the link between bodies that it represents; omitted for a contact.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub link: Option<LinkKind>,
-    /// How many of its points are meant: one for a contact that is a point itself.
+    /// Number of its points that the answer is about: 1 for a contact that is a point itself.
     pub points: usize,
-    /// How many points it has.
+    /// Number of all its points.
     pub of: usize,
 }
 
 impl WholeContact {
-    /// Whether all of it is meant.
+    /// Whether the answer is about all of its points.
     #[must_use]
     pub fn is_whole(&self) -> bool {
         self.points == self.of
     }
 
-    /// Its name as it may be printed.
+    /// Its name, made safe to print.
     pub(crate) fn text(&self) -> Cow<'_, str> {
         printable(&self.label)
     }
@@ -52,7 +52,7 @@ impl fmt::Display for WholeContact {
     }
 }
 
-/// The contacts of a grasp, points of one soft fingertip together.
+/// The contacts of a grasp, with the points of each soft fingertip as one part.
 pub(crate) struct WholeContacts<'c, const C: usize> {
     contacts: &'c [Contact<C>],
     ranges: Vec<Range<usize>>,
@@ -70,12 +70,12 @@ impl<'c, const C: usize> WholeContacts<'c, C> {
         Self { contacts, ranges }
     }
 
-    /// The contacts of each part.
+    /// Range of contacts of each part.
     pub(crate) fn ranges(&self) -> &[Range<usize>] {
         &self.ranges
     }
 
-    /// The parts that have points among these, in order.
+    /// The parts with points for which `is_meant` is true, in order.
     pub(crate) fn with(&self, is_meant: &dyn Fn(usize) -> bool) -> Vec<WholeContact> {
         let mut parts = Vec::new();
         for (contact, range) in self.ranges.iter().enumerate() {
@@ -88,7 +88,7 @@ impl<'c, const C: usize> WholeContacts<'c, C> {
         parts
     }
 
-    /// A part as answers name it.
+    /// Label of a part in answers.
     pub(crate) fn whole(&self, number: usize) -> ContactLabel {
         ContactLabel {
             index: number,
@@ -98,7 +98,7 @@ impl<'c, const C: usize> WholeContacts<'c, C> {
         }
     }
 
-    /// The mean of a quantity of points over each part.
+    /// Mean of a vector over the points of each part.
     pub(crate) fn mean(&self, of: &dyn Fn(usize) -> SVector<f64, C>) -> Vec<SVector<f64, C>> {
         let mean = |range: &Range<usize>| {
             range.clone().fold(SVector::zeros(), |sum, i| sum + of(i)) / range.len() as f64
@@ -106,17 +106,17 @@ impl<'c, const C: usize> WholeContacts<'c, C> {
         self.ranges.iter().map(mean).collect()
     }
 
-    /// What the first point of each part has.
+    /// Value at the first point of each part.
     pub(crate) fn first<T>(&self, of: impl Fn(usize) -> T) -> Vec<T> {
         self.ranges.iter().map(|range| of(range.start)).collect()
     }
 
-    /// The sum of a quantity of points over each part.
+    /// Sum of a number over the points of each part.
     pub(crate) fn sum(&self, of: &dyn Fn(usize) -> f64) -> Vec<f64> {
         self.ranges.iter().map(|range| range.clone().map(of).sum()).collect()
     }
 
-    /// What kind of link a part is, if it is one.
+    /// Kind of link of a part, if it is one.
     fn link(&self, number: usize) -> Option<LinkKind> {
         self.contacts[self.ranges[number].start].link
     }
@@ -138,7 +138,7 @@ impl<const C: usize> Contact<C> {
         self.point_of_pad.unwrap_or(0) == 0
     }
 
-    /// Its name, of a point of a soft fingertip that of the fingertip.
+    /// Its name; for a point of a soft fingertip that of the fingertip.
     pub(crate) fn whole_name(&self) -> Option<&str> {
         let name = self.name.as_deref()?;
         let of_the_pad = self.point_of_pad.and_then(|point| name.strip_suffix(&format!(" {point}")));

@@ -12,11 +12,9 @@ use crate::error::{Error, is_moderate};
 /// A load on the object: forces first, then moments about the origin of the coordinates, 3
 /// components in the plane and 6 in space.
 ///
-/// A load acts **on the object** from outside, weight for instance; the contact forces F balance
-/// it, `Σ G_i F_i + W = 0`. Forces are in N and moments in N m, or in whatever consistent units the
-/// contacts use. Positive moments turn from x to y in the plane and follow the right-hand rule in
-/// space. What acts on the joints of a [hand](crate::grasp::Hand) from outside is said
-/// [apart](crate::ask::Grasp::with_joint_torques).
+/// A load acts **on the object** from outside, weight for instance; the contact forces F balance it, `Σ G_i F_i + W = 0`. Forces are in N and moments
+/// in N m, or in whatever consistent units the contacts use. Positive moments turn from x to y in the plane and follow the right-hand rule in space.
+/// External torques on the joints of a [hand](crate::grasp::Hand) are given [separately](crate::ask::Grasp::with_joint_torques).
 ///
 /// ```
 /// use grasp_lcp::nalgebra::{Isometry2, Vector2};
@@ -73,7 +71,7 @@ macro_rules! vector_like {
                 &self.0.as_slice()[..of_the_object::<C>()]
             }
 
-            /// From its components in the order of [`Self::components`]; those that are missing are zero, more are left aside.
+            /// From its components in the order of [`Self::components`]; missing ones are zero, surplus ones are ignored.
             #[must_use]
             pub fn from_components(components: &[f64]) -> Self {
                 let mut all = SVector::<f64, 6>::zeros();
@@ -81,12 +79,12 @@ macro_rules! vector_like {
                 Self(all)
             }
 
-            /// The components of the object among coordinates.
+            /// The components of the object, taken from all coordinates.
             pub(crate) fn among<D: Size>(coordinates: &Vector<D>) -> Self {
                 Self::from_components(coordinates.as_slice())
             }
 
-            /// As the first coordinates, zeros behind them.
+            /// As the first of all coordinates, with zeros behind them.
             pub(crate) fn coordinates<D: Size>(&self) -> Vector<D> {
                 let mut coordinates = Vector::<D>::zeros();
                 self.components().iter().enumerate().for_each(|(k, x)| coordinates[k] = *x);

@@ -16,7 +16,7 @@
 //!
 //! ```text
 //! $ grasp-lcp shake block.json
-//! WALKS: the object moves 0.01 mm along +x in every cycle, left foot and right foot slide
+//! WALKS: the object moves 0.01 mm along +x in every cycle, left foot and right foot slide. Good for slow shaking: inertia acts only as far as the loads contain it
 //! ```
 //!
 //! A pull of 3.5 N acts on a block of 10 N with a friction of 0.5: applied once, 5 N would be held. But the block leans on one foot and then on the
@@ -34,14 +34,14 @@
 //!
 //! ```text
 //! $ grasp-lcp shake tool.json --base 0,-5.886 --at=-0.05,0 --force 45,0 --force=-45,0
-//! SLIDES TO AND FRO: index slides by up to 3.49266 mm in every cycle, which takes 0.0230909 J; the object stays
+//! SLIDES TO AND FRO: index slides by up to 3.49266 mm in every cycle, which takes 0.0230909 J; the object stays. Good for slow shaking: inertia acts only as far as the loads contain it
 //! ```
 //!
 //! # A milling cutter pushes one way and the other. Does the part creep out of its fixture?
 //!
 //! ```text
 //! $ grasp-lcp shake fixture.json
-//! SLIDES TO AND FRO: lower left slides by up to 0.0180734 mm in every cycle, which takes 0.000513745 J; the object stays
+//! SLIDES TO AND FRO: lower left slides by up to 0.0180734 mm in every cycle, which takes 0.000513745 J; the object stays. Good for slow shaking: inertia acts only as far as the loads contain it
 //! ```
 //!
 //! It does not, but the locator wears: 0.5 mJ per tooth.
@@ -65,7 +65,7 @@
 //!
 //! ```text
 //! $ grasp-lcp need tool.json squeeze --base 0,-5.886 --at=-0.05,0 --force 35,0 --repeats
-//! NEEDS 40.4707 N at palm, 13.4902 N at index, 13.4902 N at middle and 13.4902 N at little (0.674512 times the squeeze given) so that it comes to rest however often the load is put on, 1.14799 times as much if friction is 10 % less and the squeeze is 5 % less. With less: SLIDES TO AND FRO: index slides by up to 4.70665e-8 mm in every cycle, which takes 1.66189e-10 J; the object stays
+//! NEEDS 40.4707 N at palm, 13.4902 N at index, 13.4902 N at middle and 13.4902 N at little (0.674512 times the squeeze given) so that it comes to rest however often the load is put on, 1.14799 times as much if friction is 10 % less and the squeeze is 5 % less. With less: SLIDES TO AND FRO: index slides by up to 4.70665e-8 mm in every cycle, which takes 1.66189e-10 J; the object stays. Good for slow shaking: inertia acts only as far as the loads contain it
 //! ```
 //!
 //! # Could it come to rest at all?

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use super::words::amount_of;
+use super::words::{AT_ONCE, amount_of};
 use crate::grasp::{Contact, Engine, WholeContact, WholeContacts};
 use crate::load_path::{Event, Jump, JumpSlip, Leg, PathEnd, Ramp};
 use crate::numerics::Size;
@@ -10,7 +10,7 @@ use crate::prelude::*;
 use crate::search::Settings;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
-use crate::words::{Words, listed};
+use crate::words::{Words, listed, printable};
 
 /// A slip that is shorter than this part of the longest in a jump is not worth a word.
 const SHORT: f64 = 1e-6;
@@ -26,6 +26,9 @@ pub struct Caught {
     pub factor: f64,
     /// Who slips, and how far.
     pub slips: Vec<SlippedBy>,
+    /// Where the object moves without resistance until a gap closes.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub moves: Option<MovesTo>,
     /// Energy that is lost, J.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub energy_lost: f64,
@@ -43,6 +46,53 @@ pub struct SlippedBy {
     /// How far: of a soft fingertip the point that slips farthest, m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub distance: f64,
+}
+
+/// How far the object, or the body among several that moves farthest, goes without resistance until gaps close.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub struct MovesTo {
+    /// The contacts that close.
+    pub contacts: Vec<WholeContact>,
+    /// The name of the body.
+    pub body: String,
+    /// What the middle of its contacts moves by, m.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
+    pub distance: f64,
+    /// What it turns by, rad.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
+    pub angle: f64,
+    /// What turning moves its contacts by past their middle, m.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
+    pub turning: f64,
+    /// Whether contacts slide on the way.
+    pub slides: bool,
+}
+
+impl MovesTo {
+    fn of<const C: usize>(parts: &WholeContacts<C>, jump: &Jump<C>) -> Option<Self> {
+        let contacts = parts.with(&|i| jump.reaches.iter().any(|contact| contact.index == i));
+        let farthest = jump.moved.iter().max_by(|a, b| a.speed().total_cmp(&b.speed()))?;
+        let (distance, angle) = (farthest.middle_moves().norm(), farthest.twist.parts().1.size());
+        let (turning, slides) = (farthest.turning_moves(), !jump.slips.is_empty());
+        let body = farthest.body.to_string();
+        (!contacts.is_empty()).then_some(Self { contacts, body, distance, angle, turning, slides })
+    }
+}
+
+/// "the object slides 0.4 mm to stop", "lid turns 0.1° to hinge".
+impl fmt::Display for MovesTo {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let words = Words::of(f);
+        let goes = match (self.turning > self.distance, self.slides) {
+            (true, _) => format!("turns {}", words.angle(self.angle)),
+            (false, true) => format!("slides {}", words.length(self.distance)),
+            (false, false) => format!("moves {}", words.length(self.distance)),
+        };
+        write!(f, "{} {goes} to {}", printable(&self.body), listed(&self.contacts))
+    }
 }
 
 impl<D: Size, const C: usize> Engine<D, C> {
@@ -65,11 +115,17 @@ impl Caught {
     ) -> fmt::Result {
         let (words, digits) = (Words::of(f), Words::of(f).digits());
         let Some(last) = all.last() else { return Ok(()) };
-        let at = amount_of(size, last.factor, words);
-        match all.len() {
-            1 if is_held => write!(f, ", caught {last:.digits$}"),
-            1 => write!(f, ", caught at {at} {last:.digits$}"),
-            times => write!(f, ", caught {times} times, the last time at {at} {last:.digits$}"),
+        let amount = amount_of(size, last.factor, words);
+        let at = if last.factor <= AT_ONCE { "at once".to_owned() } else { format!("at {amount}") };
+        match (all.len(), &last.moves) {
+            (1, Some(moves)) if is_held => write!(f, "; {at} {moves:.digits$}, then holds"),
+            (1, Some(moves)) => write!(f, ", after {moves:.digits$} {at}"),
+            (1, None) if is_held => write!(f, ", caught {last:.digits$}"),
+            (1, None) => write!(f, ", caught {at} {last:.digits$}"),
+            (times, Some(moves)) => {
+                write!(f, ", caught {times} times, the last time {at} as {moves:.digits$}")
+            }
+            (times, None) => write!(f, ", caught {times} times, the last time {at} {last:.digits$}"),
         }
     }
 
@@ -85,7 +141,8 @@ impl Caught {
                 let distances = jump.slips.iter().filter(of_it).map(|slip| slip.slip.norm());
                 SlippedBy { distance: distances.fold(0.0, f64::max), contact }
             };
-            Self { factor, slips: whole.map(far).collect(), energy_lost: jump.energy_lost }
+            let (slips, moves) = (whole.map(far).collect(), MovesTo::of(&parts, jump));
+            Self { factor, slips, moves, energy_lost: jump.energy_lost }
         };
         jumps.map(caught).collect()
     }

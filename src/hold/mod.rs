@@ -22,12 +22,13 @@
 //! With the v of the loss and from the q where it was lost, h grows no faster than contacts open: the radius is where it could reach `W·v`.
 
 mod caught;
+mod left_out;
 mod put_on;
 mod verdict;
 mod way_out;
 mod words;
 
-pub use caught::{Caught, SlippedBy};
+pub use caught::{Caught, MovesTo, SlippedBy};
 pub use verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
 pub use way_out::WayOut;
 pub(crate) use words::does;

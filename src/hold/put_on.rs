@@ -3,10 +3,13 @@
 use nalgebra::SVector;
 
 use crate::contact::{Polygon, WEIGHTLESS};
-use crate::equilibrium::{ContactState, Equilibrium, Outcome};
+use crate::equilibrium::{ContactState, Equilibrium, Outcome, TooFar};
 use crate::error::{Error, is_moderate};
 use crate::grasp::{Coordinates, Engine, WholeContact, WholeContacts, Wrench};
-use crate::load_path::{Change, ContactChange, Departure, Event, Leg, Loss, LossKind, Onset, PathEnd, Ramp};
+use crate::load_path::{
+    Beyond, Change, ContactChange, Departure, EndOfSmallMotions, Event, Leg, LoadPath, Loss, LossKind, Onset,
+    PathEnd, Ramp,
+};
 use crate::numerics::Size;
 use crate::object::Load;
 use crate::proofs::nothing_near;
@@ -14,7 +17,7 @@ use crate::search::{Doubt, Settings};
 
 use super::caught::Caught;
 use super::verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
-use super::way_out::{WayOut, way_out};
+use super::way_out::{WayOut, comes_apart, way_out};
 use super::words::AT_ONCE;
 use crate::prelude::*;
 
@@ -31,23 +34,27 @@ impl<D: Size, const C: usize> Engine<D, C> {
         // Rest is the same for both, and of many bodies takes most of the time.
         let (onset, rest) = self.onset_from_rest(ramp, settings)?;
         let mut path = self.follow_from_rest((&ramp.base, rest), &[Leg::along(ramp)], settings)?;
-        let events = path.run();
-        let state = matches!(path.end(), Some(PathEnd::Completed)).then(|| path.state()).flatten();
+        let events = path.run_while_small();
+        let is_on = matches!(path.end(), Some(PathEnd::Completed)) && path.end_of_small_motions().is_none();
+        let state = is_on.then(|| path.state()).flatten();
         let mut gone = 1.0;
-        if let Some(PathEnd::Completed) = path.end()
-            && settings.most_load > 1.0
-        {
+        if is_on && settings.most_load > 1.0 {
             gone = settings.most_load;
             path.continue_with(&[Leg::along(&ramp.times(gone - 1.0))])?;
-            path.run();
+            path.run_while_small();
         }
         let reached = |(leg, fraction): (usize, f64)| {
             if leg == 0 { fraction } else { 1.0 + fraction * (gone - 1.0) }
         };
-        let first_slip = self.first_slip(&onset);
-        let held_to = reached(path.place());
+        let first_slip = self.first_slip(&onset, &events);
+        let too_far = too_far_on(&path);
+        let end = too_far.map_or(path.place(), |far| (far.leg, far.fraction));
+        let held_to = reached(end);
+        let while_on = state.is_some().then(|| path.everything_slides_from((1, 0.0))).flatten();
+        let everything_slides = while_on.or_else(|| path.everything_slides_from(end)).map(reached);
         let holding = match (&state, path.end()) {
             (Some(state), _) => self.held(state, &events, first_slip.as_ref()),
+            (None, _) if too_far.is_some() => Holding::Lost,
             // Friction of what slides at rest falls, and nothing catches the object.
             (None, Some(PathEnd::Lost(_))) if path.state().is_none() => self
                 .lost_at_rest(&ramp.base, settings)
@@ -65,7 +72,11 @@ impl<D: Size, const C: usize> Engine<D, C> {
             (None, Some(PathEnd::Undecided { doubt, .. })) => Holding::Undecided { doubt: *doubt },
             (None, Some(PathEnd::Completed) | None) => Holding::Undecided { doubt: Doubt::Inaccurate },
         };
-        let lost = path.end().and_then(PathEnd::loss).map(|loss| {
+        let went_too_far = too_far.map(|far| {
+            let state = path.state_at(far.leg, far.fraction);
+            self.gone_too_far(held_to, &far.what, state, everything_slides.is_some())
+        });
+        let lost = path.end().and_then(PathEnd::loss).filter(|_| too_far.is_none()).map(|loss| {
             let mut lost = self.lost(held_to, loss, path.state());
             let at_first = first_slip.as_ref().is_some_and(|first| held_to <= first.factor * (1.0 + AT_ONCE));
             if self.weaker_once_they_slide().next().is_some() {
@@ -76,9 +87,15 @@ impl<D: Size, const C: usize> Engine<D, C> {
             // The proof counts on every vacuum.
             if matches!(holding, Holding::Lost) && !matches!(lost.way_out, WayOut::LetsGo { .. }) {
                 lost.nothing_near = self.nothing_near(&lost, loss, ramp, settings);
+                lost.snaps = loss.kind == LossKind::Fold && matches!(path.beyond(), Some(Beyond::Snap));
             }
             lost
         });
+        let lost = went_too_far.or(lost);
+        let there = state.as_ref().or_else(|| lost.as_ref()?.state.as_deref());
+        let rest =
+            path.state_at(0, 0.0).filter(|_| ramp.command_change.is_none() && ramp.joint_change.is_none());
+        let left_out = rest.zip(there).and_then(|(rest, there)| self.left_out_by_small_motions(&rest, there));
         let state = state.map(Box::new);
         let caught = Caught::among(self.contacts(), &events);
         Ok(Verdict {
@@ -88,6 +105,8 @@ impl<D: Size, const C: usize> Engine<D, C> {
             first_slip,
             caught,
             held_to,
+            everything_slides,
+            left_out,
             lost,
             state,
         })
@@ -116,31 +135,32 @@ impl<D: Size, const C: usize> Engine<D, C> {
         events: &[Event<C>],
         first_slip: Option<&FirstSlip>,
     ) -> Holding<C> {
-        let changes = || events.iter().flat_map(|event| &event.changes);
-        let begins = |change: &ContactChange<C>| {
-            matches!(change.what, Change::Slides { .. } | Change::ClosesSliding { .. })
-        };
-        let jumps = events.iter().filter_map(|event| event.jump.as_deref());
-        let slips: Vec<_> = jumps.flat_map(|jump| &jump.slips).map(|slip| slip.contact.index).collect();
+        let jumps = || events.iter().filter_map(|event| event.jump.as_deref());
+        let slips: Vec<_> = jumps().flat_map(|jump| &jump.slips).map(|slip| slip.contact.index).collect();
         let has_slid = |i: usize| {
             matches!(state.contacts[i].state, ContactState::Sliding { .. })
                 || slips.contains(&i)
-                || changes().any(|change| change.contact.index == i && begins(change))
+                || events.iter().any(|event| begins_to_slide(event, i))
         };
         // What a vacuum holds is not loose, at its very limit either.
         if self.vacuum().is_none() && state.contacts.iter().all(|contact| contact.force.norm() == 0.0) {
             return Holding::Loose;
         }
         let parts = WholeContacts::of(self.contacts()).with(&has_slid);
-        if parts.is_empty() && first_slip.is_none_or(|first| first.factor > 1.0) {
+        if parts.is_empty() && jumps().count() == 0 && first_slip.is_none_or(|first| first.factor > 1.0) {
             Holding::Sticks
         } else {
             Holding::Slides { contacts: parts }
         }
     }
 
-    fn first_slip(&self, onset: &Onset<C>) -> Option<FirstSlip> {
+    fn first_slip(&self, onset: &Onset<C>, events: &[Event<C>]) -> Option<FirstSlip> {
         let parts = WholeContacts::of(self.contacts());
+        let slides_at_rest = |i: usize, state: &Equilibrium<C>| {
+            matches!(state.contacts[i].state, ContactState::Sliding { .. })
+        };
+        let at_once = || events.iter().take_while(|event| event.leg == 0 && event.fraction == 0.0);
+        let slides_at_once = |i: usize| at_once().any(|event| begins_to_slide(event, i));
         match onset {
             Onset::At(event) => {
                 let leaves = |so: fn(&Departure<C>) -> bool| {
@@ -159,7 +179,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             }
             Onset::AlreadySliding(state) => Some(FirstSlip {
                 factor: 0.0,
-                slide: parts.with(&|i| matches!(state.contacts[i].state, ContactState::Sliding { .. })),
+                slide: parts.with(&|i| slides_at_rest(i, state) || slides_at_once(i)),
                 open: Vec::new(),
                 would_pull: Vec::new(),
                 give_way: Vec::new(),
@@ -176,7 +196,13 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let touches =
             |i: usize| presses(i) || of(i).is_some_and(|contact| contact.gap <= SHUT * self.length());
         let at_its_edge = |i: usize| loss.contacts.iter().any(|contact| contact.index == i);
+        let sides = self.bodies().map(|bodies| &bodies.sides[..]);
         let slides = |i: usize| at_its_edge(i) && presses(i);
+        let slides_out = |i: usize| {
+            let leaving = sides.zip(loss.motion.as_ref());
+            slides(i)
+                && leaving.is_none_or(|(sides, motion)| comes_apart(&self.contacts()[i], sides[i], motion))
+        };
         let parts = WholeContacts::of(self.contacts());
         let cups = if loss.kind == LossKind::LetsGo { self.cups_open(at_its_edge) } else { Vec::new() };
         if !cups.is_empty() {
@@ -185,13 +211,44 @@ impl<D: Size, const C: usize> Engine<D, C> {
         Lost {
             factor,
             kind: loss.kind,
-            way_out: way_out(self.contacts(), loss.motion.as_ref(), touches),
-            slide: parts.with(&slides),
+            way_out: way_out(self.contacts(), sides, loss.motion.as_ref(), &touches),
+            too_far: None,
+            slide: parts.with(&slides_out),
             falls_at_once: false,
             then_takes: None,
+            snaps: false,
             is_gross_slip: (0..self.len()).any(slides) && (0..self.len()).all(|i| slides(i) || !presses(i)),
             drives: loss.drives.clone(),
             motion: loss.motion.clone(),
+            state: state.map(Box::new),
+            nothing_near: None,
+        }
+    }
+
+    /// Where motions cease to be small when the load is on so many times.
+    fn gone_too_far(
+        &self,
+        factor: f64,
+        what: &TooFar,
+        state: Option<Equilibrium<C>>,
+        everything_slides: bool,
+    ) -> Lost<C> {
+        let slides = |i: usize| {
+            let contact = state.as_ref().map(|state| &state.contacts[i]);
+            contact.is_some_and(|contact| matches!(contact.state, ContactState::Sliding { .. }))
+        };
+        Lost {
+            factor,
+            kind: LossKind::TooFar,
+            way_out: WayOut::NotKnown,
+            too_far: Some(what.clone()),
+            slide: WholeContacts::of(self.contacts()).with(&slides),
+            is_gross_slip: everything_slides,
+            falls_at_once: false,
+            then_takes: None,
+            snaps: false,
+            drives: Vec::new(),
+            motion: None,
             state: state.map(Box::new),
             nothing_near: None,
         }
@@ -222,6 +279,23 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 }
 
+/// Whether a contact begins to slide at an event.
+fn begins_to_slide<const C: usize>(event: &Event<C>, contact: usize) -> bool {
+    let begins = |change: &ContactChange<C>| {
+        matches!(change.what, Change::Slides { .. } | Change::ClosesSliding { .. })
+    };
+    event.changes.iter().any(|change| change.contact.index == contact && begins(change))
+}
+
+/// Where motions cease to be small before equilibrium is lost.
+fn too_far_on<'p, const C: usize>(path: &'p LoadPath<'_, C>) -> Option<&'p EndOfSmallMotions> {
+    let loss = path.end().and_then(PathEnd::loss);
+    let before = |far: &&EndOfSmallMotions| {
+        loss.is_none_or(|loss| (far.leg, far.fraction) < (loss.leg, loss.fraction * (1.0 - AT_ONCE)))
+    };
+    path.end_of_small_motions().filter(before)
+}
+
 impl<const C: usize> Lost<C> {
     /// Where the lips of cups are open all around.
     fn without_vacuum(factor: f64, cups: Vec<WholeContact>, state: Option<Equilibrium<C>>) -> Self {
@@ -229,10 +303,12 @@ impl<const C: usize> Lost<C> {
             factor,
             kind: LossKind::LetsGo,
             way_out: WayOut::LetsGo { cups },
+            too_far: None,
             slide: Vec::new(),
             is_gross_slip: false,
             falls_at_once: false,
             then_takes: None,
+            snaps: false,
             drives: Vec::new(),
             motion: None,
             state: state.map(Box::new),

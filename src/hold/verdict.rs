@@ -1,6 +1,6 @@
 //! What becomes of a load that is put on from rest.
 
-use crate::equilibrium::{Equilibrium, NoEquilibrium};
+use crate::equilibrium::{Equilibrium, NoEquilibrium, TooFar};
 use crate::grasp::{Motion, PartLabel, WholeContact, Wrench};
 use crate::load_path::LossKind;
 use crate::search::Doubt;
@@ -30,10 +30,24 @@ pub struct Verdict<const C: usize> {
     /// The jumps on the way of the load, where contacts begin to slide with [less friction](crate::grasp::Contact::kinetic) and the object is caught.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub caught: Vec<Caught>,
-    /// How many times the load was put on, and held; 0 where the grasp does not hold at rest.
+    /// How many times the load was put on, and held with [small motions](crate::Settings::small_motions); 0 where the grasp does not hold at rest.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub held_to: f64,
-    /// Where equilibrium is lost; `None` if it holds as far as it was followed.
+    /// How many times the load is on where everything begins to slide: every contact with friction that presses, from there on up to the whole load, or where
+    /// one sticks there up to where the verdict ends. What goes on beyond is held by normal forces alone.
+    #[cfg_attr(
+        feature = "serde",
+        serde(default, skip_serializing_if = "Option::is_none", with = "AsComputed::<Option<f64>>")
+    )]
+    pub everything_slides: Option<f64>,
+    /// What small motions leave out, where that is more than a tenth of what resists the motion from rest to the whole load, or to where it is lost: the part
+    /// that the squeeze takes as its arms turn with the object, below 0, or adds. Told of one object under loads alone.
+    #[cfg_attr(
+        feature = "serde",
+        serde(default, skip_serializing_if = "Option::is_none", with = "AsComputed::<Option<f64>>")
+    )]
+    pub left_out: Option<f64>,
+    /// Where equilibrium is lost, or its motions cease to be [small](crate::Settings::small_motions); `None` if it holds as far as it was followed.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub lost: Option<Lost<C>>,
     /// The equilibrium under all of the load, with what has slipped on the way; `None` where that is not held.
@@ -78,7 +92,7 @@ pub enum Holding<const C: usize> {
     },
     /// No contact carries anything: the object lies loose between the fingers, and nothing pulls.
     Loose,
-    /// It is lost before all of it is on.
+    /// It is lost before all of it is on, or its motions cease to be small.
     Lost,
     /// The grasp does not even hold the base load.
     NoRest(NoEquilibrium<C>),
@@ -130,6 +144,9 @@ pub struct Lost<const C: usize> {
     pub kind: LossKind,
     /// How the object leaves.
     pub way_out: WayOut<C>,
+    /// What goes too far there, where no equilibrium is lost but small motions end.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub too_far: Option<TooFar>,
     /// Contacts that slide there.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub slide: Vec<WholeContact>,
@@ -144,6 +161,9 @@ pub struct Lost<const C: usize> {
         serde(default, skip_serializing_if = "Option::is_none", with = "AsComputed::<Option<f64>>")
     )]
     pub then_takes: Option<f64>,
+    /// Whether the load has a [maximum](LossKind::Fold) and another equilibrium holds slightly more: the object snaps over to that one, or is lost.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
+    pub snaps: bool,
     /// Joints and tendons of a hand that have reached their limit.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub drives: Vec<PartLabel>,

@@ -69,7 +69,7 @@ pub enum WayOut<const C: usize> {
     NotKnown,
 }
 
-/// One of several bodies, and how it moves: [`WayOut::SlidesOut`] or [`WayOut::Turns`].
+/// One of several bodies, and how it moves: [`WayOut::SlidesOut`] or [`WayOut::Turns`], or about contacts where all that move do so as one.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -98,40 +98,97 @@ fn slides_out<const C: usize>(along: &SVector<f64, C>, spin: f64) -> Option<WayO
         .then(|| direction().map_or(WayOut::NotKnown, |direction| WayOut::SlidesOut { direction }))
 }
 
-/// How the object leaves with a motion, seen from the contacts that touch.
+/// How the object leaves with a motion, seen from the contacts that touch. Of several bodies `sides` are those on the two sides of each contact.
 pub(super) fn way_out<const C: usize>(
     contacts: &[Contact<C>],
+    sides: Option<&[(usize, Option<usize>)]>,
     motion: Option<&Motion<C>>,
-    touches: impl Fn(usize) -> bool,
+    touches: &dyn Fn(usize) -> bool,
 ) -> WayOut<C> {
     let Some(motion) = motion else { return WayOut::NotKnown };
-    if !motion.bodies.is_empty() {
-        let fastest = motion.bodies.iter().map(BodyMotion::speed).fold(0.0, f64::max);
-        let moves = motion.bodies.iter().filter(|body| body.speed() > STAYS * fastest);
-        return WayOut::Apart { bodies: moves.map(BodyWay::of).collect() };
+    let Some(sides) = sides else {
+        return seen_from(contacts, &motion.object, &|_| 1.0, touches);
+    };
+    let fastest = motion.bodies.iter().map(BodyMotion::speed).fold(0.0, f64::max);
+    let moves = |body: &BodyMotion<C>| body.speed() > STAYS * fastest;
+    let mut bodies: Vec<_> = motion.bodies.iter().filter(|body| moves(body)).map(BodyWay::of).collect();
+    let Some(first) = motion.bodies.iter().find(|body| moves(body)) else { return WayOut::Apart { bodies } };
+    let as_the_first = |body: &BodyMotion<C>| {
+        let other = BodyMotion { twist: difference(&body.twist, &first.twist), ..body.clone() };
+        other.speed() <= STAYS * fastest
+    };
+    if motion.bodies.iter().filter(|body| moves(body)).all(as_the_first) {
+        // Those that move as one are seen from the contacts with all else.
+        let is_one_of_them = |body: usize| moves(&motion.bodies[body]);
+        let sign = |i: usize| {
+            let (on, against) = (is_one_of_them(sides[i].0), sides[i].1.is_some_and(is_one_of_them));
+            f64::from(i8::from(on) - i8::from(against))
+        };
+        let way = seen_from(contacts, &first.twist, &sign, touches);
+        if matches!(way, WayOut::TipsOver { .. } | WayOut::TurnsAbout { .. }) {
+            bodies.iter_mut().for_each(|body| body.way = way.clone());
+        }
     }
-    let twist = motion.object.coordinates::<Fixed<6>>();
-    let velocity = |point: &SVector<f64, C>| displacement_of::<Fixed<6>, C>(point, &twist);
+    WayOut::Apart { bodies }
+}
+
+/// Whether the surfaces of a contact between these bodies move past each other with a motion.
+pub(super) fn comes_apart<const C: usize>(
+    contact: &Contact<C>,
+    (on, against): (usize, Option<usize>),
+    motion: &Motion<C>,
+) -> bool {
+    let fastest = motion.bodies.iter().map(BodyMotion::speed).fold(0.0, f64::max);
+    let at_the_point = |body: usize| {
+        let twist = motion.bodies[body].twist.coordinates::<Fixed<6>>();
+        displacement_of::<Fixed<6>, C>(&contact.point, &twist)
+    };
+    let other = against.map_or_else(SVector::zeros, at_the_point);
+    (at_the_point(on) - other).norm() > STAYS * fastest
+}
+
+fn difference<const C: usize>(a: &Twist<C>, b: &Twist<C>) -> Twist<C> {
+    let components: Vec<_> = a.components().iter().zip(b.components()).map(|(a, b)| a - b).collect();
+    Twist::from_components(&components)
+}
+
+/// How what moves with a twist leaves, seen from the contacts that touch it: it is on the side that normals point into where the sign is 1, on the other
+/// one where it is -1, and on none where it is 0.
+fn seen_from<const C: usize>(
+    contacts: &[Contact<C>],
+    twist: &Twist<C>,
+    sign: &dyn Fn(usize) -> f64,
+    touches: &dyn Fn(usize) -> bool,
+) -> WayOut<C> {
+    let coordinates = twist.coordinates::<Fixed<6>>();
+    let velocity = |point: &SVector<f64, C>| displacement_of::<Fixed<6>, C>(point, &coordinates);
     let parts = WholeContacts::of(contacts);
+    let touches = |i: usize| sign(i) != 0.0 && touches(i);
     let touching = parts.with(&touches);
     let places = parts.mean(&|i| contacts[i].point);
     let moves: Vec<_> = places.iter().map(velocity).collect();
     let part_holds = parts.first(|i| contacts[i].hold);
-    let normals = parts.mean(&|i| contacts[i].normal.normalize());
+    let normals = parts.mean(&|i| contacts[i].normal.normalize() * sign(i));
     let count = touching.len().max(1) as f64;
     let centre = touching.iter().fold(SVector::zeros(), |sum, part| sum + places[part.contact] / count);
     let along = velocity(&centre);
     let reach = contacts.iter().map(|contact| (contact.point - centre).norm()).fold(0.0, f64::max);
-    let spin = twist.iter().skip(C).map(|x| x * x).sum::<f64>().sqrt() * reach;
+    let spin = coordinates.iter().skip(C).map(|x| x * x).sum::<f64>().sqrt() * reach;
     let fastest = touching.iter().map(|part| moves[part.contact].norm()).fold(spin, f64::max);
     let stays = |part: &WholeContact| moves[part.contact].norm() <= STAYS * fastest;
+    // Away from the finger at more than half a right angle to its surface.
+    let goes_away = |v: &SVector<f64, C>, n: &SVector<f64, C>| v.dot(n) > 0.5f64.sqrt() * v.norm() * n.norm();
     let opens = |part: &WholeContact| {
-        // Away from the finger at more than half a right angle to its surface.
-        let (v, n) = (&moves[part.contact], &normals[part.contact]);
         let may_open = part_holds[part.contact] == Hold::Unilateral;
-        may_open && !stays(part) && v.dot(n) > 0.5f64.sqrt() * v.norm() * n.norm()
+        may_open && !stays(part) && goes_away(&moves[part.contact], &normals[part.contact])
     };
-    if !touching.is_empty() && touching.iter().all(opens) {
+    let point_stays = |i: usize| velocity(&contacts[i].point).norm() <= STAYS * fastest;
+    let point_opens = |i: usize| {
+        let (v, normal) = (velocity(&contacts[i].point), contacts[i].normal * sign(i));
+        contacts[i].hold == Hold::Unilateral && !point_stays(i) && goes_away(&v, &normal)
+    };
+    let mut points = (0..contacts.len()).filter(|i| touches(*i)).peekable();
+    if points.peek().is_some() && points.all(point_opens) {
         return WayOut::LiftsOff { direction: along.try_normalize(0.0).unwrap_or_else(SVector::zeros) };
     }
     if let Some(way) = slides_out(&along, spin) {
@@ -139,10 +196,17 @@ pub(super) fn way_out<const C: usize>(
     }
     let about: Vec<_> = touching.into_iter().filter(stays).collect();
     if about.is_empty() {
-        return turns(&motion.object, &centre, &along);
+        // A soft fingertip tips over points of its own, all others opening.
+        let about = parts.with(&|i| touches(i) && point_stays(i));
+        let either = (0..contacts.len()).filter(|i| touches(*i)).all(|i| point_stays(i) || point_opens(i));
+        if either && !about.is_empty() {
+            let opens = parts.with(&|i| sign(i) != 0.0 && point_opens(i));
+            return WayOut::TipsOver { about, opens };
+        }
+        return turns(twist, &centre, &along);
     }
     // What was open before moves on.
-    let opens: Vec<_> = parts.with(&|_| true).into_iter().filter(opens).collect();
+    let opens: Vec<_> = parts.with(&|i| sign(i) != 0.0).into_iter().filter(opens).collect();
     if opens.is_empty() { WayOut::TurnsAbout { about } } else { WayOut::TipsOver { about, opens } }
 }
 

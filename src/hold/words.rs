@@ -6,12 +6,15 @@ use core::fmt;
 use super::caught::Caught;
 use super::verdict::{FirstSlip, Holding, Lost, NothingNear, Verdict};
 use super::way_out::{BodyWay, WayOut};
+use crate::equilibrium::TooFar;
 use crate::grasp::{WholeContact, Wrench, vacuum_is_gone};
 use crate::prelude::*;
-use crate::words::{TOO_FAR, Words, listed, open, opens, printable};
+use crate::words::{Words, listed, open, opens, printable};
 
 /// What happens within this part of a load happens at once, for whoever reads it.
 pub(super) const AT_ONCE: f64 = 1e-9;
+/// Where motions cease to be small within this part of the load at which everything slides, it slides out there, for whoever reads it.
+const SOON: f64 = 0.01;
 /// A proof that reaches no farther, m, says nothing to anybody: less than an atom.
 const NOWHERE: f64 = 1e-10;
 /// Farther than this, m, nobody asks.
@@ -26,19 +29,34 @@ impl<const C: usize> fmt::Display for Verdict<C> {
                 if self.is_nothing() { f.write_str(", where nothing is put on") } else { self.margins(f) }
             }
             Holding::Slides { contacts } => {
-                f.write_str("HOLDS, but ")?;
+                f.write_str("HOLDS")?;
                 match &self.first_slip {
-                    Some(first) if first.factor == 0.0 => write!(f, "{first} from the start")?,
+                    Some(first) if first.factor == 0.0 => write!(f, ", but {first} from the start")?,
                     Some(first) if first.factor <= 1.0 => {
-                        write!(f, "{first} from {} of it on", words.number(first.factor))?;
+                        write!(f, ", but {first} from {} of it on", words.number(first.factor))?;
                     }
+                    _ if contacts.is_empty() => {}
                     // Of contacts that close on the way the first slip does not speak.
-                    _ => write!(f, "{}", does(contacts, "slides", "slide"))?,
+                    _ => write!(f, ", but {}", does(contacts, "slides", "slide"))?,
                 }
                 self.catches(f)?;
+                let all = self.everything_slides.filter(|all| *all <= 1.0 && self.goes_on_from(*all));
+                if let Some(all) = all.filter(|_| !self.is_nothing()) {
+                    let amount = amount_of(self.load.measure(), all, words);
+                    write!(f, "; everything slides from {amount} on")?;
+                }
                 match &self.lost {
                     _ if self.is_nothing() => Ok(()),
-                    Some(lost) => write!(f, "; lost at {} times this load", words.number(lost.factor)),
+                    Some(lost) => write!(
+                        f,
+                        "; {} at {} times this load",
+                        lost.until().trim_start_matches("it is "),
+                        words.number(lost.factor)
+                    ),
+                    None if all.is_some() => {
+                        let most = amount_of(self.load.measure(), self.held_to.max(1.0), words);
+                        write!(f, "; wedged, it holds up to {most}")
+                    }
                     None if self.held_to > 1.0 => {
                         write!(f, "; held up to {} times this load", words.number(self.held_to))
                     }
@@ -61,13 +79,14 @@ impl<const C: usize> fmt::Display for Verdict<C> {
                 write!(f, "UNDECIDED beyond {}: {doubt}", self.part(self.held_to, words))
             }
         }?;
-        let at_the_end = self.state.as_ref().or_else(|| self.lost.as_ref()?.state.as_ref());
-        match at_the_end {
-            Some(state) if state.is_beyond_small_motions() => {
-                write!(f, ". {TOO_FAR}")
-            }
-            _ => Ok(()),
-        }
+        let Some(part) = self.left_out else { return Ok(()) };
+        let percent = Words::with_digits(2).number(100.0 * part.abs());
+        let does = if part < 0.0 { ("takes", "of") } else { ("adds", "to") };
+        write!(
+            f,
+            ". CAUTION, left out: as the squeeze turns with the object it {} {percent} % {} what resists",
+            does.0, does.1
+        )
     }
 }
 
@@ -76,6 +95,9 @@ impl<const C: usize> Verdict<C> {
     fn told_lost(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (words, digits) = (Words::of(f), Words::of(f).digits());
         let Some(lost) = &self.lost else { return f.write_str("LOST") };
+        if let Some(far) = &lost.too_far {
+            return self.told_too_far(lost, far, f);
+        }
         if lost.factor <= AT_ONCE {
             let whole = self.whole(words);
             return write!(f, "{} at once, under any part of {whole}: {lost:.digits$}", lost.verb());
@@ -91,12 +113,42 @@ impl<const C: usize> Verdict<C> {
         write!(f, ": {lost:.digits$}")
     }
 
+    /// Where its motions cease to be small: what slides out, or what goes too far for all this.
+    fn told_too_far(&self, lost: &Lost<C>, far: &TooFar, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let words = Words::of(f);
+        let amount = |factor: f64| amount_of(self.load.measure(), factor, words);
+        match self.everything_slides {
+            _ if lost.factor <= AT_ONCE => {
+                write!(f, "GOES TOO FAR at rest already: {far}, and all this is good for small motions")
+            }
+            Some(all) if all >= lost.factor * (1.0 - SOON) => {
+                let from = amount(lost.factor);
+                write!(f, "SLIPS OUT at {}: everything slides, {far} from {from} on", self.part(all, words))
+            }
+            Some(all) => {
+                let part = self.part(lost.factor, words);
+                write!(f, "SLIPS OUT at {part}: everything slides from {} on, and then {far}", amount(all))
+            }
+            None => {
+                let part = self.part(lost.factor, words);
+                write!(f, "GOES TOO FAR at {part}: {far}, and all this is good for small motions")
+            }
+        }
+    }
+
+    /// Whether the path goes on with more of the load than this.
+    fn goes_on_from(&self, factor: f64) -> bool {
+        self.held_to > factor * (1.0 + AT_ONCE)
+            && self.first_slip.as_ref().is_none_or(|first| factor > first.factor * (1.0 + AT_ONCE))
+    }
+
     /// How much more of the load it would take.
     fn margins(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (words, lost) = (Words::of(f), self.lost.as_ref().map(|lost| lost.factor));
+        let until = self.lost.as_ref().map_or(Cow::Borrowed(""), Lost::until);
         match (&self.first_slip, lost) {
             (Some(first), Some(lost)) if lost <= first.factor * (1.0 + AT_ONCE) => {
-                write!(f, ": {} times this load until it is lost, as {first}", words.number(lost))
+                write!(f, ": {} times this load until {until}, as {first}", words.number(lost))
             }
             (Some(first), lost) => {
                 write!(
@@ -106,14 +158,14 @@ impl<const C: usize> Verdict<C> {
                     first.who()
                 )?;
                 match lost {
-                    Some(lost) => write!(f, ", {} times until it is lost", words.number(lost)),
+                    Some(lost) => write!(f, ", {} times until {until}", words.number(lost)),
                     None if self.held_to > first.factor => {
                         write!(f, ", held up to {} times", words.number(self.held_to))
                     }
                     None => Ok(()),
                 }
             }
-            (None, Some(lost)) => write!(f, ": {} times this load until it is lost", words.number(lost)),
+            (None, Some(lost)) => write!(f, ": {} times this load until {until}", words.number(lost)),
             (None, None) => write!(f, " up to {} times this load", words.number(self.held_to)),
         }
     }
@@ -180,6 +232,14 @@ impl fmt::Display for FirstSlip {
 }
 
 impl<const C: usize> Lost<C> {
+    /// What happens with so much load: "it is lost", "it turns by more than 5.7°".
+    fn until(&self) -> Cow<'static, str> {
+        match &self.too_far {
+            Some(far) if !self.is_gross_slip => far.to_string().into(),
+            _ => "it is lost".into(),
+        }
+    }
+
     pub(crate) fn verb(&self) -> &'static str {
         match &self.way_out {
             WayOut::LiftsOff { .. } => "LIFTS OFF",
@@ -191,6 +251,11 @@ impl<const C: usize> Lost<C> {
                 if bodies.iter().all(|body| matches!(body.way, WayOut::SlidesOut { .. })) =>
             {
                 "SLIPS OUT"
+            }
+            WayOut::Apart { bodies }
+                if bodies.iter().all(|body| matches!(body.way, WayOut::TipsOver { .. })) =>
+            {
+                "TIPS OVER"
             }
             WayOut::Apart { .. } | WayOut::NotKnown => "GIVES WAY",
         }
@@ -208,6 +273,9 @@ impl<const C: usize> fmt::Display for Lost<C> {
         }
         if self.is_gross_slip {
             f.write_str(" (gross slip)")?;
+        }
+        if self.snaps {
+            f.write_str(". Another equilibrium holds slightly more: it may snap over to that one")?;
         }
         match &self.nothing_near {
             Some(near) if near.translation > NOWHERE => write!(f, ". {near:.digits$}"),
@@ -237,11 +305,8 @@ impl<const C: usize> fmt::Display for WayOut<C> {
             Self::LiftsOff { direction } => {
                 write!(f, "the object lifts off along {}", words.along(direction))
             }
-            Self::SlidesOut { .. } | Self::Turns { .. } => {
+            Self::SlidesOut { .. } | Self::Turns { .. } | Self::TipsOver { .. } => {
                 write!(f, "the object {}", self.goes(words, false))
-            }
-            Self::TipsOver { about, opens } => {
-                write!(f, "the object tips over about {}, {}", listed(about), they_open(opens))
             }
             Self::TurnsAbout { about } if C == 3 && about.len() == 2 => {
                 write!(f, "the object spins about the line {}–{}", about[0].text(), about[1].text())
@@ -284,6 +349,10 @@ impl<const C: usize> WayOut<C> {
                 let axis = if C == 3 { format!("{} through ", words.along(axis)) } else { String::new() };
                 format!("turn{ending} about {axis}{} m", words.numbers(centre.as_slice()))
             }
+            Self::TipsOver { about, opens } => {
+                format!("tip{ending} over about {}, {}", listed(about), they_open(opens))
+            }
+            Self::TurnsAbout { about } => format!("turn{ending} about {}", listed(about)),
             _ => format!("move{ending}"),
         }
     }

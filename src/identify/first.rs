@@ -26,10 +26,12 @@ pub(super) fn predicted<const C: usize>(
             Ok(Predicted { at: event.factor, exact })
         }
         Onset::GivesWay { factor, .. } => Ok(Predicted { at: *factor, exact: None }),
-        Onset::Never => Err("nothing slides however far it goes"),
-        Onset::AlreadySliding(_) => Err("something slides already where it begins"),
-        Onset::NoBase(_) => Err("nothing holds where it begins"),
-        Onset::Undecided(_) => Err("it is not known whether anything holds where it begins"),
+        Onset::Never => Err(NoSlip::HoldsTooWell("nothing slides however far it goes")),
+        Onset::AlreadySliding(_) => Err(NoSlip::HoldsTooLittle("something slides already where it begins")),
+        Onset::NoBase(_) => Err(NoSlip::HoldsTooLittle("nothing holds where it begins")),
+        Onset::Undecided(_) => {
+            Err(NoSlip::HoldsTooLittle("it is not known whether anything holds where it begins"))
+        }
     })
 }
 

@@ -2,8 +2,9 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::model::{Linear, Model};
+use super::model::{Linear, Model, NoSlip};
 use super::robust::Huber;
+use super::unknown::UnknownKind;
 use crate::error::Error;
 use crate::prelude::*;
 
@@ -21,6 +22,9 @@ const MORE: f64 = 10.0;
 /// to 1e-9, so that no loss is known to its last digits.
 const PROMISE: f64 = 1e-8;
 
+/// So many other starting values are tried: a factor of 4096 where the object holds too well or too little at all of them.
+const STARTS: usize = 12;
+
 /// Where the search has ended.
 pub(super) struct Fitted {
     pub(super) logs: Vec<f64>,
@@ -36,7 +40,7 @@ pub(super) enum FitEnd {
     Converged,
     Limit,
     /// A slip is not predicted where the search begins, or had to go on.
-    NoSlip(usize, &'static str),
+    NoSlip(usize, NoSlip),
 }
 
 /// Standard deviations of the rows.
@@ -79,14 +83,50 @@ impl<const C: usize> Model<'_, C> {
     }
 }
 
+/// Where all slips are predicted the first time: at the values given, or with all friction so many times as large, the same logarithm for all. Where the
+/// object holds too well it is halved, where it holds too little doubled, and once both were seen the middle is tried. Without unknown friction squeezes and
+/// carried loads are changed so.
+fn begun<const C: usize>(model: &Model<'_, C>) -> Result<(Vec<f64>, Result<Linear, (usize, NoSlip)>), Error> {
+    let unknowns = &model.asked.unknowns;
+    let begin: Vec<f64> = unknowns.iter().map(|unknown| unknown.begins_at(model.layouts).ln()).collect();
+    let first = model.linear(&begin)?;
+    let Err((_, mut why)) = first else { return Ok((begin, first)) };
+    let has_friction = unknowns.iter().any(|unknown| unknown.kind == UnknownKind::Friction);
+    let changes = |kind| match kind {
+        UnknownKind::Friction => true,
+        UnknownKind::Squeeze | UnknownKind::Carried => !has_friction,
+        UnknownKind::Stiffness => false,
+    };
+    let (mut too_little, mut too_much, mut by) = (None, None, 0.0);
+    for _ in 0..STARTS {
+        match why {
+            NoSlip::HoldsTooWell(_) => too_much = Some(by),
+            NoSlip::HoldsTooLittle(_) => too_little = Some(by),
+        }
+        by = match (too_little, too_much) {
+            (Some(low), Some(high)) => 0.5 * (low + high),
+            (None, _) => by - core::f64::consts::LN_2,
+            (_, None) => by + core::f64::consts::LN_2,
+        };
+        let mut moved = begin.clone();
+        for (log, unknown) in moved.iter_mut().zip(unknowns) {
+            *log += if changes(unknown.kind) { by } else { 0.0 };
+        }
+        match model.linear(&moved)? {
+            Ok(linear) => return Ok((moved, Ok(linear))),
+            Err((_, other)) => why = other,
+        }
+    }
+    Ok((begin, first))
+}
+
 /// The logarithms with the least loss, from where the search begins.
 pub(super) fn fitted<const C: usize>(model: &Model<'_, C>) -> Result<Fitted, Error> {
-    let begin: Vec<f64> =
-        model.asked.unknowns.iter().map(|unknown| unknown.begins_at(model.layouts).ln()).collect();
+    let (begin, linear) = begun(model)?;
     let nothing = Scatter { rows: Vec::new(), estimated: None };
     let mut fit = Fitted { logs: begin, linear: None, scatter: nothing, iterations: 0, end: FitEnd::Limit };
     let mut damping = DAMPING;
-    let mut linear = match model.linear(&fit.logs)? {
+    let mut linear = match linear {
         Ok(linear) => linear,
         Err((slip, why)) => {
             fit.end = FitEnd::NoSlip(slip, why);
@@ -119,7 +159,8 @@ pub(super) fn fitted<const C: usize>(model: &Model<'_, C>) -> Result<Fitted, Err
                 Ok(linear) if model.loss(&linear.residuals, &fit.scatter) < loss => {
                     break Some((there, linear));
                 }
-                Ok(_) => {}
+                // The shortest step decides whether slips end here, not those beyond it.
+                Ok(_) => unseen = None,
                 Err(none) => unseen = Some(none),
             }
             damping *= MORE;

@@ -36,8 +36,10 @@ pub(super) fn predicted<const C: usize>(
                 motion.and_then(|motion| GrossSlip::from_end(seen, at, &motion.object, &path.forces()));
             Ok(Predicted { at, exact: leaving.and_then(|leaving| leaving.derivatives()) })
         }
-        Some(PathEnd::Completed) => Err("it is not lost as far as it was followed"),
-        Some(PathEnd::NoStart(_)) => Err("nothing holds where it begins"),
-        Some(PathEnd::Undecided { .. }) | None => Err("it is not known where it is lost"),
+        Some(PathEnd::Completed) => Err(NoSlip::HoldsTooWell("it is not lost as far as it was followed")),
+        Some(PathEnd::NoStart(_)) => Err(NoSlip::HoldsTooLittle("nothing holds where it begins")),
+        Some(PathEnd::Undecided { .. }) | None => {
+            Err(NoSlip::HoldsTooWell("it is not known where it is lost"))
+        }
     })
 }

@@ -24,6 +24,10 @@
 //! where what sticks carries any tangential force. Their unknowns λ, m and y, by which normal springs have changed, have derivatives by the implicit
 //! function theorem. Elsewhere, as where the object wedges or friction falls, derivatives are differences of exact answers.
 //!
+//! **Where it begins.** At the values given. Where some slip is not predicted there – the object holds however far the load goes, or it is lost at once –
+//! all friction is halved or doubled, at most twelve times, until all are. Where nothing but a slip's own load presses, the part of it along the normals is
+//! there at rest and the rest grows: an object that was dragged over a table lies on it first.
+//!
 //! # Errors
 //!
 //! They are those of the linear problem at the solution. Where scatter is not given with the slips it is estimated from what is left, and

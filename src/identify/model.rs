@@ -27,8 +27,23 @@ pub(super) struct LayoutGuess<const C: usize> {
     pub(super) base: Wrench<C>,
 }
 
-/// Why a slip is not predicted, in words.
-pub(super) type NoSlip = &'static str;
+/// Why a slip is not predicted.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum NoSlip {
+    /// The object holds however far the load goes: there is too much friction for a loss, or too much squeeze.
+    HoldsTooWell(&'static str),
+    /// It is lost before the load grows: there is too little.
+    HoldsTooLittle(&'static str),
+}
+
+impl NoSlip {
+    /// The reason in words.
+    pub(super) fn says(self) -> &'static str {
+        match self {
+            Self::HoldsTooWell(says) | Self::HoldsTooLittle(says) => says,
+        }
+    }
+}
 
 /// Where a slip is predicted, and the derivatives of that by the logarithms of the unknowns, where they are exact.
 pub(super) struct Predicted {
@@ -177,7 +192,11 @@ impl<const C: usize> Model<'_, C> {
             SlipKind::Gross => gross::predicted(&seen)?,
         };
         Ok(told.and_then(|told| {
-            if told.at > 0.0 { Ok(told) } else { Err("something slides before anything pulls") }
+            if told.at > 0.0 {
+                Ok(told)
+            } else {
+                Err(NoSlip::HoldsTooLittle("something slides before anything pulls"))
+            }
         }))
     }
 }

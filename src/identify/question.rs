@@ -5,7 +5,7 @@ use super::fit::fitted;
 use super::model::Model;
 use super::slip::Slip;
 use super::spread::told;
-use super::unknown::Unknown;
+use super::unknown::{Unknown, UnknownKind};
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::prelude::*;
@@ -97,6 +97,19 @@ impl<const C: usize> Identify<C> {
         Ok(model.at(&logs)?.swap_remove(0).grasp)
     }
 
+    /// With slips that a weight of their own presses on, unless what contacts carry is sought.
+    fn with_weights_at_rest(&self, layouts: &[Grasp<C>]) -> Self {
+        let mut asked = self.clone();
+        let is_carried =
+            |unknown: &Unknown, layout| unknown.kind == UnknownKind::Carried && unknown.is_in(layout);
+        for slip in &mut asked.slips {
+            if !self.unknowns.iter().any(|unknown| is_carried(unknown, slip.layout)) {
+                *slip = slip.clone().with_weight_at_rest(&layouts[slip.layout]);
+            }
+        }
+        asked
+    }
+
     fn layouts(&self, grasp: &Grasp<C>) -> Vec<Grasp<C>> {
         core::iter::once(grasp).chain(&self.others).cloned().collect()
     }
@@ -133,7 +146,8 @@ impl<const C: usize> Identify<C> {
     pub fn answered_by(&self, grasp: &Grasp<C>) -> Result<Identified, Error> {
         let layouts = self.layouts(grasp);
         self.check(&layouts)?;
-        let model = Model { layouts: &layouts, asked: self };
+        let asked = &self.with_weights_at_rest(&layouts);
+        let model = Model { layouts: &layouts, asked };
         let fit = fitted(&model)?;
         Ok(told(&model, &fit))
     }

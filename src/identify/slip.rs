@@ -1,8 +1,18 @@
 //! A slip that was seen.
 
+use nalgebra::SVector;
+
+use crate::ask::Grasp;
 use crate::error::Error;
-use crate::grasp::Wrench;
+use crate::grasp::{Contact, Hold, Wrench};
 use crate::load_path::Turn;
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
+
+/// Normals whose mean is shorter than this are opposed, as those of two jaws: no load presses on all contacts.
+const OPPOSED: f64 = 1e-6;
+/// Of a load whose part along or across the normals is less than this part, that part is rounding.
+const ALONG: f64 = 1e-9;
 
 /// Which slip was seen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -114,6 +124,41 @@ impl<const C: usize> Slip<C> {
     #[must_use]
     pub fn in_group(mut self, group: usize) -> Self {
         self.group = Some(group);
+        self
+    }
+
+    /// This slip with what presses the object onto its contacts there at rest, where nothing else presses: the part of its load along the mean of their
+    /// normals, which is a weight as a rule. Grown together both parts would slide at once, or never.
+    pub(super) fn with_weight_at_rest(mut self, grasp: &Grasp<C>) -> Self {
+        let Grown::Load(load) = self.grown else { return self };
+        let is_plain = |contact: &Contact<C>| contact.hold == Hold::Unilateral;
+        if self.base != Wrench::ZERO || grasp.presses() || !grasp.contacts().iter().all(is_plain) {
+            return self;
+        }
+        let count = grasp.len() as f64;
+        let (mut along, mut centre) = (SVector::<f64, C>::zeros(), SVector::<f64, C>::zeros());
+        for contact in grasp.contacts() {
+            along += contact.normal.normalize();
+            centre += contact.point / count;
+        }
+        let force = SVector::<f64, C>::from_column_slice(&load.components()[..C]);
+        let pressed = -along.dot(&force) / along.norm_squared();
+        if pressed.is_nan()
+            || along.norm() <= OPPOSED * count
+            || pressed * along.norm() <= ALONG * force.norm()
+        {
+            return self;
+        }
+        // The moment about the middle of the contacts goes with the forces: in the plane both parts then act on the line of the whole.
+        let weight = along * -pressed;
+        let about = load - Wrench::force_through(&centre, &force);
+        let share = weight.dot(&force) / force.norm_squared();
+        let pressing = Wrench::force_through(&centre, &weight) + about * share;
+        let pulling = load - pressing;
+        if pulling.components()[..C].iter().all(|x| x.abs() <= ALONG * force.norm()) {
+            return self;
+        }
+        (self.base, self.grown) = (pressing, Grown::Load(pulling));
         self
     }
 

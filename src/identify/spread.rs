@@ -49,7 +49,7 @@ pub(super) fn told<const C: usize>(model: &Model<'_, C>, fit: &Fitted) -> Identi
     let ending = match fit.end {
         FitEnd::Converged => Ending::Converged,
         FitEnd::Limit => Ending::NotConverged { iterations: fit.iterations },
-        FitEnd::NoSlip(slip, why) => Ending::NotPredicted { slip, says: why.to_owned() },
+        FitEnd::NoSlip(slip, why) => Ending::NotPredicted { slip, says: why.says().to_owned() },
     };
     let stays = |times: &[f64]| {
         let there: Vec<_> = fit.logs.iter().zip(times).map(|(log, times)| log + times.ln()).collect();

@@ -54,7 +54,7 @@ pub enum Copositivity {
     /// zᵀMz < 0 for some z ≥ 0: a diagonal entry is negative.
     Not,
     /// The structure does not show it.
-    LemkeVariable,
+    Unknown,
 }
 
 /// The end of Lemke's method on a class, in exact arithmetic and with d > 0 (Cottle, Pang & Stone,
@@ -195,7 +195,7 @@ fn copositivity(
         }
     }
     match self::definiteness(&rest) {
-        Definiteness::Indefinite => Copositivity::LemkeVariable,
+        Definiteness::Indefinite => Copositivity::Unknown,
         _ => Copositivity::Plain,
     }
 }

@@ -145,7 +145,7 @@ pub(super) fn beyond_end<D: Size, const C: usize>(
     if segment.problem.round {
         let beyond = from_scratch(past, end.forces, settings);
         let Beyond::Undecided { .. } = beyond else { return beyond };
-        return match segment.grasp.outcome(rates, &load(), settled, effort, segment.cone) {
+        return match segment.grasp.outcome(rates, &load(), settled, effort, segment.answer_for) {
             Outcome::NoEquilibrium(reason) => Beyond::Ends { reason },
             _ => beyond,
         };
@@ -158,7 +158,7 @@ pub(super) fn beyond_end<D: Size, const C: usize>(
     if !matches!(settled, Settled::Undecided(_)) && combinations(&here) <= settings.most_states as f64 {
         return search_beyond(&here, rates);
     }
-    match segment.grasp.outcome(rates, &load(), settled, effort, segment.cone) {
+    match segment.grasp.outcome(rates, &load(), settled, effort, segment.answer_for) {
         Outcome::NoEquilibrium(_) if nothing_holds(&here, &past(FURTHER)) => Beyond::LimitLoad,
         Outcome::NoEquilibrium(reason) => Beyond::Ends { reason },
         Outcome::Undecided(undecided) => Beyond::Undecided { doubt: undecided.doubt },

@@ -145,6 +145,7 @@ impl fmt::Display for LossKind {
             Self::Corner => "no contact states carry more",
             Self::Asymptote => "the object moves on without bound",
             Self::GivesWay => "nothing resists",
+            Self::TooFar => "motions are no longer small",
             Self::LetsGo => "a contact lets go",
         })
     }

@@ -3,6 +3,7 @@
 use super::beyond::{Beyond, EquilibriumEnd, beyond_end, no_rates};
 use super::event::{Loss, LossKind, PathEnd};
 use super::follower::StandAtEdge;
+use super::rigid_motion::rigid_motion;
 use crate::contact::State;
 use crate::numerics::{Size, Vector};
 use crate::object::{Piece, Problem};
@@ -25,7 +26,14 @@ pub(super) fn end_of_path<D: Size, const C: usize>(
         return PathEnd::Lost(Box::new(loss.leaving(segment.grasp, Some(&v))));
     }
     let motions = leaving_motions(rates, &segment.course.at(loss.fraction), &rates.yielding());
-    let [motion, against] = motions.map_or([None, None], |motions| motions.map(Some));
+    let [mut motion, mut against] = motions.map_or([None, None], |motions| motions.map(Some));
+    // Where nothing presses yet no spring says how it leaves, and what no friction works against proves it.
+    if let Some(rigid) = rigid_motion(rates) {
+        motion = Some(rigid);
+        if let Settled::Separating(v) = &settled {
+            against = Some(v.clone());
+        }
+    }
     let corner = loss.leaving(segment.grasp, motion.as_ref()).and_virtually(against.as_ref());
     let Settled::Undecided(doubt) = &settled else { return PathEnd::Lost(Box::new(corner)) };
     let doubt = *doubt;

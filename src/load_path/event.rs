@@ -47,7 +47,7 @@ pub struct Event<const C: usize> {
     pub other_continuations: Option<usize>,
     /// The equilibrium there. Its states are those before the event (at the very start of a path, where there is no before, those after it).
     pub state: Equilibrium<C>,
-    /// What comes of it at this load, where a contact begins to slide with less friction than at rest.
+    /// What comes of it at this load, where a contact begins to slide with less friction than at rest, or where the object moves freely until a gap closes.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub jump: Option<Box<Jump<C>>>,
 }
@@ -188,6 +188,9 @@ pub struct Loss<const C: usize> {
     /// The virtual motion against which contacts do the least there, in inside coordinates.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(crate) against: Option<Coordinates<C>>,
+    /// The motion with which the object leaves, in inside coordinates.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub(crate) leaves: Option<Coordinates<C>>,
 }
 
 impl<const C: usize> Loss<C> {
@@ -205,7 +208,8 @@ impl<const C: usize> Loss<C> {
     /// This loss with the motion with which the object leaves, in inside coordinates.
     pub(super) fn leaving<D: Size>(mut self, grasp: &Engine<D, C>, motion: Option<&Vector<D>>) -> Self {
         self.motion = motion.map(|v| grasp.motion_outside(v));
-        self.against = motion.map(Coordinates::of);
+        self.leaves = motion.map(Coordinates::of);
+        self.against.clone_from(&self.leaves);
         self
     }
 }
@@ -225,6 +229,8 @@ pub enum LossKind {
     Asymptote,
     /// From here on nothing resists the motion, on which the load works as it changes.
     GivesWay,
+    /// Motions cease to be [small](crate::Settings::small_motions) there: what comes next small motions do not tell.
+    TooFar,
     /// A contact with infinite friction loses its normal force while it still holds a tangential one; or all of the lip of a suction cup is open,
     /// and its vacuum is gone.
     LetsGo,

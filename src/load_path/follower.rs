@@ -9,6 +9,7 @@ use super::energy::LegEnergy;
 use super::event::PathEnd;
 use super::journey::Journey;
 use super::segment::Segment;
+use super::small_motions::EndOfSmallMotions;
 use crate::equilibrium::Equilibrium;
 use crate::grasp::WholeContact;
 use crate::numerics::Size;
@@ -113,6 +114,16 @@ pub(crate) trait Follower<'g, D: Size, const C: usize>: Debug {
     /// Suction cups whose lips are open all around from here on, for a follower that looks at them.
     fn cups_open(&self, _journey: &Journey<'g, D, C>) -> Vec<WholeContact> {
         Vec::new()
+    }
+
+    /// Where motions cease to be small, for a follower that looks at them.
+    fn end_of_small_motions(&self) -> Option<&EndOfSmallMotions> {
+        None
+    }
+
+    /// The leg and its fraction from which on every contact with friction that presses slides, up to a place, for a follower that keeps what lies behind.
+    fn all_slide_from(&self, _until: (usize, f64)) -> Option<(usize, f64)> {
+        None
     }
 
     /// How often a contact has been looked at.

@@ -10,6 +10,7 @@ use super::event::{LossKind, PathEnd};
 use super::follower::{Came, Follower, StandAtEdge};
 use super::journey::Journey;
 use super::leg::Leg;
+use super::small_motions::EndOfSmallMotions;
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::{Coordinates, Engine, Wrench};
@@ -109,6 +110,9 @@ pub(crate) trait AnyPath<const C: usize, T>: Debug {
     fn step_error(&self) -> f64;
     fn energies(&self) -> &[LegEnergy];
     fn contacts_looked_at(&self) -> usize;
+    fn next_small(&mut self) -> Option<T>;
+    fn end_of_small_motions(&self) -> Option<&EndOfSmallMotions>;
+    fn all_slide_from(&self, until: (usize, f64)) -> Option<(usize, f64)>;
 }
 
 impl<'g, D: Size, const C: usize, F: Follower<'g, D, C>> AnyPath<C, F::Report> for Following<'g, D, C, F> {
@@ -200,5 +204,22 @@ impl<'g, D: Size, const C: usize, F: Follower<'g, D, C>> AnyPath<C, F::Report> f
 
     fn contacts_looked_at(&self) -> usize {
         self.follower.as_ref().map_or(0, Follower::contacts_looked_at)
+    }
+
+    fn next_small(&mut self) -> Option<F::Report> {
+        while self.end.is_none() && self.end_of_small_motions().is_none() {
+            if let told @ Some(_) = self.go(F::go_on) {
+                return told;
+            }
+        }
+        None
+    }
+
+    fn end_of_small_motions(&self) -> Option<&EndOfSmallMotions> {
+        self.follower.as_ref()?.end_of_small_motions()
+    }
+
+    fn all_slide_from(&self, until: (usize, f64)) -> Option<(usize, f64)> {
+        self.follower.as_ref()?.all_slide_from(until)
     }
 }

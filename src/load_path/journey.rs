@@ -9,7 +9,7 @@ use super::leg::Leg;
 use super::program::Program;
 use super::segment::Segment;
 use crate::contact::Polygon;
-use crate::equilibrium::{Cone, Equilibrium};
+use crate::equilibrium::{AnswerFor, Equilibrium};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Size, Vector};
@@ -39,6 +39,7 @@ impl<'g, D: Size, const C: usize> Journey<'g, D, C> {
         settings: &Settings,
     ) -> Result<Self, Error> {
         grasp.load_alone(start, "start load")?;
+        settings.small_motions.check()?;
         let polygon = Polygon::shared(&settings.cone);
         Ok(Self { grasp, settings: *settings, polygon, program: Program::new(grasp, *start), rest: None })
     }
@@ -60,7 +61,7 @@ impl<'g, D: Size, const C: usize> Journey<'g, D, C> {
             (Settled::Found(found, _), _) => Ok(found),
             (nothing, effort) => {
                 let load = self.program.load_at(0.0);
-                let outcome = self.grasp.outcome(problem, &load, nothing, &effort, self.cone());
+                let outcome = self.grasp.outcome(problem, &load, nothing, &effort, self.answer_for());
                 Err(PathEnd::NoStart(Box::new(outcome)))
             }
         }
@@ -73,12 +74,12 @@ impl<'g, D: Size, const C: usize> Journey<'g, D, C> {
         let [mut drives, change] = self.program.drives(self.grasp);
         drives.iter_mut().zip(&slips).for_each(|(drive, slip)| *drive -= slip);
         let problem = Problem { slips, ..self.problem(drives, &course.at(0.0)) };
-        Segment { grasp: self.grasp, cone: self.cone(), problem, change, course, largest: 0.0 }
+        Segment { grasp: self.grasp, answer_for: self.answer_for(), problem, change, course, largest: 0.0 }
     }
 
-    /// The cone that answers are for.
-    pub(super) fn cone(&self) -> Cone {
-        Cone::of::<C>(&self.settings)
+    /// What answers are for.
+    pub(super) fn answer_for(&self) -> AnswerFor {
+        AnswerFor::of::<C>(&self.settings)
     }
 
     /// What was found at a fraction of the present leg, as physics.
@@ -90,7 +91,7 @@ impl<'g, D: Size, const C: usize> Journey<'g, D, C> {
     ) -> Equilibrium<C> {
         let (load, effort) = (self.program.load_at(fraction), Effort::default());
         let grasp = self.program.bodies.put_on(self.grasp, fraction);
-        grasp.equilibrium(problem, &load, found, Rung::LoadPath, &effort, self.cone())
+        grasp.equilibrium(problem, &load, found, Rung::LoadPath, &effort, self.answer_for())
     }
 
     /// Equilibrium is lost at a fraction of the present leg where these sites stand on an edge, the object leaving with this motion.
@@ -113,6 +114,7 @@ impl<'g, D: Size, const C: usize> Journey<'g, D, C> {
             motion: None,
             jumped: Vec::new(),
             against: None,
+            leaves: None,
         };
         loss.leaving(self.grasp, motion)
     }

@@ -1,4 +1,4 @@
-//! What happens at one load where friction falls: a contact begins to slide, and others catch the object.
+//! What happens at one load: friction falls as a contact begins to slide, or nothing resists the object any more, and other contacts catch it.
 
 use core::fmt;
 
@@ -7,16 +7,23 @@ use nalgebra::SVector;
 use super::event::ContactChange;
 use crate::equilibrium::Equilibrium;
 use crate::error::ContactLabel;
+use crate::grasp::BodyMotion;
 use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 use crate::words::{Words, listed};
+
+/// A body that moves by less than this part of the fastest keeps its place, for whoever reads of it.
+const SEEN: f64 = 1e-6;
 
 /// A jump from one equilibrium to another under one load: contacts begin to slide, and with [kinetic friction](crate::grasp::Contact::kinetic) they carry
 /// less.
 ///
 /// What they have lost is taken off as slowly as need be, so that the others take it over: contacts that reach their friction at rest on that way begin to
 /// slide, too, and lose theirs. The object comes to rest where forces balance again. That is the overdamped answer: it does not shoot over.
+///
+/// Or nothing resists the object any more, and it moves until the gap of a contact that was open closes ([`Self::reaches`]). Every place on the way is in balance
+/// under the same load. How fast it arrives is not asked.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -27,6 +34,12 @@ pub struct Jump<const C: usize> {
     pub changes: Vec<ContactChange<C>>,
     /// The contacts that slip in it, and how far.
     pub slips: Vec<JumpSlip<C>>,
+    /// The contacts whose gaps close where the object has moved without resistance, in order. Empty where others that touch already catch it.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    pub reaches: Vec<ContactLabel>,
+    /// What the object, or each of several bodies, moves by in it.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    pub moved: Vec<BodyMotion<C>>,
     /// Energy that is lost in it, J: the work of the load less what springs take up. Friction makes heat of the larger part, and of the rest what damps the
     /// object.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
@@ -49,10 +62,18 @@ pub struct JumpSlip<const C: usize> {
     pub slip: SVector<f64, C>,
 }
 
-/// "caught after left slips 0.4 mm", the point of a soft fingertip that slips farthest.
+/// "caught after left slips 0.4 mm", the point of a soft fingertip that slips farthest; "the object moves 0.4 mm along +x to stop".
 impl<const C: usize> fmt::Display for Jump<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
+        if !self.reaches.is_empty() {
+            let mut reached: Vec<_> = self.reaches.iter().map(|contact| contact.whole().text()).collect();
+            reached.dedup();
+            let farthest = self.moved.iter().map(BodyMotion::speed).fold(0.0, f64::max);
+            let moved = self.moved.iter().filter(|body| body.speed() > SEEN * farthest);
+            let moved: Vec<_> = moved.map(|body| words.body_motion(body)).collect();
+            return write!(f, "{} to {}", listed(&moved), listed(&reached));
+        }
         let mut told: Vec<(ContactLabel, f64)> = Vec::new();
         for slip in &self.slips {
             let (whole, far) = (slip.contact.whole(), slip.slip.norm());

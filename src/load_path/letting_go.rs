@@ -33,47 +33,65 @@ use crate::search::{Doubt, Found, Settings, Settled, settle};
 const MOST_OFTEN: usize = 16;
 
 /// A jump on its way.
-struct Fall<'g, D: Size, const C: usize> {
+pub(super) struct Fall<'g, D: Size, const C: usize> {
     /// Along the leg on which what is missing is let go.
-    leg: Pieces<'g, D, C>,
+    pub(super) leg: Pieces<'g, D, C>,
     /// What has happened on it so far.
     fallen: Fallen<C>,
-    changes: Vec<(usize, Change<C>)>,
+    pub(super) changes: Vec<(usize, Change<C>)>,
+    /// Sites whose gaps have closed at the end of a free motion.
+    pub(super) reaches: Vec<usize>,
 }
 
 impl<'g, D: Size, const C: usize> Fall<'g, D, C> {
+    /// At the beginning of its leg.
+    pub(super) fn of(leg: Pieces<'g, D, C>) -> Self {
+        let slips = leg.segment.problem.slips.clone();
+        let fallen = Fallen { slid: vec![false; slips.len()], slips, states: Vec::new() };
+        Self { leg, fallen, changes: Vec::new(), reaches: Vec::new() }
+    }
+
     /// To the end of the leg, who leaves its cone on the way joining.
-    fn go(&mut self, goal: &Vector<D>, journey: &Journey<'g, D, C>) -> Result<(), PathEnd<C>> {
+    pub(super) fn go(&mut self, goal: &Vector<D>, journey: &Journey<'g, D, C>) -> Result<(), PathEnd<C>> {
         let mut left = MOST_OFTEN * self.fallen.slid.len();
         loop {
-            let leg = &mut self.leg;
-            if !core::mem::take(&mut leg.at_node) {
-                let done = if leg.node.turns() {
-                    leg.advance_along_arc(journey)
-                } else {
-                    leg.advance_straight(journey)
-                };
-                if done? {
-                    return Ok(());
+            let begin = match self.go_to_the_next_node(journey) {
+                Ok(None) => return Ok(()),
+                Ok(Some(begin)) if begin.is_empty() => continue,
+                Ok(Some(begin)) => begin,
+                Err(PathEnd::Lost(loss)) => {
+                    self.go_on_freely(&loss, goal, journey)?;
+                    Vec::new()
                 }
-                continue;
-            }
-            let onward = leg.node.go_on(&mut leg.segment, journey, leg.factor)?;
-            leg.here = Some(onward.here);
-            leg.pace = leg.pace.at_node();
-            leg.friction_of_rest();
-            let begin = leg.begin_to_slide(&onward.changes);
-            self.note(&onward.changes);
-            if !begin.is_empty() {
-                left = left.checked_sub(1).ok_or_else(|| journey.undecided(0.0, Doubt::OnTheBoundary))?;
-                if let Some(leg) = self.leg.let_go(goal, &begin, journey)? {
-                    self.leg = leg;
-                }
+                Err(end) => return Err(end),
+            };
+            left = left.checked_sub(1).ok_or_else(|| journey.undecided(0.0, Doubt::OnTheBoundary))?;
+            if !begin.is_empty()
+                && let Some(leg) = self.leg.let_go(goal, &begin, journey)?
+            {
+                self.leg = leg;
             }
         }
     }
 
-    fn note(&mut self, changes: &[(usize, Change<C>)]) {
+    /// Goes on along the leg, or decides how it goes on: the contacts that begin to slide with less friction than at rest; `None` at the end of the leg.
+    fn go_to_the_next_node(&mut self, journey: &Journey<'g, D, C>) -> Result<Option<Vec<usize>>, PathEnd<C>> {
+        let leg = &mut self.leg;
+        if !core::mem::take(&mut leg.at_node) {
+            let done =
+                if leg.node.turns() { leg.advance_along_arc(journey) } else { leg.advance_straight(journey) };
+            return Ok(if done? { None } else { Some(Vec::new()) });
+        }
+        let onward = leg.node.go_on(&mut leg.segment, journey, leg.factor)?;
+        leg.here = Some(onward.here);
+        leg.pace = leg.pace.at_node();
+        leg.friction_of_rest();
+        let begin = leg.begin_to_slide(&onward.changes);
+        self.note(&onward.changes);
+        Ok(Some(begin))
+    }
+
+    pub(super) fn note(&mut self, changes: &[(usize, Change<C>)]) {
         self.changes.extend(changes);
         let states = &self.leg.node.states;
         self.fallen.slid.iter_mut().zip(states).for_each(|(slid, state)| *slid |= state.slides());
@@ -91,7 +109,7 @@ impl<'g, D: Size, const C: usize> Fall<'g, D, C> {
 impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
     /// The leg along which what is missing is let go, these having begun to slide here. At its end the load is `goal`. `None` where they set out from
     /// an apex, with no force to lose: what comes next is decided once more, with less friction.
-    fn let_go(
+    pub(super) fn let_go(
         &mut self,
         goal: &Vector<D>,
         begin: &[usize],
@@ -163,9 +181,8 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
             end => end,
         };
         let Some(leg) = self.let_go(&goal, begin, journey).map_err(end_here)? else { return Ok(None) };
-        let slips = self.segment.problem.slips.clone();
-        let fallen = Fallen { slid: vec![false; slips.len()], slips, states: Vec::new() };
-        let mut fall = Fall { leg, fallen, changes: Vec::new() };
+        let mut fall = Fall::of(leg);
+        fall.fallen.slips.clone_from(&self.segment.problem.slips);
         fall.note(&[]);
         if let Err(end) = fall.go(&goal, journey) {
             let PathEnd::Lost(loss) = end else { return Err(end_here(end)) };
@@ -174,6 +191,16 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
             self.fallen = Some(fall.leg.segment.problem_at(1.0));
             return Err(PathEnd::Lost(Box::new(loss)));
         }
+        self.land(journey, &goal, fall).map(Some)
+    }
+
+    /// Goes over to the end of a jump, at the load `goal`.
+    pub(super) fn land(
+        &mut self,
+        journey: &Journey<'g, D, C>,
+        goal: &Vector<D>,
+        fall: Fall<'g, D, C>,
+    ) -> Result<Jump<C>, PathEnd<C>> {
         let slips = fall.slips(journey);
         let before = core::mem::replace(&mut self.node, fall.leg.node).at;
         let problem = &mut self.segment.problem;
@@ -185,7 +212,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         self.segment.largest = self.segment.largest.max(fall.leg.segment.largest);
         self.step_error += fall.leg.step_error;
         self.pace.steps = fall.leg.pace.steps;
-        let energy = self.energy_of(&goal, &before.forces, &before.twist);
+        let energy = self.energy_of(goal, &before.forces, &before.twist);
         if let Some(leg) = self.energy.last_mut() {
             leg.add_part(&energy);
         }
@@ -197,8 +224,11 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         let state = state.ok_or_else(inaccurate)?;
         self.here = Some(stands.here.clone());
         self.behind.push(stands);
+        self.note_how_far(journey);
         let (changes, _): (Vec<ContactChange<C>>, _) = journey.grasp.contacts_and_drives(fall.changes);
-        Ok(Some(Jump { changes, slips, energy_lost: energy.dissipated, state }))
+        let moved = journey.grasp.each_moves(&(&self.node.at.twist - &before.twist));
+        let (reaches, _) = journey.grasp.sites_apart(fall.reaches);
+        Ok(Jump { changes, slips, reaches, moved, energy_lost: energy.dissipated, state })
     }
 
     /// Of a jump from these forces and this twist: what springs do not take up is lost.

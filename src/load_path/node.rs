@@ -16,7 +16,8 @@ use crate::numerics::Size;
 use crate::object::{PieceState, Problem};
 use crate::prelude::*;
 use crate::search::{
-    Doubt, Effort, Found, Judged, Rung, Settings, Settled, polish, settle, solution_near, try_states,
+    Doubt, Effort, Found, Judged, Rung, Settings, Settled, on_the_whole_line, polish, settle, solution_near,
+    try_states,
 };
 
 /// A motion that is shorter by less than this part is none that is shorter: it is the same up to rounding.
@@ -37,7 +38,7 @@ struct Decided<'g, D: Size, const C: usize> {
 }
 
 /// Where the path stands, contact by contact.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Node<D: Size, const C: usize> {
     /// Those of contacts that slide on the round cone have the direction of their friction force.
     pub(super) states: Vec<State<C>>,
@@ -86,6 +87,10 @@ impl<D: Size, const C: usize> Node<D, C> {
         let mut found = self.without_dragging(&rates, found);
         if segment.problem.round {
             slide_where_they_graze(&rates, &mut found);
+        }
+        // From nothing on, what slides without slipping may as well slip: the middle of all motions that hold is told, not an end of them.
+        if self.at.forces.iter().all(|force| force.norm() == 0.0) {
+            found = on_the_whole_line(&rates, found);
         }
         // Infinite friction keeps its tangential force until the normal force is gone, and then loses it all at once.
         let lets_go = |i: usize| self.holds[i] && !self.states[i].is_open() && found.states[i].is_open();
@@ -215,7 +220,7 @@ impl<D: Size, const C: usize> Node<D, C> {
     }
 
     /// Takes the states of the rates over and says what changed.
-    fn take_over(
+    pub(super) fn take_over(
         &mut self,
         segment: &mut Segment<'_, D, C>,
         factor: f64,

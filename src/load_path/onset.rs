@@ -111,7 +111,7 @@ impl<const C: usize> OnsetEvent<C> {
     ) -> Self {
         let mut lists = lists.iter_mut();
         let mut list = || lists.next().map(core::mem::take).unwrap_or_default();
-        let Segment { grasp, cone, problem, change: drive_rates, course, .. } = segment;
+        let Segment { grasp, answer_for, problem, change: drive_rates, course, .. } = segment;
         let mut drives = problem.drives;
         drives.iter_mut().zip(&drive_rates).for_each(|(drive, rate)| *drive += rate * factor);
         let local = StickingState {
@@ -126,7 +126,7 @@ impl<const C: usize> OnsetEvent<C> {
             slips: problem.slips,
         };
         let (leaving, drives) = grasp.leaving_apart(leaving);
-        Self { factor, load, leaving, drives, cone, local }
+        Self { factor, load, leaving, drives, cone: answer_for.cone, local }
     }
 }
 

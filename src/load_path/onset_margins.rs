@@ -9,6 +9,7 @@ use crate::equilibrium::Cone;
 use crate::grasp::{Engine, HandPart, Wrench};
 use crate::numerics::Size;
 use crate::prelude::*;
+use crate::search::Settings;
 
 /// What leaves at an onset.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -39,7 +40,7 @@ impl<'g, D: Size, const C: usize> OnsetMargins<'g, D, C> {
     /// `None` if the onset was reached after a contact had closed on the way or as one closes, or if the event has another number of
     /// contacts.
     pub(crate) fn new(grasp: &'g Engine<D, C>, event: &OnsetEvent<C>) -> Option<Self> {
-        let state = grasp.state_at_onset(event)?;
+        let state = grasp.state_at_onset(event, &Settings::default())?;
         let local = Local::new(grasp, &state)?;
         let has_slipped = |i: usize| {
             let sticks = local.states[i].is_sticking() && !local.problem.local(i).is_frictionless();

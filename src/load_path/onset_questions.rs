@@ -18,7 +18,7 @@ use super::trajectory::Trajectory;
 use super::turn::Touch;
 use super::turn_questions::TurnOnset;
 use crate::contact::{Polygon, PolygonCone, State};
-use crate::equilibrium::{Cone, Equilibrium, Outcome};
+use crate::equilibrium::{AnswerFor, Cone, Equilibrium, Outcome};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Memory, Size};
@@ -101,19 +101,25 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 
     /// [`Grasp::state_at_onset`](crate::ask::Grasp::state_at_onset).
-    pub(crate) fn state_at_onset(&self, event: &OnsetEvent<C>) -> Option<Equilibrium<C>> {
+    pub(crate) fn state_at_onset(
+        &self,
+        event: &OnsetEvent<C>,
+        settings: &Settings,
+    ) -> Option<Equilibrium<C>> {
         let problem = self.problem_at_onset(event)?;
         let (found, rule) = (event.local.found.found(), event.local.rule);
-        Some(self.equilibrium(&problem, &event.load, found, rule, &Effort::default(), event.cone))
+        let answer_for = AnswerFor { cone: event.cone, small: settings.small_motions };
+        Some(self.equilibrium(&problem, &event.load, found, rule, &Effort::default(), answer_for))
     }
 
     /// [`Grasp::beyond`](crate::ask::Grasp::beyond).
     pub(crate) fn beyond(&self, event: &OnsetEvent<C>, settings: &Settings) -> Option<Beyond<C>> {
         let problem = self.problem_at_onset(event)?;
-        let (local, cone) = (&event.local, event.cone);
+        let local = &event.local;
+        let answer_for = AnswerFor { cone: event.cone, small: settings.small_motions };
         let change = local.drive_rates.clone();
         let course = Trajectory::Straight { from: local.wrench.to(), rate: local.wrench_rate.to() };
-        let segment = Segment { grasp: self, cone, problem, change, course, largest: 0.0 };
+        let segment = Segment { grasp: self, answer_for, problem, change, course, largest: 0.0 };
         let rates = segment.rates(0.0, segment.laws_of_rates(&local.stands, &local.found.states));
         let (settled, effort) = match settle(&rates, settings) {
             (Settled::Found(found, rule), _) => return Some(continuation(self, &rates, found, rule)),
@@ -145,7 +151,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         course: &Trajectory<Wrench<C>>,
         (settled, effort): &Rest<D, C>,
     ) -> Result<(Found<D, C>, Rung), Box<Onset<C>>> {
-        let (problem, cone) = (&segment.problem, segment.cone);
+        let (problem, answer_for) = (&segment.problem, segment.answer_for);
         let slides = |found: &Found<D, C>| found.states.iter().any(State::slides);
         match settled {
             Settled::Found(found, rule) if !slides(found) => {
@@ -153,7 +159,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             }
             _ => {}
         }
-        Err(Box::new(match self.outcome(problem, &course.at(0.0), settled.clone(), effort, cone) {
+        Err(Box::new(match self.outcome(problem, &course.at(0.0), settled.clone(), effort, answer_for) {
             Outcome::Equilibrium(equilibrium) => Onset::AlreadySliding(equilibrium),
             Outcome::NoEquilibrium(none) => Onset::NoBase(none),
             Outcome::Undecided(doubt) => Onset::Undecided(doubt),

@@ -9,7 +9,7 @@ use super::onset::{Leaving, Onset, OnsetEvent};
 use super::segment::Segment;
 use super::trajectory::Trajectory;
 use crate::contact::{ActiveSet, Polygon, PolygonCone, State};
-use crate::equilibrium::Cone;
+use crate::equilibrium::{AnswerFor, Cone};
 use crate::grasp::{Coordinates, Engine};
 use crate::numerics::{Size, Vector};
 use crate::object::{Lists, Load, PieceState, SolutionMemory};
@@ -70,12 +70,20 @@ impl<D: Size, const C: usize> OnsetMemory<D, C> {
         settings: &Settings,
         course: Trajectory<Vector<D>>,
     ) -> Segment<'g, D, C> {
-        let cone = Cone::of::<C>(settings);
+        let answer_for = AnswerFor::of::<C>(settings);
         let mut lists = core::mem::take(&mut self.lists);
         grasp.drives_into(&mut lists.drives);
         let polygon = self.polygon(settings.cone);
-        let problem = grasp.problem_in(lists, polygon, cone == Cone::Round, &Load::from(&course.at(0.0)));
-        Segment { grasp, cone, problem, change: core::mem::take(&mut self.change), course, largest: 0.0 }
+        let problem =
+            grasp.problem_in(lists, polygon, answer_for.cone == Cone::Round, &Load::from(&course.at(0.0)));
+        Segment {
+            grasp,
+            answer_for,
+            problem,
+            change: core::mem::take(&mut self.change),
+            course,
+            largest: 0.0,
+        }
     }
 
     fn polygon(&mut self, cone: PolygonCone) -> Arc<Polygon<C>> {

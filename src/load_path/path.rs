@@ -8,6 +8,7 @@ use super::event::{Event, PathEnd};
 use super::following::AnyPath;
 use super::leg::Leg;
 use super::patch::PatchEvent;
+use super::small_motions::EndOfSmallMotions;
 use super::stepped::Step;
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
@@ -171,6 +172,25 @@ impl<const C: usize> LoadPath<'_, C> {
     #[must_use]
     pub fn step_error(&self) -> f64 {
         self.0.step_error()
+    }
+
+    /// Where motions cease to be small by [`Settings::small_motions`], as far as the path has been followed: beyond, what it tells is for the undeformed
+    /// geometry and says little. `None` where all motions are small.
+    #[must_use]
+    pub fn end_of_small_motions(&self) -> Option<&EndOfSmallMotions> {
+        self.0.end_of_small_motions()
+    }
+
+    /// [`Self::run`] as far as motions are small: up to the first piece on which they are not any more.
+    pub fn run_while_small(&mut self) -> Vec<Event<C>> {
+        core::iter::from_fn(|| self.0.next_small()).collect()
+    }
+
+    /// Where everything slides: the leg and its fraction from which on every contact with friction that presses slides, without a break up to the leg and
+    /// fraction `until`. `None` where one sticks there.
+    #[must_use]
+    pub fn everything_slides_from(&self, until: (usize, f64)) -> Option<(usize, f64)> {
+        self.0.all_slide_from(until)
     }
 
     /// Energies of every leg that was entered, J, up to where the path has been followed.

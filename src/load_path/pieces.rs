@@ -21,6 +21,7 @@ use super::node::Node;
 use super::pace::Pace;
 use super::path::{LoadPath, Path};
 use super::segment::{Here, Segment};
+use super::small_motions::EndOfSmallMotions;
 use super::stretch::{Bend, Stretch};
 use super::trajectory::Trajectory;
 use crate::contact::WEIGHTLESS;
@@ -54,6 +55,8 @@ pub(crate) struct Pieces<'g, D: Size, const C: usize> {
     pub(super) first: Option<Box<Event<C>>>,
     /// What there was to balance where a jump was not caught.
     pub(super) fallen: Option<Problem<'g, D, C>>,
+    /// Where motions cease to be small, if they do.
+    pub(super) end_of_small_motions: Option<EndOfSmallMotions>,
 }
 
 impl<D: Size, const C: usize> Engine<D, C> {
@@ -95,12 +98,12 @@ impl<'g, D: Size, const C: usize> Follower<'g, D, C> for Pieces<'g, D, C> {
     }
 
     fn go_on(&mut self, journey: &Journey<'g, D, C>) -> Result<Came<Event<C>>, PathEnd<C>> {
-        if core::mem::take(&mut self.at_node) {
-            return Ok(self.decide(journey)?.map_or(Came::OnTheWay, Came::To));
+        match self.go_unless_lost(journey) {
+            Err(PathEnd::Lost(loss)) => {
+                self.caught_by_a_gap(journey, &loss)?.map(Came::To).ok_or(PathEnd::Lost(loss))
+            }
+            came => came,
         }
-        let leg_done =
-            if self.node.turns() { self.advance_along_arc(journey) } else { self.advance_straight(journey) };
-        Ok(if leg_done? { Came::ToTheEndOfTheLeg } else { Came::OnTheWay })
     }
 
     fn fraction(&self) -> f64 {
@@ -128,6 +131,14 @@ impl<'g, D: Size, const C: usize> Follower<'g, D, C> for Pieces<'g, D, C> {
 
     fn energies(&self) -> &[LegEnergy] {
         &self.energy
+    }
+
+    fn end_of_small_motions(&self) -> Option<&EndOfSmallMotions> {
+        self.end_of_small_motions.as_ref()
+    }
+
+    fn all_slide_from(&self, until: (usize, f64)) -> Option<(usize, f64)> {
+        self.pieces_all_slide_from(until)
     }
 
     fn is_behind(&self, leg: usize, fraction: f64) -> bool {
@@ -159,10 +170,12 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         // At rest: nothing changes yet.
         let change = journey.grasp.drive_changes(None, None);
         let course = Trajectory::Straight { from: problem.wrench.clone(), rate: Vector::zeros() };
-        let (grasp, cone, problem) = (journey.grasp, journey.cone(), problem.clone());
-        let mut segment = Segment { grasp, cone, problem, change, course, largest: 0.0 };
+        let (grasp, answer_for, problem) = (journey.grasp, journey.answer_for(), problem.clone());
+        let mut segment = Segment { grasp, answer_for, problem, change, course, largest: 0.0 };
         let node = Node::at_start(&mut segment, found);
-        Self::standing(segment, node).with_falling_friction(journey)
+        let mut path = Self::standing(segment, node).with_falling_friction(journey)?;
+        path.note_how_far(journey);
+        Ok(path)
     }
 
     /// At the beginning of a segment.
@@ -181,7 +194,17 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
             step_error: 0.0,
             first: None,
             fallen: None,
+            end_of_small_motions: None,
         }
+    }
+
+    fn go_unless_lost(&mut self, journey: &Journey<'g, D, C>) -> Result<Came<Event<C>>, PathEnd<C>> {
+        if core::mem::take(&mut self.at_node) {
+            return Ok(self.decide(journey)?.map_or(Came::OnTheWay, Came::To));
+        }
+        let leg_done =
+            if self.node.turns() { self.advance_along_arc(journey) } else { self.advance_straight(journey) };
+        Ok(if leg_done? { Came::ToTheEndOfTheLeg } else { Came::OnTheWay })
     }
 
     fn stretch_behind(&self, leg: usize, fraction: f64) -> Option<&Stretch<'g, D, C>> {
@@ -189,7 +212,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
     }
 
     pub(super) fn state_on(&self, stretch: &Stretch<'g, D, C>, fraction: f64) -> Option<Equilibrium<C>> {
-        stretch.state_at(self.segment.grasp, self.segment.cone, fraction)
+        stretch.state_at(self.segment.grasp, self.segment.answer_for, fraction)
     }
 
     /// Decides how the path goes on from here; an event if a contact changes its state.
@@ -298,5 +321,6 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         self.behind.push(Stretch { bend, ..stretch });
         self.node.arrive(&mut self.segment, here, to, &at);
         self.factor = to;
+        self.note_how_far(journey);
     }
 }

@@ -146,7 +146,7 @@ mod tests {
     use super::*;
     use crate::PolygonCone;
     use crate::contact::{Polygon, Slide, State};
-    use crate::equilibrium::Cone;
+    use crate::equilibrium::AnswerFor;
     use crate::grasp::Engine;
     use crate::numerics::Fixed;
     use crate::object::Load;
@@ -174,7 +174,14 @@ mod tests {
             let change = (0..5).map(|i| SVector::from([0.1, 0.02 * f64::from(i), -0.03])).collect();
             let rate = SVector::from([0.3, -0.2, 0.9, 0.1, -0.2, 0.15]).into();
             let course = Trajectory::Straight { from: Vector::zeros(), rate };
-            let segment = Segment { grasp: &grasp, cone: Cone::Round, problem, change, course, largest: 0.0 };
+            let segment = Segment {
+                grasp: &grasp,
+                answer_for: AnswerFor::of::<3>(&Settings::default()),
+                problem,
+                change,
+                course,
+                largest: 0.0,
+            };
             let angle = |i: u8| 0.7 * f64::from(i) + 0.4;
             let frictions: Vec<_> = (1..5)
                 .map(|i| SVector::from([0.0, angle(i).cos(), angle(i).sin()]) * (0.2 + 0.1 * f64::from(i)))

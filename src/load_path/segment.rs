@@ -7,7 +7,7 @@ use super::first_exits::{FirstExits, PathState};
 use super::trajectory::Trajectory;
 use super::turning_state::TurningState;
 use crate::contact::{ActiveSet, Exit, GapLine, Law, Line, State};
-use crate::equilibrium::{Cone, NoEquilibrium, Proof};
+use crate::equilibrium::{AnswerFor, NoEquilibrium, Proof};
 use crate::grasp::Engine;
 use crate::numerics::{Size, Vector, cleared_for};
 use crate::object::{Piece, PieceState, Problem, largest_force};
@@ -17,7 +17,7 @@ use crate::prelude::*;
 #[derive(Debug, Clone)]
 pub(super) struct Segment<'g, D: Size, const C: usize> {
     pub(super) grasp: &'g Engine<D, C>,
-    pub(super) cone: Cone,
+    pub(super) answer_for: AnswerFor,
     /// At factor 0; its drives count from the slip so far.
     pub(super) problem: Problem<'g, D, C>,
     /// Rates of the drives; zero while the load turns.

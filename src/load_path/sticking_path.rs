@@ -141,7 +141,7 @@ impl<D: Size, const C: usize> StickingPath<'_, D, C> {
             (found, self.rule),
             &mut Default::default(),
         );
-        match segment.grasp.state_at_onset(&event) {
+        match segment.grasp.state_at_onset(&event, self.settings) {
             Some(state) if state.residuals.worst() > ACCURATE => {
                 Onset::Undecided(Undecided { doubt: Doubt::Inaccurate, work: state.work })
             }

@@ -62,6 +62,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
             self.let_run_out(&standing);
         }
         self.factor = to;
+        self.note_how_far(journey);
         self.at_node = true;
         Ok(leg_done)
     }

@@ -8,7 +8,7 @@ use super::flow::{Flow, Rule, StepGoal};
 use super::segment::{Here, Segment};
 use super::trajectory::Trajectory;
 use crate::contact::{Line, State};
-use crate::equilibrium::{Cone, Equilibrium};
+use crate::equilibrium::{AnswerFor, Equilibrium};
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Size, Vector};
 use crate::object::{PieceState, Problem};
@@ -71,13 +71,25 @@ impl<'g, D: Size, const C: usize> Stretch<'g, D, C> {
     pub(super) fn state_at(
         &self,
         grasp: &'g Engine<D, C>,
-        cone: Cone,
+        answer_for: AnswerFor,
         fraction: f64,
     ) -> Option<Equilibrium<C>> {
+        let (problem, found) = self.found_at(grasp, answer_for, fraction)?;
+        let (load, grasp) = (self.load.at(fraction), self.bodies.put_on(grasp, fraction));
+        Some(grasp.equilibrium(&problem, &load, found, Rung::LoadPath, &Effort::default(), answer_for))
+    }
+
+    /// Contacts at a fraction of the leg; `None` where rounding keeps a part of a step from being made.
+    pub(super) fn found_at(
+        &self,
+        grasp: &'g Engine<D, C>,
+        answer_for: AnswerFor,
+        fraction: f64,
+    ) -> Option<(Problem<'g, D, C>, Found<D, C>)> {
+        let segment = self.segment(grasp, answer_for);
         if let Some(bend) = &self.bend {
-            return self.on_the_bend(bend, grasp, cone, fraction);
+            return self.on_the_bend(bend, &segment, fraction);
         }
-        let segment = self.segment(grasp, cone);
         let step = fraction - self.from;
         // Between the ends, each of which is solved where it is.
         let part = if self.to > self.from { step / (self.to - self.from) } else { 0.0 };
@@ -100,23 +112,21 @@ impl<'g, D: Size, const C: usize> Stretch<'g, D, C> {
             sizes: [0, 1].map(|k| self.here.sizes[k] + step * self.here.rate_sizes[k]),
             ..Found::new(self.states.clone(), forces, twist)
         };
-        Some(self.equilibrium(grasp, cone, fraction, &segment.problem_at(fraction), found))
+        Some((segment.problem_at(fraction), found))
     }
 
     fn on_the_bend(
         &self,
         bend: &Bend,
-        grasp: &'g Engine<D, C>,
-        cone: Cone,
+        segment: &Segment<'g, D, C>,
         fraction: f64,
-    ) -> Option<Equilibrium<C>> {
-        let segment = self.segment(grasp, cone);
+    ) -> Option<(Problem<'g, D, C>, Found<D, C>)> {
         let at = if fraction >= self.to {
             self.there.clone()
         } else if fraction <= self.from {
             start_of(&self.here)
         } else {
-            self.part_of_a_step(bend, &segment, fraction)?
+            self.part_of_a_step(bend, segment, fraction)?
         };
         let state = |(state, force): (&State<C>, &SVector<f64, C>)| {
             if state.slides() { State::sliding_along(force) } else { *state }
@@ -129,7 +139,7 @@ impl<'g, D: Size, const C: usize> Stretch<'g, D, C> {
             ..Found::new(states, at.forces, at.twist)
         };
         let mut problem = segment.problem_at(fraction);
-        for (i, (state, site)) in self.states.iter().zip(grasp.sites()).enumerate() {
+        for (i, (state, site)) in self.states.iter().zip(segment.grasp.sites()).enumerate() {
             if state.slides() {
                 let slip =
                     site.springs.slip(&site.stretch(&problem.drives[i], &found.twist), &found.forces[i]);
@@ -137,7 +147,7 @@ impl<'g, D: Size, const C: usize> Stretch<'g, D, C> {
                 problem.slips[i] += slip;
             }
         }
-        Some(self.equilibrium(grasp, cone, fraction, &problem, found))
+        Some((problem, found))
     }
 
     /// The state at a fraction within the step. Where a part of it cannot be made at once, rounding being in the way, in shorter ones one after the other.
@@ -173,21 +183,9 @@ impl<'g, D: Size, const C: usize> Stretch<'g, D, C> {
         near.then(|| if to_the_start < to_the_end { start_of(&self.here) } else { self.there.clone() })
     }
 
-    fn segment(&self, grasp: &'g Engine<D, C>, cone: Cone) -> Segment<'g, D, C> {
+    fn segment(&self, grasp: &'g Engine<D, C>, answer_for: AnswerFor) -> Segment<'g, D, C> {
         let (problem, change) = (self.problem.clone(), self.change.clone());
-        Segment { grasp, cone, problem, change, course: self.course.clone(), largest: 0.0 }
-    }
-
-    fn equilibrium(
-        &self,
-        grasp: &Engine<D, C>,
-        cone: Cone,
-        fraction: f64,
-        problem: &Problem<'g, D, C>,
-        found: Found<D, C>,
-    ) -> Equilibrium<C> {
-        let (load, grasp) = (self.load.at(fraction), self.bodies.put_on(grasp, fraction));
-        grasp.equilibrium(problem, &load, found, Rung::LoadPath, &Effort::default(), cone)
+        Segment { grasp, answer_for, problem, change, course: self.course.clone(), largest: 0.0 }
     }
 }
 

@@ -33,13 +33,25 @@ pub struct Turn<const C: usize> {
     pub(super) load: Harmonic<Wrench<C>>,
     /// How far it turns, rad.
     pub(super) angle: f64,
+    /// The axis about which the bodies of a scene are tilted under their own gravity, in place of a load; the scene knows their weight.
+    pub(crate) tilts_bodies_about: Option<SVector<f64, 3>>,
 }
+
+/// Said where the bodies have no weight that could turn.
+const NO_WEIGHT: &str = "is missing: give weight, or force, or cosine and sine; without them gravity turns, where a scene's bodies have masses under `gravity`, by onset_of_turn and need";
 
 impl<const C: usize> Turn<C> {
     /// From its three parts, N and N m; one full turn.
     #[must_use]
     pub fn new(constant: Wrench<C>, cosine: Wrench<C>, sine: Wrench<C>) -> Self {
-        Self { load: Harmonic { constant, cosine, sine }, angle: TAU }
+        Self { load: Harmonic { constant, cosine, sine }, angle: TAU, tilts_bodies_about: None }
+    }
+
+    /// A turn in which the bodies of a scene are tilted about this axis, of any length but zero, by the right-hand rule. Scenes alone can answer it.
+    #[cfg(feature = "serde")]
+    pub(crate) fn of_bodies(axis: SVector<f64, 3>) -> Self {
+        let turn = Self::new(Wrench::ZERO, Wrench::ZERO, Wrench::ZERO);
+        Self { tilts_bodies_about: Some(axis), ..turn }
     }
 
     /// This turn beside another load, which stays as it is.
@@ -60,6 +72,7 @@ impl<const C: usize> Turn<C> {
     #[must_use]
     pub fn reversed(mut self) -> Self {
         self.load.sine = -self.load.sine;
+        self.tilts_bodies_about = self.tilts_bodies_about.map(|axis| -axis);
         self
     }
 
@@ -111,6 +124,14 @@ impl<const C: usize> Turn<C> {
         self.load.constant.check("constant load")?;
         self.load.cosine.check("cosine of the load")?;
         self.load.sine.check("sine of the load")?;
+        if self.tilts_bodies_about.is_some() {
+            return Err(Error::Question { question: "turn", field: "weight", fault: NO_WEIGHT });
+        }
+        self.check_angle()
+    }
+
+    /// Refuses an angle that is not positive, or absurdly large.
+    pub(crate) fn check_angle(&self) -> Result<(), Error> {
         // Beyond, an angle says nothing any more of where in its turn the load is.
         if !(self.angle > 0.0 && self.angle <= 1e6) {
             let allowed = "more than 0 and at most 1e6 rad";

@@ -84,7 +84,7 @@ impl<const C: usize> Setup<C> {
     /// Whether the lists of a question that have one entry a contact are as long as that.
     pub(super) fn check(&self, question: &Question<C>) -> Result<(), Error> {
         self.check_growing(question)?;
-        match question {
+        match &*self.meant(question)? {
             Question::Hold { .. } | Question::Solve { .. } | Question::OnsetOfTurn(_) => Ok(()),
             Question::Need(asked) => self.need(asked).map(drop),
             Question::Improve(asked) => self.improve(asked).map(drop),
@@ -172,7 +172,7 @@ impl<const C: usize> Setup<C> {
         words: Words,
     ) -> Result<Answer<C>, Error> {
         let grasp = &self.grasp_of(grasp, question)?;
-        Ok(match question {
+        Ok(match &*self.meant(question)? {
             Question::Hold { base, load, .. } => {
                 Answer::Hold(labels.verdict(grasp.hold(Ramp::load(*base, *load))?, words))
             }

@@ -83,7 +83,7 @@ impl<const C: usize> Setup<C> {
 
     fn brief(&self, grasp: &Grasp<C>, labels: &SceneNames, question: &Question<C>) -> Result<Brief, Error> {
         let grasp = &self.grasp_of(grasp, question)?;
-        Ok(match question {
+        Ok(match &*self.meant(question)? {
             Question::Hold { base, load, .. } => held_briefly(&grasp.hold(Ramp::load(*base, *load))?),
             Question::Need(asked) => needed_briefly(&grasp.need(&self.need(asked)?)?),
             Question::Improve(asked) => improved_briefly(&self.improve(asked)?.answered_by(grasp)?),
@@ -98,8 +98,8 @@ impl<const C: usize> Setup<C> {
             Question::Follow { start, legs } => {
                 let mut path = grasp.follow(start, &self.legs(legs)?)?;
                 path.by_ref().for_each(drop);
-                let state = path.state();
-                Brief { beyond_small_motions: is_far(state.as_ref()), ..labels.path_briefly(path.end()) }
+                let beyond_small_motions = path.end_of_small_motions().is_some();
+                Brief { beyond_small_motions, ..labels.path_briefly(path.end()) }
             }
             Question::Shake(asked) => shaken_briefly(&grasp.shake(&asked.base, &self.cycle(asked)?)?),
             Question::Shakedown(asked) => shakedown_briefly(asked.found(grasp)?.as_ref()),
@@ -213,8 +213,9 @@ fn held_briefly<const C: usize>(verdict: &Verdict<C>) -> Brief {
     let who = first.and_then(|first| first.slide.iter().chain(&first.open).chain(&first.would_pull).next());
     let who = who.map(|part| part.label.clone());
     let factor = verdict.lost.as_ref().map(|lost| lost.factor);
-    let at_the_end = verdict.state.as_ref().or_else(|| verdict.lost.as_ref()?.state.as_ref());
-    let beyond_small_motions = is_far(at_the_end.map(AsRef::as_ref));
+    let lost_too_far =
+        verdict.lost.as_ref().filter(|_| verdict.state.is_none()).and_then(|lost| lost.too_far.as_ref());
+    let beyond_small_motions = lost_too_far.is_some();
     Brief { factor, first: who, beyond_small_motions, ..Brief::new("hold", outcome) }
 }
 

@@ -131,7 +131,9 @@ impl Scene {
     /// A [`Fault`] that names the field, its place in the text and what is allowed.
     pub fn from_json(text: &[u8]) -> Result<Self, Fault> {
         // Which field is read is kept track of only where it matters.
-        serde_json::from_slice(text).or_else(|_| parse_on_track(text))
+        let scene: Self = serde_json::from_slice(text).or_else(|_| parse_on_track(text))?;
+        scene.refuse_weights_twice(text)?;
+        Ok(scene)
     }
 }
 

@@ -42,12 +42,15 @@ impl<'q, const C: usize> Growing<'q, C> {
 }
 
 impl<const C: usize> Setup<C> {
-    /// The grasp of a question, with the loads that grow together in it.
+    /// The grasp of a question, with the loads that grow together in it; where gravity turns, without it beside the load.
     ///
     /// # Errors
     /// [`Error::Question`] where nothing can grow together, and as for [`Grasp::growing_together`].
     pub fn grasp_of(&self, grasp: &Grasp<C>, question: &Question<C>) -> Result<Grasp<C>, Error> {
         self.check_growing(question)?;
+        if let Some(tilted) = self.tilted_grasp(question)? {
+            return Ok(tilted);
+        }
         match Growing::of(question) {
             Some(Growing { load: Some(load), others, .. }) => {
                 grasp.growing_together(&load, others.iter().map(|(name, load)| (name, *load)))

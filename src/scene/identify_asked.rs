@@ -211,10 +211,15 @@ impl<const C: usize> IdentifyAsked<C> {
         Self { unknowns, slips, layouts: Vec::new(), known: Vec::new(), outliers: None, iterations: None }
     }
 
-    /// Whether some slip was seen without anything but the grasp's own squeeze acting before.
-    pub(super) fn begins_without_load(&self) -> bool {
+    /// What acts before the load of the first slip that nothing but the grasp's own squeeze acts before, else that of the first.
+    pub(super) fn at_rest(&self) -> Wrench<C> {
+        let acts = |slip: &SlipAsked<C>| {
+            slip.base.unwrap_or(Wrench::ZERO) + slip.turn.map_or(Wrench::ZERO, |turn| turn.load_at(0.0))
+        };
+        let mut all = self.slips.iter().map(acts);
         let carried = self.unknowns.iter().any(|unknown| unknown.quantity == UnknownKind::Carried);
-        !carried && self.slips.iter().any(|slip| slip.base.is_none() && slip.turn.is_none())
+        let first = all.next().unwrap_or(Wrench::ZERO);
+        if carried || all.all(|acts| acts != Wrench::ZERO) { first } else { Wrench::ZERO }
     }
 }
 

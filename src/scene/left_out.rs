@@ -72,13 +72,13 @@ impl<const C: usize> Setup<C> {
         same_within: f64,
     ) -> Result<Vec<usize>, Error> {
         let told = self.grasp()?;
-        let others = [1, 2].map(|number| trial(number).grasp());
+        let others = [1, 2].map(&trial);
         let mut questions = Vec::new();
         for (number, question) in self.questions.iter().enumerate() {
             let figures = self.figures(&told, question)?;
             let mut depends = is_known(question);
             for other in &others {
-                let others = self.figures(other.as_ref().map_err(Clone::clone)?, question)?;
+                let others = other.figures(&other.grasp()?, question)?;
                 depends |= !same(&figures, &others, same_within);
             }
             if depends {
@@ -118,7 +118,7 @@ impl<const C: usize> Setup<C> {
     fn figures(&self, grasp: &Grasp<C>, question: &Question<C>) -> Result<Vec<f64>, Error> {
         let known = |answer: Option<bool>| answer.map_or(2.0, f64::from);
         let (whole, grasp) = (grasp, &self.grasp_of(grasp, question)?);
-        match question {
+        match &*self.meant(question)? {
             Question::Hold { base, load, .. } => {
                 let verdict = grasp.hold(Ramp::load(*base, *load))?;
                 let (first, lost) = (verdict.first_slip.as_ref(), verdict.lost.as_ref());

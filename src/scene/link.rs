@@ -79,6 +79,9 @@ struct Written<const C: usize> {
     /// What a spring or a cable pulls with before anything moves, N; 0 if left out.
     #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     pretension: Option<f64>,
+    /// In place of the pretension what it pulls with once it is installed, at rest, while all else gives way, N.
+    #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
+    tension: Option<f64>,
     /// How much longer a cable is than its way, m; 0 if left out.
     #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     slack: Option<f64>,
@@ -160,7 +163,8 @@ impl<const C: usize> Serialize for LinkSetup<C> {
             between: link.on.clone().zip(link.against.clone()).map(|(one, other)| [one, other]),
             on: if link.against.is_none() { link.on.clone() } else { None },
             stiffness: link.stiffness,
-            pretension: unless_zero(link.pretension),
+            pretension: if link.tension.is_some() { None } else { unless_zero(link.pretension) },
+            tension: link.tension,
             slack: unless_zero(link.slack),
         };
         match link.place {
@@ -229,7 +233,13 @@ impl<const C: usize> LinkSetup<C> {
             (None, on) => (on, None),
         };
         link.stiffness = written.stiffness;
-        link.pretension = written.pretension.unwrap_or(0.0);
+        link.pretension = written.pretension.or(written.tension).unwrap_or(0.0);
+        link.tension = written.tension;
+        if written.pretension.is_some() && written.tension.is_some() {
+            return Err(
+                "pretension and tension: before anything gives way, or at rest; give one of them".to_owned()
+            );
+        }
         link.slack = written.slack.unwrap_or(0.0);
         // Its name is said by whoever reads it.
         link.contacts().map_err(|error| match error {

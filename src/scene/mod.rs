@@ -90,6 +90,7 @@
 //! | `on` | the body that it joins to the ground | | must be said of several bodies without `between` |
 //! | `stiffness` | along each direction that it holds | N/m | 1e9; of a spring an error |
 //! | `pretension` | what a spring or a cable pulls with before anything moves | N | 0 |
+//! | `tension` | in its place what it pulls with once it is installed, at rest without load, while all else gives way | N | not used |
 //! | `slack` | how much longer a cable is than its way | m | 0 |
 //!
 //! Lists with an entry for each contact have none for links.
@@ -166,6 +167,7 @@
 //! | `axis` | in space about which it turns, of any length but zero | | an error; in the plane there is none |
 //! | `beside` | a wrench that stays | N, N m | none |
 //! | `constant`, `cosine`, `sine` | wrenches, in place of all these: `constant + cosine cos θ + sine sin θ` | N, N m | zero; one of the last two is needed |
+//! | none of these | the scene's own `gravity` turns, with the weights of all its bodies: of `onset_of_turn` and `need` | | |
 //! | `angle_deg` or `angle_rad` | how far it turns, more than 0 and at most 1e6 rad | degrees or rad | a full turn |
 //! | `reversed` | `true` for the other way round | | `false` |
 //!
@@ -316,6 +318,7 @@ mod schema;
 
 mod answer;
 mod asked;
+mod at_rest;
 mod body;
 mod brief;
 mod carried;
@@ -337,7 +340,9 @@ mod matrix;
 mod motion;
 mod need_asked;
 mod object;
+mod odd;
 mod onset;
+mod own_weight;
 mod patch;
 mod path;
 #[cfg(feature = "json")]
@@ -351,6 +356,8 @@ mod springs;
 mod surface;
 mod turn;
 mod warning;
+#[cfg(feature = "json")]
+mod weight_twice;
 mod wrench;
 mod written;
 mod written_contact;

@@ -144,11 +144,6 @@ pub(super) fn loads_given<const C: usize>(
 }
 
 impl<const C: usize> NeedAsked<C> {
-    /// Whether nothing but the grasp's own squeeze acts before the loads are put on: a weight that turns is there from the first.
-    pub(super) fn begins_without_load(&self) -> bool {
-        self.base.is_none() && self.turn.is_none_or(|turn| turn.load_at(0.0) == Wrench::ZERO)
-    }
-
     /// The load, where it is the only one and its amount or what holds it is sought.
     pub(super) fn only_load(&self) -> Option<Wrench<C>> {
         let others = self.loads.is_empty() && self.any_force.is_none() && self.turn.is_none();

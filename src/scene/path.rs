@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::labels::SceneNames;
 use crate::equilibrium::{Doubt, Equilibrium, Outcome};
-use crate::load_path::{Beyond, Event, Jump, LegEnergy, LoadPath, Loss, PathEnd};
+use crate::load_path::{Beyond, EndOfSmallMotions, Event, Jump, LegEnergy, LoadPath, Loss, PathEnd};
 use crate::serial::AsComputed;
 
 /// A load path that was followed to its end; see [`LoadPath`].
@@ -17,6 +17,9 @@ pub struct PathAnswer<const C: usize> {
     pub end: PathOutcome<C>,
     /// What happened on the way, in order.
     pub events: Vec<Event<C>>,
+    /// Where its motions cease to be small, if they do: what it tells beyond is for the undeformed geometry, and says little.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub small_motions_end: Option<EndOfSmallMotions>,
     /// Of every leg that was entered, up to where the path was followed.
     pub energies: Vec<BalancedEnergy>,
     /// Sum of the estimated errors of the steps along sliding arcs, each relative as in
@@ -95,6 +98,7 @@ impl SceneNames {
         PathAnswer {
             end: self.end(path),
             events: events.into_iter().map(|event| self.event(event)).collect(),
+            small_motions_end: path.end_of_small_motions().cloned(),
             energies: path.energies().iter().map(balanced).collect(),
             step_error: path.step_error(),
         }
@@ -106,7 +110,7 @@ impl SceneNames {
                 PathOutcome::Completed { state: path.state().map(|state| Box::new(self.equilibrium(state))) }
             }
             Some(PathEnd::Lost(loss)) => {
-                let mut loss = Loss { against: None, ..loss.as_ref().clone() };
+                let mut loss = Loss { against: None, leaves: None, ..loss.as_ref().clone() };
                 loss.contacts.iter_mut().for_each(|contact| self.name(contact));
                 loss.jumped.iter_mut().for_each(|slip| self.name(&mut slip.contact));
                 let unknown = Beyond::Undecided { doubt: Doubt::OnTheBoundary };
@@ -128,6 +132,7 @@ impl SceneNames {
         let jump = event.jump.map(|mut jump| {
             jump.changes.iter_mut().for_each(|change| self.name(&mut change.contact));
             jump.slips.iter_mut().for_each(|slip| self.name(&mut slip.contact));
+            jump.reaches.iter_mut().for_each(|contact| self.name(contact));
             Box::new(Jump { state: self.equilibrium(jump.state), ..*jump })
         });
         Event { state: self.equilibrium(event.state), jump, ..event }

@@ -272,6 +272,16 @@ struct WrittenLeg<const C: usize> {
     turn: Option<Turn<C>>,
 }
 
+impl<const C: usize> LegAsked<C> {
+    /// The load that it goes straight to or by, if there is one.
+    pub(super) fn straight_load(&self) -> Option<Wrench<C>> {
+        match self.load {
+            Some(LoadGoal::Straight(Goal::By(load) | Goal::To(load))) => Some(load),
+            _ => None,
+        }
+    }
+}
+
 /// At most one of both.
 fn goal<T>(by: Option<T>, to: Option<T>, names: [&str; 2]) -> Result<Option<Goal<T>>, String> {
     match (by, to) {

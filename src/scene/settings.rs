@@ -5,7 +5,7 @@ use serde::ser::{Serialize, Serializer};
 
 use super::object;
 use crate::contact::{Fit, PolygonCone};
-use crate::equilibrium::Settings;
+use crate::equilibrium::{Settings, SmallMotions};
 use crate::error::is_moderate;
 
 /// `{"facets": 8, "fit": "inscribed"}` (feature `serde`), see [`crate::scene`].
@@ -74,6 +74,8 @@ struct WrittenSettings {
     most_load: f64,
     /// So many cycles of a load that repeats are followed.
     most_cycles: usize,
+    /// Up to where motions are small.
+    small_motions: SmallMotions,
 }
 
 impl Default for WrittenSettings {
@@ -93,11 +95,12 @@ impl From<&Settings> for WrittenSettings {
             most_steps: settings.most_steps,
             most_load: settings.most_load,
             most_cycles: settings.most_cycles,
+            small_motions: settings.small_motions,
         }
     }
 }
 
-/// `{"cone": "round", "polygon": …, "max_pivots": …, "most_states": …, "step_error": …, "most_steps": …, "most_load": …, "most_cycles": …}`
+/// `{"cone": "round", "polygon": …, "max_pivots": …, "most_states": …, "step_error": …, "most_steps": …, "most_load": …, "most_cycles": …, "small_motions": …}`
 /// (feature `serde`), see [`crate::scene`].
 impl Serialize for Settings {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -111,16 +114,17 @@ impl<'de> Deserialize<'de> for Settings {
         object::read(deserializer, "settings", |written: WrittenSettings| {
             let WrittenSettings { cone, polygon, max_pivots, most_states, step_error, most_steps, .. } =
                 written;
-            let WrittenSettings { most_load, most_cycles, .. } = written;
+            let WrittenSettings { most_load, most_cycles, small_motions, .. } = written;
             if !(step_error > 0.0 && step_error < 1.0) {
                 return Err(format!("step_error is {step_error}, must be between 0 and 1"));
             }
             if !(most_load > 0.0 && is_moderate(most_load)) {
                 return Err(format!("most_load is {most_load}, must be more than 0 and at most 1e50"));
             }
+            small_motions.check().map_err(|error| error.to_string())?;
             let round = matches!(cone, Cone::Round);
             let polygonal = Self { cone: polygon, round, max_pivots, most_states, ..Self::default() };
-            Ok(Self { step_error, most_steps, most_load, most_cycles, ..polygonal })
+            Ok(Self { step_error, most_steps, most_load, most_cycles, small_motions, ..polygonal })
         })
     }
 }

@@ -1,7 +1,8 @@
 //! Loads that turn as they are written: a weight while the object is tilted, a force that turns, or three wrenches.
 //!
 //! `{"weight": [0, -2], "at": [0, 0.1]}` in the plane, in space with an `"axis"`; `"force"` in place of the weight, or the wrenches
-//! `"constant"`, `"cosine"` and `"sine"`. What is written again are the three wrenches.
+//! `"constant"`, `"cosine"` and `"sine"`. What is written again are the three wrenches. Where none of them is given the gravity of
+//! the scene's bodies turns.
 
 use std::f64::consts::TAU;
 
@@ -23,7 +24,7 @@ const MOST_DEGREES: f64 = 5.7e7;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, bound = "")]
 struct WrittenTurn<const C: usize> {
-    /// A weight, N, while the object is tilted with its grasp.
+    /// A weight, N, while the object is tilted with its grasp; left out, like all other loads, where the scene's own `gravity` turns.
     #[cfg_attr(feature = "schema", schemars(with = "Option<AxisRow<Given, C>>"))]
     weight: Option<Few<Given, 3>>,
     /// A force that turns, N, in place of the weight.
@@ -58,6 +59,7 @@ impl<const C: usize> WrittenTurn<C> {
     /// The turn, whichever way it is said.
     fn turn(&self) -> Result<Turn<C>, String> {
         let turn = match (&self.weight, &self.force) {
+            (None, None) if self.turns_nothing() => Turn::of_bodies(self.axis()?.into()),
             (None, None) => self.of_wrenches()?,
             (Some(weight), None) => self.of_force("weight", weight)?.reversed(),
             (None, Some(force)) => self.of_force("force", force)?,
@@ -74,8 +76,26 @@ impl<const C: usize> WrittenTurn<C> {
             (Some(_), Some(_)) => return Err("angle_deg and angle_rad: a turn has one of them".to_owned()),
         };
         let turn = turn.up_to(angle);
-        turn.check().map_err(|error| error.to_string())?;
+        let checked = if turn.tilts_bodies_about.is_some() { turn.check_angle() } else { turn.check() };
+        checked.map_err(|error| error.to_string())?;
         Ok(turn)
+    }
+
+    /// Whether no load is given that could turn, so that gravity does.
+    fn turns_nothing(&self) -> bool {
+        let wrenches = [&self.beside, &self.constant, &self.cosine, &self.sine];
+        self.at.is_none() && wrenches.iter().all(|given| given.is_none())
+    }
+
+    /// The axis, which is that from x to y in the plane.
+    fn axis(&self) -> Result<[f64; 3], String> {
+        match (C, &self.axis) {
+            (3, Some(axis)) => part(Some(axis), C, "axis"),
+            (3, None) => Err("missing field `axis` of a turn in space".to_owned()),
+            (_, Some(_)) => Err("axis: a turn of the plane has none, it goes from x to y".to_owned()),
+            // From x to y is about z.
+            (_, None) => Ok([0.0, 0.0, 1.0]),
+        }
     }
 
     /// A force through a point that turns, from x to y or by the right-hand rule.
@@ -85,14 +105,7 @@ impl<const C: usize> WrittenTurn<C> {
             return Err(format!("{name} and {other}: a turn has one of them"));
         }
         let (force, at) = (part(Some(force), C, name)?, part(self.at.as_ref(), C, "at")?);
-        let axis = match (C, &self.axis) {
-            (3, Some(axis)) => part(Some(axis), C, "axis")?,
-            (3, None) => return Err("missing field `axis` of a turn in space".to_owned()),
-            (_, Some(_)) => return Err("axis: a turn of the plane has none, it goes from x to y".to_owned()),
-            // From x to y is about z.
-            (_, None) => [0.0, 0.0, 1.0],
-        };
-        let turn = Turn::<3>::force_at(force, at, axis).map_err(|error| error.to_string())?;
+        let turn = Turn::<3>::force_at(force, at, self.axis()?).map_err(|error| error.to_string())?;
         let [constant, cosine, sine] = turn.parts().map(|part| of_space(&part));
         Ok(Turn::new(constant, cosine, sine).beside(self.beside.unwrap_or(Wrench::ZERO)))
     }
@@ -113,7 +126,7 @@ impl<const C: usize> WrittenTurn<C> {
 }
 
 /// What the plane has of a wrench in space: it turns about z, the last axis. In space all of it.
-fn of_space<const C: usize>(wrench: &Wrench<3>) -> Wrench<C> {
+pub(super) fn of_space<const C: usize>(wrench: &Wrench<3>) -> Wrench<C> {
     let (force, moment) = wrench.components().split_at(3);
     let planes = of_the_object::<C>() - C;
     Wrench::from_components(&[&force[..C], &moment[3 - planes..]].concat())
@@ -122,6 +135,15 @@ fn of_space<const C: usize>(wrench: &Wrench<3>) -> Wrench<C> {
 /// `{"constant": …, "cosine": …, "sine": …, "angle_rad": …}` (feature `serde`), see [`crate::scene`].
 impl<const C: usize> Serialize for Turn<C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        if let Some(axis) = self.tilts_bodies_about {
+            let mut out = serializer.serialize_struct("Turn", 3)?;
+            if C == 3 {
+                out.serialize_field("axis", &Few::<Computed, 3>::of(axis.as_slice()))?;
+            }
+            out.serialize_field("angle_rad", &Number::<Computed>::new(self.angle()))?;
+            out.serialize_field("reversed", &(C == 2 && axis[2] < 0.0))?;
+            return out.end();
+        }
         let [constant, cosine, sine] = self.parts();
         let mut out = serializer.serialize_struct("Turn", 4)?;
         out.serialize_field("constant", &constant)?;

@@ -3,18 +3,11 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use nalgebra::SVector;
 use serde::Serialize;
 
-use super::fingertip::Fingertip;
-use super::link::LinkSetup;
-use super::question::Question;
 use super::setup::Setup;
 use super::written::{Scene, Space};
-use crate::ask::Grasp;
-use crate::equilibrium::{ContactAnswer, Outcome};
 use crate::error::Error;
-use crate::grasp::{Hold, Wrench};
 use crate::words::{Words, listed, printable};
 
 /// Something that a scene says and hardly means.
@@ -64,6 +57,52 @@ pub enum Warning {
         /// The questions whose answers depend on it, from 0.
         questions: Vec<usize>,
     },
+    /// At rest a spring or cable pulls with another force than its pretension, since what it pulls at gives way.
+    PullsOtherwise {
+        /// The link of the scene, from 0.
+        link: usize,
+        /// How messages call it.
+        name: String,
+        /// Its pretension, N.
+        told: f64,
+        /// What it pulls with, N.
+        force: f64,
+    },
+    /// Friction is more than contacts have; perhaps it is given in percent.
+    MuchFriction {
+        /// The contacts of the scene, from 0.
+        contacts: Vec<usize>,
+        /// How messages call them.
+        names: Vec<String>,
+        /// The coefficient of the first.
+        friction: f64,
+    },
+    /// No contact has friction, and contacts do not hold the object against every load without.
+    NoFriction,
+    /// A length is too large; perhaps it is given in mm.
+    ManyMetres {
+        /// What it is, with a verb.
+        what: String,
+        /// How large it is, m.
+        length: f64,
+        /// How far contacts are apart, if that is what it is too large beside, m.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        beside: Option<f64>,
+    },
+    /// All normals point the same way, so that contacts cannot press as they are told.
+    SameSide {
+        /// The contacts of the scene, from 0.
+        contacts: Vec<usize>,
+        /// How messages call them.
+        names: Vec<String>,
+    },
+    /// Two contacts are in one place, with parallel normals.
+    OnePlace {
+        /// The contacts of the scene, from 0.
+        contacts: Vec<usize>,
+        /// How messages call them.
+        names: Vec<String>,
+    },
     /// The outline says that a normal points out of the object.
     PointsOut {
         /// The contact of the scene, from 0.
@@ -87,6 +126,40 @@ impl fmt::Display for Warning {
                 words.number(*force),
                 words.number(*told)
             ),
+            Self::PullsOtherwise { name, told, force, .. } => write!(
+                f,
+                "{} pulls with {} N at rest, not with {} N: `pretension` is its pull before anything gives way; say `tension` for the pull once it is installed",
+                printable(name),
+                words.number(*force),
+                words.number(*told)
+            ),
+            Self::MuchFriction { names, friction, .. } => write!(
+                f,
+                "friction {} at {}: coefficients are rarely above 1; in percent? Then it is {}",
+                words.number(*friction),
+                all(names),
+                words.number(0.01 * friction)
+            ),
+            Self::NoFriction => f.write_str(
+                "no contact has friction: nothing is held but what normals push against; say `friction`",
+            ),
+            Self::ManyMetres { what, length, beside } => {
+                write!(f, "{} {} m", printable(what), words.number(*length))?;
+                if let Some(size) = beside {
+                    write!(f, ", and contacts are {} m apart", words.number(*size))?;
+                }
+                f.write_str(": lengths are in m; is this in mm?")
+            }
+            Self::SameSide { names, .. } => write!(
+                f,
+                "the normals of {} point the same way: contacts cannot press against each other; normals point into the object, the way the finger pushes",
+                all(names)
+            ),
+            Self::OnePlace { names, .. } => write!(
+                f,
+                "{} are in one place, with parallel normals: a finger that is there twice is twice as stiff",
+                all(names)
+            ),
             Self::SameName { contacts, name } => {
                 let numbers: Vec<_> = contacts.iter().map(|contact| format!("contact {contact}")).collect();
                 write!(f, "{} are called {}: answers do not tell which is meant", listed(&numbers), printable(name))
@@ -97,7 +170,7 @@ impl fmt::Display for Warning {
                 write!(
                     f,
                     "{} {have} no stiffness, and it is taken that each gives way by {} N/m in all directions: the answer to {} depends on it; say `stiffness`",
-                    listed(&names.iter().map(|name| printable(name)).collect::<Vec<_>>()),
+                    all(names),
                     words.number(*stiffness),
                     listed(&numbers)
                 )
@@ -109,6 +182,11 @@ impl fmt::Display for Warning {
             ),
         }
     }
+}
+
+/// Names of contacts in a row.
+fn all(names: &[String]) -> String {
+    listed(&names.iter().map(|name| printable(name)).collect::<Vec<_>>())
 }
 
 impl Scene {
@@ -130,53 +208,21 @@ impl<const C: usize> Setup<C> {
     /// # Errors
     /// As for [`Self::grasp`].
     pub fn warnings(&self) -> Result<Vec<Warning>, Error> {
-        let mut warnings = Vec::new();
         let grasp = self.grasp()?;
-        if self.begins_without_load() && !grasp.presses() {
+        let mut warnings = self.odd_contacts(&grasp)?;
+        warnings.extend(self.far_loads());
+        if self.nothing_presses(&grasp)? {
             warnings.push(Warning::NothingPresses);
         }
-        warnings.extend(self.presses_otherwise(&grasp)?);
+        warnings.extend(self.otherwise_at_rest(&grasp)?);
         warnings.extend(self.same_names());
         warnings.extend(self.stiffness_left_out()?);
         warnings.extend(self.stiffness_of_links_left_out()?);
-        for (contact, entry) in self.entries().enumerate() {
-            let (point, normal) = (entry.contact.point(), entry.contact.normal);
-            if points_out(self.outline_around(entry), &point, &normal) {
-                warnings.push(Warning::PointsOut { contact, name: entry.contact.label_text(contact) });
-            }
-        }
         Ok(warnings)
     }
 }
 
 impl<const C: usize> Setup<C> {
-    /// The outline of what a contact's normal points into.
-    fn outline_around(&self, entry: &Fingertip<C>) -> &[SVector<f64, C>] {
-        let Some(on) = &entry.contact.on else { return &self.outline };
-        self.bodies.iter().find(|body| body.name == *on).map_or(&[], |body| &body.outline)
-    }
-
-    /// Contacts that press at rest with another force than they are pressed with.
-    fn presses_otherwise(&self, grasp: &Grasp<C>) -> Result<Vec<Warning>, Error> {
-        if self.entries().all(|entry| entry.contact.press.is_none()) {
-            return Ok(Vec::new());
-        }
-        let Ok(Outcome::Equilibrium(state)) = grasp.solve(&Wrench::ZERO) else { return Ok(Vec::new()) };
-        let mut warnings = Vec::new();
-        let mut first = 0;
-        for (contact, entry) in self.entries().enumerate() {
-            let points = first..first + entry.count()?;
-            first = points.end;
-            let Some(told) = entry.contact.press else { continue };
-            let force = state.contacts[points].iter().map(ContactAnswer::normal_force).sum::<f64>();
-            if (force - told).abs() > OTHERWISE * told {
-                let name = entry.contact.label_text(contact);
-                warnings.push(Warning::PressesOtherwise { contact, name, told, force });
-            }
-        }
-        Ok(warnings)
-    }
-
     /// Names that more than one contact has.
     fn same_names(&self) -> Vec<Warning> {
         let mut named: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
@@ -188,75 +234,4 @@ impl<const C: usize> Setup<C> {
         let several = named.into_iter().filter(|(_, contacts)| contacts.len() > 1);
         several.map(|(name, contacts)| Warning::SameName { contacts, name: name.to_owned() }).collect()
     }
-
-    /// Whether a question does, or none is asked yet.
-    fn begins_without_load(&self) -> bool {
-        let without = |question: &Question<C>| match question {
-            Question::Hold { base, load, .. } => *base == Wrench::ZERO && !self.lies_on_a_contact(load),
-            Question::Need(asked) => {
-                asked.begins_without_load() && !asked.put_on().any(|load| self.lies_on_a_contact(load))
-            }
-            Question::Improve(asked) => asked.base.is_none(),
-            Question::Solve { load, .. } => *load == Wrench::ZERO,
-            Question::Onset(asked) => asked.base == Wrench::ZERO,
-            Question::OnsetOfTurn(turn) => turn.load_at(0.0) == Wrench::ZERO,
-            Question::Follow { start, .. } => *start == Wrench::ZERO,
-            Question::Shake(asked) => asked.base == Wrench::ZERO,
-            Question::Shakedown(asked) => asked.base == Wrench::ZERO,
-            Question::Identify(asked) => asked.begins_without_load(),
-        };
-        self.questions.is_empty() || self.questions.iter().any(without)
-    }
-}
-
-impl<const C: usize> Setup<C> {
-    /// Whether a load presses a contact on by itself, as a weight does the table: it needs no finger for that.
-    fn lies_on_a_contact(&self, load: &Wrench<C>) -> bool {
-        let along = |normal: &SVector<f64, C>| {
-            normal.iter().zip(load.components()).map(|(n, force)| n * force).sum::<f64>() / normal.norm()
-        };
-        let size = load.components()[..C].iter().map(|force| force * force).sum::<f64>().sqrt();
-        let hangs = |link: &LinkSetup<C>| {
-            link.link.contacts().is_ok_and(|points| {
-                points
-                    .iter()
-                    .any(|point| point.hold != Hold::Unilateral || along(&point.normal) < -ALONG * size)
-            })
-        };
-        self.entries().any(|entry| along(&entry.contact.normal) < -ALONG * size)
-            || self.links.iter().any(hangs)
-    }
-}
-
-/// Of a force that is said to press on a contact this part does.
-const ALONG: f64 = 1e-6;
-
-/// Forces that differ by less than this part are what was meant.
-const OTHERWISE: f64 = 0.02;
-
-/// A step from a contact into the object or out of it, in parts of the size of its outline.
-const STEP: f64 = 1e-3;
-
-/// Whether a step along the normal leads out of the outline and one against it leads in. In space the outline is no surface, and nothing is said.
-fn points_out<const C: usize>(
-    outline: &[SVector<f64, C>],
-    point: &SVector<f64, C>,
-    normal: &SVector<f64, C>,
-) -> bool {
-    if C != 2 || outline.len() < 3 {
-        return false;
-    }
-    let size = outline.iter().map(|corner| (corner - outline[0]).norm()).fold(0.0, f64::max);
-    let step = normal.normalize() * (STEP * size);
-    is_inside(outline, &(point - step)) && !is_inside(outline, &(point + step))
-}
-
-/// Whether a ray along x from a point crosses a closed line an odd number of times.
-fn is_inside<const C: usize>(outline: &[SVector<f64, C>], point: &SVector<f64, C>) -> bool {
-    let sides = outline.iter().zip(outline.iter().cycle().skip(1));
-    let crossed = sides.filter(|(a, b)| {
-        let part = (point[1] - a[1]) / (b[1] - a[1]);
-        (a[1] > point[1]) != (b[1] > point[1]) && point[0] < a[0] + part * (b[0] - a[0])
-    });
-    crossed.count() % 2 == 1
 }

@@ -30,6 +30,7 @@ mod round_pieces;
 mod rungs;
 mod scene;
 mod settings;
+mod small_motions;
 mod touching;
 mod tree;
 mod whole_line;
@@ -38,6 +39,7 @@ mod yields_or_moves;
 
 pub use answer::{Doubt, Rung};
 pub use settings::Settings;
+pub use small_motions::SmallMotions;
 
 pub(crate) use answer::{Effort, Found, Kept, Settled};
 pub(crate) use candidate::{Judged, for_each_condition, try_states};

@@ -1,5 +1,6 @@
 //! What a caller may choose.
 
+use super::small_motions::SmallMotions;
 use crate::contact::PolygonCone;
 
 /// Choices that have sound defaults.
@@ -47,6 +48,8 @@ pub struct Settings {
     pub most_load: f64,
     /// So many cycles of a load that repeats are followed at most (default 1 000), see [`shake`](crate::ask::Grasp::shake).
     pub most_cycles: usize,
+    /// Up to where motions are small: by default a tenth of a radian, and slips of a tenth of the grasp's size.
+    pub small_motions: SmallMotions,
 }
 
 impl Default for Settings {
@@ -60,6 +63,7 @@ impl Default for Settings {
             most_steps: 20_000,
             most_load: 100.0,
             most_cycles: 1_000,
+            small_motions: SmallMotions::default(),
         }
     }
 }
@@ -116,6 +120,13 @@ impl Settings {
     #[must_use]
     pub fn with_most_cycles(mut self, most_cycles: usize) -> Self {
         self.most_cycles = most_cycles;
+        self
+    }
+
+    /// The same, where motions are small up to this rotation, rad, and up to slips of this part of the grasp's size.
+    #[must_use]
+    pub fn with_small_motions(mut self, rotation: f64, slip: f64) -> Self {
+        self.small_motions = SmallMotions { rotation, slip };
         self
     }
 

@@ -26,6 +26,8 @@ const FORETOLD: f64 = 1e-3;
 /// Nearer places are tried by this factor, and none that is nearer than so many cycles.
 const SHORTER: usize = 4;
 const SHORTEST: usize = 4;
+/// An object that has walked farther than it is large is followed for as many cycles more: its steady walk is the answer where one begins by then.
+const WALKED_OUT: usize = 2 * KEPT;
 
 impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Grasp::shake`](crate::ask::Grasp::shake).
@@ -96,12 +98,13 @@ struct Shaking<'g, 's, D: Size, const C: usize> {
 impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
     fn until_it_repeats(mut self) -> Shaken<C> {
         let (mut last, mut change): (Option<Cycle<D, C>>, _) = (None, 0.0);
-        while self.followed < self.settings.most_cycles {
+        let (mut most_cycles, mut walked_out) = (self.settings.most_cycles, None);
+        while self.followed < most_cycles {
             self.followed += 1;
             self.cycles_gone += 1;
             let Some(cycle) = Cycle::next(self.engine, &mut self.cycles) else {
                 let repeats = self.ended(self.cycles_gone);
-                return self.shaken(repeats, (change, 0.0), None);
+                return walked_out.unwrap_or_else(|| self.shaken(repeats, (change, 0.0), None));
             };
             change = cycle.change();
             let mut round = core::mem::replace(&mut self.round, Round::new());
@@ -125,9 +128,10 @@ impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
             }
             self.round = round;
             self.note(&cycle);
-            if self.has_walked_out(&cycle) {
+            if walked_out.is_none() && self.has_walked_out(&cycle) {
                 let repeats = self.told(&cycle, Some(self.cycles_gone));
-                return self.shaken(repeats, (change, 0.0), Some(&cycle.to));
+                walked_out = Some(self.shaken(repeats, (change, 0.0), Some(&cycle.to)));
+                most_cycles = most_cycles.min(self.followed + WALKED_OUT);
             }
             let is_alike = last.as_ref().is_some_and(|last| last.record.is_like(&cycle.record));
             self.alike = if is_alike { self.alike + 1 } else { 0 };
@@ -153,7 +157,7 @@ impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
             }
             last = Some(cycle);
         }
-        self.shaken(Repeats::Undecided { doubt: None }, (change, 0.0), None)
+        walked_out.unwrap_or_else(|| self.shaken(Repeats::Undecided { doubt: None }, (change, 0.0), None))
     }
 
     /// Goes on from elsewhere, so many cycles later.

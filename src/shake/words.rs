@@ -12,9 +12,15 @@ use crate::words::{TOO_FAR, Words, listed};
 /// Forces that change by less than this part of the largest stay as they are, up to the error of steps along arcs. Slowly they may still go far.
 const SAME: f64 = 1e-8;
 
+/// A path has no frequency: a sentence about a motion in every cycle says so.
+const SLOWLY: &str = "Good for slow shaking: inertia acts only as far as the loads contain it";
+
 impl<const C: usize> fmt::Display for Shaken<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.write_verdict(f)?;
+        if matches!(self.repeats, Repeats::Walks { .. } | Repeats::Alternates { .. }) {
+            write!(f, ". {SLOWLY}")?;
+        }
         let at_the_loss =
             || if let Repeats::Lost { lost, .. } = &self.repeats { lost.state.as_ref() } else { None };
         match self.state.as_ref().or_else(at_the_loss) {

@@ -1,16 +1,16 @@
-//! What bounds the normal forces, and how forces and moments are made comparable.
+//! Bounds of the normal forces, and the scale that makes forces and moments comparable.
 
 use nalgebra::SVector;
 
 use crate::error::{Error, MODERATE, is_moderate};
 use crate::grasp::Contact;
 
-/// What normal forces there may be. Friction follows them.
+/// Bounds of the normal forces; friction forces follow them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Budget {
-    /// Each contact may press with so much, N: what every finger can. The wrenches are the sum of those of the contacts (L∞).
+    /// Each contact may press with this force, N, as every finger can. The wrenches are sums of the contacts' wrenches (L∞).
     Each(f64),
-    /// All together may press with so much, N. The wrenches are the convex hull of those of the contacts (L1).
+    /// All contacts together may press with this force, N. The wrenches are the convex hull of the contacts' wrenches (L1).
     Total(f64),
 }
 
@@ -25,24 +25,24 @@ impl Budget {
     }
 }
 
-/// How wrenches are measured: moments about a point, divided by a length, count as forces. The radius of a ball depends on both.
+/// Scale of wrenches: moments about a point, divided by a length, count as forces. The radius of a ball depends on both.
 ///
 /// By default the point is the centroid of the contacts, and the length the largest distance of a contact from it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WrenchScale<const C: usize> {
-    /// Moments are taken about this point, m; the centre of mass as a rule.
+    /// Point about which moments are taken, m; usually the centre of mass.
     pub about: [f64; C],
-    /// A moment of one newton times this length counts as one newton, m.
+    /// Length by which moments are divided, m.
     pub length: f64,
 }
 
 impl<const C: usize> WrenchScale<C> {
-    /// That of a grasp.
+    /// Default scale of a grasp.
     pub(crate) fn of(contacts: &[Contact<C>]) -> Self {
         let points = || contacts.iter().map(Contact::point);
         let about = points().sum::<SVector<f64, C>>() / contacts.len() as f64;
         let length = points().map(|point| (point - about).norm()).fold(0.0, f64::max);
-        // Contacts at one point have no length of their own.
+        // Contacts at one point define no length; any length works then.
         Self { about: about.into(), length: if length > 0.0 { length } else { 1.0 } }
     }
 

@@ -1,11 +1,11 @@
-//! Force closure and form closure, each with what proves it.
+//! Force closure and form closure, each with its proof.
 //!
-//! A grasp is closed if its friction cones together reach every wrench: then forces *strictly inside* all cones balance each other, and no
-//! motion is free. Of several bodies the wrenches are those on all of them at once, and a motion has a part for each.
+//! A grasp is closed if its friction cones together reach every wrench: then forces *strictly inside* all cones balance each other, and no motion is
+//! free. For several bodies the wrenches are those on all of them at once, and a motion has a part for each.
 //!
-//! Take a force along the normal at every contact. What is missing to balance their sum is looked for in the cones (see
-//! `proofs/wrench_cone`). If it is not found, the rest is a motion against which no force works. If it is found, all forces together are
-//! projected onto those that balance each other to the last digit, and must then lie clearly inside.
+//! Take a force along the normal at every contact. Forces that balance their sum are sought in the cones (see `proofs/wrench_cone`). If there are
+//! none, the remainder is a motion against which no force works. Otherwise all forces together are projected onto forces that balance each other to
+//! the last digit, and must then lie clearly inside.
 //!
 //! J. K. Salisbury and B. Roth, *Kinematic and force analysis of articulated mechanical hands*, 1983; A. Bicchi, *On the closure properties of
 //! robotic grasping*, 1995.
@@ -21,35 +21,35 @@ use crate::prelude::*;
 use crate::proofs::{Generator, NearestForces, nearest_forces, round_generators, straight_generators};
 use crate::search::Settings;
 
-/// What is missing of a sum of unit wrenches, as a part of it, is worth the question whether a motion separates it.
+/// Remainder of a sum of unit wrenches, over the sum, above which it may be a motion that separates it.
 ///
-/// Smaller, what the search has left is taken for a motion; larger, a grasp that is nearly closed is called on the boundary.
+/// A smaller bound would take a remainder of the search for a motion; a larger one would put a nearly closed grasp on the boundary.
 const MISSING: f64 = 1e-9;
-/// A generator may work against a motion by this part of it: the rounding of the search, that stops at 1e-13.
+/// Work of a generator against a motion, over the motion, that counts as rounding: the search stops at 1e-13.
 const NO_WORK: f64 = 1e-9;
-/// Forces lie inside their cone by this part of the largest at least: balanced to 1e-14 of it, they stay inside whatever the rounding.
+/// Least distance of forces from the surface of their cone, over the largest force: balanced to 1e-14 of it, they stay inside despite rounding.
 const CLEARLY_INSIDE: f64 = 1e-9;
 
-/// The answer to "could contact forces balance any load?"
+/// Whether contact forces could balance any load.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Closure<const C: usize> {
-    /// They could.
+    /// Contact forces could balance any load.
     #[non_exhaustive]
     Closed {
         /// Forces on the object in the contact frames, the largest 1 N, strictly inside their cones, that balance each other. The grasp can be
-        /// squeezed with them as much as a load needs. Of several bodies those on the body that a normal points into; they balance each other on every body.
+        /// squeezed with them as much as a load needs. For several bodies they act on the body that a normal points into, and balance on every body.
         internal: Vec<SVector<f64, C>>,
     },
-    /// They could not.
+    /// Contact forces could not balance every load.
     #[non_exhaustive]
     Open {
         /// A unit motion v against which no contact force works. A load that works along it, W·v > 0, cannot be balanced.
         motion: Twist<C>,
-        /// Of several bodies how each moves then; `motion` is that of the body that loads act on. Empty where there is one.
+        /// Motions of several bodies, where `motion` is that of the body that loads act on. Empty for a single object.
         bodies: Vec<BodyMotion<C>>,
     },
-    /// On the boundary, as far as rounding can tell.
+    /// On the boundary between both, up to rounding.
     Boundary,
 }
 
@@ -82,7 +82,8 @@ impl<D: Size, const C: usize> Engine<D, C> {
         self.whatever_vacuums_hold(closure, "form_closure")
     }
 
-    /// What contacts alone hold they hold with a vacuum. Where they do not, it holds some loads that they do not.
+    /// Contacts that hold all loads alone also hold them with a vacuum. Otherwise the vacuum holds some loads that the contacts do not, which is an
+    /// error here.
     fn whatever_vacuums_hold(
         &self,
         closure: Closure<C>,
@@ -94,7 +95,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         }
     }
 
-    /// The closure of cones with these generators and those of round cones, whose forces have these axes of the contacts.
+    /// The closure of cones with straight and round generators, whose forces have these axes of the contacts.
     fn closure(
         &self,
         axes: &[(usize, usize)],
@@ -136,7 +137,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         if inside(&internal) { Closure::Closed { internal } } else { Closure::Boundary }
     }
 
-    /// Nothing works against this motion.
+    /// An open grasp, with a motion against which nothing works.
     fn open(&self, motion: &Vector<D>) -> Closure<C> {
         let outside = self.outside_coordinates(motion);
         Closure::Open { motion: Twist::among(&outside), bodies: self.body_motions(&outside) }
@@ -148,7 +149,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         sites.map(|(contact, site)| Generator::along(contact, site, unit(0)))
     }
 
-    /// The problem without load and commands.
+    /// The problem without load and without commands.
     pub(super) fn without_load(&self, settings: &Settings) -> Problem<'_, D, C> {
         let nothing = Load::from(&Vector::zeros());
         let drives = vec![SVector::zeros(); self.sites().len()];

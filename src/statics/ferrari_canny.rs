@@ -1,4 +1,4 @@
-//! The measure of Ferrari and Canny: how large a load of the worst direction contact forces within a budget can balance.
+//! The measure of Ferrari and Canny: the largest load, in the worst direction, that contact forces within a budget can balance.
 //!
 //! C. Ferrari and J. Canny, *Planning optimal grasps*, 1992: the largest ball about the origin in the set of wrenches. On the round cone that set has no
 //! facets to list; it is known by its support points, from which two bounds close in on the radius.
@@ -10,20 +10,19 @@ use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Fixed, largest_ball, simplex};
 use crate::search::Settings;
 
-/// Bounds as close as this part of the largest wrench meet.
+/// Difference of both bounds, over the largest wrench, at which they count as equal.
 const CLOSE: f64 = 1e-9;
 
-/// How large a load of any direction some contact forces can balance.
+/// Largest load in any direction that some contact forces can balance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct WrenchBall<const C: usize> {
-    /// ε is at least this, N: every load this large in its [scale](WrenchScale) can be balanced. Zero where some direction cannot be at all.
+    /// Lower bound of ε, N: every load of this size in its [scale](WrenchScale) can be balanced. Zero if in some direction no load can be balanced.
     pub at_least: f64,
-    /// And at most this, N. Both are within 1e-9 of the largest wrench in the plane, on polygons and mostly on the round cone. Where a grasp is
-    /// symmetric, thin faces or their number end the search on the round cone with bounds up to a percent apart.
-    /// [`Settings::most_steps`] may end it before.
+    /// Upper bound of ε, N. Both are within 1e-9 of the largest wrench in the plane, on polygons and mostly on the round cone. For a symmetric grasp,
+    /// thin faces or their number end the search on the round cone with bounds up to a percent apart. [`Settings::most_steps`] may end it before.
     pub at_most: f64,
-    /// A load of size 1 N in its scale; more than `at_most` times as much cannot be balanced.
+    /// A load of size 1 N in its scale; more than `at_most` times this load cannot be balanced.
     pub weakest: Wrench<C>,
 }
 

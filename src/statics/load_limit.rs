@@ -1,7 +1,7 @@
-//! How far a load can grow until no contact forces within a budget balance it, and how much of a budget a load needs.
+//! Limit analysis: the largest load that contact forces within a budget balance, and the budget that a load needs.
 //!
-//! Limit analysis: the largest λ with `Σ G_i F_i + W₀ + λ W = 0` for some forces in their cones. A plane that all wrenches lie on one side of says how far
-//! λ can be at most. A ray from inside the set to the load there either ends in the set, or leaves it through a plane that says less.
+//! The result is the largest λ with `Σ G_i F_i + W₀ + λ W = 0` for some forces in their cones. A plane with all wrenches on one side gives an upper
+//! bound of λ. A ray from inside the set to the load there either ends in the set, or leaves it through a plane with a smaller bound.
 
 use nalgebra::SVector;
 
@@ -13,36 +13,36 @@ use crate::numerics::{Fixed, RayExit, Vertex, shoot, simplex};
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// A target this part beyond where the ray leaves the set lies on its boundary, as far as rounding can tell.
+/// Relative distance of a target beyond the ray's exit from the set within which it counts as on the boundary.
 const ON_THE_BOUNDARY: f64 = 1e-12;
-/// Planes, unless rounding keeps them from coming closer: on round cones each doubles the digits.
+/// Largest number of planes, reached only if rounding keeps them from coming closer: on round cones each doubles the digits.
 const MOST_PLANES: usize = 100;
-/// Where rounding leaves the last load outside the set, loads that are smaller by these parts are tried.
+/// Relative reductions of the load that are tried if rounding leaves the last load outside the set.
 const SHORTER: [f64; 7] = [1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-6, 1e-3];
 
-/// How far a load can grow.
+/// Largest multiple of a load that some contact forces balance.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum LoadLimit<const C: usize> {
-    /// Up to a factor.
+    /// The load can be balanced up to a factor.
     #[non_exhaustive]
     Factor {
-        /// It can be at least this.
+        /// Lower bound of the factor.
         at_least: f64,
-        /// And at most this. Both differ by some 1e-9 of it at most, unless rounding ended the search before.
+        /// Upper bound of the factor. Both differ by about 1e-9 of it at most, unless rounding ended the search before.
         at_most: f64,
         /// Forces on the object in the contact frames, N, that balance the load at `at_least`.
         forces: Vec<SVector<f64, C>>,
-        /// The motion that the load makes beyond `at_most`: no forces within the budget work as much against it.
+        /// Motion of the object under more than `at_most`: no forces within the budget work as much against it as the load along it.
         motion: Twist<C>,
     },
     /// Not even the base load can be balanced.
     #[non_exhaustive]
     NoBase {
-        /// The motion that it makes: no forces within the budget work as much against it.
+        /// Motion of the object under the base load: no forces within the budget work as much against it as the load along it.
         motion: Twist<C>,
     },
-    /// Rounding was in the way.
+    /// Rounding prevented an answer.
     Undecided,
 }
 
@@ -69,7 +69,7 @@ impl<const D: usize, const C: usize> Engine<Fixed<D>, C> {
 }
 
 impl<const C: usize> LoadLimit<C> {
-    /// For a load so many times as large.
+    /// Factors for a load `size` times as large.
     fn over(self, size: f64) -> Self {
         match self {
             Self::Factor { at_least, at_most, forces, motion } => {
@@ -80,14 +80,14 @@ impl<const C: usize> LoadLimit<C> {
     }
 }
 
-/// How far the unit vector `rate` leads from `base` until it leaves the set.
+/// Distance from `base` along the unit vector `rate` at which the ray leaves the set.
 fn limit<const D: usize, const C: usize>(
     mut set: WrenchSet<D, C>,
     base: &SVector<f64, D>,
     rate: &SVector<f64, D>,
 ) -> LoadLimit<C> {
     set.flat = simplex(&|v: &_| set.support(v)).err().unwrap_or_default();
-    // Along what no force acts the set has some thickness now, and a load no part of it.
+    // The set now has some thickness in directions without any force; a load must have no part in them.
     let unheld = |load: &SVector<f64, D>| {
         let part = set.flat.iter().fold(SVector::zeros(), |sum: SVector<f64, D>, v| sum + v * v.dot(load));
         (part.norm() > ON_THE_BOUNDARY * load.norm()).then(|| part.normalize())
@@ -125,7 +125,7 @@ fn limit<const D: usize, const C: usize>(
     if at_most <= ON_THE_BOUNDARY * base.norm().max(support(rate).norm()) {
         return LoadLimit::Factor { at_least: 0.0, at_most: 0.0, forces: here, motion };
     }
-    // The last load that a ray reaches inside the set, nearer by as little as rounding allows.
+    // The last load that a ray reaches inside the set, reduced by as little as rounding allows.
     let reached = |(factor, crossing): &(f64, RayExit<D>)| crossing.stretch <= 1.0 && *factor <= at_most;
     let nearer = SHORTER.iter().filter_map(|part| {
         let factor = at_most * (1.0 - part);
@@ -139,7 +139,7 @@ fn limit<const D: usize, const C: usize>(
     }
 }
 
-/// The forces of a target, from those of the points that its ray crosses between and of the middle.
+/// Forces of a target: from the vertices around the crossing of its ray, and from the middle of the simplex.
 fn forces<const D: usize, const C: usize>(
     set: &WrenchSet<D, C>,
     simplex: &[Vertex<D>],

@@ -1,20 +1,20 @@
-//! The questions that grasp planners ask first, of geometry and friction alone: which loads *could* contact forces balance?
+//! Static questions of grasp planning, from geometry and friction alone: which loads *could* contact forces balance?
 //!
-//! Nothing here knows of springs or of how much the fingers press. [Force closure](crate::ask::Statics::force_closure) says that some contact
-//! forces balance any load whatever. The [measure of Ferrari and Canny](crate::ask::Statics::ferrari_canny) says how large a load of the worst direction they
-//! balance within a [`Budget`] of normal forces; [limit analysis](crate::ask::Statics::load_limit) how far a given one can grow. Whether these fingers,
-//! squeezed this much, do so is for [`Grasp::solve`](crate::ask::Grasp::solve) and [`Grasp::onset`](crate::ask::Grasp::onset) to say.
+//! Springs and commands do not matter here. With [force closure](crate::ask::Statics::force_closure) some contact forces balance any load. The
+//! [measure of Ferrari and Canny](crate::ask::Statics::ferrari_canny) is the largest load, in the worst direction, that they balance within a
+//! [`Budget`] of normal forces. [Limit analysis](crate::ask::Statics::load_limit) finds the largest multiple of a given load. Whether these fingers
+//! balance a load, with their squeeze, is answered by [`Grasp::solve`](crate::ask::Grasp::solve) and [`Grasp::onset`](crate::ask::Grasp::onset).
 //!
-//! The force of a vacuum is there whatever contacts do: it counts as part of every load. Closure, which asks for loads of any size, is refused where it
-//! rests on one.
+//! The pull of a vacuum does not depend on the contact forces: it counts as part of every load. Closure, which is about loads of any size, is refused
+//! where it rests on a vacuum.
 //!
 //! | file | idea |
 //! |---|---|
 //! | `closure` | force and form closure, with forces or a motion as the proof |
-//! | `budget` | what bounds the normal forces, and how moments are measured |
-//! | `wrench_set` | the wrenches within a budget, by their farthest points |
+//! | `budget` | bounds of the normal forces, and the scale of moments |
+//! | `wrench_set` | the wrenches within a budget, by their support points |
 //! | `ferrari_canny` | the largest ball in that set |
-//! | `load_limit` | how far a load stays in it |
+//! | `load_limit` | the largest multiple of a load in it |
 
 mod budget;
 mod closure;

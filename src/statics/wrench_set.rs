@@ -1,7 +1,7 @@
-//! The wrenches that contact forces within a budget can have, known by their farthest points.
+//! The wrenches of contact forces within a budget, given by their support points.
 //!
-//! In the direction v a contact reaches farthest with the force of its cone that works most on the motion `u = G_iᵀv`: `u_n + μ |u_t|` for each
-//! newton of normal force on the round cone. A contact that works against v does not press.
+//! The support point in the direction v has at each contact the force in its cone with the most work on `u = G_iᵀv`: `u_n + μ |u_t|` per newton of
+//! normal force on the round cone. A contact whose force would work against v does not press.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -13,20 +13,20 @@ use crate::numerics::{Fixed, Vector, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// Forces of one contact for one newton along its normal.
+/// Forces of one contact per newton along its normal.
 enum Cone<const C: usize> {
     Round(Coulomb),
     Corners(Vec<SVector<f64, C>>),
 }
 
 struct Pushing<const D: usize, const C: usize> {
-    /// From a force in the contact frame to its wrench, with moments in the scale of the set.
+    /// Map from a force in the contact frame to its wrench, with moments in the scale of the set.
     map: SMatrix<f64, D, C>,
     cone: Cone<C>,
 }
 
 impl<const D: usize, const C: usize> Pushing<D, C> {
-    /// The force that works most on a motion, for one newton along the normal, and its work.
+    /// The force with the most work on a motion, per newton along the normal, and that work.
     fn most(&self, v: &SVector<f64, D>) -> (SVector<f64, C>, f64) {
         let u = self.map.tr_mul(v);
         match &self.cone {
@@ -44,14 +44,14 @@ impl<const D: usize, const C: usize> Pushing<D, C> {
     }
 }
 
-/// The set, in scaled wrenches.
+/// The set of wrenches, in its scale.
 pub(super) struct WrenchSet<const D: usize, const C: usize> {
     contacts: Vec<Pushing<D, C>>,
     budget: Budget,
     scale: WrenchScale<C>,
-    /// What vacuums pull with, which is there whatever the forces are.
+    /// Pull of the vacuums, which does not depend on the forces.
     vacuum: SVector<f64, D>,
-    /// Directions in which no contact force acts; the set is given some thickness there.
+    /// Directions in which no contact force acts; the set gets some thickness there.
     pub(super) flat: Vec<SVector<f64, D>>,
 }
 
@@ -92,7 +92,7 @@ impl<const D: usize, const C: usize> WrenchSet<D, C> {
         Ok(Self { vacuum: set.inside(&grasp.with_vacuum(&Wrench::ZERO)), ..set })
     }
 
-    /// The forces whose wrench goes farthest in a direction.
+    /// The forces of the support point in a direction.
     pub(super) fn forces(&self, v: &SVector<f64, D>) -> Vec<SVector<f64, C>> {
         let most = self.contacts.iter().map(|contact| contact.most(v));
         let within = |bound: f64| {
@@ -109,7 +109,7 @@ impl<const D: usize, const C: usize> WrenchSet<D, C> {
         }
     }
 
-    /// The wrench that goes farthest in a direction.
+    /// The support point in a direction.
     pub(super) fn support(&self, v: &SVector<f64, D>) -> SVector<f64, D> {
         let (Budget::Each(bound) | Budget::Total(bound)) = self.budget;
         let forces = self.forces(v);
@@ -118,21 +118,21 @@ impl<const D: usize, const C: usize> WrenchSet<D, C> {
         self.vacuum + wrench.sum::<SVector<f64, D>>() + thickness.sum::<SVector<f64, D>>()
     }
 
-    /// A wrench of the question.
+    /// A wrench of the question, in the scale of the set.
     pub(super) fn inside(&self, wrench: &Wrench<C>) -> SVector<f64, D> {
         let about = SVector::from(self.scale.about);
         let moved = moved_wrench::<Fixed<D>, C>(&-about, &wrench.coordinates());
         scaled::<D, C>(moved.to_svector(), 1.0 / self.scale.length)
     }
 
-    /// And back.
+    /// A wrench in the scale of the set, in the user's coordinates.
     pub(super) fn outside(&self, wrench: SVector<f64, D>) -> Wrench<C> {
         let about = SVector::from(self.scale.about);
         let wrench = Vector::from(scaled::<D, C>(wrench, self.scale.length));
         Wrench::among(&moved_wrench(&about, &wrench))
     }
 
-    /// The motion on which wrenches work as much as they reach in a direction.
+    /// The motion on which a wrench does as much work as it reaches along a direction.
     pub(super) fn motion(&self, direction: SVector<f64, D>) -> Twist<C> {
         let about = SVector::from(self.scale.about);
         let direction = Vector::from(scaled::<D, C>(direction, 1.0 / self.scale.length));
@@ -140,7 +140,7 @@ impl<const D: usize, const C: usize> WrenchSet<D, C> {
     }
 }
 
-/// With angular components times a factor.
+/// `v` with its angular components times a factor.
 fn scaled<const D: usize, const C: usize>(mut v: SVector<f64, D>, by: f64) -> SVector<f64, D> {
     v.iter_mut().skip(C).for_each(|x| *x *= by);
     v

@@ -1,7 +1,7 @@
 //! Contacts that do not move each other are solved by themselves.
 
-use grasp_lcp::friction::{PlanarContacts, SpatialContacts};
-use grasp_lcp::lcp::Outcome;
+use grasp_lcp::friction::{PlanarContacts, Settings, SpatialContacts};
+use grasp_lcp::lcp::{BreakdownCause, Outcome};
 use nalgebra::{DMatrix, DVector};
 use support::splitmix::Random;
 
@@ -50,4 +50,27 @@ fn a_proof_of_one_island_is_one_of_all() {
     let Outcome::Infeasible(certificate) = problem.solve() else { panic!("the second is immovable") };
     assert!(problem.proves_infeasible(&certificate.y));
     assert_eq!(certificate.y[0], 0.0);
+}
+
+/// A tolerance that rounding misses in the second island: the report names a contact of that island by its index in the whole problem.
+#[test]
+fn a_contact_of_an_island_is_named_by_its_index_in_the_whole_problem() {
+    let mut random = Random(17);
+    let mut missed = 0;
+    for _ in 0..12 {
+        let scale = DVector::from_fn(4, |_, _| 10_f64.powf(6.0 * random.uniform()));
+        let h = DMatrix::from_diagonal(&scale) * DMatrix::from_fn(4, 4, |_, _| random.normal());
+        let mut w = DMatrix::identity(8, 8);
+        w.view_mut((4, 4), (4, 4)).copy_from(&(&h * h.transpose()));
+        // The first two contacts, each an island, separate.
+        let mut q = DVector::from_fn(8, |_, _| random.normal());
+        (q[0], q[2]) = (1.0, 1.0);
+        let problem = PlanarContacts::new(w, q, vec![0.9; 4]).expect("finite");
+        let outcome = problem.solve_with(&Settings::default().with_tolerance(0.0));
+        if let Outcome::Breakdown { cause: BreakdownCause::NoConvergence { contact, .. }, .. } = outcome {
+            missed += 1;
+            assert!([2, 3].contains(&contact), "contact {contact}");
+        }
+    }
+    assert!(missed > 0, "no island misses a tolerance of 0");
 }

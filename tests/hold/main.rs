@@ -6,6 +6,7 @@ mod nothing_near;
 mod nothing_near_in_space;
 mod payload;
 mod seals;
+mod slides_to_a_stop;
 mod suction;
 mod ways_out;
 mod words;

@@ -6,5 +6,6 @@ mod derivatives;
 mod measured_pushes;
 mod mistakes;
 mod not_fixed;
+mod other_starts;
 mod scattered;
 mod standard_errors;

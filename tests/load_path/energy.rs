@@ -19,10 +19,17 @@ fn energy_balances<const D: usize, const C: usize>(
     tally.count(&events, &path);
     let (last_leg, last) = path.place();
     for leg in 0..=last_leg {
-        let mut marks = vec![0.0];
-        marks.extend(events.iter().filter(|e| e.leg == leg).map(|e| e.fraction));
-        marks.push(if leg < last_leg { 1.0 } else { last });
-        let states: Vec<_> = marks.iter().filter_map(|&f| path.state_at(leg, f).map(|s| (f, s))).collect();
+        let there = |fraction: f64| path.state_at(leg, fraction).map(|state| (fraction, state));
+        let mut states: Vec<_> = there(0.0).into_iter().collect();
+        for event in events.iter().filter(|event| event.leg == leg) {
+            states.extend(there(event.fraction));
+            // Where the object moves under one load there is a state before that and one after it.
+            states.extend(event.jump.iter().map(|jump| (event.fraction, jump.state.clone())));
+        }
+        let end = if leg < last_leg { 1.0 } else { last };
+        if states.last().is_some_and(|(fraction, _)| *fraction < end) {
+            states.extend(there(end));
+        }
         let (mut load_work, mut finger_work, mut heat, mut turnover) = (0.0, 0.0, 0.0, 0.0);
         for pair in states.windows(2) {
             let ((f, a), (g, b)) = (&pair[0], &pair[1]);

@@ -4,6 +4,7 @@ mod all_at_once;
 mod at_their_edges;
 mod budget;
 mod closed_forms;
+mod closing_gap;
 mod cut;
 mod default_error;
 mod ends;

@@ -13,6 +13,7 @@ mod links;
 mod load_arrows;
 mod messages;
 mod names_apart;
+mod own_weight;
 mod picture_paper;
 mod planar_page;
 mod planar_still;

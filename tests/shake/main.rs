@@ -7,3 +7,4 @@ mod shakedown;
 mod to_and_fro;
 mod two_nodes;
 mod walking_block;
+mod within_a_play;

@@ -7,7 +7,6 @@ from numpy.typing import NDArray
 
 _Floats = NDArray[np.float64]
 
-LARGE_ROTATION: float
 
 class Told:
     @property

@@ -211,9 +211,22 @@ class Verdict(Sentence):
 
     @property
     def lost(self) -> float | None:
-        """Multiple of the load at which equilibrium is lost; None if it holds as far as the load was followed."""
+        """Multiple of the load at which equilibrium is lost or motions are no longer small; None if neither happens as far as it was followed."""
         found = self._tree.get("lost")
         return None if found is None else number(found["factor"])
+
+    @property
+    def everything_slides(self) -> float | None:
+        """Multiple of the load from which every contact with friction that presses slides; None where one sticks."""
+        found = self._tree.get("everything_slides")
+        return None if found is None else number(found)
+
+    @property
+    def left_out(self) -> float | None:
+        """Share of the resistance to the motion that small motions leave out: the forces turn with the object and take from it (below 0) or
+        add to it. None up to a tenth."""
+        found = self._tree.get("left_out")
+        return None if found is None else number(found)
 
 
 class Shaken(Sentence):

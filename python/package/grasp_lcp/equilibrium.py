@@ -6,7 +6,7 @@ from functools import cached_property
 
 import numpy as np
 
-from ._grasp_lcp import LARGE_ROTATION, words_of_number
+from ._grasp_lcp import words_of_number
 from ._views import Array, View, array, label_of, load_of, motion_of, motions_of, number, optional_number, rows
 
 
@@ -279,13 +279,13 @@ class Equilibrium(View):
 
     @property
     def is_beyond_small_motions(self) -> bool:
-        """Whether the object turns by more than 0.5 rad.
+        """Whether the object turns, or a contact slips or opens, farther than ``small_motions`` of the settings: by default 0.1 rad, or a tenth of the
+        grasp's size.
 
         The theory keeps contact points and normals fixed. An answer with a larger rotation solves the question as posed, but says little about
         the real object.
         """
-        rotation = self.twist[2 if len(self.twist) == 3 else 3 :]
-        return float(np.linalg.norm(rotation)) > LARGE_ROTATION
+        return "too_far" in self._tree
 
     def __repr__(self) -> str:
         return f"<Equilibrium: {self._words('equilibrium', self._axes)}>"

@@ -29,6 +29,7 @@ class Settings(TypedDict, total=False):
     most_steps: int
     most_load: float
     most_cycles: int
+    small_motions: Mapping[str, float]
 
 
 class Leg(TypedDict, total=False):

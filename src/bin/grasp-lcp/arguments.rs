@@ -110,6 +110,8 @@ pub(crate) enum Command {
         ask: Ask,
     },
     /// At which angle does the first contact start to slide while a weight is tilted?
+    ///
+    /// Bodies with masses under the scene's gravity are tilted with it, without --mass and --weight.
     Turn {
         /// The mass of the object, kg, with 9.81 m/s² down along the last axis.
         #[arg(long, allow_hyphen_values = true, value_parser = kilograms, value_name = "KG", conflicts_with = "weight")]
@@ -153,8 +155,8 @@ pub(crate) enum Command {
         /// The mass of the object, kg, with 9.81 m/s² down along the last axis, there at rest.
         #[arg(long, allow_hyphen_values = true, value_parser = kilograms, value_name = "KG")]
         mass: Option<f64>,
-        /// Accelerations of this size, m/s², to and fro along every axis in turn: the mass pulls the other way.
-        #[arg(long, allow_hyphen_values = true, value_parser = acceleration, value_name = "A", requires = "mass")]
+        /// Accelerations of this size, m/s², to and fro along every axis in turn: the mass pulls the other way, or bodies with masses under gravity do.
+        #[arg(long, allow_hyphen_values = true, value_parser = acceleration, value_name = "A")]
         acceleration: Option<f64>,
         /// The forces come in any order, and again and again: up to how many times these could it come to rest?
         #[arg(long)]
@@ -171,6 +173,7 @@ pub(crate) enum Command {
     /// What do slips that were seen tell of friction, loads of supports, squeeze or stiffness?
     ///
     /// Columns of the table are fx, fy, fz (N) of the load under which it slid, mx, my, mz (in the plane m, N m), at_x, at_y, at_z (m) where the force acted,
+    /// base_x, base_y, base_z (N) what acted there at rest, a weight for instance,
     /// squeeze (times that of the scene), slip (first or gross) and scatter_percent. Slips that may share an error have the same name or number in the column
     /// group. Numbers come with their errors; what slips do not fix is named.
     Identify {
@@ -306,8 +309,8 @@ pub(crate) struct Wanted {
     /// The load is put on and taken off again and again, until it comes to rest; with --may-slide it only must not walk.
     #[arg(long)]
     pub(crate) repeats: bool,
-    /// Accelerations of this size, m/s², to and fro along every axis in turn, beside the weight.
-    #[arg(long, allow_hyphen_values = true, value_parser = acceleration, value_name = "A", requires = "mass")]
+    /// Accelerations of this size, m/s², to and fro along every axis in turn, beside the weight of --mass, or of bodies with masses under gravity.
+    #[arg(long, allow_hyphen_values = true, value_parser = acceleration, value_name = "A")]
     pub(crate) acceleration: Option<f64>,
     /// For the safe amount friction is less by so many percent.
     #[arg(long, allow_hyphen_values = true, value_parser = percent, default_value_t = 10.0, value_name = "PERCENT")]
@@ -333,7 +336,7 @@ pub(crate) enum QuantityAsked {
 }
 
 /// A load in place of those that the scene asks for.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 pub(crate) struct LoadArguments {
     /// The force, N: components between commas. Without force and moment the scene's own questions are asked.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
@@ -353,8 +356,8 @@ pub(crate) struct LoadArguments {
     /// Gravity, m/s²; down along the last axis with 9.81 if left out.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]", requires = "mass")]
     pub(crate) gravity: Option<Numbers>,
-    /// The acceleration of the arm, m/s²: the mass pulls the other way.
-    #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]", requires = "mass")]
+    /// The acceleration of the arm, m/s²: the mass pulls the other way. Without --mass bodies with masses under the scene's gravity do.
+    #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
     pub(crate) accelerated: Option<Numbers>,
     /// A point of the axis about which the arm turns, m; the origin if left out.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]", requires = "mass")]

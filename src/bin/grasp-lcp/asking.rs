@@ -23,6 +23,7 @@ use crate::arguments::{Ask, LoadArguments, Numbers, Wanted};
 use crate::failure::{Failure, UNDECIDED};
 use crate::identifies::Identifies;
 use crate::loads::{direction, point, pull_of_mass, weight_of};
+use crate::own_masses::{of_own_masses, refuse_mass, tilted};
 use crate::shakes::Shakes;
 use crate::words::Style;
 use crate::{files, report};
@@ -73,13 +74,7 @@ pub(crate) fn ask(ask: &Ask, asked: &Asked) -> Result<ExitCode, Failure> {
             put(setup, asked, &Meaning { force_at: spatial::Wrench::force_at, moment, turn: spatial_turn })?;
         }
     }
-    let left_out = match &scene.space {
-        Space::Planar(setup) => setup.stiffness_left_out(),
-        Space::Spatial(setup) => setup.stiffness_left_out(),
-    };
-    if let Some(warning) = left_out.map_err(|error| files::refused(&ask.scene, &error))? {
-        files::warn(&ask.scene, &warning);
-    }
+    files::warn(&ask.scene, &scene)?;
     let answers = scene
         .answers_in(Words::with_digits(ask.digits.into()))
         .map_err(|error| files::refused(&ask.scene, &error))?;
@@ -121,34 +116,46 @@ pub(crate) struct Meaning<const C: usize> {
 /// Puts the question of the command line in place of the scene's; without one, those of its kind stay.
 fn put<const C: usize>(setup: &mut Setup<C>, asked: &Asked, words: &Meaning<C>) -> Result<(), Failure> {
     let question = match asked {
-        Asked::Hold { load, base } => words.hold(load, base.as_ref())?,
+        Asked::Hold { load, base } => {
+            words.hold(&*of_own_masses(load, base.is_some(), setup)?, base.as_ref())?
+        }
         Asked::Need(wanted) => words.need(wanted, setup)?.map(|asked| Question::Need(Box::new(asked))),
         Asked::Improve { load, base, any_force, at_most, reserve } => {
+            let load = &*of_own_masses(load, base.is_some() || any_force.is_some(), setup)?;
             words.improve(load, base.as_ref(), *any_force, *at_most, *reserve)?
         }
-        Asked::Everything | Asked::Turn { mass: None, weight: None, at: None, base: None, axis: None } => {
+        Asked::Everything => None,
+        Asked::Turn { mass: None, weight: None, at: None, base: None, axis: None }
+            if setup.own_mass().is_none()
+                || setup.questions.iter().any(|question| is_of_kind(question, asked)) =>
+        {
             None
         }
-        Asked::Solve(asked) => {
+        Asked::Solve(load) => {
+            let asked = &*of_own_masses(load, false, setup)?;
             let together_with = words.together_with(asked)?;
             words.wrench(asked)?.map(|load| Question::Solve { load, together_with })
         }
-        Asked::Onset(asked) => {
+        Asked::Onset(load) => {
+            let asked = &*of_own_masses(load, false, setup)?;
             let together_with = words.together_with(asked)?;
             let along = |load| RampAsked { together_with, ..RampAsked::along(load) };
             words.wrench(asked)?.map(|load| Question::Onset(along(load)))
         }
         Asked::Turn { mass, weight, at, base, axis } => {
-            let weight = match (weight, mass) {
-                (Some(weight), _) => weight.array("weight").map_err(Failure::Usage)?,
-                (None, Some(mass)) => weight_of(*mass)?,
-                (None, None) => return Err(Failure::Usage("--mass is missing, or --weight".to_owned())),
+            refuse_mass(setup, *mass)?;
+            let own = if mass.is_none() && weight.is_none() { tilted(setup) } else { None };
+            let (weight, centre) = match (weight, mass, own) {
+                (_, _, Some(own)) => (own.weight, Some(own.at)),
+                (Some(weight), ..) => (weight.array("weight").map_err(Failure::Usage)?, at.clone()),
+                (None, Some(mass), _) => (weight_of(*mass)?, at.clone()),
+                (None, None, _) => return Err(Failure::Usage("--mass is missing, or --weight".to_owned())),
             };
-            let turn = (words.turn)(weight, at.as_ref(), axis.as_ref())?;
+            let turn = (words.turn)(weight, centre.as_ref(), axis.as_ref())?;
             Some(Question::OnsetOfTurn(turn.beside(words.base(base.as_ref(), at.as_ref())?)))
         }
         Asked::Follow { to, from, at } => words.follow(to, from.as_ref(), at.as_ref())?,
-        Asked::Shake(shakes) => words.shake(shakes)?,
+        Asked::Shake(shakes) => words.shake(shakes, setup)?,
         Asked::Identify(slips) => words.identify(slips, setup)?,
     };
     match question {

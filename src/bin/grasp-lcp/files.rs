@@ -4,13 +4,13 @@ use std::fs;
 use std::io::{self, Read, Write};
 use std::path::Path;
 
-use grasp_lcp::scene::{Scene, Warning};
+use grasp_lcp::scene::Scene;
 use grasp_lcp::words::printable;
 
 use crate::arguments::Output;
 use crate::failure::Failure;
 
-/// A scene from a file, or from standard input for `-`; warnings about it go to standard error.
+/// A scene from a file, or from standard input for `-`.
 pub(crate) fn read(path: &Path) -> Result<Scene, Failure> {
     let name = name(path);
     let text = if path == Path::new("-") {
@@ -20,13 +20,7 @@ pub(crate) fn read(path: &Path) -> Result<Scene, Failure> {
         fs::read(path)
     };
     let text = text.map_err(|error| Failure::Files(format!("{name}: {error}")))?;
-    let scene = Scene::from_json(&text).map_err(|fault| Failure::Scene(format!("{name}: {fault}")))?;
-    let warnings = scene.warnings().map_err(|error| refused(path, &error))?;
-    // Of a stiffness that is left out it is told once it is known what is asked.
-    for warning in warnings.iter().filter(|warning| !matches!(warning, Warning::StiffnessLeftOut { .. })) {
-        warn(path, warning);
-    }
-    Ok(scene)
+    Scene::from_json(&text).map_err(|fault| Failure::Scene(format!("{name}: {fault}")))
 }
 
 /// What messages call a scene.
@@ -38,9 +32,11 @@ fn name(path: &Path) -> String {
     }
 }
 
-/// A word of warning about a scene.
-pub(crate) fn warn(path: &Path, warning: &Warning) {
-    eprintln!("warning: {}: {warning}", name(path));
+/// Words of warning about a scene and what is asked of it, on standard error.
+pub(crate) fn warn(path: &Path, scene: &Scene) -> Result<(), Failure> {
+    let warnings = scene.warnings().map_err(|error| refused(path, &error))?;
+    warnings.iter().for_each(|warning| eprintln!("warning: {}: {warning}", name(path)));
+    Ok(())
 }
 
 /// A scene that is refused as it is asked.

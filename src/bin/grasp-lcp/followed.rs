@@ -4,7 +4,7 @@ use std::io;
 
 use grasp_lcp::equilibrium::{ContactAnswer, ContactState, Equilibrium, Outcome, PadAnswer};
 use grasp_lcp::grasp::Wrench;
-use grasp_lcp::load_path::{ContactChange, Loss};
+use grasp_lcp::load_path::{ContactChange, EndOfSmallMotions, Loss};
 use grasp_lcp::scene::{PathAnswer, PathOutcome};
 
 use crate::report::Report;
@@ -16,8 +16,12 @@ const WEIGHTLESS: f64 = 1e-9;
 impl Report<'_> {
     pub(crate) fn followed<const C: usize>(&mut self, path: &PathAnswer<C>) -> io::Result<()> {
         let digits = self.style.digits();
-        let (mut in_between, mut warned) = (0, false);
+        let (mut in_between, mut caution) = (0, path.small_motions_end.as_ref());
         for event in &path.events {
+            if let Some(far) = caution.filter(|far| (far.leg, far.fraction) < (event.leg, event.fraction)) {
+                self.small_motions_end(far)?;
+                caution = None;
+            }
             let contacts: Vec<_> = if self.style.points {
                 let point =
                     |change: &ContactChange<C>| format!("{} {:.digits$}", change.contact.text(), change.what);
@@ -36,15 +40,19 @@ impl Report<'_> {
                 let (fraction, load) = (self.number(event.fraction), self.load(&event.load));
                 self.line(&format!("leg {} at {fraction}, {load}: {jump:.digits$}", event.leg))?;
             }
-            if let Some(caution) = event.state.caution().filter(|_| !warned) {
-                self.line(&format!("CAUTION, from here on: {caution}"))?;
-                warned = true;
-            }
         }
+        caution.map_or(Ok(()), |far| self.small_motions_end(far))?;
         if in_between > 0 {
             self.line(&format!("in between at {in_between} loads more points change: --points tells them"))?;
         }
         self.end_of_path(&path.end)
+    }
+
+    fn small_motions_end(&mut self, far: &EndOfSmallMotions) -> io::Result<()> {
+        let (leg, fraction, what) = (far.leg, self.number(far.fraction), &far.what);
+        self.line(&format!(
+            "leg {leg} at {fraction}: CAUTION, from here on {what}, beyond the small motions that this is good for"
+        ))
     }
 
     /// The load there, and those of bodies that go their own way.

@@ -168,7 +168,7 @@ impl<const C: usize> Meaning<C> {
         groups: &mut Vec<&'a str>,
         given: &Identifies,
     ) -> Result<SlipAsked<C>, Fault> {
-        let [mut force, mut at, mut moment] = [[0.0; 3]; 3];
+        let [mut force, mut at, mut moment, mut base] = [[0.0; 3]; 4];
         let (mut kind, mut squeeze) = (if given.first { SlipKind::First } else { SlipKind::Gross }, None);
         let (mut scatter, mut group) = (given.scatter, None);
         for (head, cell) in heads.iter().zip(cells) {
@@ -205,19 +205,22 @@ impl<const C: usize> Meaning<C> {
                     let row = match head.as_bytes()[0] {
                         b'f' => &mut force,
                         b'a' => &mut at,
+                        b'b' => &mut base,
                         _ => &mut moment,
                     };
                     row[axis] = number;
                 }
             }
         }
-        let [force, at] = [force, at].map(|row| std::array::from_fn(|axis| row[axis]));
-        let mut slip = SlipAsked::gross((self.force_at)(force, at) + (self.moment)(&moment));
+        let [force, place] = [force, at].map(|row| std::array::from_fn(|axis| row[axis]));
+        let mut slip = SlipAsked::gross((self.force_at)(force, place) + (self.moment)(&moment));
         (slip.slip, slip.squeeze) = (kind, squeeze);
         slip.group = group;
         slip.scatter = scatter.map(|percent| 0.01 * percent);
-        if given.base.is_some() {
-            slip.base = Some(self.base(given.base.as_ref(), None).map_err(Fault::Usage)?);
+        if given.base.is_some() || heads.iter().any(|head| head.starts_with("base")) {
+            let [own, at] = [base, at].map(|row| std::array::from_fn(|axis| row[axis]));
+            let of_all = self.base(given.base.as_ref(), None).map_err(Fault::Usage)?;
+            slip.base = Some(of_all + (self.force_at)(own, at));
         }
         Ok(slip)
     }
@@ -232,9 +235,9 @@ enum Fault {
 /// The names that columns may have.
 fn columns<const C: usize>() -> Vec<&'static str> {
     let of_space: &[_] = if C == 3 {
-        &["fx", "fy", "fz", "mx", "my", "mz", "at_x", "at_y", "at_z"]
+        &["fx", "fy", "fz", "mx", "my", "mz", "at_x", "at_y", "at_z", "base_x", "base_y", "base_z"]
     } else {
-        &["fx", "fy", "m", "at_x", "at_y"]
+        &["fx", "fy", "m", "at_x", "at_y", "base_x", "base_y"]
     };
     of_space.iter().copied().chain(["squeeze", "slip", "scatter_percent", "group"]).collect()
 }

@@ -17,6 +17,7 @@ mod map;
 mod needs;
 mod new;
 mod numbers;
+mod own_masses;
 mod report;
 mod shakes;
 mod table;
@@ -84,10 +85,14 @@ fn run(command: Command) -> Result<ExitCode, Failure> {
         Command::Identify { ask, slips } => return asking::ask(&ask, &Asked::Identify(slips)),
         Command::Map { scene, at, unsure, json, output } => {
             let pictures = Pictures::new(&output, &scene);
-            map::map(&files::read(&scene)?, at.as_ref(), &unsure, (!json).then_some(&pictures))?;
+            let of_map = files::read(&scene)?;
+            files::warn(&scene, &of_map)?;
+            map::map(&of_map, at.as_ref(), &unsure, (!json).then_some(&pictures))?;
         }
         Command::Draw { scene, output } => {
-            drawing::draw(&files::read(&scene)?, &Pictures::new(&output, &scene))?;
+            let drawn = files::read(&scene)?;
+            files::warn(&scene, &drawn)?;
+            drawing::draw(&drawn, &Pictures::new(&output, &scene))?;
         }
         Command::Stream { threads, brief, most_points, most_states, most_steps } => {
             let mut options = StreamOptions::default();

@@ -9,10 +9,15 @@ use crate::arguments::{QuantityAsked, Wanted};
 use crate::asking::Meaning;
 use crate::failure::Failure;
 use crate::loads::{direction, point, total_force};
+use crate::own_masses::{accelerated, of_own_masses, tilted};
 
 impl<const C: usize> Meaning<C> {
     /// How much does it need?
-    pub(crate) fn need(&self, wanted: &Wanted, setup: &Setup<C>) -> Result<Option<NeedAsked<C>>, Failure> {
+    pub(crate) fn need(
+        &self,
+        wanted: &Wanted,
+        setup: &mut Setup<C>,
+    ) -> Result<Option<NeedAsked<C>>, Failure> {
         let Some(sought) = wanted.quantity else { return Ok(None) };
         refuse_others(wanted, sought)?;
         let mut asked = NeedAsked::of(match sought {
@@ -34,7 +39,7 @@ impl<const C: usize> Meaning<C> {
             (true, true) => Demand::Stays,
         };
         asked.together_with = self.together_with(&wanted.load)?;
-        self.put_loads(&mut asked, wanted, sought)?;
+        self.put_loads(&mut asked, wanted, sought, setup)?;
         asked.contact = wanted.contact.as_ref().map(|name| named("contact", name, setup)).transpose()?;
         Ok(Some(asked))
     }
@@ -45,9 +50,12 @@ impl<const C: usize> Meaning<C> {
         asked: &mut NeedAsked<C>,
         wanted: &Wanted,
         sought: QuantityAsked,
+        setup: &mut Setup<C>,
     ) -> Result<(), Failure> {
-        let at = point(wanted.load.at.as_ref())?;
-        let load = self.wrench(&wanted.load)?;
+        let beside = wanted.base.is_some() || wanted.any_force.is_some();
+        let given = &*of_own_masses(&wanted.load, beside, setup)?;
+        let at = point(given.at.as_ref())?;
+        let load = self.wrench(given)?;
         let missing = || Failure::Usage("say for which load: --mass, --force or --moment".to_owned());
         match (sought, wanted.acceleration) {
             (QuantityAsked::Arm, _) => {
@@ -58,13 +66,25 @@ impl<const C: usize> Meaning<C> {
                 let along: [f64; C] = direction(along, "along")?;
                 let length = along.iter().map(|x| x * x).sum::<f64>().sqrt();
                 let there = std::array::from_fn(|a| at[a] + along[a] / length);
-                let force = total_force(&wanted.load)?;
+                let force = total_force(given)?;
                 asked.per_metre = Some((self.force_at)(force, there) + (self.force_at)(force, at) * -1.0);
                 asked.load = Some(load.ok_or_else(missing)?);
             }
             (QuantityAsked::Angle, _) => {
-                let weight = total_force(&wanted.load)?;
-                asked.turn = Some((self.turn)(weight, wanted.load.at.as_ref(), wanted.axis.as_ref())?);
+                let own = if load.is_none() { tilted(setup) } else { None };
+                let (weight, at) = match own {
+                    Some(own) => (own.weight, Some(own.at)),
+                    None => (total_force(given)?, given.at.clone()),
+                };
+                asked.turn = Some((self.turn)(weight, at.as_ref(), wanted.axis.as_ref())?);
+            }
+            (_, Some(acceleration)) if given.mass.is_none() => {
+                let (mass, centre) = accelerated(setup, "acceleration")?;
+                if asked.base.is_some() {
+                    let message = "--acceleration: accelerates the bodies by their own masses, must stand without --base: what is always there is the `load` of a body";
+                    return Err(Failure::Usage(message.to_owned()));
+                }
+                asked.loads = self.accelerated(mass, acceleration, centre);
             }
             (_, Some(acceleration)) => {
                 let weight = load.unwrap_or(Wrench::ZERO);

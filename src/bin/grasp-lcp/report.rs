@@ -1,9 +1,10 @@
 //! Answers in words and tables.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
-use grasp_lcp::equilibrium::{ContactState, Equilibrium, Outcome, WholeAnswer};
+use grasp_lcp::equilibrium::{ContactState, Equilibrium, Outcome, Undecided, WholeAnswer};
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::hold::Verdict;
 use grasp_lcp::improve::Improved;
@@ -54,6 +55,7 @@ pub(crate) fn print<const C: usize>(
     }
     let mut report = Report { out, style };
     for (question, answer) in setup.questions.iter().zip(answers) {
+        let question = &*setup.meant(question).unwrap_or(Cow::Borrowed(question));
         report.answer(question, answer)?;
     }
     Ok(())
@@ -131,12 +133,16 @@ impl Report<'_> {
                     self.load(load),
                     self.and_on_bodies(named(together_with))
                 )?;
-                self.solved(&answer.outcome)?;
                 // Nothing was found by a search; what happens from rest is known all the same.
                 match (&answer.from_rest, &answer.outcome) {
-                    (Some(told), Outcome::Undecided(_)) => self.put_on_from_rest(&told.verdict),
-                    (Some(told), _) => self.line(&format!("put on from rest: {}", told.says)),
-                    (None, _) => Ok(()),
+                    (Some(told), Outcome::Undecided(undecided)) if told.verdict.holds() == Some(false) => {
+                        self.lost_from_rest(&told.verdict, undecided)
+                    }
+                    (told, outcome) => {
+                        self.solved(outcome)?;
+                        let told = told.as_ref().map(|told| format!("put on from rest: {}", told.says));
+                        told.map_or(Ok(()), |told| self.line(&told))
+                    }
                 }
             }
             (Question::Onset(ramp), Answer::Onset(onset)) => {
@@ -179,15 +185,11 @@ impl Report<'_> {
         }
     }
 
-    /// What the path says where the search is undecided.
-    fn put_on_from_rest<const C: usize>(&mut self, verdict: &Verdict<C>) -> io::Result<()> {
+    /// Put on from rest it is lost, which is what counts; the search has found no equilibrium elsewhere, and has not excluded one.
+    fn lost_from_rest<const C: usize>(&mut self, verdict: &Verdict<C>, doubt: &Undecided) -> io::Result<()> {
         let digits = self.style.digits();
-        if verdict.holds() == Some(false) {
-            let elsewhere = "whether a wedged equilibrium exists elsewhere was not decided";
-            self.line(&format!("put on from rest: {verdict:.digits$}; {elsewhere}"))
-        } else {
-            self.line(&format!("put on from rest: {verdict:.digits$}"))
-        }
+        self.line(&format!("put on from rest: {verdict:.digits$}"))?;
+        self.line(&format!("whether another equilibrium exists elsewhere is undecided: {doubt}"))
     }
 
     /// An onset at a place that is called so, where the load changes or commands alone.

@@ -1,12 +1,13 @@
 //! Loads of the command line that repeat.
 
 use grasp_lcp::grasp::Wrench;
-use grasp_lcp::scene::{Question, ShakeAsked, ShakedownAsked};
+use grasp_lcp::scene::{Question, Setup, ShakeAsked, ShakedownAsked};
 
 use crate::arguments::Numbers;
 use crate::asking::Meaning;
 use crate::failure::Failure;
 use crate::loads::{point, weight_of};
+use crate::own_masses::{accelerated, refuse_mass};
 
 /// What is put on and taken off again in turn, and what is there at rest.
 pub(crate) struct Shakes {
@@ -20,7 +21,12 @@ pub(crate) struct Shakes {
 
 impl<const C: usize> Meaning<C> {
     /// Does it survive?
-    pub(crate) fn shake(&self, shakes: &Shakes) -> Result<Option<Question<C>>, Failure> {
+    pub(crate) fn shake(
+        &self,
+        shakes: &Shakes,
+        setup: &mut Setup<C>,
+    ) -> Result<Option<Question<C>>, Failure> {
+        refuse_mass(setup, shakes.mass)?;
         let at = shakes.at.as_ref();
         let mut base = self.base(shakes.base.as_ref(), at)?;
         let mut loads = Vec::new();
@@ -32,6 +38,13 @@ impl<const C: usize> Meaning<C> {
             if let Some(acceleration) = shakes.acceleration {
                 loads.extend(self.accelerated(mass, acceleration, point(at)?));
             }
+        } else if let Some(acceleration) = shakes.acceleration {
+            let (mass, centre) = accelerated(setup, "acceleration")?;
+            if shakes.base.is_some() || !shakes.force.is_empty() {
+                let message = "--acceleration: accelerates the bodies by their own masses, must stand without --force and --base: what is always there is the `load` of a body";
+                return Err(Failure::Usage(message.to_owned()));
+            }
+            loads.extend(self.accelerated(mass, acceleration, centre));
         }
         if loads.is_empty() {
             let given = shakes.any_order || shakes.mass.is_some() || shakes.base.is_some() || at.is_some();

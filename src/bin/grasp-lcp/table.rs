@@ -36,7 +36,8 @@ pub(crate) fn table<const C: usize>(
     state.tendons.iter().try_for_each(|tendon| writeln!(out, "  {tendon:.digits$}"))?;
     let residual = Words::with_digits(1).number(state.residuals.worst());
     writeln!(out, "  {}, residual {residual}", state.told_motions(style.words).join("\n  "))?;
-    let caution = state.caution().map(str::to_owned);
+    state.told_free_motions(style.words).iter().try_for_each(|free| writeln!(out, "  {free}"))?;
+    let caution = state.caution();
     state.vacuum_gone().into_iter().chain(caution).try_for_each(|note| writeln!(out, "  CAUTION: {note}"))
 }
 

@@ -1,4 +1,4 @@
-//! Bodies on their way into a grasp.
+//! Adds several bodies to a grasp under assembly.
 
 use super::place::PlacedBodies;
 use crate::error::Error;
@@ -6,7 +6,7 @@ use crate::grasp::hand::Assembly;
 use crate::grasp::rotation::of_the_object;
 
 impl<const C: usize> Assembly<C> {
-    /// Coordinates of all bodies but the one in those of the object, and what contacts do with them.
+    /// Reserves coordinates for all bodies but the object, and appends to each contact its motion with them.
     pub(in crate::grasp) fn add_bodies(&mut self, bodies: &mut PlacedBodies<C>) -> Result<(), Error> {
         let object = of_the_object::<C>();
         self.used = bodies.place(&self.contacts, object + self.used)? - object;

@@ -1,4 +1,4 @@
-//! One body of several.
+//! One of several bodies: its mass, its own load, and its motion in answers.
 
 use alloc::sync::Arc;
 
@@ -11,7 +11,7 @@ use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// A body: its name, and what acts on it beside the load of a question.
+/// A body with its name, its mass, and a load that acts on it in addition to the load of a question.
 ///
 /// ```
 /// use grasp_lcp::planar::{Body, Wrench};
@@ -34,15 +34,15 @@ impl<const C: usize> Body<C> {
         Self { name: name.into().into(), mass: 0.0, centre: SVector::zeros(), load: Wrench::ZERO }
     }
 
-    /// Its mass, kg, and centre of mass, m: what [gravity](super::Bodies::gravity) pulls at, and its share of a load that is
-    /// [shared by mass](super::Bodies::shared_by_mass).
+    /// Mass of the body, kg, and its centre of mass, m. [Gravity](super::Bodies::gravity) acts there, and so does its share of a load that is [shared
+    /// by mass](super::Bodies::shared_by_mass).
     #[must_use]
     pub fn mass(mut self, mass: f64, centre: impl Into<[f64; C]>) -> Self {
         (self.mass, self.centre) = (mass, SVector::from(centre.into()));
         self
     }
 
-    /// A load that is always there beside that of a question, N and N m about the origin of the scene.
+    /// A constant load on the body in addition to the load of a question: N, and N m about the origin of the scene.
     #[must_use]
     pub fn load(mut self, load: Wrench<C>) -> Self {
         self.load = load;
@@ -56,42 +56,42 @@ impl<const C: usize> Body<C> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct BodyLoad<const C: usize> {
-    /// Its name.
+    /// Name of the body.
     pub body: Arc<str>,
-    /// The load, N and N m about the origin of the scene.
+    /// The load: force in N, moment in N m about the origin of the scene.
     pub load: Wrench<C>,
 }
 
-/// How a body moves, to first order.
+/// Motion of a body, to first order.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct BodyMotion<const C: usize> {
-    /// Its name.
+    /// Name of the body.
     pub body: Arc<str>,
-    /// Translation of its point at the origin of the scene (m), and rotation (rad).
+    /// Translation of the body's point at the origin of the scene (m), and rotation (rad).
     pub twist: Twist<C>,
-    /// Middle of its contacts, m.
+    /// Centroid of its contact points, m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub centre: SVector<f64, C>,
-    /// Root mean square distance of its contacts from there, m.
+    /// Root mean square distance of its contact points from their centroid, m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub reach: f64,
 }
 
 impl<const C: usize> BodyMotion<C> {
-    /// What the middle of its contacts moves by.
+    /// Displacement of the centroid of its contact points, m.
     pub(crate) fn middle_moves(&self) -> SVector<f64, C> {
         displacement_of::<Fixed<6>, C>(&self.centre, &self.twist.coordinates())
     }
 
-    /// What its contacts move by past their middle.
+    /// Displacement of its contact points by rotation about their centroid, m: the angle times `reach`.
     pub(crate) fn turning_moves(&self) -> f64 {
         self.twist.parts().1.size() * self.reach
     }
 
-    /// What the fastest of its contacts moves by, or a little less.
+    /// Estimate of the displacement of its fastest contact, m: the larger of the centroid's and that by rotation.
     pub(crate) fn speed(&self) -> f64 {
         self.middle_moves().norm().max(self.turning_moves())
     }

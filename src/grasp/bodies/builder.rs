@@ -1,4 +1,4 @@
-//! Several bodies, and what touches them.
+//! A scene of several bodies, with their contacts, links and hand.
 
 use alloc::sync::Arc;
 
@@ -13,11 +13,11 @@ use crate::grasp::hand::{Finger, Hand};
 use crate::grasp::wrench::Wrench;
 use crate::prelude::*;
 
-/// Several bodies that touch each other, the ground and fingers; [`Bodies::grasp`] makes a grasp of them, which answers as any other.
+/// Several bodies that touch each other, the ground and fingers. [`Bodies::grasp`] makes a grasp of them, which is asked like any other.
 ///
-/// A contact says which body its normal points into ([`Contact::on`]), and which body is on its other side ([`Contact::against`]); without that it is the
-/// ground, or a finger. A load of a question acts on one body, the first unless [said otherwise](Self::loaded), or on
-/// [all by their mass](Self::shared_by_mass).
+/// [`Contact::on`] names the body that a contact's normal points into, [`Contact::against`] the body on its other side. Without `against` the ground
+/// or a finger is there. A load of a question acts on one body: the first, or the body named by [`loaded`](Self::loaded). With
+/// [`shared_by_mass`](Self::shared_by_mass) it acts on all bodies in proportion to their mass.
 ///
 /// ```
 /// use grasp_lcp::planar::{Bodies, Body, Contact, Wrench};
@@ -45,7 +45,7 @@ pub struct Bodies<const C: usize> {
     loaded: Loaded,
 }
 
-/// What a load of a question acts on.
+/// The bodies on which a load of a question acts.
 #[derive(Debug, Clone, PartialEq)]
 enum Loaded {
     First,
@@ -54,7 +54,7 @@ enum Loaded {
 }
 
 impl<const C: usize> Bodies<C> {
-    /// These bodies; their names tell them apart.
+    /// A scene of these bodies; their names must differ.
     pub fn new(bodies: impl IntoIterator<Item = Body<C>>) -> Self {
         Self {
             list: bodies.into_iter().collect(),
@@ -65,60 +65,61 @@ impl<const C: usize> Bodies<C> {
         }
     }
 
-    /// Contacts without joints behind them: with the ground, with fixed fingers, between bodies.
+    /// Adds contacts without joints behind them: with the ground, with fixed fingers, or between bodies.
     #[must_use]
     pub fn contacts(mut self, contacts: impl IntoIterator<Item = Contact<C>>) -> Self {
         self.hand = contacts.into_iter().map(Finger::fixed).fold(self.hand, Hand::finger);
         self
     }
 
-    /// Hinges, slides, springs, cables between them or to the ground, behind all contacts.
+    /// Adds hinges, slides, springs or cables between the bodies or to the ground. Their points come after all contacts.
     #[must_use]
     pub fn links(mut self, links: impl IntoIterator<Item = Link<C>>) -> Self {
         self.links.extend(links);
         self
     }
 
-    /// The hand that holds them, with its tendons, in place of the contacts so far.
+    /// The hand that holds the bodies, with its tendons; it replaces the contacts given before.
     #[must_use]
     pub fn held_by(mut self, hand: Hand<C>) -> Self {
         self.hand = hand;
         self
     }
 
-    /// Gravity, m/s²: each body's weight acts at its centre of mass, beside the load of a question.
+    /// Gravity, m/s². The weight of each body acts at its centre of mass, in addition to the load of a question.
     #[must_use]
     pub fn gravity(mut self, gravity: impl Into<[f64; C]>) -> Self {
         self.gravity = SVector::from(gravity.into());
         self
     }
 
-    /// Loads of a question act on this body.
+    /// Applies the loads of questions to this body.
     #[must_use]
     pub fn loaded(mut self, body: impl Into<String>) -> Self {
         self.loaded = Loaded::Body(body.into().into());
         self
     }
 
-    /// Loads of a question act on all bodies, on each with the share of its mass: a force at their centres of mass, and what is left of the moment, too.
-    /// So weights grow and turn together.
+    /// Shares the loads of questions among all bodies in proportion to mass: the force acts at their centres of mass, and the remaining moment is
+    /// shared as well. So all weights grow and turn together.
     #[must_use]
     pub fn shared_by_mass(mut self) -> Self {
         self.loaded = Loaded::ByMass;
         self
     }
 
-    /// The weight of all bodies under this gravity, m/s²: a load for questions that are [shared by mass](Self::shared_by_mass).
+    /// Total weight of the bodies under this gravity, m/s²: a load for questions that are [shared by mass](Self::shared_by_mass).
     #[must_use]
     pub fn weight(&self, gravity: impl Into<[f64; C]>) -> Wrench<C> {
         let gravity = SVector::from(gravity.into());
         self.list.iter().fold(Wrench::ZERO, |sum, body| sum + body.weight(&gravity))
     }
 
-    /// The hand that holds them, and the bodies checked.
+    /// Checks bodies and links, and returns the hand with the points of the links, and the bodies.
     ///
     /// # Errors
-    /// [`Error::Body`] naming the body, [`Error::Link`] naming the link, and what is wrong with it.
+    /// [`Error::Body`] with the name of the body, [`Error::Link`] with the name of the link, and the fault. [`Error::Wrench`] for a load and
+    /// [`Error::Argument`] for a gravity that is out of range.
     pub(crate) fn checked(self) -> Result<(Hand<C>, PlacedBodies<C>), Error> {
         let Self { list: bodies, mut hand, links, gravity, loaded } = self;
         for (number, link) in links.iter().enumerate() {
@@ -171,7 +172,7 @@ impl<const C: usize> Bodies<C> {
 }
 
 impl<const C: usize> Body<C> {
-    /// Its weight under this gravity.
+    /// Weight of the body under this gravity, m/s².
     fn weight(&self, gravity: &SVector<f64, C>) -> Wrench<C> {
         Wrench::force_through(&self.centre, &(gravity * self.mass))
     }

@@ -1,4 +1,4 @@
-//! Loads and motions of several bodies, in inside coordinates and as the user sees them.
+//! Loads and motions of several bodies, converted between inside coordinates and the user's.
 
 use alloc::sync::Arc;
 
@@ -19,12 +19,12 @@ impl<D: Size, const C: usize> Engine<D, C> {
         self.linkage()?.bodies.as_deref()
     }
 
-    /// The sign with which the force of a contact acts on the body in the coordinates of the object.
+    /// Sign, 1, -1 or 0, with which the force of a contact acts on the body in the coordinates of the object.
     pub(crate) fn sign_on_object(&self, contact: usize) -> f64 {
         self.bodies().map_or(1.0, |bodies| bodies.sign(contact, bodies.object))
     }
 
-    /// A load on each body, in inside coordinates.
+    /// The wrenches of one load on each body, in inside coordinates.
     pub(crate) fn put_on_each(&self, bodies: &PlacedBodies<C>, loads: &[Wrench<C>]) -> Vector<D> {
         let mut inside = Vector::zeros();
         for (body, (place, load)) in bodies.places.iter().zip(loads).enumerate() {
@@ -41,8 +41,8 @@ impl<D: Size, const C: usize> Engine<D, C> {
         inside
     }
 
-    /// Moments about the origin of a force that a contact has at this point, in inside coordinates: what a rotation feels of the digits of the point. The force
-    /// itself is left out.
+    /// Moments about the origin of a contact's `force` at `point`, in inside coordinates; the components of the force itself are zero. They measure
+    /// how rounding of the contact point acts on rotations.
     pub(crate) fn moments_of(
         &self,
         contact: usize,
@@ -72,8 +72,8 @@ impl<D: Size, const C: usize> Engine<D, C> {
         moments
     }
 
-    /// These bodies under loads that grow from nothing: what is there beside the loads of questions, and this one, for each newton of a question's force along the first
-    /// axis.
+    /// These bodies under loads that grow from zero, per newton of a question's force along the first axis: the constant loads plus the shares of
+    /// `base`. No constant load remains. `None` for a single object.
     pub(crate) fn growing_from_nothing(&self, base: &Wrench<C>) -> Option<Self> {
         let bodies = self.bodies()?;
         let shared = bodies.shared(base);
@@ -94,20 +94,20 @@ impl<D: Size, const C: usize> Engine<D, C> {
         }
     }
 
-    /// The body that is to be loaded, by its name.
+    /// Number of the body with this name, for a load on it.
     ///
     /// # Errors
-    /// [`Error::Body`] if it is not there.
+    /// [`Error::Body`] if there is no such body.
     pub(crate) fn body_called(&self, name: &Arc<str>) -> Result<usize, Error> {
         self.bodies().map_or_else(|| Err(no_body(name)), |bodies| bodies.called(name))
     }
 
-    /// These bodies with loads on each that a program has put on.
+    /// These bodies with the loads that a load program has applied, one for each body.
     pub(crate) fn under_body_loads(&self, loads: Vec<Wrench<C>>) -> Self {
         self.bodies().map_or_else(|| self.clone(), |bodies| self.with_bodies(bodies.under(loads)))
     }
 
-    /// The loads of an answer put on again, so that it can be asked further.
+    /// These bodies with the body loads of an answer applied again, for further questions about it.
     pub(crate) fn with_body_loads(&self, loads: &[BodyLoad<C>]) -> Result<Self, Error> {
         let mut all = vec![Wrench::ZERO; self.bodies().map_or(0, |bodies| bodies.names.len())];
         for BodyLoad { body, load } in loads {
@@ -117,14 +117,14 @@ impl<D: Size, const C: usize> Engine<D, C> {
         Ok(self.under_body_loads(all))
     }
 
-    /// What a program has put on bodies.
+    /// Loads that a load program has applied to bodies, zeros left out.
     pub(crate) fn body_loads(&self) -> Vec<BodyLoad<C>> {
         let Some(bodies) = self.bodies() else { return Vec::new() };
         let named = bodies.names.iter().zip(&bodies.put_on).filter(|(_, load)| **load != Wrench::ZERO);
         named.map(|(body, load)| BodyLoad { body: body.clone(), load: *load }).collect()
     }
 
-    /// How each body moves with these coordinates, as the user sees them.
+    /// Motion of each body in the user's coordinates, from all coordinates in the user's units.
     pub(crate) fn body_motions(&self, outside: &Vector<D>) -> Vec<BodyMotion<C>> {
         let Some(bodies) = self.bodies() else { return Vec::new() };
         let of = |(body, place): (usize, &BodyPlace<C>)| {
@@ -140,7 +140,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         bodies.places.iter().enumerate().map(of).collect()
     }
 
-    /// How each body moves with these inside coordinates, as the user sees it; the object where there is one.
+    /// Motion of each body in the user's coordinates, from inside coordinates; that of the object if there are no bodies.
     pub(crate) fn each_moves(&self, inside: &Vector<D>) -> Vec<BodyMotion<C>> {
         let outside = self.outside_coordinates(inside);
         if self.bodies().is_some() {
@@ -150,7 +150,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         vec![BodyMotion { body: "the object".into(), twist, centre, reach }]
     }
 
-    /// The lengths that measure rotations of bodies behind the object.
+    /// Lengths that scale the rotations of all bodies other than the object.
     pub(crate) fn rotation_lengths(&self, bodies: &PlacedBodies<C>) -> Vec<f64> {
         let Some(linkage) = self.linkage() else { return Vec::new() };
         let others = bodies.places.iter().enumerate().filter(|(body, _)| *body != bodies.object);
@@ -159,7 +159,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             .collect()
     }
 
-    /// The coordinates of the body that a contact's normal points into, zeros elsewhere.
+    /// The coordinates of the body that a contact's normal points into; all others are set to zero.
     pub(crate) fn body_alone(&self, contact: usize, coordinates: &Vector<D>) -> Vector<D> {
         let Some(bodies) = self.bodies() else { return object_alone::<D, C>(coordinates) };
         let Some((on, _)) = bodies.sides.get(contact) else { return coordinates.clone() };

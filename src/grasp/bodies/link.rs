@@ -1,4 +1,4 @@
-//! What joins bodies to each other and to the ground: hinges, slides, rigid joints, springs, cables.
+//! Links of bodies with each other and with the ground.
 
 use alloc::sync::Arc;
 
@@ -9,8 +9,8 @@ use crate::words::LinkKind;
 
 /// A link between two bodies, or between a body and the ground: a hinge, a slide, a rigid joint, a spring, a cable.
 ///
-/// It is made of contacts that never open, and of one that pulls for a cable, so that all questions are answered as ever; answers tell of it as one
-/// thing. Nothing in it slips or breaks. Its own compliance is that of its [stiffness](Self::stiffness).
+/// It is modelled by contacts that never open, a cable by one contact that only pulls; questions and methods stay the same, and answers report the
+/// link as one part. It neither slips nor breaks. It is as compliant as its [stiffness](Self::stiffness) says.
 ///
 /// | link | leaves free | carries |
 /// |---|---|---|
@@ -49,13 +49,15 @@ pub struct Link<const C: usize> {
     pub(crate) against: Option<Arc<str>>,
     pub(crate) stiffness: Option<f64>,
     pub(crate) pretension: f64,
+    /// What it pulls with at rest once it is installed, in place of the pretension.
+    pub(crate) tension: Option<f64>,
     pub(crate) slack: f64,
 }
 
-/// Where a link is, and what it leaves free.
+/// Place of a link, and the motion that it leaves free.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum LinkPlace<const C: usize> {
-    /// In space an axis, of any length, and how far its two bearings are apart, m.
+    /// In space an axis of any length, and the distance between its two bearings, m.
     Hinge {
         point: SVector<f64, C>,
         bearings: Option<(SVector<f64, C>, f64)>,
@@ -63,18 +65,18 @@ pub(crate) enum LinkPlace<const C: usize> {
     Ball {
         point: SVector<f64, C>,
     },
-    /// A direction of any length, and how far its bearings are apart, m.
+    /// A direction of any length, and the distance between its bearings, m.
     Slide {
         point: SVector<f64, C>,
         direction: SVector<f64, C>,
         length: f64,
     },
-    /// How far apart the points are that carry moments, m.
+    /// Diameter of the circle or sphere of the points that carry moments, m.
     Rigid {
         point: SVector<f64, C>,
         size: f64,
     },
-    /// From a point of the body that it is on to one of the other body, or of the ground.
+    /// From a point of the first body to a point of the other body, or of the ground.
     Spring {
         from: SVector<f64, C>,
         to: SVector<f64, C>,
@@ -106,8 +108,8 @@ impl Link<2> {
 }
 
 impl Link<3> {
-    /// A hinge about an axis through this point, m, with two bearings that are so far apart, m: they share what it carries, moments across the axis
-    /// too.
+    /// A hinge about an axis through this point, m, with two bearings at the distance `length`, m, on both sides of it. They share the load, and so
+    /// carry moments across the axis.
     pub fn hinge(point: impl Into<[f64; 3]>, axis: impl Into<[f64; 3]>, length: f64) -> Self {
         let bearings = Some((SVector::from(axis.into()), length));
         Self::at(LinkPlace::Hinge { point: SVector::from(point.into()), bearings })
@@ -120,32 +122,33 @@ impl Link<3> {
 }
 
 impl<const C: usize> Link<C> {
-    /// What a link has that is not told [how stiff](Self::stiffness) it is, N/m: stiff beside most of what is gripped.
+    /// Default [stiffness](Self::stiffness) of a link, N/m: stiff compared with most fingers and objects.
     pub const STIFF: f64 = 1e9;
 
     pub(crate) fn at(place: LinkPlace<C>) -> Self {
-        Self { name: None, place, on: None, against: None, stiffness: None, pretension: 0.0, slack: 0.0 }
+        let (name, on, against, stiffness, tension) = (None, None, None, None, None);
+        Self { name, place, on, against, stiffness, pretension: 0.0, tension, slack: 0.0 }
     }
 
-    /// A slide: bodies move past each other along this direction alone. Its bearings are as far apart as `length` says, m, about this point.
+    /// A slide: the bodies move relative to each other along this direction alone. Its bearings are `length` apart, m, on both sides of this point.
     pub fn slide(point: impl Into<[f64; C]>, direction: impl Into<[f64; C]>, length: f64) -> Self {
         let (point, direction) = (SVector::from(point.into()), SVector::from(direction.into()));
         Self::at(LinkPlace::Slide { point, direction, length })
     }
 
-    /// A rigid joint: a weld or a screwed flange of this size, m, about this point.
+    /// A rigid joint: a weld or a screwed flange of diameter `size`, m, about this point.
     pub fn rigid(point: impl Into<[f64; C]>, size: f64) -> Self {
         Self::at(LinkPlace::Rigid { point: SVector::from(point.into()), size })
     }
 
-    /// A spring of this stiffness, N/m, from a point of the first body to one of the second, or of the ground, m.
+    /// A spring of this stiffness, N/m, from a point of the first body to a point of the second, or of the ground, m.
     pub fn spring(from: impl Into<[f64; C]>, to: impl Into<[f64; C]>, stiffness: f64) -> Self {
         let (from, to) = (SVector::from(from.into()), SVector::from(to.into()));
         Self::at(LinkPlace::Spring { from, to }).stiffness(stiffness)
     }
 
-    /// A cable or rope from a point of the first body to one of the second, or of the ground, m. It only pulls, along the line between both: to first
-    /// order, as everything here, so that it does not turn with the bodies.
+    /// A cable or rope from a point of the first body to a point of the second, or of the ground, m. It only pulls, along the line between both
+    /// points. To first order, like everything here, this line does not turn with the bodies.
     ///
     /// ```
     /// use grasp_lcp::planar::{Grasp, Link, Wrench};
@@ -162,54 +165,76 @@ impl<const C: usize> Link<C> {
         Self::at(LinkPlace::Cable { from: SVector::from(from.into()), to: SVector::from(to.into()) })
     }
 
-    /// A name for messages and tables; without one a link is called what it is.
+    /// A name for messages and tables; without one a link is named after its kind.
     #[must_use]
     pub fn name(mut self, name: impl Into<String>) -> Self {
         self.name = Some(name.into().into());
         self
     }
 
-    /// The two bodies that it joins. Of a spring or a cable the first has its beginning and the second its end.
+    /// The two bodies that the link joins. A spring or a cable begins at the first and ends at the second.
     #[must_use]
     pub fn between(mut self, one: impl Into<String>, other: impl Into<String>) -> Self {
         (self.on, self.against) = (Some(one.into().into()), Some(other.into().into()));
         self
     }
 
-    /// The body that it joins to the ground.
+    /// The body that the link joins to the ground.
     #[must_use]
     pub fn to_ground(mut self, body: impl Into<String>) -> Self {
         (self.on, self.against) = (Some(body.into().into()), None);
         self
     }
 
-    /// How stiff it is, N/m: along each direction that it holds, all its points together. [`Self::STIFF`] until it is said.
+    /// Stiffness of all its points together along each direction that it blocks, N/m; [`Self::STIFF`] by default.
     #[must_use]
     pub fn stiffness(mut self, stiffness: f64) -> Self {
         self.stiffness = Some(stiffness);
         self
     }
 
-    /// What a cable or a spring pulls with before anything moves, N; below zero a spring pushes.
+    /// Pull of a cable or a spring before anything moves, N; below zero a spring pushes. At rest the pull is smaller, since the bodies give way; see
+    /// [`Self::tension`].
     #[must_use]
     pub fn pretension(mut self, force: f64) -> Self {
-        self.pretension = force;
+        (self.pretension, self.tension) = (force, None);
         self
     }
 
-    /// How much longer a cable is than the way from its beginning to its end, m.
+    /// What a cable or a spring pulls with once it is installed, N, in place of a pretension: at rest, under what always acts on bodies and without other
+    /// load, when all else has given way. The grasp that it becomes part of finds the pretension for it, or refuses it where nothing holds against such a pull.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::{Bodies, Body, Contact, Link, Wrench};
+    ///
+    /// // A belt is tightened over a crate until it pulls it onto the floor with 100 N; the floor gives way as much as the belt.
+    /// let crated = Bodies::new([Body::new("crate")])
+    ///     .contacts([Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(1e4, 1e4).friction(0.5).on("crate")])
+    ///     .links([Link::cable([0.0, 1.0], [0.0, 0.0]).stiffness(1e4).tension(100.0).to_ground("crate")])
+    ///     .grasp()?;
+    /// let state = crated.solve(&Wrench::ZERO)?;
+    /// assert!((state.equilibrium().expect("lies").contacts[0].normal_force() - 100.0).abs() < 1e-9);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[must_use]
+    pub fn tension(mut self, force: f64) -> Self {
+        (self.tension, self.pretension) = (Some(force), force);
+        self
+    }
+
+    /// Length of a cable in excess of the distance between its ends, m.
     #[must_use]
     pub fn slack(mut self, length: f64) -> Self {
         self.slack = length;
         self
     }
 
-    /// Its name, or what it is and its number.
+    /// Its name, or its kind and its number.
     pub(crate) fn called(&self, number: usize) -> String {
         self.name.as_deref().map_or_else(|| format!("{} {number}", self.kind().name()), str::to_owned)
     }
 
-    /// What kind of link it is.
+    /// The kind of the link.
     #[must_use]
     pub fn kind(&self) -> LinkKind {
         self.place.kind()

@@ -1,8 +1,8 @@
-//! The contacts that a link is made of.
+//! The contacts that model a link.
 //!
-//! A hinge is glued at a point, in space at two. A slide is kept closed without friction at bearings across its direction. A rigid joint is glued at
-//! points around its own. A spring is kept closed along its line and a cable pulls along it: the normal goes from the beginning of the line to its
-//! end, so that a force that "pushes" pulls the first body to the end.
+//! A hinge is bonded at one point, in space at two. A slide is kept closed without friction, at bearings across its direction. A rigid joint is
+//! bonded at points around its own. A spring is kept closed along its line, and a cable pulls along it. There the normal points from the beginning of
+//! the line to its end: a positive normal force pulls the first body towards the end.
 
 use nalgebra::SVector;
 
@@ -11,20 +11,20 @@ use crate::error::{Error, LARGEST, MODERATE, is_moderate};
 use crate::grasp::contact::Contact;
 use crate::prelude::*;
 
-/// Directions across another one: two in space, one in the plane.
+/// Unit vectors across a direction: two in space, one in the plane.
 type Across<const C: usize> = Vec<SVector<f64, C>>;
 
 impl<const C: usize> Link<C> {
-    /// The contacts that it is made of: what [`Bodies::links`](super::Bodies::links) adds to the others. One object is linked to the ground by them,
-    /// [`Grasp::new`](crate::ask::Grasp::new).
+    /// The contacts that model the link, as [`Bodies::links`](super::Bodies::links) adds them. Given to [`Grasp::new`](crate::ask::Grasp::new), they
+    /// link a single object to the ground.
     ///
     /// # Errors
-    /// [`Error::Link`] naming the link, the field and what is allowed.
+    /// [`Error::Link`] with the link's name, the field and the allowed values.
     pub fn contacts(&self) -> Result<Vec<Contact<C>>, Error> {
         self.contacts_called(self.name.as_deref().unwrap_or(self.kind().name()))
     }
 
-    /// The contacts under this name.
+    /// The contacts, named after `name`.
     pub(crate) fn contacts_called(&self, name: &str) -> Result<Vec<Contact<C>>, Error> {
         self.check().map_err(|(field, value, allowed)| Error::Link {
             kind: self.kind().name(),
@@ -35,7 +35,7 @@ impl<const C: usize> Link<C> {
         })?;
         let points = self.points();
         let (count, all) = (points.len() as f64, self.stiffness.unwrap_or(Self::STIFF));
-        // Of a slide half of the bearings, in space, bear along each direction across it.
+        // In space half of the bearings of a slide act along each direction across it.
         let share =
             if matches!(self.place, LinkPlace::Slide { .. }) { (C - 1) as f64 / count } else { 1.0 / count };
         let is_one = points.len() == 1;
@@ -46,6 +46,7 @@ impl<const C: usize> Link<C> {
             (contact.on, contact.against) = (self.on.clone(), self.against.clone());
             contact.clearance = self.slack;
             contact.command[0] = self.pretension / all;
+            contact.at_rest = self.tension;
             contact.series_stiffness_axes([all * share; C])
         };
         Ok(points.into_iter().enumerate().map(named).collect())
@@ -75,7 +76,7 @@ impl<const C: usize> Link<C> {
                 let (half, across) = (0.5 * length, across(&along));
                 let mut points = Vec::new();
                 for normal in &across {
-                    // At the ends of the way, and in space beside it, too: it does not turn about its direction.
+                    // Bearings at both ends, and in space on both sides of them, too, so that the slide cannot turn about its direction.
                     for arm in core::iter::once(&along).chain(across.iter().filter(|other| *other != normal))
                     {
                         points.extend([-half, half].map(|x| contact(point + arm * x, *normal).kept_closed()));
@@ -86,7 +87,7 @@ impl<const C: usize> Link<C> {
         }
     }
 
-    /// The field that is wrong, what was given, and what is allowed.
+    /// Checks all numbers; the error has the field, its value, and the allowed values.
     fn check(&self) -> Result<(), (&'static str, f64, &'static str)> {
         let point = |field, x: &SVector<f64, C>| match x.iter().find(|x| !is_moderate(**x)) {
             Some(x) => Err((field, *x, MODERATE)),
@@ -131,6 +132,9 @@ impl<const C: usize> Link<C> {
         let only = "0 unless it is a spring or a cable";
         good(is_line || self.pretension == 0.0, "pretension", self.pretension, only)?;
         let is_cable = matches!(self.place, LinkPlace::Cable { .. });
+        if let Some(tension) = self.tension {
+            good(tension > 0.0, "tension", tension, "more than 0 and at most 1e50, of a spring or a cable")?;
+        }
         good(
             !is_cable || self.pretension >= 0.0,
             "pretension",
@@ -142,7 +146,7 @@ impl<const C: usize> Link<C> {
     }
 }
 
-/// Unit vectors across one, and in space across each other.
+/// Unit vectors across `along`, in space also across each other.
 fn across<const C: usize>(along: &SVector<f64, C>) -> Across<C> {
     if C == 2 {
         return vec![SVector::from_fn(|a, _| if a == 0 { -along[1] } else { along[0] })];
@@ -157,7 +161,7 @@ fn across<const C: usize>(along: &SVector<f64, C>) -> Across<C> {
     vec![one, other]
 }
 
-/// Points at distance 1 that carry moments about any axis alike: two in the plane, the corners of a tetrahedron in space.
+/// Points at distance 1 that resist moments about all axes equally: two in the plane, the corners of a tetrahedron in space.
 fn corners<const C: usize>() -> Vec<SVector<f64, C>> {
     if C == 2 {
         return [-1.0, 1.0].map(|x| SVector::from_fn(|a, _| if a == 0 { x } else { 0.0 })).to_vec();

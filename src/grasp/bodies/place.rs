@@ -1,4 +1,4 @@
-//! Where each body has its coordinates, and which bodies each contact couples.
+//! Coordinates of each body, and the bodies that each contact couples.
 
 use alloc::sync::Arc;
 
@@ -16,38 +16,38 @@ use crate::words::printable;
 /// The coordinates of a body.
 #[derive(Debug, Clone)]
 pub(crate) struct BodyPlace<const C: usize> {
-    /// The first of them; zero for the body in the coordinates of the object.
+    /// Index of the first one; zero for the body in the coordinates of the object.
     pub(crate) first: usize,
-    /// Middle of its contacts, which its rotation is about.
+    /// Centroid of its contact points, about which its rotation is measured, m.
     pub(crate) centre: SVector<f64, C>,
-    /// Root mean square distance of its contacts from there.
+    /// Root mean square distance of its contact points from the centroid, m.
     pub(crate) reach: f64,
 }
 
-/// How a load of a question is shared among bodies.
+/// How a load of a question is shared among the bodies.
 #[derive(Debug, Clone)]
 pub(super) enum Sharing<const C: usize> {
-    /// One body has all of it.
+    /// One body carries the whole load.
     OnObject,
-    /// Of each body its part, and where its part of the force acts.
+    /// For each body its part of the load, and the point where its part of the force acts, m.
     ByParts(Vec<(f64, SVector<f64, C>)>),
-    /// These loads, as many times as a load is this one.
+    /// These loads, times the ratio of the question's load to `one`.
     Together { one: Wrench<C>, loads: Vec<Wrench<C>> },
 }
 
-/// Several bodies as the engine knows them.
+/// Several bodies, as the engine stores them.
 #[derive(Debug, Clone)]
 pub(crate) struct PlacedBodies<const C: usize> {
     pub(crate) names: Vec<Arc<str>>,
-    /// The body in the coordinates of the object.
+    /// Number of the body in the coordinates of the object.
     pub(crate) object: usize,
-    /// What acts on each body beside the loads of questions.
+    /// Constant load on each body, in addition to the loads of questions.
     pub(crate) loads: Vec<Wrench<C>>,
-    /// Of these what a program has put on; nothing as a rule.
+    /// The part of `loads` that a load program has applied; usually empty.
     pub(super) put_on: Vec<Wrench<C>>,
     pub(super) sharing: Sharing<C>,
     pub(crate) places: Vec<BodyPlace<C>>,
-    /// Of each contact the body that its normal points into, and the one on the other side.
+    /// For each contact the body that its normal points into, and the body on the other side, if any.
     pub(crate) sides: Vec<(usize, Option<usize>)>,
 }
 
@@ -61,10 +61,10 @@ impl<const C: usize> PlacedBodies<C> {
         Self { names, object, loads, put_on: Vec::new(), sharing, places: Vec::new(), sides: Vec::new() }
     }
 
-    /// Gives every body its coordinates, from `first` on, and returns those behind them.
+    /// Assigns coordinates to every body, beginning at `first`, and returns the first index after them.
     ///
     /// # Errors
-    /// [`Error::Body`] if a contact names a body that is not there, or both its sides are one body.
+    /// [`Error::Body`] if a contact names an unknown body, does not say which of several bodies it is on, or has one body on both sides.
     pub(crate) fn place(&mut self, contacts: &[Contact<C>], first: usize) -> Result<usize, Error> {
         let sides = contacts.iter().enumerate().map(|(i, contact)| self.sides_of(contact, i));
         self.sides = sides.collect::<Result<_, _>>()?;
@@ -110,12 +110,12 @@ impl<const C: usize> PlacedBodies<C> {
         Ok((on, against))
     }
 
-    /// Whether a contact is one of a body.
+    /// Whether a contact acts on a body.
     pub(crate) fn touches(&self, contact: usize, body: usize) -> bool {
         self.sign(contact, body) != 0.0
     }
 
-    /// The sign with which the force of a contact acts on a body.
+    /// Sign, 1, -1 or 0, with which the force of a contact acts on a body.
     pub(crate) fn sign(&self, contact: usize, body: usize) -> f64 {
         match self.sides[contact] {
             (on, _) if on == body => 1.0,
@@ -124,8 +124,8 @@ impl<const C: usize> PlacedBodies<C> {
         }
     }
 
-    /// What a contact's finger moves by past its body, for one unit of each coordinate of the bodies that are not in those of the object; coordinates are counted
-    /// from the first behind the object.
+    /// Displacement of a contact's finger relative to its body, for one unit of each coordinate of the bodies other than the object. These
+    /// coordinates are counted from the first one after the object's.
     pub(crate) fn columns(&self, contact: usize, point: &SVector<f64, C>) -> Columns<C> {
         let object = of_the_object::<C>();
         let mut columns = Columns::new();
@@ -144,7 +144,7 @@ impl<const C: usize> PlacedBodies<C> {
         columns
     }
 
-    /// What a load of a question puts on each body.
+    /// Loads on all bodies from a load of a question.
     pub(crate) fn shared(&self, load: &Wrench<C>) -> Vec<Wrench<C>> {
         let list = match &self.sharing {
             Sharing::OnObject => {
@@ -160,7 +160,7 @@ impl<const C: usize> PlacedBodies<C> {
             }
             Sharing::ByParts(list) => list,
         };
-        // Each has its part of the force at its own centre, and its part of the moment that is then left.
+        // Each body takes its part of the force at its own centre, then its part of the moment that remains.
         let force = SVector::<f64, C>::from_column_slice(&load.components()[..C]);
         let at_centres: Vec<_> =
             list.iter().map(|(part, centre)| Wrench::force_through(centre, &(force * *part))).collect();
@@ -168,7 +168,7 @@ impl<const C: usize> PlacedBodies<C> {
         at_centres.iter().zip(list).map(|(wrench, (part, _))| *wrench + left * *part).collect()
     }
 
-    /// The wrenches on all bodies but the one in the coordinates of the object, about the origin.
+    /// Wrenches on all bodies other than the object, about the origin.
     pub(crate) fn others<'a, D: Size>(
         &'a self,
         outside: &'a Vector<D>,
@@ -180,10 +180,10 @@ impl<const C: usize> PlacedBodies<C> {
         })
     }
 
-    /// The body that is to be loaded, by its name.
+    /// Number of the body with this name, for a load on it.
     ///
     /// # Errors
-    /// [`Error::Body`] if it is not there.
+    /// [`Error::Body`] if there is no such body.
     pub(super) fn called(&self, name: &Arc<str>) -> Result<usize, Error> {
         self.names.iter().position(|other| other == name).ok_or_else(|| {
             let names: Vec<_> = self.names.iter().map(|name| printable(name)).collect();
@@ -192,28 +192,28 @@ impl<const C: usize> PlacedBodies<C> {
         })
     }
 
-    /// With these loads on each beside what is there.
+    /// These bodies with the loads `put_on` in addition to the constant ones.
     pub(super) fn under(&self, put_on: Vec<Wrench<C>>) -> Self {
         let loads = self.loads.iter().zip(&put_on).map(|(always, more)| *always + *more).collect();
         Self { loads, put_on, ..self.clone() }
     }
 
-    /// Whether loads are shared among the bodies.
+    /// Whether loads of questions are shared among the bodies.
     pub(crate) fn is_shared(&self) -> bool {
         !matches!(self.sharing, Sharing::OnObject)
     }
 
-    /// With these loads growing together, for each newton along the first axis, and nothing beside them.
+    /// These bodies with no constant load; instead `loads` act on them per newton of a question's force along the first axis.
     pub(super) fn growing_together(&self, loads: Vec<Wrench<C>>) -> Self {
         let none = vec![Wrench::ZERO; loads.len()];
         let sharing = Sharing::Together { one: Wrench::from_components(&[1.0]), loads };
         Self { loads: none, sharing, ..self.clone() }
     }
 
-    /// With other loads that grow as one does.
+    /// These bodies with further loads that grow in proportion to `one`.
     ///
     /// # Errors
-    /// [`Error::Body`] for a body that is not there, [`Error::NothingChanges`] for a load that is none.
+    /// [`Error::Body`] for an unknown body, [`Error::NothingChanges`] if `one` is zero, [`Error::Wrench`] for a component out of range.
     pub(super) fn with_others_growing(
         &self,
         one: &Wrench<C>,
@@ -233,7 +233,7 @@ impl<const C: usize> PlacedBodies<C> {
     }
 }
 
-/// Without several bodies no contact may name one.
+/// Refuses contacts that name a body where there are no bodies.
 pub(crate) fn refuse_sides<const C: usize>(contacts: &[Contact<C>]) -> Result<(), Error> {
     for (i, contact) in contacts.iter().enumerate() {
         if let Some(name) = contact.on.as_ref().or(contact.against.as_ref()) {

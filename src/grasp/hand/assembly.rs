@@ -1,4 +1,4 @@
-//! From a hand as it is given to the coordinates, contacts and drives of a grasp.
+//! Assembles the coordinates, contacts and drives of a grasp from a hand.
 
 use nalgebra::DMatrix;
 
@@ -17,12 +17,12 @@ use crate::prelude::*;
 use crate::words::printable;
 
 impl<const C: usize> Hand<C> {
-    /// The grasp of an object by this hand, in the coordinates of the object, 3 in the plane and 6 in space, and [those of the
+    /// The grasp of an object by this hand. Its coordinates are those of the object, 3 in the plane and 6 in space, and [those of the
     /// hand](Self::coordinates).
     ///
     /// # Errors
-    /// [`Error::EmptyGrasp`] without contacts; [`Error::Hand`] naming joint, tendon or finger, the field and what is
-    /// allowed; [`Error::Contact`] as for [`Grasp::new`].
+    /// [`Error::EmptyGrasp`] without contacts; [`Error::Hand`] with the joint, tendon or finger, the field and the allowed values; [`Error::Contact`]
+    /// as for [`Grasp::new`](crate::ask::Grasp::new).
     pub(crate) fn engine(self, mut bodies: Option<PlacedBodies<C>>) -> Result<Engine<Any, C>, Error> {
         let others = bodies.as_ref().map_or(0, |bodies| bodies.names.len() - 1);
         let (most, used) = (Any::of(self.coordinates() + others * of_the_object::<C>()), self.joints());
@@ -70,7 +70,7 @@ impl<const C: usize> Hand<C> {
 }
 
 impl<const C: usize> Assembly<C> {
-    /// Chooses the length by which each joint displacement is measured, a power of two near the longest motion of a contact: scaling then rounds nothing.
+    /// Chooses the unit of length of each joint displacement, a power of two near the longest motion of a contact: scaling by it does not round.
     fn measure(&mut self) -> Result<(), Error> {
         for k in 0..self.used {
             let columns = self.motions.iter().flatten().filter(|(coordinate, _)| *coordinate == k);
@@ -83,7 +83,7 @@ impl<const C: usize> Assembly<C> {
             }
             self.lengths[Self::OBJECT + k] = power_of_two(longest);
         }
-        // Compliances of the finger are springs of one N/m over coordinates that were lengths before.
+        // So far the drives are compliances of fingers: springs of 1 N/m over coordinates in m, which now get their unit of length.
         for drive in &mut self.drives {
             let k = drive.along.iamax();
             let length = self.lengths[k];
@@ -115,7 +115,7 @@ impl<const C: usize> Assembly<C> {
         Ok(())
     }
 
-    /// A stiffness matrix among the joints of a finger.
+    /// Adds a stiffness matrix among the joints of a finger: one drive for each column l of `K = Σ l lᵀ`.
     fn couple(
         &mut self,
         matrix: &DMatrix<f64>,
@@ -198,7 +198,7 @@ impl<const C: usize> Assembly<C> {
         (Spring { along: along / unit, stiffness: stiffness * unit * unit, unit: 1.0 / unit }, unit)
     }
 
-    /// The drive, or both halves of one that saturates.
+    /// Adds a drive, or both halves of a drive that saturates.
     fn drive(
         &mut self,
         owner: Owner,
@@ -222,8 +222,8 @@ impl<const C: usize> Assembly<C> {
             None => self.drives.push(drive),
             Some(Limit::Slips(_)) => self.drives.push(Drive { role: Role::Slips, ..drive }),
             Some(Limit::Saturates(_)) => {
-                // Two springs in series about one more coordinate. What each carries is its bound with the force taken off or added, and
-                // the bounds themselves are held on both sides of it: the sum is the force.
+                // Two springs in series with one more coordinate between them. One carries the upper bound less the force, the other the force less
+                // the lower bound. The bounds act as constant forces on both sides, so that their sum is the force.
                 let mut between = Vector::zeros();
                 between[Self::OBJECT + self.used] = 1.0;
                 self.used += 1;
@@ -240,7 +240,7 @@ impl<const C: usize> Assembly<C> {
         }
     }
 
-    /// Puts the grasp together.
+    /// Makes the grasp from the collected parts.
     fn grasp(
         self,
         tendons: Vec<Named>,
@@ -275,7 +275,7 @@ impl<const C: usize> Assembly<C> {
 struct Spring {
     along: Vector<Any>,
     stiffness: f64,
-    /// Torque or tension for a unit of force.
+    /// Torque or tension per unit of force.
     unit: f64,
 }
 
@@ -299,7 +299,7 @@ fn check_spring(label: &str, stiffness: f64, limit: Option<Limit>) -> Result<(),
     Ok(())
 }
 
-/// The power of two next to a positive number.
+/// The power of two nearest to a positive number, by their ratio.
 fn power_of_two(x: f64) -> f64 {
     x.log2().round().exp2()
 }

@@ -1,4 +1,4 @@
-//! The contacts of a finger: how joints move them, what else gives way behind them, and how they are pressed.
+//! Contacts of a finger: their motion with the joints, the compliance behind them, and the commands that press them.
 
 use nalgebra::{DMatrix, DVector, SVector};
 
@@ -11,7 +11,7 @@ use crate::grasp::contact::Contact;
 use crate::prelude::*;
 
 impl<const C: usize> Assembly<C> {
-    /// The contacts of a finger whose joints begin at `first`.
+    /// Adds the contacts of a finger whose joints begin at `first`.
     pub(super) fn add_contacts(
         &mut self,
         finger: &Finger<C>,
@@ -38,7 +38,7 @@ impl<const C: usize> Assembly<C> {
                 ContactMover::Link(link) => self.on_link(*link, finger, (&contact, index), first)?,
             };
             columns.extend(self.on_slide(finger, (&contact, index), &frame)?);
-            // What the finger gives way by beside its pads: displacements of no joint.
+            // Compliance of the finger behind its pads: coordinates that belong to no joint.
             for (k, column) in own.iter().enumerate() {
                 let along = SVector::from_fn(|a, _| column[C * place + a]);
                 columns.push((self.used + k, frame * along));
@@ -54,7 +54,7 @@ impl<const C: usize> Assembly<C> {
         Ok(())
     }
 
-    /// Motion of a contact on a link with the joints before it, by what these joints are.
+    /// Motion of a contact on a link with the joints before it, computed from their axes and directions.
     fn on_link(
         &mut self,
         link: usize,
@@ -85,7 +85,7 @@ impl<const C: usize> Assembly<C> {
         Ok(columns)
     }
 
-    /// What gives way beside the pads of a finger is commanded along with its contacts.
+    /// Adds to the commands of contacts the displacement by which the compliance behind the pads yields to the forces of `pressed_with`.
     fn press_on_compliance(&mut self, finger: &Finger<C>, own: &[DVector<f64>]) {
         let first = self.contacts.len() - finger.contacts.len();
         for column in own {
@@ -101,7 +101,7 @@ impl<const C: usize> Assembly<C> {
         }
     }
 
-    /// Commands of joints that let their contacts press as they are told to, `K⁻¹ Σ Jᵀ F`.
+    /// Commands of joints by which their contacts press with the forces of `pressed_with`, `K⁻¹ Σ Jᵀ F`.
     pub(super) fn pressed(&self, fingers: &[Finger<C>]) -> Result<Vec<f64>, Error> {
         let mut torques = vec![0.0; self.joints.len()];
         for (motions, (_, force)) in self.motions.iter().zip(&self.presses) {
@@ -135,7 +135,7 @@ impl<const C: usize> Assembly<C> {
     }
 }
 
-/// The columns of a Jacobian that is given.
+/// Columns of a Jacobian that the caller has given.
 fn given<const C: usize>(
     matrix: &DMatrix<f64>,
     (finger, first): (&Finger<C>, usize),

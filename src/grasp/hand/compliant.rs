@@ -1,23 +1,24 @@
-//! A compliance matrix over the contacts of a finger, split into springs of its pads and displacements that couple them.
+//! Splits a compliance matrix over the contacts of a finger into springs of its pads and coordinates that couple them.
 //!
-//! The law of a contact is explicit, and has one answer, as long as its own springs stand along its axes. So a part of the compliance goes to the pads,
-//! axis by axis, and the rest becomes coordinates with unit springs:
+//! The law of a contact is explicit and has one answer if its own springs act along its axes. So a part of the compliance goes to the pads, axis by
+//! axis, and the rest becomes coordinates with unit springs:
 //!
 //! ```text
 //! S = diag C,    D = ½ λ_min(S^-½ C S^-½) S,    C = D + V Vᵀ
 //! ```
 //!
-//! Half of the least eigenvalue and not all of it: with all of it V loses rank, and where it does is up to rounding.
+//! Only half of the least eigenvalue goes to the pads. With all of it V would lose rank, and rounding would decide where.
 
 use nalgebra::{DMatrix, DVector};
 
 use super::positive::{NotPositive, checked, least_eigenvalue, squares};
 use crate::prelude::*;
 
-/// A compliance whose least scaled eigenvalue is below this is singular up to rounding: along some direction the contacts would be rigid.
+/// Least eigenvalue of a compliance, scaled to unit diagonal, below which it is singular up to rounding: the contacts would be rigid along some
+/// direction.
 const REGULAR: f64 = 1e-12;
 
-/// The compliances of the pads, and the columns of V.
+/// Compliances of the pads, m/N, and the columns of V.
 pub(super) fn split(
     compliance: &DMatrix<f64>,
     size: usize,

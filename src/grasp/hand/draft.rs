@@ -1,4 +1,4 @@
-//! A hand on its way to a grasp: what its parts are put into.
+//! The parts of a grasp, collected from a hand.
 
 use nalgebra::SVector;
 
@@ -12,27 +12,27 @@ use crate::numerics::{Any, Vector};
 use crate::prelude::*;
 use crate::words::printable;
 
-/// Motion of one contact with the coordinates beside those of the object, along the coordinate axes.
+/// Motion of one contact along the coordinate axes: coordinate, counted behind the object's, and displacement per unit of it.
 pub(in crate::grasp) type Columns<const C: usize> = Vec<(usize, SVector<f64, C>)>;
 
-/// A hand on its way to a grasp.
+/// The parts of a grasp, collected from a hand.
 pub(in crate::grasp) struct Assembly<const C: usize> {
     pub(in crate::grasp) contacts: Vec<Contact<C>>,
     pub(in crate::grasp) motions: Vec<Columns<C>>,
-    /// Those of all fingers, then slides of contacts that are held by a force.
+    /// Joints of all fingers, then slides of contacts that are held by a force.
     pub(super) joints: Vec<Joint<C>>,
-    /// Coordinates beside those of the object that are in use.
+    /// Number of coordinates in use behind those of the object.
     pub(in crate::grasp) used: usize,
     pub(in crate::grasp) lengths: Vector<Any>,
     pub(super) drives: Vec<Drive<Any>>,
     pub(in crate::grasp) held: Vector<Any>,
     pub(super) bones: Vec<[SVector<f64, C>; 2]>,
-    /// With which force each contact is told to press, along its normal and along the coordinate axes.
+    /// Force of `pressed_with` for each contact, N: its size, and its vector along the coordinate axes.
     pub(super) presses: Vec<(f64, SVector<f64, C>)>,
 }
 
 impl<const C: usize> Assembly<C> {
-    /// Coordinates of the object.
+    /// Number of coordinates of the object.
     pub(super) const OBJECT: usize = of_the_object::<C>();
 
     pub(super) fn fault<T>(
@@ -52,7 +52,7 @@ impl<const C: usize> Assembly<C> {
     }
 }
 
-/// The error for a matrix.
+/// The error for a matrix that is not positive semidefinite.
 pub(super) fn refuse<T>(fault: NotPositive, what: String, field: &'static str) -> Result<T, Error> {
     Err(match fault {
         NotPositive::Shape { rows, columns, size } => Error::Shape {

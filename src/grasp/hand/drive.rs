@@ -1,4 +1,4 @@
-//! One drive of a hand as the arithmetic sees it: a spring of one axis over the joints.
+//! One drive of a hand in the engine: a spring of one axis over the joints.
 
 use nalgebra::SVector;
 
@@ -8,29 +8,29 @@ use crate::grasp::site::Site;
 use crate::numerics::{Size, Vector};
 use crate::prelude::*;
 
-/// Whose spring a drive is.
+/// Owner of a drive.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Owner {
     /// The joint with this number.
     Joint(usize),
     /// The tendon with this number.
     Tendon(usize),
-    /// A stiffness among joints that is nobody's own.
+    /// No single joint: the drive is a part of a stiffness matrix, or a compliance.
     Nobody,
 }
 
-/// What a drive does with its force.
+/// How the force of a drive is limited.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Role {
-    /// It pushes and pulls without limit.
+    /// Pushes and pulls without limit.
     Holds,
-    /// It pulls only: its force is that of a contact without friction.
+    /// Only pulls: its force obeys the law of a contact without friction.
     Pulls,
-    /// It slips where its force reaches a bound: that of a contact whose normal force is the bound, and whose friction coefficient is one.
+    /// Slips where its force reaches a bound: a contact whose normal force is the bound, and whose friction coefficient is one.
     Slips,
-    /// The half of a saturating drive that ends its force at the upper bound: what a contact without friction carries is the bound less the force.
+    /// The half of a saturating drive with the upper bound: a contact without friction that carries the bound less the force.
     EndsAbove,
-    /// The other half, which ends it at the lower bound: it carries the force less the bound.
+    /// The half of a saturating drive with the lower bound: a contact without friction that carries the force less the bound.
     EndsBelow,
 }
 
@@ -39,21 +39,21 @@ pub(crate) enum Role {
 pub(crate) struct Drive<D: Size> {
     pub(crate) owner: Owner,
     pub(crate) role: Role,
-    /// How the coordinates feel its force.
+    /// Generalised force on the coordinates, per newton of its force.
     pub(super) along: Vector<D>,
     pub(super) stiffness: f64,
-    /// The bound on its force, where it has one.
+    /// Bound on its force, N; infinite or unused without one.
     pub(super) bound: f64,
-    /// Torque or tension of the owner for a unit of force.
+    /// Torque or tension of the owner per newton of its force.
     pub(super) unit: f64,
-    /// Stretch for a unit of each command.
+    /// Number of each command that stretches it, and stretch per unit of the command.
     pub(super) commands: Vec<(usize, f64)>,
-    /// Stretch at no command.
+    /// Stretch without commands.
     pub(super) rest: f64,
 }
 
 impl<D: Size> Drive<D> {
-    /// A spring that holds one coordinate and belongs to no joint.
+    /// A spring on one coordinate that belongs to no joint.
     pub(super) fn unowned(coordinate: usize, stiffness: f64) -> Self {
         let mut along = Vector::zeros();
         along[coordinate] = 1.0;
@@ -74,7 +74,7 @@ impl<D: Size> Drive<D> {
         usize::from(self.role == Role::Slips)
     }
 
-    /// The site that obeys its law.
+    /// The site with the contact law of this drive.
     pub(crate) fn site<const C: usize>(&self, size: D) -> Site<D, C> {
         let slips = self.role == Role::Slips;
         let springs = Compliance::new(&SVector::repeat(self.stiffness), if slips { C } else { 1 });
@@ -93,7 +93,7 @@ impl<D: Size> Drive<D> {
         site
     }
 
-    /// What these commands stretch its site by.
+    /// Stretch of its site under these commands.
     pub(super) fn stretch<const C: usize>(&self, commands: &[f64]) -> SVector<f64, C> {
         let mut stretch = self.change(commands);
         stretch[self.axis()] += self.rest;
@@ -103,14 +103,14 @@ impl<D: Size> Drive<D> {
         stretch
     }
 
-    /// What a change of commands stretches its site by.
+    /// Change of its site's stretch for a change of commands.
     pub(super) fn change<const C: usize>(&self, commands: &[f64]) -> SVector<f64, C> {
         let mut stretch = SVector::zeros();
         stretch[self.axis()] = self.commands.iter().map(|&(k, weight)| weight * commands[k]).sum();
         stretch
     }
 
-    /// Torque or tension that its owner exerts with this force of its site; `None` for the one half of a saturating drive that does not say.
+    /// Torque or tension of its owner for this force of its site. `None` for the lower half of a saturating drive, since the upper half returns it.
     pub(crate) fn carried<const C: usize>(&self, force: &SVector<f64, C>) -> Option<f64> {
         match self.role {
             Role::EndsBelow => None,
@@ -119,26 +119,26 @@ impl<D: Size> Drive<D> {
         }
     }
 
-    /// Makes its spring so many times as stiff; its bounds stay.
+    /// Multiplies the stiffness of its spring by `times`; its bounds stay.
     pub(super) fn stiffen(&mut self, times: f64) {
         self.stiffness *= times;
         self.rest /= times;
     }
 
-    /// The owner's stiffness, N m/rad or N/m.
+    /// Stiffness of the owner's spring, N m/rad or N/m.
     pub(crate) fn stiffness_of_owner(&self) -> f64 {
         self.stiffness * (self.unit * self.unit) / self.halves()
     }
 
-    /// How many times as stiff as its owner it is: a saturating drive has two springs in series.
+    /// Ratio of its stiffness to its owner's: 2 for each half of a saturating drive, whose springs are in series.
     fn halves(&self) -> f64 {
         if matches!(self.role, Role::EndsAbove | Role::EndsBelow) { 2.0 } else { 1.0 }
     }
 
-    /// What more of the owner's stiffness, N m/rad or N/m, adds to the force of its site while the stretch stays.
+    /// Change of its site's force per unit of the owner's stiffness, N m/rad or N/m, at constant stretch.
     pub(crate) fn by_stiffness<const C: usize>(&self, force: &SVector<f64, C>) -> SVector<f64, C> {
         let mut more = SVector::zeros();
-        // Of the halves of a saturating drive the force counts from the bounds.
+        // The elastic force of each half of a saturating drive counts from its bound.
         let elastic = match self.role {
             Role::EndsAbove => force[0] - self.bound,
             Role::EndsBelow => force[0] - self.rest * self.stiffness,
@@ -148,7 +148,7 @@ impl<D: Size> Drive<D> {
         more
     }
 
-    /// What more of the owner's limit stretches its site by, and does to the coordinates besides.
+    /// Per unit of the owner's limit: change of its site's stretch, and change of the constant force on the coordinates.
     pub(crate) fn by_limit<const C: usize>(&self) -> (SVector<f64, C>, Vector<D>) {
         let (mut stretch, per_force) = (SVector::zeros(), 1.0 / self.unit);
         let held = match self.role {
@@ -156,7 +156,7 @@ impl<D: Size> Drive<D> {
                 stretch[0] = per_force / self.stiffness;
                 Vector::zeros()
             }
-            // The bound is held against each half on both sides of it; that below is zero where nothing pushes.
+            // The bound acts on both sides of each half; the lower bound is zero where nothing pushes.
             Role::EndsAbove | Role::EndsBelow if !self.pulls_only() => {
                 stretch[0] = per_force / self.stiffness;
                 -&self.along * per_force
@@ -166,17 +166,17 @@ impl<D: Size> Drive<D> {
         (stretch, held)
     }
 
-    /// Displacement by which a force stretches its spring.
+    /// Stretch of its spring under a force.
     pub(crate) fn give(&self, force: f64) -> f64 {
         force / self.stiffness
     }
 
-    /// Whether it is the half of a saturating drive that never pushes.
+    /// Whether it never pushes: a tendon, or the lower half of one that saturates.
     pub(crate) fn pulls_only(&self) -> bool {
         self.role == Role::Pulls || (self.role == Role::EndsBelow && self.rest == 0.0)
     }
 
-    /// Energy stored with this force of its site, J; both halves of a saturating drive are told by the one that says its force.
+    /// Energy stored at this force of its site, J; the upper half of a saturating drive returns it for both.
     pub(crate) fn stored<const C: usize>(&self, force: &SVector<f64, C>) -> f64 {
         let square = |force: f64| force * force / self.stiffness;
         match self.role {
@@ -186,9 +186,9 @@ impl<D: Size> Drive<D> {
         }
     }
 
-    /// Commands and displacements of its owner for a displacement of its site.
+    /// Displacement of its owner, or change of its command, for a displacement of its site.
     pub(crate) fn displacement(&self, along: f64) -> f64 {
-        // Force times displacement is work in either unit.
+        // Force times displacement is the same work in either unit.
         along / self.unit
     }
 }

@@ -6,24 +6,24 @@ use super::joint::Joint;
 use crate::grasp::contact::Contact;
 use crate::prelude::*;
 
-/// What moves a contact of a finger.
+/// How a contact moves with the joints of its finger.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum ContactMover {
-    /// The first so many joints.
+    /// With the first joints of the finger, as many as this number.
     Link(usize),
-    /// This Jacobian, along the coordinate axes.
+    /// By this Jacobian, along the coordinate axes.
     World(DMatrix<f64>),
 }
 
-/// A contact and what moves it.
+/// A contact, and how it moves with the joints.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Carried<const C: usize> {
     pub(super) contact: Contact<C>,
     pub(super) by: ContactMover,
 }
 
-/// A finger: joints from the palm outwards, and contacts on its links. Contacts keep the springs of pad and body; their own commands add to what
-/// the joints do.
+/// A finger: joints from the palm outwards, and contacts on its links. Contacts keep the springs of pad and body; their own commands add to the
+/// motion of the joints.
 ///
 /// ```
 /// use grasp_lcp::planar::hand::{Finger, Hand, Joint};
@@ -44,9 +44,9 @@ pub(super) struct Carried<const C: usize> {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Finger<const C: usize> {
     pub(super) joints: Vec<Joint<C>>,
-    /// Stiffness besides the joints' own springs.
+    /// Stiffness among the joints, in addition to their own springs.
     pub(crate) coupling: Option<DMatrix<f64>>,
-    /// Compliance over the axes of all contacts, besides joints and pads.
+    /// Compliance over the axes of all contacts, in addition to that of joints and pads.
     pub(crate) compliance: Option<DMatrix<f64>>,
     pub(super) contacts: Vec<Carried<C>>,
 }
@@ -57,15 +57,15 @@ impl<const C: usize> Finger<C> {
         Self { joints: joints.into_iter().collect(), coupling: None, compliance: None, contacts: Vec::new() }
     }
 
-    /// A finger without joints: its contact and its springs are all there is.
+    /// A finger without joints: one contact with its springs.
     #[must_use]
     pub fn fixed(contact: Contact<C>) -> Self {
         Self::new([]).contact(contact)
     }
 
-    /// Contacts that give way together by a compliance matrix, m/N, symmetric and positive definite: a finger, a hand or a structure that is known by what a load at
-    /// each contact moves. Rows and columns go contact by contact, axis by axis of the contact frames, the normal first. Springs that the contacts
-    /// have of their own come in series.
+    /// A finger given by a compliance matrix over its contacts, m/N, symmetric and positive definite: a finger, a hand or a structure whose
+    /// displacements under a load at each contact are known. Rows and columns go contact by contact, along the axes of the contact frames, the normal
+    /// first. Springs of the contacts themselves come in series.
     ///
     /// ```
     /// use grasp_lcp::nalgebra::DMatrix;
@@ -92,8 +92,8 @@ impl<const C: usize> Finger<C> {
         Self { compliance: Some(compliance), ..finger }
     }
 
-    /// A stiffness matrix among the joints besides their own springs: gears and tendons that couple them, or all there is. Symmetric, positive
-    /// semidefinite, N m/rad; its torques are `K (θ - φ)`.
+    /// Adds a stiffness matrix among the joints, N m/rad, symmetric and positive semidefinite: gears and tendons that couple them, in addition to
+    /// their own springs. Its torques are `K (θ - φ)`.
     #[must_use]
     pub fn coupled(mut self, stiffness: DMatrix<f64>) -> Self {
         self.coupling = Some(stiffness);
@@ -114,7 +114,7 @@ impl<const C: usize> Finger<C> {
         self
     }
 
-    /// A contact whose motion with the joints is given, `C x joints`: the velocity of the contact point along the coordinate axes for one unit of each joint's.
+    /// A contact with a given Jacobian, `C x joints`: velocity of the contact point along the coordinate axes, per unit velocity of each joint.
     #[must_use]
     pub fn contact_moved_by(mut self, jacobian: DMatrix<f64>, contact: Contact<C>) -> Self {
         self.contacts.push(Carried { contact, by: ContactMover::World(jacobian) });

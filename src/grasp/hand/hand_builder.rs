@@ -7,7 +7,7 @@ use crate::prelude::*;
 
 /// Fingers and tendons that hold an object; [`Hand::grasp`] makes a grasp of them.
 ///
-/// Contacts are numbered finger by finger, and so are joints; tendons come after all joints. A hand without joints is a list of contacts.
+/// Contacts and joints are numbered finger by finger; tendons come after all joints. A hand without joints is a list of contacts.
 ///
 /// ```
 /// use grasp_lcp::planar::hand::{Finger, Hand, Joint, Tendon};
@@ -39,22 +39,22 @@ impl<const C: usize> Hand<C> {
         Self { fingers: fingers.into_iter().collect(), tendons: Vec::new() }
     }
 
-    /// One more finger.
+    /// Adds a finger.
     #[must_use]
     pub fn finger(mut self, finger: Finger<C>) -> Self {
         self.fingers.push(finger);
         self
     }
 
-    /// A tendon over the joints of all fingers.
+    /// Adds a tendon over the joints of all fingers.
     #[must_use]
     pub fn tendon(mut self, tendon: Tendon) -> Self {
         self.tendons.push(tendon);
         self
     }
 
-    /// Coordinates that a grasp by this hand has at most: those of the object, one for each joint, one for each drive that saturates, and one for each axis of a contact
-    /// of a finger with a compliance matrix. Slides of contacts that are held by a force are joints.
+    /// Largest number of coordinates of a grasp by this hand: those of the object, one for each joint, one for each drive that saturates, and one for
+    /// each contact axis of a finger with a compliance matrix. Slides of contacts that are held by a force are joints.
     #[must_use]
     pub fn coordinates(&self) -> usize {
         let joints = self.fingers.iter().flat_map(|finger| &finger.joints);
@@ -66,7 +66,7 @@ impl<const C: usize> Hand<C> {
         of_the_object::<C>() + self.joints() + saturating + axes
     }
 
-    /// Number of joints, with the slides of contacts that are [held by a force](crate::grasp::Contact::force), which are counted behind all others.
+    /// Number of joints. Slides of contacts that are [held by a force](crate::grasp::Contact::force) are included, after all others.
     #[must_use]
     pub fn joints(&self) -> usize {
         self.fingers.iter().map(|finger| finger.joints.len() + finger.slides()).sum()

@@ -1,4 +1,4 @@
-//! Contacts that are held by a force: a slide along the normal behind each, without a spring, on which the force acts.
+//! Contacts that are held by a force: behind each a slide along the normal, without a spring, on which the force acts.
 
 use nalgebra::SMatrix;
 
@@ -10,7 +10,7 @@ use crate::grasp::contact::Contact;
 use crate::prelude::*;
 
 impl<const C: usize> Finger<C> {
-    /// How many slides its contacts need: points of one soft fingertip are on one.
+    /// Number of slides for its contacts; the points of one soft fingertip share a slide.
     pub(super) fn slides(&self) -> usize {
         self.contacts.iter().filter(|carried| begins_a_slide(&carried.contact)).count()
     }
@@ -21,7 +21,7 @@ fn begins_a_slide<const C: usize>(contact: &Contact<C>) -> bool {
 }
 
 impl<const C: usize> Assembly<C> {
-    /// Motion of a contact with its slide, if it is held by a force, which is put on the slide.
+    /// Motion of a contact with its slide, if it is held by a force; adds the force to the torque of the slide.
     pub(super) fn on_slide(
         &mut self,
         finger: &Finger<C>,

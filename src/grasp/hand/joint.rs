@@ -7,18 +7,18 @@ use nalgebra::SVector;
 use crate::grasp::well_posed::{length_or_culprit, unit};
 use crate::prelude::*;
 
-/// How a joint moves what lies behind it.
+/// How a joint moves the links behind it.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum JointMotion<const C: usize> {
     /// A turn about a point of the plane, or about a line of space.
     Revolute { point: SVector<f64, C>, axis: SVector<f64, C> },
     /// A slide along a direction.
     Prismatic { direction: SVector<f64, C> },
-    /// Nothing but the Jacobians of the contacts says.
+    /// By the Jacobians of the contacts alone.
     Given,
 }
 
-/// What a joint does, and so the units of its answers.
+/// Kind of a joint's motion, which sets the units of its answers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -28,20 +28,20 @@ pub enum JointKind {
     Turns,
     /// It slides: m and N.
     Slides,
-    /// Known by the Jacobians of its contacts alone: in units of whoever gave them.
+    /// Known by the Jacobians of its contacts alone, and in their units.
     #[default]
     Given,
 }
 
-/// The most that the motor or the clutch of a joint carries, N m or N, and what happens there.
+/// Largest torque (N m) or force (N) of a joint's motor or clutch, and what happens beyond it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Limit {
-    /// A clutch, or friction in a gear: beyond this torque it slips, and keeps what it has slipped when the torque falls again.
+    /// A clutch, or friction in a gear: beyond this torque it slips, and the slip remains when the torque falls again.
     Slips(f64),
-    /// A controller, or a motor that stalls: its torque stays at this bound, and follows its spring back when the load falls again.
+    /// A controller, or a motor that stalls: its torque stays at this bound, and follows its spring again when the load falls.
     Saturates(f64),
 }
 
@@ -54,7 +54,7 @@ impl Limit {
     }
 }
 
-/// A joint with its spring, its command and its limit. Built step by step; what is not said is zero or absent.
+/// A joint with its spring, its command and its limit. Built step by step; all parts are zero or absent by default.
 ///
 /// The torque of its drive is `k (θ - φ)`: k the stiffness (of structure and controller in series), θ the commanded and φ the actual
 /// displacement from the posture in which the contacts were given. A positive turn is one from x to y in the plane and follows the right-hand rule in
@@ -92,7 +92,7 @@ impl Joint<3> {
 }
 
 impl<const C: usize> Joint<C> {
-    /// What it does.
+    /// The kind of its motion.
     pub(super) fn kind(&self) -> JointKind {
         match self.motion {
             JointMotion::Revolute { .. } => JointKind::Turns,
@@ -110,7 +110,7 @@ impl<const C: usize> Joint<C> {
         Self::moving(JointMotion::Prismatic { direction: SVector::from(direction.into()) })
     }
 
-    /// A coordinate of any other kind: what it moves is said by [`Finger::contact_moved_by`](super::Finger::contact_moved_by) alone.
+    /// A coordinate of any other kind. Its effect on contacts is given by [`Finger::contact_moved_by`](super::Finger::contact_moved_by) alone.
     #[must_use]
     pub fn given() -> Self {
         Self::moving(JointMotion::Given)
@@ -123,7 +123,7 @@ impl<const C: usize> Joint<C> {
         self
     }
 
-    /// Stiffness of the joint's own spring, N m/rad or N/m; none by default, where couplings, tendons or a torque hold the joint.
+    /// Stiffness of the joint's own spring, N m/rad or N/m. It is zero by default: couplings, tendons or a torque then hold the joint.
     #[must_use]
     pub fn stiffness(mut self, stiffness: f64) -> Self {
         self.stiffness = stiffness;
@@ -137,15 +137,14 @@ impl<const C: usize> Joint<C> {
         self
     }
 
-    /// A torque (force of a prismatic joint) that acts on the joint whatever its position, N m or N, along φ: of a finger that is held by force, or the
-    /// weight of a link.
+    /// A constant torque (force of a prismatic joint) on the joint, N m or N, along φ: of a finger under force control, or the weight of a link.
     #[must_use]
     pub fn torque(mut self, torque: f64) -> Self {
         self.torque = torque;
         self
     }
 
-    /// A bound on the torque of the joint's own spring, either way.
+    /// A bound on the torque of the joint's own spring, in both directions.
     #[must_use]
     pub fn limit(mut self, limit: Limit) -> Self {
         self.limit = Some(limit);
@@ -159,8 +158,8 @@ impl<const C: usize> JointMotion<C> {
         if let Self::Revolute { point, .. } = self { Some(*point) } else { None }
     }
 
-    /// Velocity of a point for one unit of the joint's: `axis × (point - centre)`, or the unit direction.
-    /// An axis without a direction is told by its length, or by its component that is no number.
+    /// Velocity of a point per unit velocity of the joint: `axis × (point - centre)`, or the unit direction. The error is the length of an axis
+    /// without a direction, or its component that is not a number.
     pub(super) fn of_point(&self, at: &SVector<f64, C>) -> Result<SVector<f64, C>, f64> {
         let along = |axis: &SVector<f64, C>| unit(axis).ok_or_else(|| length_or_culprit(axis));
         match self {

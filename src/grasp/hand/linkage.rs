@@ -1,4 +1,4 @@
-//! What a grasp knows of the hand that holds it.
+//! The hand behind a grasp.
 
 use alloc::sync::Arc;
 use core::fmt;
@@ -14,43 +14,43 @@ use crate::numerics::{Size, Vector};
 use crate::prelude::*;
 use crate::words::printable;
 
-/// The joints behind a grasp, in inside coordinates.
+/// Joints, tendons, drives and bodies behind a grasp, in inside coordinates.
 #[derive(Debug, Clone)]
 pub(crate) struct Linkage<D: Size, const C: usize> {
     pub(crate) joints: Vec<Named>,
     pub(crate) tendons: Vec<Named>,
-    /// Joint displacements become lengths by these factors, one a coordinate; those of the object are left alone.
+    /// Factors that make lengths of the coordinates behind the object's; those of the object are 1.
     pub(crate) lengths: Vector<D>,
-    /// Motion of each contact along the coordinate axes, for one unit of each coordinate beside those of the object.
+    /// Motion of each contact along the coordinate axes, per unit of each coordinate behind the object's.
     pub(crate) motions: Vec<Vec<(usize, SVector<f64, C>)>>,
-    /// One for each site beyond the contacts.
+    /// Drives, one for each site beyond the contacts.
     pub(crate) drives: Vec<Drive<D>>,
-    /// Torques and tensions that act whatever the joints do.
+    /// Constant forces on the coordinates, from torques, tensions and held contacts.
     pub(crate) held: Vector<D>,
-    /// Torques on joints from outside.
+    /// External torques on the joints.
     pub(crate) pulled: Vector<D>,
     /// The bodies, if there are several.
     pub(crate) bodies: Option<Box<PlacedBodies<C>>>,
-    /// Links, from joint to joint and on to the contacts: only drawn.
+    /// Line segments from joint to joint and on to the contacts, for pictures only.
     pub(crate) bones: Vec<[SVector<f64, C>; 2]>,
-    /// Where the joints that turn are, those of the plane and the axes of space: only drawn.
+    /// Points on the axes of revolute joints, for pictures only.
     pub(crate) centres: Vec<Option<SVector<f64, C>>>,
     /// Commands of joints, then of tendons.
     pub(crate) commands: Vec<f64>,
 }
 
-/// What answers need to know of a joint or a tendon.
+/// Data of a joint or a tendon for answers.
 #[derive(Debug, Clone)]
 pub(crate) struct Named {
     pub(crate) name: Option<Arc<str>>,
     pub(crate) limit: Option<Limit>,
-    /// Of a joint what it does.
+    /// Kind of motion of a joint.
     pub(crate) kind: JointKind,
-    /// The torque or tension that acts whatever it does.
+    /// The constant torque or tension.
     pub(crate) held: f64,
 }
 
-/// A part of a hand that can give way.
+/// A joint or a tendon of a hand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -71,22 +71,22 @@ impl fmt::Display for HandPart {
     }
 }
 
-/// A joint or a tendon as answers name it.
+/// Number and name of a joint or a tendon in answers.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct PartLabel {
-    /// Which: joints are counted from 0 finger by finger, slides of contacts that are held by a force behind them. Written as `"joint": 3`.
+    /// The part: joints are numbered from 0 finger by finger, then come slides of contacts that are held by a force. Written as `"joint": 3`.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub part: HandPart,
-    /// The user's name for it; not written if it has none.
+    /// The user's name for it; omitted if it has none.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub name: Option<Arc<str>>,
 }
 
 impl PartLabel {
-    /// How messages and pictures call it: its name, or what it is and its number.
+    /// Its name in messages and pictures, or its kind and its number.
     #[must_use]
     pub fn text(&self) -> String {
         let name = self.name.as_deref().map(|name| printable(name).into_owned());
@@ -95,17 +95,17 @@ impl PartLabel {
 }
 
 impl<D: Size, const C: usize> Linkage<D, C> {
-    /// What commands stretch the sites of all drives by.
+    /// Stretches of the sites of all drives under these commands.
     pub(crate) fn stretches(&self, commands: &[f64]) -> impl Iterator<Item = SVector<f64, C>> {
         self.drives.iter().map(move |drive| drive.stretch(commands))
     }
 
-    /// What a change of commands stretches the sites of all drives by.
+    /// Changes of these stretches for a change of commands.
     pub(crate) fn changes(&self, commands: &[f64]) -> impl Iterator<Item = SVector<f64, C>> {
         self.drives.iter().map(move |drive| drive.change(commands))
     }
 
-    /// With own springs of joints and then tendons so many times as stiff.
+    /// This linkage with own springs multiplied by `times(number)`, of joints and then tendons.
     pub(crate) fn stiffened(&self, times: &dyn Fn(usize) -> f64) -> Self {
         let mut linkage = self.clone();
         let joints = self.joints.len();
@@ -119,7 +119,7 @@ impl<D: Size, const C: usize> Linkage<D, C> {
         linkage
     }
 
-    /// With commands and with torques that hold joints so many times as large.
+    /// Multiplies commands, and torques that hold joints, by `factor`.
     pub(crate) fn squeeze(&mut self, factor: f64) {
         self.commands.iter_mut().for_each(|command| *command *= factor);
         for (j, joint) in self.joints.iter_mut().enumerate() {
@@ -129,7 +129,7 @@ impl<D: Size, const C: usize> Linkage<D, C> {
         }
     }
 
-    /// With the forces that hold some contacts in place of those that held them before.
+    /// Replaces the forces that hold contacts by those of `now`.
     pub(crate) fn press_instead(&mut self, before: &[Contact<C>], now: &[Contact<C>]) {
         for ((before, now), motions) in before.iter().zip(now).zip(&self.motions) {
             if let (Some(before), Some(now), Some((slide, _))) = (before.force, now.force, motions.first()) {
@@ -149,14 +149,14 @@ impl<D: Size, const C: usize> Linkage<D, C> {
         PartLabel { part, name: named.name.clone() }
     }
 
-    /// The drives of a joint or, behind the joints, of a tendon.
+    /// Drives of an actuator: a joint or, numbered behind the joints, a tendon.
     pub(crate) fn of_actuator(&self, actuator: usize) -> impl Iterator<Item = (usize, &Drive<D>)> {
         let joints = self.joints.len();
         let owner = if actuator < joints { Owner::Joint(actuator) } else { Owner::Tendon(actuator - joints) };
         self.drives.iter().enumerate().filter(move |(_, drive)| drive.owner == owner)
     }
 
-    /// Whose drive it is.
+    /// The joint or tendon that owns the drive, if any.
     pub(crate) fn part(&self, drive: usize) -> Option<HandPart> {
         match self.drives[drive].owner {
             Owner::Joint(joint) => Some(HandPart::Joint(joint)),

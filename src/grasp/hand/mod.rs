@@ -1,7 +1,7 @@
-//! Fingers with joints: what couples contacts besides the object.
+//! Fingers with joints, which couple contacts in addition to the object.
 //!
-//! A finger's joints move its contacts. Joint coordinates φ stand beside the twist of the object, and whatever gives them stiffness – springs,
-//! gears, tendons, motors – stands beside the contacts:
+//! A finger's joints move its contacts. Joint coordinates φ are added to the twist of the object. Springs, gears, tendons and motors, which give the
+//! joints stiffness, are added to the contacts:
 //!
 //! ```text
 //! v_i = a_i - G_iᵀq + J_i φ,        Σ G_i F_i + W = 0
@@ -13,10 +13,10 @@
 //! | φ, θ | displacement of the joints, and the commanded one | rad, m |
 //! | J_i | motion of contact i with the joints of its finger | m/rad, 1 |
 //! | r_k, T_k | a drive: arms over the joints, and the law of its spring | |
-//! | τ | what drives exert on a joint, positive along φ | N m, N |
-//! | τ_ext | load on the joints from outside, behind the wrench of a load | N m, N |
+//! | τ | torque of the drives on a joint, positive along φ | N m, N |
+//! | τ_ext | external torque on the joints, appended to the wrench of a load | N m, N |
 //!
-//! The contact law is untouched: a drive is one more spring, of one axis, whose map has entries among the joints alone.
+//! The contact law stays the same: a drive is one more spring, of one axis, whose map has entries at the joints alone.
 
 mod assembly;
 mod carried;

@@ -4,17 +4,18 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::prelude::*;
 
-/// Entries across the diagonal may differ by this part of the root of their diagonal ones: such a matrix was meant to be symmetric.
+/// Largest difference of two entries across the diagonal, over the root of the product of their diagonal entries, in a matrix that counts as
+/// symmetric.
 const SYMMETRIC: f64 = 1e-9;
-/// What is left of a diagonal entry after elimination counts as zero below this part of the entry: rounding of n steps leaves some 1e-15.
+/// Remainder of a diagonal entry after elimination, over the entry, that counts as zero: rounding of n steps leaves about 1e-15.
 const ELIMINATED: f64 = 1e-13;
-/// A diagonal entry that elimination has driven this far below zero, over the entry, is not the rounding of zero.
+/// Remainder of a diagonal entry, over the entry, that is too far below zero to be rounding. Remainders beside the diagonal have the same bound.
 const NEGATIVE: f64 = 1e-10;
 
 /// Why a matrix is not symmetric positive semidefinite.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum NotPositive {
-    /// It has another shape.
+    /// The shape is wrong.
     Shape { rows: usize, columns: usize, size: usize },
     /// An entry that is not finite, or too large.
     Entry(f64),
@@ -24,8 +25,8 @@ pub(super) enum NotPositive {
     Eigenvalue(f64),
 }
 
-/// Columns l with `M = Σ l lᵀ`, as many as M has rank: Cholesky's factor with diagonal pivoting, whose pivots are chosen by what is left over what was there. Entries
-/// of very different size keep their relative accuracy.
+/// Columns l with `M = Σ l lᵀ`, as many as the rank of M: Cholesky's factor with diagonal pivoting. The pivot has the largest remainder over its
+/// original entry, so entries of very different size keep their relative accuracy.
 pub(super) fn squares(matrix: &DMatrix<f64>, size: usize) -> Result<Vec<DVector<f64>>, NotPositive> {
     checked(matrix, size)?;
     let whole = matrix.diagonal();
@@ -63,7 +64,7 @@ pub(super) fn squares(matrix: &DMatrix<f64>, size: usize) -> Result<Vec<DVector<
         }
         columns.push(column);
     }
-    // What is left has no diagonal, so nothing beside it may be left either.
+    // The remaining block has a zero diagonal, so its other entries must be zero, too.
     let beside = |i: usize, j: usize| rest[(i, j)].abs() / (whole[i] * whole[j]).sqrt();
     if left.iter().any(|&i| left.iter().any(|&j| beside(i, j) > NEGATIVE)) {
         return Err(NotPositive::Eigenvalue(least_eigenvalue(matrix)));
@@ -71,7 +72,7 @@ pub(super) fn squares(matrix: &DMatrix<f64>, size: usize) -> Result<Vec<DVector<
     Ok(columns)
 }
 
-/// Refuses what is no symmetric matrix of numbers.
+/// Refuses a matrix of another size, with entries that are not finite or too large, or without symmetry.
 pub(super) fn checked(matrix: &DMatrix<f64>, size: usize) -> Result<(), NotPositive> {
     if matrix.shape() != (size, size) {
         return Err(NotPositive::Shape { rows: matrix.nrows(), columns: matrix.ncols(), size });

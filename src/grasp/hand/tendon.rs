@@ -5,10 +5,10 @@ use alloc::sync::Arc;
 use super::joint::Limit;
 use crate::prelude::*;
 
-/// A tendon over joints of a hand, with the spring and the pull of its motor. It pulls and never pushes, unless said otherwise.
+/// A tendon over joints of a hand, with the spring and the pull of its motor. It only pulls, unless [`Self::pushes`] is set.
 ///
-/// It shortens by `r·φ`, its tension is `k (x - r·φ)` while that is positive, and on joint j it exerts r_j times its tension. With a tension that is given
-/// and no stiffness it is a differential: equal to what the motor pulls with, whatever the joints do.
+/// It shortens by `r·φ`. Its tension is `k (x - r·φ)` while that is positive, and it exerts r_j times its tension on joint j. With a given tension
+/// and no stiffness it is a differential: the tension is that of the motor, at any joint positions.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tendon {
     pub(crate) name: Option<Arc<str>>,
@@ -22,7 +22,7 @@ pub struct Tendon {
 
 impl Tendon {
     /// A tendon with these arms over the joints of the hand, finger by finger: m (1 for a prismatic joint), positive where a pull moves the joint
-    /// along φ. Joints at the end of the list that it does not reach may be left out.
+    /// along φ. Arms of the last joints may be omitted if the tendon does not reach them.
     pub fn new(arms: impl IntoIterator<Item = f64>) -> Self {
         let arms = arms.into_iter().collect();
         Self { name: None, arms, stiffness: 0.0, pull: 0.0, tension: 0.0, limit: None, pushes: false }
@@ -49,7 +49,7 @@ impl Tendon {
         self
     }
 
-    /// A tension that is there whatever the joints do, N, on top of that of its spring if it has one.
+    /// A constant tension, N, in addition to that of its spring, if it has one.
     #[must_use]
     pub fn tension(mut self, tension: f64) -> Self {
         self.tension = tension;
@@ -63,7 +63,7 @@ impl Tendon {
         self
     }
 
-    /// A rod or a gear in place of a tendon: it pushes as well.
+    /// A rod or a gear in place of a tendon: it also pushes.
     #[must_use]
     pub fn pushes(mut self) -> Self {
         self.pushes = true;

@@ -1,5 +1,5 @@
-//! The paper's second example along its load, by complementarity and by the paper's own quadratic program: equal while
-//! everything sticks, and where the program goes on without an equilibrium.
+//! The paper's second example along its load, by complementarity and by the paper's own quadratic program. Both are equal while everything sticks;
+//! beyond, the program returns numbers without an equilibrium.
 //!
 //! `cargo run --release -p reports --bin compare_with_energy_qp`
 
@@ -72,7 +72,7 @@ fn along_the_load(grasp: &Grasp, onset: f64) -> Result<()> {
     Ok(())
 }
 
-/// The next power of ten: digits below the tolerance of an iterative method are nobody's business.
+/// The next power of ten: digits below the tolerance of an iterative method have no meaning.
 fn ceil(x: f64) -> f64 {
     10f64.powf(x.log10().ceil())
 }
@@ -97,8 +97,7 @@ fn beyond_first_order(grasp: &Grasp) -> Result<()> {
     Ok(())
 }
 
-/// The minimum power principle with given normal forces, beside Coulomb's law, on fingers that slide over an object that settles on
-/// soft rests.
+/// The minimum power principle with given normal forces, beside Coulomb's law. Fingers slide over an object that settles on soft rests.
 fn power() -> Result<()> {
     println!(
         "\nMinimum power principle, normal forces given: two sliding fingers and soft rests, W = 0.5 N\n"
@@ -136,7 +135,7 @@ fn power() -> Result<()> {
             }
             normal = answer.forces.iter().map(|f| f[0]).collect();
         }
-        // d/dy of Σ μ F_n(y) |s| at Coulomb's equilibrium: what a cost with varying F_n would add to the balance.
+        // d/dy of Σ μ F_n(y) |s| at Coulomb's equilibrium: the term that a cost with varying F_n would add to the balance.
         let added: f64 = grasp
             .contacts()
             .iter()
@@ -160,7 +159,7 @@ fn power() -> Result<()> {
     Ok(())
 }
 
-/// What the fingers carry against what they have to.
+/// Forces of the fingers, and the load that they have to carry.
 fn picture(grasp: &Grasp, onset: f64) -> Result<()> {
     let (mut coulomb, mut program, mut missing, mut associated) = (vec![], vec![], vec![], vec![]);
     for step in 0..=32 {

@@ -1,8 +1,8 @@
-//! Are everyday grippers decided, around the load at which they are lost, and how long does that take?
+//! Are verdicts on everyday grippers decided around the load at which they are lost, and how long do they take?
 //!
 //! `cargo run --release -p reports --bin does_it_hold [how many]`
 //!
-//! Opposed soft jaws that are pulled along keep their normal forces: they hold 2 μ N. Each gripper is asked at loads around that.
+//! Opposed soft jaws that are pulled along their faces keep their normal forces: they hold 2 μ N. Each gripper gets loads around that.
 
 use std::time::Instant;
 
@@ -48,7 +48,7 @@ fn main() -> Result<(), Failure> {
     Ok(())
 }
 
-/// Two rings that face each other, and what they hold.
+/// Two rings that face each other, and the load that they hold.
 fn gripper(random: &mut Random, points: usize) -> Result<(Grasp, f64), grasp_lcp::Error> {
     let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
     let (friction, press, radius) = (between(0.1, 1.0), between(1.0, 100.0), between(0.003, 0.015));

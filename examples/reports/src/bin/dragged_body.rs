@@ -1,5 +1,5 @@
-//! A finger drags a body round a corner: its sliding direction turns, and what it drags follows a tractrix. The load path on the round cone
-//! against paths on polygons: error and run time, beside the curve that Leibniz wrote down.
+//! A finger drags a body round a corner: its sliding direction turns, and the dragged body follows a tractrix. The load path on the round cone
+//! against paths on polygons: error and run time, beside Leibniz's curve.
 //!
 //! `cargo run --release -p reports --bin dragged_body`
 
@@ -14,7 +14,7 @@ use support::tractrix::{self, WAY, exact, leash, limit};
 
 const SAMPLES: u32 = 200;
 
-/// Where it goes, the worst error of the friction force over its size, and the run time, s.
+/// Track of the slip, the worst error of the friction force over its size, and the run time, s.
 struct Followed {
     track: Vec<(f64, f64)>,
     error: f64,

@@ -1,11 +1,11 @@
-//! Everyday grasps in space far beyond the onset: how many equilibria and load paths are decided, and in what time.
+//! Everyday grasps in space far beyond the onset: how many equilibria and load paths are decided, and how long they take.
 //!
-//! Three to twelve fingers in a ring, on two faces or over a ball, a growing weight, a push or a twist, with default settings. Loads are
-//! multiples of that at the onset of sliding. Each path goes from no load until it ends, or to ten times the squeeze. Then the same of pinches of
-//! soft fingertips. And odd programs: fingers at unequal heights, uneven friction and stiffness, a weight held before, forces with moments, fingers let go
-//! of and pressed on again; of each the state at 2 001 fractions.
+//! Three to twelve fingers in a ring, on two faces or over a ball, with a growing weight, a push or a twist, and default settings. Loads are
+//! multiples of the load at the onset of sliding. Each path goes from no load until it ends, or to ten times the squeeze. Pinches of soft fingertips
+//! follow. Then come odd programs: fingers at unequal heights, uneven friction and stiffness, a weight held before, forces with moments, fingers
+//! released and pressed on again. For these the state is computed at 2 001 fractions.
 //!
-//! `cargo run --release -p reports --bin everyday_grasps [-- so many grasps of each kind]` (4 unless you say otherwise)
+//! `cargo run --release -p reports --bin everyday_grasps [-- number of grasps of each kind]` (4 by default)
 
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -23,7 +23,7 @@ type Failure = Box<dyn std::error::Error>;
 
 const PARTS: [f64; 4] = [0.5, 1.15, 2.5, 6.0];
 
-/// A direction, all alike.
+/// A random direction, uniform over the sphere.
 fn direction(numbers: &mut Numbers) -> [f64; 3] {
     loop {
         let v = numbers.three();
@@ -85,7 +85,7 @@ fn load(load: Load, numbers: &mut Numbers) -> Wrench {
     }
 }
 
-/// Times in ms, and how often each answer came.
+/// Times in ms, and the number of answers of each kind.
 #[derive(Default)]
 struct Tally {
     times: Vec<f64>,
@@ -177,10 +177,10 @@ fn main() -> Result<(), Failure> {
     odd_paths(100 * each)
 }
 
-/// States that are asked for of each odd path, all legs together.
+/// Number of states requested of each odd path, over all legs.
 const FRACTIONS: usize = 2001;
 
-/// Odd programs, so many of each family: how they end, and whether every fraction that was passed has a state.
+/// Follows `count` odd programs of each family: how they end, and whether every passed fraction has a state.
 fn odd_paths(count: usize) -> Result<(), Failure> {
     println!("\n  odd programs                     paths     median     99 %  longest");
     let mut untold = [0, 0];
@@ -201,7 +201,7 @@ fn odd_paths(count: usize) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Follows a program, and counts states that are not told among those that are asked for.
+/// Follows a program, and counts the requested states and those that are missing.
 fn followed<const C: usize>(
     odd: &OddPath<C>,
     tally: &mut Tally,
@@ -225,8 +225,8 @@ fn followed<const C: usize>(
     Ok(())
 }
 
-/// Pinches of two or three soft fingertips, 12 to 96 springs, sheared and twisted until they are lost: by every event and in steps. What is beyond
-/// may be held again by an object that has turned far and wedged itself, so that there is seldom a proof.
+/// Pinches of two or three soft fingertips, 12 to 96 springs, sheared and twisted until they are lost: by every event and in steps. Beyond the limit
+/// an object that has turned far and wedged itself may be held again, so there is seldom a proof.
 fn soft_tips(count: usize) -> Result<(), Failure> {
     let (mut events, mut steps, mut loads) = (Tally::default(), Tally::default(), Tally::default());
     let (mut random, mut apart) = (Random(1), 0.0_f64);
@@ -263,7 +263,7 @@ fn answer(outcome: &Outcome) -> &'static str {
     }
 }
 
-/// How a path ends.
+/// The end of a path, in words.
 fn end<const C: usize>(end: Option<&EndOf<C>>) -> &'static str {
     match end {
         Some(EndOf::Completed) => "completed",
@@ -273,7 +273,7 @@ fn end<const C: usize>(end: Option<&EndOf<C>>) -> &'static str {
     }
 }
 
-/// How a path is lost.
+/// The kind of a loss, in words.
 fn how(kind: LossKind) -> &'static str {
     match kind {
         LossKind::Fold => "folds",

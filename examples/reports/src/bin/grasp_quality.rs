@@ -1,5 +1,5 @@
-//! What a grasp planner believes beside what these fingers do: force closure, the measure of Ferrari and Canny, limit analysis; then the onset of
-//! sliding and the limit load of the same fingers as springs, squeezed as they are.
+//! Measures of grasp planners beside the behaviour of these fingers. First force closure, the measure of Ferrari and Canny, and limit analysis; then
+//! the onset of sliding and the limit load of the same fingers as springs, with their squeeze.
 //!
 //! `cargo run --release -p reports --bin grasp_quality`
 
@@ -11,13 +11,13 @@ use grasp_lcp::statics::{Budget, Closure, LoadLimit, WrenchScale};
 use support::Failure;
 use support::best_time::best_in_turns;
 
-/// Radius of a jar, m, and what it weighs, N.
+/// Radius of a jar, m, and its weight, N.
 const RADIUS: f64 = 0.04;
 const WEIGHT: f64 = 5.0;
-/// No finger can press with more, N.
+/// Largest normal force of a finger, N.
 const MOST: f64 = 20.0;
 
-/// Fingers in a ring at these angles (degrees), at these heights (m), that press so that the jar stays where it is.
+/// Fingers in a ring at these angles (degrees) and heights (m); they press so that the jar stays in place.
 fn ring(fingers: &[(f64, f64)], press: f64) -> Result<Grasp, grasp_lcp::Error> {
     let tip = |&(degrees, height): &(f64, f64)| {
         let (sin, cos) = f64::to_radians(degrees).sin_cos();
@@ -29,7 +29,7 @@ fn ring(fingers: &[(f64, f64)], press: f64) -> Result<Grasp, grasp_lcp::Error> {
     Grasp::new(fingers.iter().map(tip))
 }
 
-/// Three fingers under its bottom, which carry it and press with nothing.
+/// Three fingers under its bottom, which carry it without a squeeze.
 fn from_below() -> Result<Grasp, grasp_lcp::Error> {
     let tip = |degrees: f64| {
         let (sin, cos) = degrees.to_radians().sin_cos();

@@ -1,4 +1,4 @@
-//! Are fingers placed where nothing is better, from wherever they begin, and what does that cost?
+//! Does the placement of fingers reach an optimum from any start, and how long does that take?
 
 use std::f64::consts::TAU;
 use std::time::Instant;
@@ -27,7 +27,7 @@ fn told(what: &str, after: Option<f64>, exact: f64, residual: Option<f64>) {
     println!("{what:42} {after:13.9} N {off:11.1e} {residual:10.1e}");
 }
 
-/// A load e aside is balanced by one jaw higher by 2 μ e: both carry half, 2 μ N in all.
+/// A load at the distance e is balanced if one jaw is higher by 2 μ e: both carry half, 2 μ N in all.
 fn pinch() -> Result<(), grasp_lcp::Error> {
     let jaw =
         |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).pressed_with(8.0);

@@ -1,9 +1,9 @@
 //! How fast is the complementarity solver, and how exact?
 //!
-//! `cargo run --release -p reports --bin lcp_benchmark` prints, for each family and size, the best time of several solves,
-//! the pivots, the largest scaled residual, and what it costs to verify the solution (a dash where that fails). With a directory as argument it also writes every problem there, as
-//! `family-n.txt`: n, then M row by row, then q, for timing other solvers on the same numbers. With `--bits` it times nothing, and prints the bits of all
-//! solutions alone.
+//! `cargo run --release -p reports --bin lcp_benchmark` prints a row for each family and size: the best time of several solves, the pivots, the
+//! largest scaled residual, and the time to verify the solution (a dash if that fails). With a directory as argument it also writes every problem there, as
+//! `family-n.txt`: n, then M row by row, then q, for timing other solvers on the same numbers. With `--bits` it measures no times, and prints only
+//! the bits of all solutions.
 #![allow(clippy::cast_possible_truncation, clippy::doc_markdown)]
 
 use grasp_lcp::lcp::{Lcp, OutcomeView, Series, Settings, Workspace};
@@ -45,12 +45,12 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             }
         }
     }
-    // The same with and without the feature `simd`.
+    // The bits are the same with and without the feature `simd`.
     println!("bits of all z: {bits:016x}");
     if bits_alone { Ok(()) } else { neighbours() }
 }
 
-/// Prints how fast and how exact one problem is solved and verified.
+/// Prints time and accuracy of solving and verifying one problem.
 fn timed(family: &str, problem: &Lcp, workspace: &mut Workspace) {
     let settings = Settings::default();
     let mut pivots = 0;
@@ -73,7 +73,7 @@ fn timed(family: &str, problem: &Lcp, workspace: &mut Workspace) {
     println!("{family:<26} {:>5} {time:>12.2} {pivots:>7} {residual:>10.1e} {verified:>14}", problem.len());
 }
 
-/// The series of a definite M whose q moves just far enough to change the basis by one pair.
+/// A series with definite M whose q moves just far enough to change the basis by one pair.
 fn neighbours() -> Result<(), Box<dyn std::error::Error>> {
     let n = 100;
     let problem = definite(n, &mut Random(n as u64));
@@ -127,7 +127,7 @@ fn definite_uniform(n: usize, random: &mut Random) -> Lcp {
     lcp(&a * a.transpose() + DMatrix::identity(n, n), q)
 }
 
-/// M = A Aᵀ of rank n/2, q = w − M z for random complementary z and w, so that there is a solution.
+/// M = A Aᵀ of rank n/2, q = w − M z for random complementary z and w, so that a solution exists.
 fn semidefinite(n: usize, random: &mut Random) -> Lcp {
     let a = DMatrix::from_fn(n, n / 2, |_, _| random.normal());
     let m = &a * a.transpose();

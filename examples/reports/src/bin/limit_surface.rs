@@ -1,10 +1,11 @@
-//! What a fingertip carries in shear and torsion together: the limit surface of a round patch, and what it costs to follow it there.
+//! Limit surface of a round patch: the largest combined shear and torsion of a fingertip, and the cost of following the path to it.
 //!
 //! `cargo run --release -p reports --bin limit_surface [most springs]` presses a disc of springs on a body that a stiff arm drags and turns, on the round cone.
 //!
 //! While everything slides the friction at a point is μp against its velocity, and the velocities are those of a rigid motion about some centre.
 //! Force and moment then lie on a closed surface, nearly an ellipse (Goyal, Ruina & Papadopoulos 1991; Howe & Cutkosky 1996). Under the pressure of
-//! Hertz `F = μN` in pure shear and `M = 3π/16 μN R` in pure torsion. In pure torsion the springs are rings that slide one after the other, in closed form.
+//! Hertz it has `F = μN` in pure shear and `M = 3π/16 μN R` in pure torsion. In pure torsion rings of springs slide one after the other, which has a
+//! closed form.
 
 use std::error::Error;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -22,9 +23,9 @@ const PRESSED: f64 = 10.0; // N
 const FRICTION: f64 = 0.5;
 /// Tangential stiffness of the whole patch, N/m; that along the normal is 1.25 times as large.
 const SHEAR: f64 = 5e4;
-/// The arm is so many times as stiff.
+/// Stiffness of the arm over that of the patch.
 const ARM: f64 = 1e6;
-/// How far the arm goes, in units of `μN / SHEAR`: what the springs remember has faded by then.
+/// Way of the arm, in units of `μN / SHEAR`: springs have then lost the memory of their initial state.
 const FAR: f64 = 300.0;
 /// Directions between shear and torsion.
 const DIRECTIONS: usize = 24;
@@ -46,7 +47,7 @@ struct Patch {
     springs: Vec<([f64; 2], f64)>,
 }
 
-/// A motion of the arm from where it stands at rest: shift along x (m) and turn (rad).
+/// A motion of the arm from its rest position: shift along x (m) and turn (rad).
 type Motion = (f64, f64);
 
 impl Patch {
@@ -79,7 +80,7 @@ impl Patch {
         Ok(Self { grasp: Grasp::new(below.chain(arm).collect::<Vec<_>>())?, springs })
     }
 
-    /// The arm goes there, straight and evenly.
+    /// Leg that moves the arm by this motion, straight and evenly.
     fn leg(&self, (shift, turn): Motion) -> Leg {
         let commanded =
             self.grasp.contacts()[..self.springs.len()].iter().map(|c| <[f64; 3]>::from(c.commanded()));
@@ -94,7 +95,7 @@ impl Patch {
         Wrench::force([0.0, 0.0, -PRESSED])
     }
 
-    /// Shear force (N) and moment (N m) with which springs pull, from their forces in contact frames.
+    /// Shear force (N) and moment (N m) of the springs, from their forces in contact frames.
     fn pull(&self, forces: &[SVector<f64, 3>]) -> (f64, f64) {
         let each = self.springs.iter().zip(forces);
         each.fold((0.0, 0.0), |(force, moment), (([x, y], _), f)| {
@@ -172,7 +173,7 @@ impl Patch {
     }
 }
 
-/// A jar in a ring of springs that slide all at once, drawn along its axis beyond its limit.
+/// A jar in a ring of springs that all slide at once, drawn along its axis beyond its limit.
 fn ring() -> Result<(), grasp_lcp::Error> {
     for count in [64, 1_024] {
         let spring = |i: usize| {
@@ -199,7 +200,7 @@ fn ring() -> Result<(), grasp_lcp::Error> {
     Ok(())
 }
 
-/// The same limit found directly, followed to, and asked what lies beyond it and above it.
+/// The same limit: the onset found directly, the path followed to it, and the answers beyond it and above it.
 fn at_once(jar: &Grasp, limit: f64) -> Result<(), grasp_lcp::Error> {
     let pull = |part: f64| Wrench::force([0.0, 0.0, -part * limit]);
     let start = Instant::now();
@@ -229,13 +230,13 @@ fn at_once(jar: &Grasp, limit: f64) -> Result<(), grasp_lcp::Error> {
     Ok(())
 }
 
-/// Where the arm is fixed, m.
+/// Places where the arm is fixed, m.
 fn end(i: usize) -> [f64; 2] {
     let (sin, cos) = (TAU * i as f64 / 3.0).sin_cos();
     [RADIUS * cos, RADIUS * sin]
 }
 
-/// Shear, then torsion beside it, back over the start, and to rest, of the load without an arm: error against run time.
+/// Error against run time for a load without the arm: shear, then torsion in addition, back past the start, and to rest.
 fn cost(surface: &[(f64, f64)], most: usize) -> Result<(), Box<dyn Error>> {
     let load = |(shear, torsion): (f64, f64)| {
         let most = FRICTION * PRESSED;

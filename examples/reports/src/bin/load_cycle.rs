@@ -6,7 +6,7 @@
 use grasp_lcp::picture::{Chart, Stroke};
 use grasp_lcp::planar::{Beyond, Change, Contact, Equilibrium, Grasp, Leg, LoadPath, PathEnd, Wrench};
 
-/// Pairs of fingers above and below the bar, squeezed less and less towards the end that is pulled.
+/// Pairs of fingers above and below the bar, with less squeeze towards the end that is pulled.
 fn bar() -> Result<Grasp, grasp_lcp::Error> {
     let pairs = [("rear", -0.04, 0.004), ("middle", 0.0, 0.003), ("front", 0.04, 0.0015)];
     Grasp::new(pairs.into_iter().flat_map(|(name, x, squeeze)| {
@@ -99,7 +99,7 @@ struct Pictures<'a> {
     happens: &'a [Happens],
 }
 
-/// What of a state is drawn.
+/// Coordinates of a drawn point, from a state.
 type Point<'a> = &'a dyn Fn(&Equilibrium) -> (f64, f64);
 
 impl Pictures<'_> {
@@ -132,14 +132,14 @@ impl Pictures<'_> {
         Ok(())
     }
 
-    /// Between events all is linear: the knots are the whole curve.
+    /// Between events everything is linear: the knots determine the curve.
     fn leg(&self, leg: usize, point: Point) -> Vec<(f64, f64)> {
         let events = self.happens.iter().filter(|event| event.leg == leg).map(|event| event.fraction);
         let knots = [0.0].into_iter().chain(events).chain([1.0]);
         knots.filter_map(|fraction| self.path.state_at(leg, fraction)).map(|state| point(&state)).collect()
     }
 
-    /// With the numbers of events, or of those of a pair of fingers; several at one point share a label.
+    /// Adds the numbers of all events, or of those of a pair of fingers; several at one point share a label.
     fn numbered(&self, chart: Chart, pair: Option<usize>, point: Point) -> Chart {
         let mut labels: Vec<((f64, f64), String)> = Vec::new();
         for (number, event) in self.happens.iter().enumerate() {

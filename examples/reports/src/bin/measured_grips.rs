@@ -1,25 +1,27 @@
-//! Grips as they were measured, and as makers ask for them, beside the least squeeze that is needed.
+//! Measured grips, and rules of makers, beside the least squeeze that is needed.
 //!
 //! `cargo run --release -p reports --bin measured_grips`
 //!
-//! **Pinches.** Buchholz, Frederick and Armstrong (*An investigation of human palmar skin friction and the effects of materials, pinch force and moisture*, Ergonomics 31, 1988,
-//! 317–325): seven people pinched a dynamometer between two fingers with 19.6 N or 39.2 N until it slipped out, covered with seven materials (summary: cdc.gov, NIOSHTIC-2 no. 00180748).
-//! Their coefficients, with standard deviations, are those that one of the authors has published (websites.umich.edu/~tja/frictionDataMethods.html). Both forces are in their means, though friction of skin falls with force, which they found,
-//! too: which part of the deviation that is their table does not say.
+//! **Pinches.** Buchholz, Frederick and Armstrong (*An investigation of human palmar skin friction and the effects of materials, pinch force and
+//! moisture*, Ergonomics 31, 1988, 317–325): seven people pinched a dynamometer between two fingers with 19.6 N or 39.2 N until it slipped out. It
+//! was covered with seven materials (summary: cdc.gov, NIOSHTIC-2 no. 00180748). The coefficients, with standard deviations, are those that one of
+//! the authors has published (websites.umich.edu/~tja/frictionDataMethods.html). Their means are over both forces, though friction of skin falls with
+//! force, as the authors also found. The table does not say which part of the deviation this is.
 //!
-//! **Makers' rules.** Robotiq (Hand-E, instruction manual, 6 *Payload and force*): W = 2 F μ / S, with S = 2.4 and μ = 0.3 in its example of silicone on oily steel: 32.5 N for 130 N. IAI (RCP2 grippers, technical reference 74,
-//! *Selection guide*): the sum of all forces at least 10 to 20 times the weight, from μ = 0.1 to 0.2 and a factor of 2; 30 to 50 times where it is accelerated.
+//! **Makers' rules.** Robotiq (Hand-E, instruction manual, 6 *Payload and force*): W = 2 F μ / S, with S = 2.4 and μ = 0.3 in its example of silicone
+//! on oily steel: 32.5 N for 130 N. IAI (RCP2 grippers, technical reference 74, *Selection guide*): the sum of all forces at least 10 to 20 times the
+//! weight, from μ = 0.1 to 0.2 and a factor of 2; 30 to 50 times if it is accelerated.
 //!
-//! **Left out.** *A model to predict minimum required clamp pre-loads in light of fixture–workpiece compliance* (Int. J. of Machine Tools and Manufacture 41, 2001) says in its
-//! summary that its linear model asks for 7 % more on average than was measured. Geometry, loads and compliances of these tests are in no source at hand, so that nothing of them is
-//! computed here.
+//! **Left out.** *A model to predict minimum required clamp pre-loads in light of fixture–workpiece compliance* (Int. J. of Machine Tools and
+//! Manufacture 41, 2001). According to its summary its linear model needs 7 % more on average than was measured. No available source has the
+//! geometry, loads and compliances of these tests, so none of them is computed here.
 
 use std::error::Error;
 
 use grasp_lcp::need::{Amount, Need};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};
 
-/// Materials, dry or moist or both; mean and standard deviation. Of dry paper the table has 0.0 for the latter.
+/// Materials, dry or moist or both; mean and standard deviation. For dry paper the table has the deviation 0.0.
 const SKIN: [(&str, f64, f64); 10] = [
     ("sandpaper #320", 0.61, 0.10),
     ("smooth vinyl", 0.53, 0.18),
@@ -32,7 +34,7 @@ const SKIN: [(&str, f64, f64); 10] = [
     ("paper, dry", 0.27, 0.0),
     ("paper, moist", 0.42, 0.07),
 ];
-/// N.
+/// Pinch forces, N.
 const PINCHES: [f64; 2] = [19.6, 39.2];
 /// Standard gravity, m/s².
 const G: f64 = 9.806_65;
@@ -43,7 +45,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     multiples_of_the_weight()
 }
 
-/// Two fingers that press with so many newtons.
+/// Two fingers that each press with `press`, N.
 fn pinch(friction: f64, press: f64) -> Result<Grasp, grasp_lcp::Error> {
     let finger = |x: f64| {
         let finger = Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(2e3, 1.5e3);
@@ -52,7 +54,7 @@ fn pinch(friction: f64, press: f64) -> Result<Grasp, grasp_lcp::Error> {
     Grasp::new([finger(-0.02), finger(0.02)])
 }
 
-/// What each finger has to press with: as given, and with friction less by this part.
+/// Press that each finger needs, N: with friction as given, and with friction less by this part.
 fn needed(grasp: &Grasp, press: f64, load: f64, less: f64) -> Result<[f64; 2], Box<dyn Error>> {
     let need = Need::squeeze(Wrench::force([0.0, -load])).if_lower_by(less, 0.0);
     let needed = grasp.need(&need)?;
@@ -119,7 +121,7 @@ fn robotiq() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Rules that know no friction: so many times the weight, all jaws together.
+/// Rules without friction: a multiple of the weight, for all jaws together.
 fn multiples_of_the_weight() -> Result<(), Box<dyn Error>> {
     println!("Rules of so many times the weight: what two jaws need together, in weights\n");
     println!("{:<8}{:>10}{:>14}{:>22}{:>12}", "μ", "needs", "μ 10 % less", "2 g more, 10 % less", "IAI");

@@ -2,15 +2,16 @@
 //!
 //! `cargo run --release -p reports --bin patch` follows a pad of 10⁴ springs through a whole cycle of shear, every event exact.
 //!
-//! A sphere of radius R pressed by d into an elastic half-space makes a contact of radius `a = √(R d)`. The method of dimensionality reduction (Popov & Heß, 2015) replaces the half-space
-//! by a row of independent springs, E* and G* a unit of length, pressed by `d - x²/R`: normal force, shear force, displacement and the radius of the stick
-//! zone of the row are those of the sphere. So a planar pad stands for the round one, and these are exact (Cattaneo 1938, Mindlin 1949, Mindlin & Deresiewicz 1953):
+//! A sphere of radius R pressed by d into an elastic half-space makes a contact of radius `a = √(R d)`. The method of dimensionality reduction (Popov
+//! & Heß, 2015) replaces the half-space by a row of independent springs, E* and G* a unit of length, pressed by `d - x²/R`. Normal force, shear
+//! force, displacement and the radius of the stick zone of the row equal those of the sphere. So a planar pad represents the round one, and these are
+//! exact (Cattaneo 1938, Mindlin 1949, Mindlin & Deresiewicz 1953):
 //!
 //! ```text
 //! P = 4/3 E* √R d^(3/2)        c/a = (1 - Q/μP)^(1/3)        u = μ E*/G* d (1 - (1 - Q/μP)^(2/3))
 //! ```
 //!
-//! while the shear force Q grows to begin with; on the way back from Q₁ the rim slips back outside `c/a = (1 - (Q₁ - Q)/2μP)^(1/3)`.
+//! while the shear force Q grows for the first time; on the way back from Q₁ the rim slips back outside `c/a = (1 - (Q₁ - Q)/2μP)^(1/3)`.
 
 use std::error::Error;
 use std::time::Instant;
@@ -27,7 +28,7 @@ const SHEAR: f64 = NORMAL * 2.0 / 3.0; // G*, Pa: rubber, ν = 1/2
 const FRICTION: f64 = 0.8;
 /// The largest shear force in units of μP.
 const MOST: f64 = 0.95;
-/// Where the cycle is looked at: leg and Q/μP.
+/// Points of the cycle that are shown: leg and Q/μP.
 const SHOWN: [(usize, f64); 6] = [(0, 0.3), (0, 0.6), (0, 0.9), (1, 0.4), (1, -0.3), (1, -0.9)];
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -57,7 +58,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         1e6 * best / events.len() as f64
     );
 
-    // The stick zone: every event of slip says where its edge is.
+    // The stick zone: every event of slip is at its edge.
     let mut edges = Vec::new();
     let mut off = [0.0_f64; 2];
     for event in &events {
@@ -102,7 +103,7 @@ struct Look {
     /// Q/μP.
     part: f64,
     displacement: f64,
-    /// How far the displacement is off, relative to its largest.
+    /// Error of the displacement, relative to the largest displacement.
     off: f64,
     state: Equilibrium,
 }
@@ -119,7 +120,7 @@ impl Pad {
                 .friction(FRICTION)
                 .command([press(x), 0.0])
         };
-        // What the springs exert in all; 4/3 E* √R d^(3/2) as their number grows.
+        // Total force of the springs; 4/3 E* √R d^(3/2) as their number grows.
         let force = places().map(|x| NORMAL * width * press(x)).sum::<f64>();
         Ok(Self { grasp: Grasp::new(places().map(spring))?, a, press: force, limit: FRICTION * force })
     }
@@ -128,7 +129,7 @@ impl Pad {
         self.grasp.contacts()[contact].point()[0]
     }
 
-    /// Pressed, and sheared by a part of μP.
+    /// Load that presses the pad, and shears it by a part of μP.
     fn load(&self, part: f64) -> Wrench {
         Wrench::new([part * self.limit, -self.press], 0.0)
     }
@@ -248,7 +249,7 @@ impl Pad {
             let fraction = if leg == 0 { part / MOST } else { (MOST - part) / (2.0 * MOST) };
             while path.next_before(leg, fraction).is_some() {}
             let state = path.state().ok_or("no equilibrium")?;
-            // As far apart as makes them round on the chart, with the legend between the rows.
+            // Distances that make the zones round on the chart, with the legend between the rows.
             let centre = [4.0 * (k % 3) as f64, if k < 3 { 3.5 } else { 0.0 }];
             for i in 0..450 {
                 let (r, angle) =

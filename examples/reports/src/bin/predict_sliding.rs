@@ -6,7 +6,7 @@ use grasp_lcp::picture::{Chart, Stroke, draw_grasp};
 use grasp_lcp::planar::{Beyond, ContactState, Departure, Outcome, Wrench};
 use support::paper::{TWO_FINGER_TABLE, down, two_fingers};
 
-/// What a contact does, in one word.
+/// State of a contact, in one word.
 fn word(state: &ContactState) -> &'static str {
     match state {
         ContactState::Separated => "open   ",

@@ -1,9 +1,9 @@
-//! Is the load that a grasp holds with standard deviations in reserve as safe as it says, and by how much could it be more?
+//! Is the load that a grasp holds with standard deviations in reserve as safe as claimed, and how much larger could it be?
 //!
 //! `cargo run --release -p reports --bin reserve [samples [directions]]`
 //!
-//! Random grasps are pulled in random directions, and two scenes in directions all around. Beside the reserve stand the quantile of samples, and the onset less three of
-//! its standard deviations to first order.
+//! Random grasps are pulled in random directions, and two scenes in directions all around. The reserve is compared with the quantile of samples, and
+//! with the onset less three of its standard deviations to first order.
 
 use std::f64::consts::{PI, TAU};
 use std::time::Instant;
@@ -90,7 +90,7 @@ fn main() -> Result<(), Failure> {
     Ok(())
 }
 
-/// A scene of the repository, pulled in about so many directions all around.
+/// A scene of the repository, pulled in `directions` directions, about evenly spaced all around.
 fn all_around(name: &str, off: &Uncertainty, samples: u64, directions: usize) -> Result<(), Failure> {
     let path = format!("{}/../scenes/{name}.json", env!("CARGO_MANIFEST_DIR"));
     let scene = Scene::from_json(&std::fs::read(path)?)?;
@@ -134,7 +134,7 @@ struct Tally {
 }
 
 impl Tally {
-    /// Unless nothing ever slides along this direction.
+    /// Adds a grasp, unless nothing ever slides along this direction.
     fn add<const C: usize>(
         &mut self,
         grasp: &Grasp<C>,

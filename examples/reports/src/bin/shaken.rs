@@ -1,6 +1,7 @@
-//! Loads that repeat: are verdicts those of cycles that are followed one after the other, what do they cost, and where does a rocked roller stop to rest?
+//! Loads that repeat: do verdicts agree with cycles that are followed one after the other, how long do they take, and when does a rocked roller cease to
+//! come to rest?
 //!
-//! `cargo run --release -p reports --bin shaken [cycles of each kind [grasps of the shake test]]` (60 and 2 000 unless you say otherwise)
+//! `cargo run --release -p reports --bin shaken [cycles of each kind [grasps of the shake test]]` (60 and 2 000 by default)
 
 use std::time::Instant;
 
@@ -79,7 +80,7 @@ fn kind<const C: usize>(
     Ok(())
 }
 
-/// Three fingers on balls, a weight, and 2 g to and fro along three axes: how many survive, and how many verdicts a second there are.
+/// Three fingers on balls, a weight, and 2 g to and fro along three axes: how many grasps survive, and how many verdicts there are per second.
 fn shake_test(grasps: usize) -> Result<(), Failure> {
     let mut random = Random(45);
     let drawn: Vec<_> = (0..grasps).map(|_| three_fingers(&mut random)).collect::<Result<_, _>>()?;

@@ -1,5 +1,5 @@
-//! A card pinched by two soft fingertips: how far it turns about the line of the pinch, when the rims start to slide and
-//! when everything does, for four ways to spread the same springs over a tip.
+//! A card pinched by two soft fingertips: its turn about the line of the pinch, the moments at which the rims and everything slide, for four
+//! distributions of the same springs over a tip.
 //!
 //! `cargo run --release -p reports --bin soft_fingertips`
 
@@ -66,7 +66,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         );
         let mut curve = Vec::new();
         for step in 0..=100 {
-            // In this order the last is `reached` itself.
+            // In this order of operations the last fraction is `reached` itself.
             let fraction = reached * (f64::from(step) / 100.0);
             let state = path.state_at(0, fraction).ok_or("on the way")?;
             curve.push((state.twist.rotation()[0].to_degrees(), 1.5 * fraction));

@@ -1,6 +1,6 @@
-//! A bottle held by a thumb and three fingers in space: its onset of sliding on the round cone, beyond it an answer on the round cone
-//! with its bracket of polygons, and the onset on polygons of 4 … 64 facets, inscribed, balanced and circumscribed; a picture of it
-//! at its onset, and a page on which one can turn it.
+//! A bottle held by a thumb and three fingers in space: its onset of sliding on the round cone, an answer beyond it on the round cone with its
+//! bracket of polygons, and the onset on polygons of 4 … 64 facets, inscribed, balanced and circumscribed. Also a picture of the bottle at its onset,
+//! and a page on which the reader can turn it.
 //!
 //! `cargo run --release -p reports --bin spatial_grasp`
 
@@ -8,9 +8,9 @@ use grasp_lcp::picture::{Chart, SpatialPage, Stroke, View};
 use grasp_lcp::spatial::{Beyond, Contact, Departure, Grasp, Outcome, Ramp, Wrench};
 use grasp_lcp::{Error, Fit, PolygonCone, Settings};
 
-/// Where the answer beyond the onset is asked for, in units of the onset.
+/// Load of the answer beyond the onset, over the onset.
 const BEYOND: f64 = 1.02;
-/// Which of the answers on the page is drawn.
+/// Index of the answer on the page that the picture shows.
 const ONSET: usize = 2;
 
 /// Radius and height of the edges of the bottle, m: foot, shoulder, neck, mouth.
@@ -38,7 +38,7 @@ fn bottle() -> Result<Grasp, Error> {
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let grasp = bottle()?;
-    // Poured from: the weight (N) hangs below and to the side, and turns the bottle as it grows.
+    // The bottle is poured from: the weight (N) hangs below and to the side, and turns it as it grows.
     let base = Wrench::ZERO;
     let direction = Wrench::force_at([0.25, 0.1, -1.0], [0.01, -0.012, 0.02]);
     let ramp = Ramp::load(base, direction);
@@ -135,7 +135,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
-/// Points on a circle around the axis of the bottle, m, every so many degrees.
+/// Points on a circle around the axis of the bottle, m, spaced by `degrees`.
 fn circle(radius: f64, height: f64, degrees: u32) -> Vec<[f64; 3]> {
     let corner = |k: u32| {
         let (sin, cos) = f64::from(degrees * k).to_radians().sin_cos();

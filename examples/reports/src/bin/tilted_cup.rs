@@ -1,5 +1,5 @@
-//! How far can a cup be tilted in the hand? The angle at which the first finger slides, for every direction in which the cup may be
-//! tilted; how much friction each finger uses on the way; what chords in place of the turn say; and what it costs to know.
+//! How far can a cup be tilted in the hand? The angle at which the first finger slides, for every direction of the tilt; the friction that each
+//! finger uses on the way; answers with chords in place of the turn; and run times.
 //!
 //! `cargo run --release -p reports --bin tilted_cup`
 
@@ -14,7 +14,7 @@ use support::best_time::best_in_turns;
 const RADIUS: f64 = 0.035;
 const HALF: f64 = 0.045;
 
-/// A thumb opposite three fingers at two thirds of the height; each finger presses with so many newtons, the thumb with three times as much.
+/// A thumb opposite three fingers at two thirds of the height. Each finger presses with `press` newtons, the thumb balances them.
 fn hand(press: f64) -> Result<Grasp, grasp_lcp::Error> {
     let tip = |name: &str, degrees: f64, press: f64| {
         let (sin, cos) = f64::to_radians(degrees).sin_cos();
@@ -25,12 +25,12 @@ fn hand(press: f64) -> Result<Grasp, grasp_lcp::Error> {
             .pressed_with(press)
     };
     let fingers = [("index", -25.0), ("middle", 0.0), ("ring", 25.0)].map(|(name, at)| tip(name, at, press));
-    // The outer fingers press askew: what is left of theirs along the thumb is the cosine.
+    // The outer fingers press at an angle; their part along the thumb has the cosine.
     let sum = press * (1.0 + 2.0 * f64::to_radians(25.0).cos());
     Grasp::new([&[tip("thumb", 180.0, sum)], &fingers[..]].concat())
 }
 
-/// The weight (N) of a cup whose centre is so high (m), tilted towards a direction until it is upside down.
+/// The weight (N) of a cup with its centre at this height (m), tilted towards a direction until it is upside down.
 fn tilted(weight: f64, height: f64, degrees: f64) -> Result<Turn, grasp_lcp::Error> {
     let (sin, cos) = degrees.to_radians().sin_cos();
     // By the right-hand rule z turns towards (cos, sin) about (-sin, cos).
@@ -41,7 +41,7 @@ fn angle_of(onset: &Onset) -> Result<f64, Failure> {
     onset.factor().ok_or_else(|| "the cup is held upright".into())
 }
 
-/// Every half degree the direction, and the angle at which the first finger slides, where one does (degrees).
+/// Directions, every half degree, and the angle at which the first finger slides, if one does (degrees).
 fn slides_towards(grasp: &Grasp, weight: f64, height: f64) -> Result<Vec<(f64, f64)>, Failure> {
     let directions: Vec<f64> = (0..=720).map(|k| f64::from(k) / 2.0).collect();
     let turns: Result<Vec<_>, _> =

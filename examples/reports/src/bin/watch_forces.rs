@@ -1,7 +1,7 @@
 //! How long does a watch over measured forces take at worst?
 //!
-//! `cargo run --release -p reports --bin watch_forces` asks it about a million random states of five fingers in space, from well held to torn off, and prints the mean and the worst time
-//! of a look.
+//! `cargo run --release -p reports --bin watch_forces` evaluates the watch for a million random states of five fingers in space, from well held to
+//! torn off. It prints the mean and the worst time of an evaluation.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -10,9 +10,9 @@ use grasp_lcp::spatial::{Contact, Fingers, Wrench};
 use support::splitmix::Random;
 
 const STATES: usize = 1_000_000;
-/// States that one grasp is asked about.
+/// Number of states for one grasp.
 const OF_EACH: usize = 100;
-/// Each look is repeated, and the shortest time taken: what interrupts a process is not the watch.
+/// Number of repetitions of each evaluation; the shortest time counts, since interruptions of the process are not the watch's.
 const REPEATS: usize = 3;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

@@ -23,7 +23,7 @@ pub(super) fn chart<const C: usize>(
     title: &str,
 ) -> Result<Option<Chart>, Failure> {
     let grasp = &setup.grasp_of(grasp, question)?;
-    Ok(match question {
+    Ok(match &*setup.meant(question)? {
         Question::Hold { base, load, .. } => {
             let ramp = Ramp::load(*base, *load);
             let verdict = grasp.hold(ramp.clone())?;

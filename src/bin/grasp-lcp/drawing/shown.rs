@@ -57,7 +57,7 @@ pub(super) fn shown<const C: usize>(
     question: &Question<C>,
 ) -> Result<ShownAnswers<C>, Failure> {
     let grasp = &setup.grasp_of(grasp, question)?;
-    Ok(ShownAnswers(match question {
+    Ok(ShownAnswers(match &*setup.meant(question)? {
         Question::Hold { base, load, .. } => {
             let ramp = Ramp::load(*base, *load);
             held(grasp.hold(ramp.clone())?, ramp.load_at(1.0))

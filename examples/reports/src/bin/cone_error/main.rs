@@ -1,11 +1,9 @@
-//! What facets cost in space, against what they save: error and run time of polygonal cones with 4 … 128 facets, beside the
-//! default, Newton's method on the round cone.
+//! Error and run time of polygonal cones with 4 … 128 facets in space, beside the default, Newton's method on the round cone.
 //!
-//! Three grasps, two questions each: at which load does the first contact slide, and what do the contacts carry far beyond.
-//! The answers that errors are measured against are checked here from the question alone: the onset by solving the
-//! quadratic equations again, the sliding state by its balance and its contact law.
+//! Three grasps, two questions each: the load at which the first contact slides, and the contact forces far beyond it. The reference answers are
+//! checked here from the question alone: the onset by solving the quadratic equations again, the sliding state by its balance and its contact law.
 //!
-//! Last what the round cone costs beside a polygon, on random grasps with 3 to 20 contacts.
+//! Last come the costs of the round cone beside a polygon, on random grasps with 3 to 20 contacts.
 //!
 //! `cargo run --release -p reports --bin cone_error`
 
@@ -21,30 +19,30 @@ use support::best_time::{best_in_turns, once, timed};
 use support::loaded::{Scene, dragged_block, four_fingers, three_fingers};
 
 const FACETS: [u32; 6] = [4, 8, 16, 32, 64, 128];
-/// The finest polygon is affordable on so many contacts.
+/// Most contacts for which the finest polygon is affordable.
 const MANY: usize = 4;
-/// Nothing less is told from rounding.
+/// Errors below this are rounding.
 const ROUNDING: f64 = 1.1e-16;
 
-/// How a method is called; the polygons first.
+/// Names of the methods; the polygons first.
 const METHODS: [&str; 4] = ["inscribed", "circumscribed", "balanced", "turned"];
 
 fn polygon(facets: u32, method: usize) -> Result<Settings, Failure> {
     let fit = [Fit::Inscribed, Fit::Circumscribed, Fit::Balanced, Fit::Inscribed][method];
-    // Nothing beyond the question is searched for.
+    // No proofs and no search of states beyond the question.
     let settings = Settings::default().with_most_states(0).on_the_polygon();
     Ok(settings.with_cone(PolygonCone::new(usize::try_from(facets)?, fit)?))
 }
 
-/// Error and time, s, of each method at each number of facets, and of the default. An undecided answer has no error.
+/// Error and time, s, of each method at each number of facets, and of the default. Undecided answers have no error.
 struct Measured {
     polygons: Vec<Vec<(u32, f64, f64)>>,
     default: (f64, f64),
-    /// Eight turned facets, and the default, s.
+    /// Times of eight turned facets, and of the default, s.
     proposal: Option<(f64, f64)>,
 }
 
-/// The onset on a turned polygon: the traction is known where the first polygon starts to slide.
+/// The onset on a turned polygon: the first polygon's tractions at its onset give the directions.
 fn turned_onset(scene: &Scene, settings: &Settings) -> Result<f64, Failure> {
     let first = Grasp::new(scene.contacts.clone())?.with(&settings.on_the_polygon()).onset(&scene.ramp())?;
     let there = scene.turned(first.factor().ok_or("a sticking base")?)?;

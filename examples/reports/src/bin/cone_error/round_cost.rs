@@ -1,8 +1,8 @@
-//! What the round cone costs beside polygons, on random grasps of which some contacts slide.
+//! Costs of the round cone beside polygons, on random grasps in which some contacts slide.
 //!
-//! Of each scene are timed, in turns: the pivoting, which is making the kinematic form and Lemke's method on it, and from 8
-//! contacts on Lemke's method on contact states; the whole answer on the polygon, its corners along the trial tractions; the whole
-//! answer on the round cone, from Newton's method; the whole answer where every contact is bonded, which needs neither.
+//! For each scene four times are measured, in turns. The first is pivoting: the kinematic form and Lemke's method on it, and from 8 contacts on
+//! Lemke's method on contact states. The others are whole answers: on the polygon, with corners along the trial tractions; on the round cone, by
+//! Newton's method; and with every contact bonded, which needs neither.
 
 use std::hint::black_box;
 
@@ -16,7 +16,7 @@ use support::best_time::best_in_turns;
 use support::loaded::{Random, random_fingers};
 
 const CONTACTS: [usize; 5] = [3, 5, 8, 13, 20];
-/// From so many on the ladder pivots on contact states.
+/// Number of contacts from which on the ladder pivots on contact states.
 const ON_STATES: usize = 8;
 /// Scenes of each number of contacts; their medians are printed.
 const SCENES: usize = 25;
@@ -52,7 +52,7 @@ pub(crate) fn print() -> Result<(), Failure> {
     Ok(())
 }
 
-/// Of one scene, s.
+/// Times of one scene, s.
 struct Times {
     sliding: f64,
     pivoting: f64,
@@ -61,7 +61,7 @@ struct Times {
     bonded: f64,
 }
 
-/// `None` where nothing slides, the polygon took more than one path of pivots, or Newton's method did not arrive.
+/// `None` if nothing slides, the polygon took more than one path of pivots, or Newton's method did not converge.
 fn times(count: usize, random: &mut Random) -> Result<Option<Times>, Failure> {
     let scene = random_fingers(count, random);
     let (grasp, _) = scene.at(0.0)?;

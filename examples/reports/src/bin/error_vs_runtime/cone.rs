@@ -1,7 +1,7 @@
 //! The friction cone in space: polygons with ever more facets, and the round cone itself.
 //!
-//! The sliding state is made backwards: the object is moved by a twist, every contact answers with the force that Coulomb's law gives
-//! it, and the load is what balances them. So the forces are known before anything is solved.
+//! The sliding state is constructed: the object is moved by a twist, every contact has the force of Coulomb's law for it, and the load balances them.
+//! So the forces are known before anything is solved.
 
 use grasp_lcp::spatial::{ContactAnswer, ContactState, Equilibrium, Grasp, Outcome, Ramp, Twist, Wrench};
 use grasp_lcp::{Fit, PolygonCone, Settings};
@@ -19,12 +19,12 @@ const FITS: [(&str, Fit); 3] = [
     ("circumscribed polygon", Fit::Circumscribed),
     ("balanced polygon", Fit::Balanced),
 ];
-/// How the object has moved, m and rad: two of the three fingers slide. A ninth farther the load has another equilibrium, in which all do.
+/// Displacement of the object, m and rad: two of the three fingers slide. A ninth farther the load has another equilibrium, in which all slide.
 const TWIST: [f64; 6] = [0.00216, 0.00036, -0.00792, 0.243, -0.00315, 0.063];
-/// So many do.
+/// Number of fingers that slide.
 const SLIDE: usize = 2;
 
-/// Nothing beyond the question is searched for.
+/// No proofs and no search of states beyond the question.
 fn on(facets: usize, fit: Fit) -> Result<Settings, Failure> {
     Ok(Settings::default().with_most_states(0).with_cone(PolygonCone::new(facets, fit)?))
 }
@@ -100,7 +100,7 @@ fn sliding() -> Result<Panel, Failure> {
     Ok(panel)
 }
 
-/// The load that balances what the contacts carry when the object has moved by a twist, and these forces along the coordinate axes.
+/// The load that balances the contact forces after the object has moved by a twist, and these forces along the coordinate axes.
 fn balanced(grasp: &Grasp, twist: &Twist) -> (Wrench, Vec<Vector3<f64>>) {
     let mut load = Vector6::zeros();
     let mut forces = Vec::new();
@@ -111,7 +111,7 @@ fn balanced(grasp: &Grasp, twist: &Twist) -> (Wrench, Vec<Vector3<f64>>) {
         if force[0] <= 0.0 {
             force = Vector3::zeros();
         }
-        // The tangential stiffnesses are equal: what is too much is cut off along the traction.
+        // The tangential stiffnesses are equal, so the excess is cut off along the traction.
         let (limit, friction) = (contact.friction_coefficient() * force[0], force.yz().norm());
         if friction > limit {
             (force[1], force[2]) = (force[1] * (limit / friction), force[2] * (limit / friction));

@@ -1,7 +1,7 @@
-//! What a grasp does while everything sticks, in rational arithmetic: errors of floating point are measured against it.
+//! Contact forces while everything sticks, in rational arithmetic: the reference for errors of floating point.
 //!
 //! Nothing is shared with the library. With one stiffness along all tangents the springs of a contact are `K = k_t I + (k_n - k_t) n nᵀ` in
-//! coordinate axes, whatever the tangents; a normal with integer components and an integer length makes it rational.
+//! coordinate axes, whatever the tangents. A normal with integer components and an integer length makes K rational.
 //!
 //! ```text
 //! F_i = k_n a n - K_i G_iᵀ q,     Σ G_i F_i + W = 0,     (Σ G_i K_i G_iᵀ) q = W + Σ G_i k_n a n
@@ -28,7 +28,7 @@ fn exact(x: f64) -> Rational {
     Rational::from_float(x).expect("a finite number")
 }
 
-/// The wrench of a force along a coordinate axis at a point; also the row of G_iᵀ that says how the point moves along it.
+/// The wrench of a force along a coordinate axis at a point; also the row of G_iᵀ for the motion of the point along it.
 fn wrench(point: &[Rational; 3], axis: usize) -> [Rational; 6] {
     let unit = |k: usize| Rational::from_integer(i32::from(k == axis).into());
     std::array::from_fn(|row| {
@@ -40,7 +40,7 @@ fn wrench(point: &[Rational; 3], axis: usize) -> [Rational; 6] {
     })
 }
 
-/// Contact forces along the coordinate axes, N, rounded to the nearest number; `None` where some motion is free.
+/// Contact forces along the coordinate axes, N, rounded to the nearest number; `None` if some motion is free.
 pub(crate) fn forces(contacts: &[Contact], load: &[f64; 6]) -> Option<Vec<[f64; 3]>> {
     let mut rows: Vec<Vec<Rational>> = (0..6)
         .map(|row| (0..7).map(|k| if k == 6 { exact(load[row]) } else { Rational::zero() }).collect())

@@ -1,4 +1,4 @@
-//! What does an answer cost, and how far is it off? Each question is asked the crate's way and the ways one would ask it otherwise.
+//! Cost and error of answers: each question by the crate's method and by the usual alternatives.
 //!
 //! Six parts: the onset of sliding, a load that turns, the friction cone in space, the forces while everything sticks, a load path, and a round fingertip. Errors
 //! are taken against closed forms and exact rational arithmetic; a time is the shortest of many of one call, the making of its

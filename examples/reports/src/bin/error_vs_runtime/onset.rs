@@ -1,7 +1,7 @@
 //! The onset of sliding: found directly, by stepping the load, and by bisection.
 //!
-//! Stepping and bisection ask the paper's quadratic program, in its reduced form, whether one of its friction rows is active under a
-//! load. In the plane that is exactly sliding; in space the program has facets, and what it finds is their onset.
+//! For stepping and bisection the paper's quadratic program, in its reduced form, decides whether one of its friction rows is active under a load. In
+//! the plane that is exactly sliding; in space the program has facets, and finds their onset.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::energy::{QpOutcome, ReducedRow, Unknowns};
@@ -16,23 +16,24 @@ use support::best_time::timed;
 use support::interior_point::{Oracle, interior_point_and_multipliers};
 use support::paper::{down, two_fingers};
 
-/// Of the interior-point method, whose every row has a little slack and a little multiplier: near the onset both are about the root of this.
+/// Tolerance of the interior-point method. Each of its rows has a little slack and a little multiplier: near the onset both are about the root of
+/// this.
 const TOLERANCE: f64 = 1e-12;
 const TOLERANCES: [f64; 6] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
 const STEPS: [u32; 6] = [10, 100, 1000, 10_000, 100_000, 1_000_000];
 
-/// More steps than these are not made from the beginning.
+/// Above this number of steps only the last steps before the onset are computed.
 const MOST_STEPS: u32 = 100_000;
-/// So many before the onset are.
+/// Number of those steps.
 const LAST_STEPS: f64 = 1000.0;
 
-/// The steps that end well before a part of the way.
+/// Number of steps that are skipped: all but the last [`LAST_STEPS`] before a part of the way.
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // between 0 and a million
 fn steps_below(part: f64, steps: u32) -> u32 {
     (part * f64::from(steps) - LAST_STEPS).max(0.0) as u32
 }
 
-/// By which method the program is solved.
+/// Method that solves the program.
 #[derive(Clone, Copy, PartialEq)]
 enum Solver {
     /// The crate's: Lemke's method on the optimality conditions.
@@ -55,7 +56,7 @@ struct Question<'a, const C: usize> {
     grasp: &'a Grasp<C>,
     direction: Wrench<C>,
     cone: PolygonCone,
-    /// Stepping and bisection look from 0 to here.
+    /// Stepping and bisection search from 0 to this factor.
     most: f64,
 }
 
@@ -75,7 +76,7 @@ impl<const C: usize> Question<'_, C> {
         else {
             return Ok(false);
         };
-        // A multiplier is a displacement (m): what the springs of the contact make of it is compared with the slack (N).
+        // A multiplier is a displacement (m): times the stiffness of the contact it is compared with the slack (N).
         let slack = &reduced.program.b * x - &reduced.program.d;
         let stiffness = |i: usize| match reduced.rows[i] {
             ReducedRow::Friction { contact, .. } => {
@@ -88,7 +89,7 @@ impl<const C: usize> Question<'_, C> {
         Ok(rows.all(|i| slack[i] > multipliers[i] * stiffness(i)))
     }
 
-    /// The last of equal steps that sticks and the next one have the onset between them. Also returns the number of the last one made.
+    /// The onset lies between the last of equal steps that sticks and the next one. Also returns the number of the last step computed.
     fn stepped(&self, steps: u32, first: u32, solver: Solver) -> Result<(f64, u32), Failure> {
         let at = |step: u32| self.most * f64::from(step) / f64::from(steps);
         for step in first..=steps {
@@ -113,7 +114,7 @@ impl<const C: usize> Question<'_, C> {
         Ok(())
     }
 
-    /// Halves the interval until it is this small a part of its end.
+    /// Halves the interval until its length is this part of its end.
     fn bisected(&self, tolerance: f64, solver: Solver) -> Result<f64, Failure> {
         let (mut below, mut above) = (0.0, self.most);
         while above - below > tolerance * above {
@@ -192,7 +193,7 @@ fn screened<const D: usize, const C: usize, const N: usize>(
 ) -> Result<(), Failure> {
     const CALLS: u32 = 1000;
     let (fingers, pull) = (Fingers::<D, C, N>::new(contacts)?, Pull::new(&Wrench::ZERO, direction)?);
-    // One call is shorter than what reading the clock takes.
+    // One call is shorter than reading the clock.
     let (factor, time) = timed(|| {
         let mut factor = None;
         for _ in 0..CALLS {
@@ -228,7 +229,7 @@ fn in_space() -> Result<Panel, Failure> {
     Ok(panel)
 }
 
-/// How many times as long bisection to the last tolerance takes.
+/// Ratios of the time of bisection to the last tolerance.
 fn ratios(panel: &mut Panel, solvers: &[&str; 2]) -> Result<(), Failure> {
     for direct in [SCREENED, ALONE, DIRECT] {
         for solver in solvers {

@@ -1,8 +1,8 @@
 //! A round fingertip in shear and torsion at once, on the round cone: directions of slip turn everywhere on it.
 //!
-//! Sixty springs under a parabola of pressures are sheared, twisted beside it, and pulled back. Every event is found by
-//! `Grasp::follow` to 1e-13 a step, which integrates directions by an explicit method of order 8. The steps of `Grasp::follow_in_steps`
-//! know nothing of that: they take stretches straight, with slips in closed form.
+//! Sixty springs under a parabola of pressures are sheared, twisted in addition, and pulled back. `Grasp::follow` finds every event, to 1e-13 a step,
+//! and integrates directions by an explicit method of order 8. The steps of `Grasp::follow_in_steps` are independent of that: they follow straight
+//! stretches with slips in closed form.
 
 use std::f64::consts::PI;
 
@@ -18,7 +18,7 @@ use support::best_time::timed;
 const SPRINGS: usize = 60;
 const PRESSED: f64 = 10.0;
 const FRICTION: f64 = 0.5;
-/// Sheared to six tenths of what it carries, twisted by three tenths of `μ N R` beside, and back beyond the start.
+/// Sheared to six tenths of its limit, twisted by three tenths of `μ N R` in addition, and back beyond the start.
 const LEGS: [[f64; 2]; 3] = [[0.6, 0.0], [0.6, 0.3], [-0.3, -0.1]];
 
 pub fn measure(report: &mut Report) -> Result<(), Failure> {

@@ -1,6 +1,7 @@
 //! A load path: exact events, and implicit steps.
 //!
-//! An implicit step solves for the equilibrium at its end, with the slip so far taken off the finger commands; the slip of the answer is added to it.
+//! An implicit step solves for the equilibrium at its end, with the slip so far taken off the finger commands; the slip of the answer is added to the
+//! slip so far.
 
 use grasp_lcp::Settings;
 use grasp_lcp::ask::Grasp;
@@ -28,7 +29,7 @@ struct Stepper<const C: usize> {
     slips: Vec<SVector<f64, C>>,
 }
 
-/// What the contacts carry after a step, and which have slipped in it.
+/// Contact forces after a step, and the contacts that have slipped in it.
 struct Step<const C: usize> {
     forces: Vec<SVector<f64, C>>,
     slipped: Vec<bool>,
@@ -39,7 +40,7 @@ impl<const C: usize> Stepper<C> {
         Self { grasp: grasp.clone(), slips: vec![SVector::zeros(); grasp.len()] }
     }
 
-    /// On to another load and other commands.
+    /// Steps to another load and other commands.
     fn step(&mut self, load: &Wrench<C>, commands: &[SVector<f64, C>]) -> Result<Step<C>, Failure> {
         let left: Vec<_> = commands.iter().zip(&self.slips).map(|(a, s)| a - s).collect();
         self.grasp = self.grasp.clone().with_commands(left)?;
@@ -61,7 +62,7 @@ const FRICTION: f64 = 0.4;
 /// Tangential stiffness of each, N/m.
 const SHEAR: f64 = 6.25;
 
-/// What each spring of the pad presses with, N: a parabola.
+/// Normal force of each spring of the pad, N: a parabola.
 fn pressed() -> Vec<f64> {
     let at = |i: u32| f64::from(2 * i + 1) / f64::from(SPRINGS) - 1.0;
     (0..SPRINGS).map(|i| 0.375 * (1.0 - at(i).powi(2))).collect()
@@ -72,8 +73,8 @@ fn virgin(x: f64) -> f64 {
     pressed().iter().map(|n| (SHEAR * x).min(FRICTION * n)).sum()
 }
 
-/// A pad sheared to nine tenths of what it carries, and as far the other way. All friction acts along its face, so that the pressures stay:
-/// spring i slides from x = μN_i/c on and, on the way back, after twice that (Masing's rule).
+/// A pad sheared to nine tenths of its limit, and as far in the other direction. All friction acts along its face, so the pressures stay: spring i
+/// slides from x = μN_i/c on and, on the way back, after twice that (Masing's rule).
 fn pad() -> Result<Panel, Failure> {
     let pressures = pressed();
     let (total, c) = (pressures.iter().sum::<f64>(), SHEAR);

@@ -6,7 +6,7 @@ use grasp_lcp::picture::{Chart, Stroke};
 
 use support::Failure;
 
-/// An error of exactly nothing has no logarithm: it is drawn here.
+/// Height at which an error of exactly zero is drawn, since it has no logarithm.
 const NOTHING: f64 = 1e-17;
 
 const HEAD: &str = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>Error against run time</title>\n\
@@ -14,33 +14,33 @@ const HEAD: &str = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\
     </head>\n<body>\n<h1>Error against run time</h1>\n<p>Errors are against closed forms, exact rational arithmetic or an integration to 1e-13. \
     Times are the shortest of many of one call.</p>\n";
 
-/// Everything that was measured, part by part.
+/// All measurements, part by part.
 #[derive(Default)]
 pub struct Report {
     panels: Vec<Panel>,
 }
 
-/// One question asked in several ways: one chart.
+/// One question, answered in several ways: one chart.
 pub struct Panel {
-    /// Which part of the report it belongs to.
+    /// Part of the report that it belongs to.
     pub part: &'static str,
     pub title: &'static str,
-    /// What the error is of, and what it is divided by.
+    /// The error and its divisor.
     pub error: &'static str,
     pub lines: Vec<Line>,
     /// Printed below the table.
     pub notes: Vec<String>,
 }
 
-/// One way of asking.
+/// One method.
 pub struct Line {
     pub method: String,
     pub points: Vec<Point>,
 }
 
-/// One setting of it.
+/// One setting of a method.
 pub struct Point {
-    /// Steps, facets, tolerance: empty where there is nothing to set.
+    /// Steps, facets, tolerance: empty if there is nothing to set.
     pub setting: String,
     pub error: f64,
     /// Seconds.
@@ -97,7 +97,7 @@ impl Panel {
     }
 
     fn chart(&self) -> Chart {
-        // No answer is no point: f64::max would make one of it.
+        // A missing answer is no point: f64::max would turn NaN into one.
         let height = |error: f64| if error == 0.0 { NOTHING } else { error };
         let zero = self.lines.iter().flat_map(|line| &line.points).any(|point| point.error == 0.0);
         let error = if zero { format!("{} (0 drawn at 10⁻¹⁷)", self.error) } else { self.error.into() };

@@ -1,6 +1,6 @@
-//! What the contacts carry while everything sticks: the crate, the textbook's formula, and quadratic programs.
+//! Contact forces while everything sticks: the crate, the textbook's formula, and quadratic programs.
 //!
-//! Five fingers in space, all springs alike, and the same with one finger 10⁶ times as stiff; forces against rational arithmetic.
+//! Five fingers in space, first with equal springs, then with one finger 10⁶ times as stiff; forces against rational arithmetic.
 
 use grasp_lcp::PolygonCone;
 use grasp_lcp::ask::{Search, Workspace};
@@ -113,7 +113,7 @@ fn lemke(program: &QuadraticProgram) -> Result<DVector<f64>, Failure> {
     }
 }
 
-/// Forces along the coordinate axes where the object has moved by a twist and some contacts have opened.
+/// Forces along the coordinate axes after the object has moved by a twist and some contacts have opened.
 fn at(grasp: &Grasp, twist: &Twist, gaps: &[(usize, f64)]) -> Vec<Vector3<f64>> {
     let force = |(i, (contact, frame)): (usize, (&Contact, &nalgebra::Matrix3<f64>))| {
         let moved = Vector3::from(twist.displacement_at(contact.point()));

@@ -1,4 +1,4 @@
-//! Random problems that are hard: W positive definite, so that there is a solution, with masses or compliances many orders of magnitude apart.
+//! Hard random problems: W is positive definite, so that a solution exists, with masses or compliances many orders of magnitude apart.
 
 use super::{median, timed};
 use grasp_lcp::friction::FrictionProblem;
@@ -57,7 +57,7 @@ fn normal(random: &mut Random, rows: usize, columns: usize) -> DMatrix<f64> {
     DMatrix::from_fn(rows, columns, |_, _| random.normal())
 }
 
-/// 10 to a power up to this far from 0.
+/// 10 to a random power between `-far` and `far`.
 fn power(random: &mut Random, far: f64) -> f64 {
     10.0_f64.powf(far * (2.0 * random.uniform() - 1.0))
 }

@@ -1,4 +1,4 @@
-//! Files of Siconos, by themselves or beside Siconos.
+//! Files of Siconos, alone or beside Siconos.
 
 use super::timed;
 use grasp_lcp::friction::{FrictionProblem, ReadProblem, Solution};
@@ -42,7 +42,7 @@ fn row<const C: usize>(file: &str, problem: &FrictionProblem<C>) {
     println!("{file:<46}{:>9}{residual:>10.1e}{time:>12.2}  {known}", problem.len());
 }
 
-/// What the command prints of a file: lines of a solver, Siconos' relative error, seconds.
+/// Output of the command for a file: lines with solver, Siconos' relative error, and seconds.
 fn beside(command: &str, path: &Path) -> Result<(), support::Failure> {
     let mut words = command.split_whitespace();
     let program = words.next().ok_or("SICONOS is empty, but must be a command")?;

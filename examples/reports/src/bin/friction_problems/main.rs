@@ -1,10 +1,10 @@
-//! Frictional contact problems (W, q, μ): the round cone beside polygons, families that are hard, and files of Siconos.
+//! Frictional contact problems (W, q, μ): the round cone beside polygons, hard families, and files of Siconos.
 //!
 //! | command | prints |
 //! |---|---|
-//! | `cargo run --release -p reports --bin friction_problems` | how far polygons miss Coulomb's law, their time; what is missed with unequal masses |
-//! | `… -- --each 10000` | so many problems of each family |
-//! | `… -- FILE…` | residual and time for files of Siconos; those that begin with `G` have masses, too |
+//! | `cargo run --release -p reports --bin friction_problems` | error of polygons in Coulomb's law, and their time; unsolved problems with unequal masses |
+//! | `… -- --each 10000` | that many problems of each family |
+//! | `… -- FILE…` | residual and time for files of Siconos; files that begin with `G` include masses |
 //! | `SICONOS="/usr/bin/python3 python/examples/siconos_times.py" … -- FILE…` | the same beside Siconos itself, in one run |
 
 mod families;
@@ -26,7 +26,7 @@ fn main() -> Result<(), support::Failure> {
     Ok(())
 }
 
-/// The time of some work in milliseconds, and what comes of it.
+/// Time of some work in milliseconds, and its result.
 fn timed<T>(work: impl FnOnce() -> T) -> (f64, T) {
     let start = Instant::now();
     let out = work();

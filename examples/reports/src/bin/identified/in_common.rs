@@ -1,4 +1,4 @@
-//! What is left of pushes once friction and loads are found: whether pushes in one direction have it in common.
+//! Residuals of pushes after friction and loads are found: are they correlated for pushes in one direction?
 
 use std::error::Error;
 
@@ -6,10 +6,10 @@ use support::measured_pushes::{LAYOUTS, SURFACES, Together, blocks, pushes};
 
 use crate::supports::{identified, in_the_plane};
 
-/// Cut where the loss bends, so that a few pushes far off do not say it all.
+/// Residuals are cut where the loss bends, so that a few outliers do not dominate.
 const CUT: f64 = 2.0;
 
-/// Products of what is left, of two pushes in one group, over the mean square.
+/// Products of residuals of two pushes in one group, and their mean square.
 #[derive(Default)]
 struct Common {
     products: f64,

@@ -1,13 +1,14 @@
-//! What slips tell: how often intervals hold the truth, and what measured pushes say of the supports that they were made on.
+//! Quality of identification from slips: how often intervals contain the truth, and which supports explain measured pushes.
 //!
 //! `cargo run --release -p reports --bin identified [draws] [turns of the ellipse] [layouts] [heights of the pusher]`
 //!
-//! Intervals are asked to hold the truth 95 times in 100. Slips of grasps whose numbers are known are drawn with scatter a thousand times, and how often
-//! that is so is counted; with a thousand draws chance alone is off by 0.7 in 100. Some are drawn with scatter that slips of a group share.
+//! Intervals should contain the truth 95 times in 100. Slips of grasps with known data are drawn with scatter a thousand times, and the intervals
+//! that contain the truth are counted; with a thousand draws chance alone is off by 0.7 in 100. Some slips are drawn with scatter that a group
+//! shares.
 //!
-//! Then friction and loads of supports are found from measured pushes (see [`support::measured_pushes`]), layout by layout, the block weighed, beside what
-//! the supports carry by statics ([`supports`]). It is asked what those pushes have in common ([`in_common`]), and whether another model explains it
-//! ([`other_models`]).
+//! Then friction and loads of supports are found from measured pushes (see [`support::measured_pushes`]), layout by layout, with the block weighed,
+//! beside the loads by statics ([`supports`]). Two questions follow: do pushes share errors ([`in_common`]), and does another model explain them
+//! ([`other_models`])?
 
 mod in_common;
 mod other_models;

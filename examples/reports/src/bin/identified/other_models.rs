@@ -1,8 +1,8 @@
-//! Other models of the same pushes: a finger that pushes above the surface, and a surface that rubs more along than across.
+//! Other models of the same pushes: a finger that pushes above the surface, and a surface with different friction along and across.
 //!
-//! A finger at a height tips the block forwards, so that supports ahead carry more. A surface whose friction is an ellipse, `√q μ` along and `μ / √q`
-//! across, is one that rubs alike everywhere once the plane is stretched, if all supports are in it: places and forces along by `1 / √q` and across by
-//! `√q`, velocities the other way round, moments as they are.
+//! A finger at a height tips the block forwards, so that supports ahead carry more. The second model has an ellipse of friction, `√q μ` along and `μ
+//! / √q` across. Stretching the plane makes its friction uniform, if all supports are in the plane: places and forces along by `1 / √q` and across by
+//! `√q`, velocities inversely; moments stay.
 
 use std::error::Error;
 
@@ -13,10 +13,10 @@ use support::measured_pushes::{Push, SURFACES, blocks, pushes, supports};
 use crate::supports::{Within, identified};
 
 const STIFFNESS: f64 = 1e6; // N/m
-/// Of the pusher above the surface, in mm.
+/// Heights of the pusher above the surface, mm.
 pub(crate) const HEIGHTS: [f64; 4] = [0.0, 5.0, 10.0, 15.0];
 
-/// Scatter of all layouts of one surface, and loads that are right.
+/// Scatter of all layouts of one surface, and number of loads within their errors.
 fn all_layouts(
     surface: &str,
     all: &[Push],
@@ -34,8 +34,8 @@ fn all_layouts(
     Ok((squares / blocks.len() as f64).sqrt())
 }
 
-/// Models beside each other, asked about so many layouts of each surface, the ellipse of friction turned so many times on its half way around, and the
-/// pusher at so many heights.
+/// Compares the models on this number of layouts of each surface, with this number of directions of the ellipse over half a turn, and this number of
+/// heights of the pusher.
 pub(crate) fn compared(turns: u8, layouts: usize, heights: usize) -> Result<(), Box<dyn Error>> {
     let (mut blocks, pushes) = (blocks()?, pushes()?);
     blocks.truncate(layouts);
@@ -91,7 +91,7 @@ fn row(name: &str, left: [Result<f64, Box<dyn Error>>; 2], within: &Within) -> R
     Ok(())
 }
 
-/// What forces and places are multiplied with where friction along is so many times that across.
+/// Stretch of forces and places for a ratio of friction along to friction across.
 fn stretched(ratio: f64, degrees: f64) -> Matrix2<f64> {
     let turn = Rotation2::new(degrees.to_radians());
     let scale = Matrix2::from_diagonal(&Vector2::new(ratio.sqrt().recip(), ratio.sqrt()));

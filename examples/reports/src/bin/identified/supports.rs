@@ -1,4 +1,4 @@
-//! Friction and what each support carries, from the pushes of one surface and one layout.
+//! Friction and the load of each support, from the pushes of one surface and one layout.
 
 use std::error::Error;
 
@@ -9,7 +9,7 @@ use support::measured_pushes::{
     LAYOUTS, Push, SURFACES, Together, WEIGHT, blocks, normal_forces, pushes, supports,
 };
 
-/// What pushes are taken together by, first the one whose numbers are told.
+/// Groupings of pushes; the first one's numbers are printed.
 const GROUPINGS: [(Option<Together>, &str); 5] = [
     (Some(Together::Direction(30.0)), "directions of 30°"),
     (None, "each for itself"),
@@ -39,19 +39,19 @@ pub(crate) fn in_the_plane(push: &Push) -> Wrench {
     Wrench::new([push.load.x, push.load.y, 0.0], [0.0, 0.0, push.load.z])
 }
 
-/// Of loads of supports: those that are fixed, within two standard errors of statics, and in their interval.
+/// Loads of supports: number of those that are fixed, within two standard errors of statics, and in their interval.
 #[derive(Default)]
 pub(crate) struct Within {
     pub(crate) all: usize,
     pub(crate) two_errors: usize,
     pub(crate) interval: usize,
-    /// By how much errors are larger than those of `beside`, and degrees of freedom.
+    /// Ratios of errors to those of `beside`, and degrees of freedom.
     wider: Vec<f64>,
     degrees: Vec<f64>,
 }
 
 impl Within {
-    /// Counts the loads of a layout, errors compared with those of slips that stand for themselves.
+    /// Counts the loads of a layout, and compares errors with those from ungrouped slips.
     pub(crate) fn count(&mut self, found: &Identified, layout: usize, beside: &Identified) {
         let loads = found.estimates[1..].iter().zip(&beside.estimates[1..]);
         for ((load, plain), truth) in loads.zip(normal_forces(&supports(layout))) {
@@ -70,7 +70,7 @@ fn median(mut values: Vec<f64>) -> f64 {
     values[values.len() / 2]
 }
 
-/// All surfaces, and so many layouts of each.
+/// All surfaces, with this number of layouts of each.
 pub(crate) fn of_pushes(layouts: usize) -> Result<(), Box<dyn Error>> {
     let (blocks, pushes) = (blocks()?, pushes()?);
     println!(
@@ -129,7 +129,7 @@ fn told(surface: &str, layout: usize, found: &Identified) {
     let friction =
         mu.standard_error.map_or("not fixed".to_owned(), |error| format!("{:.4} ± {error:.4}", mu.value));
     let scatter = found.scatter.map_or(String::new(), |scatter| format!("{:.1} %", 100.0 * scatter));
-    // The loads balance the weight where it acts.
+    // The loads balance the weight at its centre.
     let moments = supports(layout).into_iter().zip(&found.estimates[1..]);
     let centre: Vector2<f64> = moments.map(|(at, load)| at * (1e3 * load.value / WEIGHT)).sum();
     println!(

@@ -1,4 +1,4 @@
-//! What each cargo feature adds: dependencies, and compile time when asked.
+//! Cost of each cargo feature: its dependencies, and on request its compile time.
 
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -16,7 +16,7 @@ fn cargo() -> Command {
     command
 }
 
-/// Crates that are compiled for a user who asks for a feature alone, macros included.
+/// Crates that are compiled for a single feature, macros included.
 fn dependencies(feature: &str) -> Result<BTreeSet<String>, Failure> {
     let arguments =
         ["tree", "--offline", "-e", "normal", "--prefix", "none", "--no-default-features", "--features"];
@@ -29,7 +29,7 @@ fn dependencies(feature: &str) -> Result<BTreeSet<String>, Failure> {
     Ok(text.lines().skip(1).map(name).filter(|name| !name.is_empty()).collect())
 }
 
-/// Seconds that a release build of the library takes with nothing compiled before.
+/// Time of a release build of the library from scratch, s.
 fn compile_time(feature: &str) -> Result<f64, Failure> {
     let folder = std::env::temp_dir().join(format!("grasp-lcp-left-out-{}-{feature}", std::process::id()));
     let arguments =

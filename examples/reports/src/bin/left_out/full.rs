@@ -13,12 +13,12 @@ use nalgebra::{DMatrix, DVector, SVector};
 
 use crate::scene::{Failure, Scene};
 
-/// Stands for friction without limit, and for a bond, where the answer neither slides nor pulls.
+/// Friction coefficient that replaces infinite friction, and a bond, if the answer neither slides nor pulls.
 const NEVER_SLIDES: f64 = 1e3;
 /// Facets in space, those of the crate's default polygon; its corners lie on the circle.
 const FACETS: u32 = 8;
 
-/// The problem, and what gives the forces back.
+/// The problem, and the matrices that give its forces.
 pub struct Full {
     pub lcp: Lcp,
     sticking: DVector<f64>,
@@ -88,7 +88,7 @@ impl Full {
         Ok(Self { lcp, sticking, jumps })
     }
 
-    /// Forces in the contact frames, and the pivots; `None` where Lemke's method ends on a ray.
+    /// Forces in the contact frames, and the pivots; `None` if Lemke's method ends on a ray.
     pub fn solve<const C: usize>(&self) -> Option<(Vec<SVector<f64, C>>, usize)> {
         let outcome = self.lcp.solve();
         let solution = outcome.solution()?;

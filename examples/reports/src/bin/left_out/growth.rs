@@ -1,4 +1,4 @@
-//! What leaving out is worth as grasps grow: pads of ever more springs.
+//! Gain from omitted rows as grasps grow: pads with more and more springs.
 
 use grasp_lcp::picture::{Chart, Stroke};
 

@@ -1,4 +1,4 @@
-//! Scene by scene: the rows that a full formulation has, those that were made, and why the others were not.
+//! Scene by scene: rows of the full formulation, rows that were made, and why the others were omitted.
 
 use std::fmt::Write;
 
@@ -10,21 +10,21 @@ use crate::full::Full;
 use crate::scene::{self, Failure, Scene};
 use support::best_time::timed;
 
-/// Forces that differ by more, relative to the largest, are not the same answer.
+/// Difference of forces, over the largest, above which two answers differ.
 const AGREE: f64 = 1e-10;
 
-/// One scene solved both ways.
+/// One scene, solved both ways.
 pub struct Measured {
     pub full_rows: usize,
     pub full_time: f64,
     pub time: f64,
     full_pivots: Option<usize>,
     answer: Answer,
-    /// Largest difference of a contact force over the largest force; `None` where the full formulation has no answer.
+    /// Largest difference of a contact force over the largest force; `None` if the full formulation has no answer.
     apart: Option<f64>,
 }
 
-/// What the crate says it did.
+/// Statistics of the crate's answer.
 struct Answer {
     sliding: usize,
     rows: usize,

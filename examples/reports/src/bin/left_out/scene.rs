@@ -1,4 +1,4 @@
-//! Grasps under loads: what sticks, slides, has no friction, is glued on, lies in a plane or far away.
+//! Grasps under loads, with contacts that stick, slide, have no friction, are glued, lie in a plane or far away.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::{Contact, Hold, Wrench};
@@ -6,7 +6,7 @@ use grasp_lcp::{planar, spatial};
 
 pub type Failure = Box<dyn std::error::Error>;
 
-/// A grasp under a load, with how its contacts hold.
+/// A grasp under a load, and the hold of its contacts.
 pub struct Scene<const C: usize> {
     pub name: &'static str,
     pub grasp: Grasp<C>,
@@ -54,7 +54,7 @@ pub fn slides() -> Result<Scene<3>, grasp_lcp::Error> {
     Scene::new("some slide", (0..5).map(|i| finger(5, i)), load)
 }
 
-/// A cube in a nest of twelve smooth pins, two a side, some of which it leaves.
+/// A cube in a nest of twelve smooth pins, two a side; it leaves some of them.
 pub fn smooth() -> Result<Scene<3>, grasp_lcp::Error> {
     let pin = |k: u8| {
         let (side, axis) = (if k < 6 { -1.0 } else { 1.0 }, usize::from(k / 2 % 3));

@@ -1,4 +1,4 @@
-//! Predicted against measured, with the scatter of pushes that repeat others as the floor.
+//! Predicted against measured forces, with the scatter of repeated pushes as the floor.
 
 use grasp_lcp::picture::{Chart, Stroke};
 use support::measured_pushes::{LAYOUTS, Limit, Push, SURFACES};
@@ -24,7 +24,7 @@ pub(crate) fn of_surfaces(pushes: &[Push], limits: &[Limit], floors: &[Repeats; 
             chart = chart.series(*name, points.collect(), Stroke::Circles);
         }
         let most = own().map(|(push, _)| push.load.xy().norm()).fold(0.0, f64::max);
-        // Down one side and up the other: most pushes that repeat others lie between, twice their scatter to either side.
+        // One line up each side: most repeated pushes lie between them, within twice their scatter.
         let [above, below] = [2.0, -2.0].map(|times| most * (times * floor.scatter).exp());
         let band = vec![(most, above), (0.0, 0.0), (most, below)];
         chart

@@ -5,8 +5,8 @@
 //! 400 pushes of a triangular block that slides on three points of known place and load, on hardboard and on plywood (Zhou, Paolini, Bagnell and Mason,
 //! ICRA 2016; see [`support::measured_pushes`]).
 //!
-//! A push that slides the block steadily is the load at which three contacts in space are lost. It grows with the coefficient of friction, so that each
-//! push tells a coefficient, and the median of those of one layout is what the other three are predicted with. Beside it stand an ellipsoid through the same largest
+//! A push that slides the block steadily is the load at which three contacts in space are lost. It grows with the coefficient of friction, so each
+//! push gives a coefficient. The median over one layout predicts the other three. For comparison there are an ellipsoid through the same largest
 //! force and moment (Howe and Cutkosky 1996), and μ times the weight, whatever the moment.
 
 mod charts;
@@ -23,7 +23,7 @@ use support::measured_pushes::{
     LAYOUTS, Limit, Push, SURFACES, WEIGHT, blocks, limit, normal_forces, pushes, supports,
 };
 
-/// What moments are compared with forces by, m: about how far the supports are from the centre of mass.
+/// Length by which moments are divided to compare them with forces, m: about the distance of the supports from the centre of mass.
 const LENGTH: f64 = 0.05;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -85,7 +85,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// What predicts the part of a push at which the block slides, at a coefficient of one.
+/// Predicts the part of a push at which the block slides, for a coefficient of one.
 type Model = fn(&Push, &Limit) -> f64;
 
 const MODELS: [(&str, Model); 3] = [
@@ -94,7 +94,7 @@ const MODELS: [(&str, Model); 3] = [
     ("μ times the weight", |push, _| WEIGHT / push.load.xy().norm()),
 ];
 
-/// The coefficient with which a model is right for its own layout, in the median, and by what part it is off in all others.
+/// The median coefficient of a model on its own layout, and its relative errors on all others.
 fn blind((pushes, limits): (&[Push], &[Limit]), surface: &str, from: usize, model: Model) -> (f64, Vec<f64>) {
     let those = |is_own: bool| {
         let all = pushes.iter().zip(limits);
@@ -104,7 +104,7 @@ fn blind((pushes, limits): (&[Push], &[Limit]), surface: &str, from: usize, mode
     (mu, those(false).map(|(push, limit)| (mu * model(push, limit) - 1.0).abs()).collect())
 }
 
-/// What each model costs a push on one thread, beside the median error of all blind predictions.
+/// Time of each model for a push on one thread, beside the median error of all blind predictions.
 fn error_against_time(
     pushes: &[Push],
     limits: &[Limit],
@@ -130,7 +130,7 @@ fn error_against_time(
     Ok(())
 }
 
-/// Coefficients that pushes tell, layout by layout: where they scatter no model with one coefficient can be right.
+/// Coefficients from the pushes of each layout: where they scatter, no model with one coefficient can be right.
 fn by_layout(pushes: &[Push], limits: &[Limit]) {
     println!("\nThe coefficient of friction that each push tells, its median and where half of them lie:\n");
     for surface in SURFACES {
@@ -146,7 +146,7 @@ fn by_layout(pushes: &[Push], limits: &[Limit]) {
     }
 }
 
-/// What pushes one way tell beside those the other way: one coefficient would be the same both ways.
+/// Coefficients from pushes in one direction beside the opposite one; a single coefficient would be the same in both.
 fn by_direction(pushes: &[Push], limits: &[Limit]) {
     println!(
         "\nThe median coefficient of pushes one way and the other, in percent beside that of all of the layout:\n"
@@ -179,7 +179,8 @@ fn by_direction(pushes: &[Push], limits: &[Limit]) {
     );
 }
 
-/// The part of a push at which it reaches the ellipsoid with a coefficient of one: through all of the friction, and all of its moment about the centre.
+/// The part of a push at which it reaches the ellipsoid for a coefficient of one. Its axes are all of the friction, and all of its moment about the
+/// centre.
 fn on_the_ellipsoid(push: &Push) -> f64 {
     let at = supports(push.layout);
     let loads = normal_forces(&at);
@@ -187,13 +188,13 @@ fn on_the_ellipsoid(push: &Push) -> f64 {
     1.0 / (push.load.xy().norm() / WEIGHT).hypot(push.load.z / moment)
 }
 
-/// Between two motions, turns counted at a length, degrees.
+/// Angle between two motions, degrees; turns count at a length.
 fn angle_between(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
     let [a, b] = [a, b].map(|v| Vector3::new(v.x, v.y, LENGTH * v.z));
     a.angle(&b).to_degrees()
 }
 
-/// The value below which so many percent lie.
+/// The value below which `percent` of the values lie.
 fn quantile(mut values: Vec<f64>, percent: usize) -> f64 {
     values.sort_by(f64::total_cmp);
     values[(values.len() - 1) * percent / 100]

@@ -1,21 +1,21 @@
-//! Pushes that repeat others, nearly: what differs between them no model of the load alone can tell.
+//! Nearly repeated pushes: no model of the load alone can predict the differences between them.
 
 use support::measured_pushes::{Limit, Push, SURFACES};
 
 use crate::{LENGTH, quantile};
 
-/// Loads that are no farther apart are alike, degrees, moments counted at a length. No push is repeated to the digit.
+/// Largest angle between loads that count as equal, degrees, with moments divided by a length. No push is repeated exactly.
 const ALIKE: f64 = 8.0;
-/// The median of the sizes of what is normally distributed, in standard deviations.
+/// Median of the absolute value of a standard normal variable.
 const MEDIAN_SIZE: f64 = 0.674_49;
 
-/// What pushes under like loads scatter by, as a part of the force.
+/// Scatter of pushes under nearly equal loads, over the force.
 pub(crate) struct Repeats {
     pub(crate) scatter: f64,
     pushes: usize,
 }
 
-/// Of each push of a surface the one of the same layout whose load is most like its own.
+/// Compares each push of a surface with the push of the same layout whose load is nearest.
 pub(crate) fn scatter(pushes: &[Push], limits: &[Limit], surface: &str) -> Repeats {
     let load =
         |push: &Push| grasp_lcp::nalgebra::Vector3::new(push.load.x, push.load.y, push.load.z / LENGTH);
@@ -28,11 +28,11 @@ pub(crate) fn scatter(pushes: &[Push], limits: &[Limit], surface: &str) -> Repea
     });
     let apart: Vec<f64> = apart.collect();
     let pushes = apart.len();
-    // Two pushes differ by √2 times what one scatters by.
+    // The difference of two pushes scatters √2 times as much as one push.
     Repeats { scatter: quantile(apart, 50) / (2.0_f64.sqrt() * MEDIAN_SIZE), pushes }
 }
 
-/// In a sentence for each surface.
+/// Prints a sentence for each surface.
 pub(crate) fn told(floors: &[Repeats; 2]) {
     println!();
     for (surface, floor) in SURFACES.iter().zip(floors) {

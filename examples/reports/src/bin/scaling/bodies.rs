@@ -1,4 +1,4 @@
-//! Several bodies: what a verdict costs for each, in rows of books and walls of bricks.
+//! Cost of a verdict for each of several bodies, in rows of books and walls of bricks.
 
 use grasp_lcp::planar::{Bodies, Wrench};
 use support::piles::{books, wall};
@@ -8,8 +8,8 @@ use support::best_time::best;
 use crate::report::{Beside, row};
 use crate::{Outcome, up_to};
 
-/// Rows are as long as one likes, and the cost of a book stays. In a wall of n bricks a band is as wide as a row of √n bricks, so that factors cost n
-/// for each.
+/// Rows may have any length at constant cost for each book. In a wall of n bricks a band is as wide as a row of √n bricks, so factors cost O(n) for
+/// each brick.
 pub fn rows(most: usize) -> Outcome {
     let book = |count: usize| (count, books(count), Wrench::force([0.0, -5.0]));
     grown("book of a row, one pulled: hold, for each book", up_to(most, [10, 100, 1000]).map(book))?;

@@ -54,7 +54,7 @@ fn on_the_round_cone(name: &str, grasp: &Grasp<3>, load: &Wrench<3>) -> Outcome 
     Ok(())
 }
 
-/// Patches two thirds of which slide in the plane, half in space: by Lemke's method alone, and with Newton's method as a start.
+/// Patches of which two thirds slide in the plane, half in space: by Lemke's method alone, and with Newton's method as a start.
 pub fn patches(most: usize) -> Outcome {
     for n in up_to(most, [100, 1000, 10_000, 100_000]) {
         let (grasp, load) = planar_patch(n)?;
@@ -96,8 +96,8 @@ fn patch<const D: usize, const C: usize>(
     Ok(())
 }
 
-/// Of each contact in each step and at the start G_i, springs, friction, command and force; its stretch, its force, what it adds to the imbalance and
-/// to half of the stiffness, three dyads.
+/// Work for each contact in each step and at the start. Data are G_i, springs, friction, command and force. Operations are for its stretch, its
+/// force, its part of the imbalance, and half of its part of the stiffness, three dyads.
 fn needs<const D: usize, const C: usize>(contacts: usize, steps: usize) -> Needs {
     let [d, c] = [D, C].map(|n| n as f64);
     let bytes = 8.0 * (d * c + 3.0 * c + 1.0);
@@ -145,12 +145,13 @@ pub fn whole_solve(most: usize) -> Outcome {
     Ok(())
 }
 
-/// The reduced quadratic program made and solved once by an interior-point method. Its friction law is another one: only the time compares.
+/// Time to assemble the reduced quadratic program and solve it once by an interior-point method. Its friction law is another one: only the time
+/// compares.
 fn program_once<const C: usize>(grasp: &Grasp<C>, load: &Wrench<C>) -> f64 {
     best(|| drop(black_box(sticks(grasp, load))))
 }
 
-/// The kinematic form made and solved as a dense problem, without check of the answer as physics.
+/// Time to assemble and solve the kinematic form as a dense problem, without check of the answer as physics.
 fn dense<const C: usize>(grasp: &Grasp<C>, load: &Wrench<C>) -> f64 {
     best(|| {
         if let Ok(Some(form)) = grasp.kinematic_form(load, &PolygonCone::default()) {

@@ -1,8 +1,8 @@
-//! What the machine can do at most.
+//! The least time that the machine needs for some work.
 //!
-//! Work moves bytes and does operations. Each takes at least as long as in a loop that does nothing else, and the longer of the two times is the limit of
-//! the work. Bytes are those of its data and answers, each counted once. Operations are the additions, multiplications, divisions and roots of its
-//! formulas. Neither comparisons, choices and integers are counted, nor that a division takes longer than a product: the real limit is nearer.
+//! Work moves bytes and does operations. Each takes at least as long as in a loop that does nothing else, and the longer of the two times is the
+//! limit of the work. Bytes are those of its data and answers, each counted once. Operations are the additions, multiplications, divisions and roots
+//! of its formulas. Comparisons, choices and integers are not counted, and a division counts like a product: the real limit is nearer.
 
 use std::hint::black_box;
 
@@ -10,11 +10,11 @@ use rayon::prelude::*;
 
 use support::best_time::best;
 
-/// What a piece of work needs.
+/// Bytes and operations of some work.
 pub struct Needs {
     /// Bytes of data and answers.
     pub bytes: f64,
-    /// Bytes of all data that the work goes through before it comes back to the first: they say which memory holds them.
+    /// Bytes of all data that the work touches before it returns to the first: they determine which memory holds them.
     pub among: f64,
     /// Operations in floating point.
     pub operations: f64,
@@ -27,17 +27,17 @@ pub enum Cores {
     All,
 }
 
-/// The least time for what some work needs.
+/// The least time for some work.
 #[derive(Clone, Copy)]
 pub struct Limit {
     /// s
     pub time: f64,
-    /// What sets it.
+    /// Which of the two sets it.
     pub by: &'static str,
 }
 
 impl Limit {
-    /// Measures what this machine can do and says how long the work takes at least.
+    /// Measures this machine, and returns the least time of the work.
     pub fn of(needs: &Needs) -> Self {
         let memory = needs.bytes / bandwidth(needs.among, needs.cores);
         let arithmetic = needs.operations / peak(needs.cores);
@@ -49,7 +49,7 @@ impl Limit {
     }
 }
 
-/// Prints what the limits are made of.
+/// Prints the measured speeds from which limits are made.
 pub fn print_machine() {
     for (cores, name) in [(Cores::One, "one core"), (Cores::All, "all cores")] {
         let [near, far] = [1e6, 1e8].map(|among| 1e-9 * bandwidth(among, cores));
@@ -60,7 +60,7 @@ pub fn print_machine() {
     }
 }
 
-/// Bytes a second that are read from so many, again and again. All cores do at least what one of them does: small work is not handed out.
+/// Bytes a second when `among` bytes are read again and again. All cores do at least as much as one, since small work stays on one core.
 fn bandwidth(among: f64, cores: Cores) -> f64 {
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a length
     let array = vec![1.0_f64; (among / 8.0).max(1024.0) as usize];
@@ -72,7 +72,7 @@ fn bandwidth(among: f64, cores: Cores) -> f64 {
     8.0 * array.len() as f64 / time
 }
 
-/// In so many sums that none waits for memory because of another.
+/// Sums 32 separate parts, so that no addition waits for another.
 fn sum(array: &[f64]) -> f64 {
     let mut sums = [0.0; 32];
     wide(|| {
@@ -85,8 +85,7 @@ fn sum(array: &[f64]) -> f64 {
     sums.iter().sum()
 }
 
-/// Products and sums a second, as many of the one as of the other: polynomials of degree four at places in the nearest memory. No place waits for
-/// another.
+/// Products and sums a second, in equal numbers: polynomials of degree four at places in the nearest memory. No place waits for another.
 fn peak(cores: Cores) -> f64 {
     const PLACES: usize = 512;
     const ROUNDS: usize = 2000;

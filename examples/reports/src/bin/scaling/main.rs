@@ -1,10 +1,11 @@
 //! How do the solvers scale, from a pinch to a hundred thousand contacts?
 //!
-//! `cargo run --release -p reports --bin scaling [most contacts or bodies]` prints each figure, best of several runs, as ratios beside two others of the same run where those are
-//! still affordable: what the crate does in general for a few contacts (the dense form for an equilibrium, `Grasp::onset`, `Grasp::follow`), and what one
-//! does today without it (the reduced quadratic program by an interior-point method: once for an equilibrium, bisected for an onset). The
-//! column "of the limit" says which part of the least time that the machine takes for the bytes and operations of the work, see [`limits`]. With
-//! `--features simd` batches use wider vectors. Of several bodies each row is what one of them costs.
+//! `cargo run --release -p reports --bin scaling [most contacts or bodies]` prints each figure, best of several runs, with ratios to two others of
+//! the same run where those are still affordable. The first is the crate's general method for a few contacts (the dense form for an equilibrium,
+//! `Grasp::onset`, `Grasp::follow`). The second is the usual method without the crate (the reduced quadratic program by an interior-point method:
+//! once for an equilibrium, bisected for an onset). The column "of the limit" is the least time of the machine for the bytes and operations of the
+//! work, see [`limits`], over the measured time. With `--features simd` batches use wider vectors. For several bodies each row is the cost of one
+//! body.
 #![allow(clippy::doc_markdown, unreachable_pub)]
 
 mod bodies;
@@ -15,7 +16,7 @@ mod paths;
 mod report;
 mod today;
 
-/// Those numbers of contacts that are not too many.
+/// The numbers of contacts up to `most`.
 fn up_to<const N: usize>(most: usize, counts: [usize; N]) -> impl Iterator<Item = usize> {
     counts.into_iter().filter(move |n| *n <= most)
 }

@@ -1,5 +1,5 @@
-//! The onset of sliding of small grasps, while a load grows or turns, and the least squeeze: one at a time, in batches, and as one would find the
-//! first without this crate.
+//! The onset of sliding of small grasps, while a load grows or turns, and the least squeeze: one at a time, in batches, and the first also without
+//! this crate.
 
 use std::hint::black_box;
 
@@ -19,7 +19,7 @@ use crate::report::{Beside, row};
 use crate::today::bisected_onset;
 use support::patches::uneven;
 
-/// Grasps a family: with their numbers they stay in the processor's nearer memory.
+/// Grasps in a family; with their numbers they stay in the processor's nearer memory.
 const GRASPS: usize = 4000;
 
 pub fn rows() -> Outcome {
@@ -76,7 +76,7 @@ fn family<const D: usize, const C: usize, const N: usize>(
         });
 
     let ramp = Ramp::load(Wrench::ZERO, *direction);
-    // Those whose contacts all stick to begin with.
+    // Grasps whose contacts all stick without the load.
     let sticking = scenes.iter().zip(&answers).filter_map(|(scene, answer)| Some((scene, answer.factor()?)));
     let few: Vec<_> = sticking.take(100).collect();
     let grasps: Vec<_> =
@@ -118,8 +118,8 @@ fn family<const D: usize, const C: usize, const N: usize>(
     squeezes(name, (&fingers, &batch), &grasps, direction)
 }
 
-/// What the onset under one of several loads needs, in a batch of so many grasps: operations are counted in the formulas of the room `screening`, those
-/// that make a grasp ready and those for a load that starts at zero.
+/// Work for the onset under one of several loads, in a batch of `grasps` grasps. Operations are counted in the formulas of the module `screening`:
+/// those that prepare a grasp, and those for a load that starts at zero.
 fn needs<const C: usize, const N: usize>(loads: f64, grasps: usize, cores: Cores) -> Needs {
     let n = N as f64;
     let (ready, load) = match (C, N) {
@@ -138,7 +138,7 @@ fn needs<const C: usize, const N: usize>(loads: f64, grasps: usize, cores: Cores
     }
 }
 
-/// The angle at which contacts leave while a load turns: a light one that all hold, and one under which many slide.
+/// The angle at which contacts leave while a load turns: a light load that all hold, and one under which many slide.
 fn turns<const D: usize, const C: usize, const N: usize>(
     name: &str,
     (fingers, batch): (&[Fingers<D, C, N>], &Batch<D, C, N>),

@@ -16,8 +16,8 @@ use crate::{Outcome, up_to};
 use grasp_lcp::spatial;
 use support::patches::{planar_patch, spatial_patch, uneven};
 
-/// Whole load paths, pressed to begin with and sheared up to where most of the patch slides, and back: every event exact, from the
-/// public question on, with the equilibrium to start from; beside `Grasp::follow` where that is still affordable.
+/// Whole load paths: pressed at first, sheared until most of the patch slides, and back. Every event is exact; the time includes the public question
+/// and the equilibrium at the start. For comparison `Grasp::follow` where that is still affordable.
 pub fn rows(most: usize) -> Outcome {
     for n in up_to(most, [100, 1000, 10_000, 100_000]) {
         let (grasp, load) = planar_patch(n)?;
@@ -33,8 +33,8 @@ pub fn rows(most: usize) -> Outcome {
     Ok(())
 }
 
-/// The whole path of many fingers that press on a ball from all sides, on the round cone: from no load to where many slide, each of them along a
-/// direction that turns.
+/// The whole path of many fingers that press on a ball from all sides, on the round cone: from no load until many slide, each along a direction that
+/// turns.
 fn round_a_ball(n: usize) -> Outcome {
     let finger = |i: usize| {
         let u = |k: usize| uneven(13 * i + k) - 0.5;
@@ -66,7 +66,7 @@ fn whole_path<const D: usize, const C: usize>(
     load: &Wrench<C>,
     affordable: bool,
 ) -> Outcome {
-    // Along the normals, which all contacts share.
+    // Load along the normals, which all contacts share.
     let press = SVector::<f64, D>::from_fn(|k, _| if k == C - 1 { load.components()[k] } else { 0.0 });
     let press = Wrench::from_components(press.as_slice());
     let there_and_back = [Leg::load_to(*load), Leg::load_to(press)];
@@ -97,13 +97,13 @@ fn how<const C: usize>(end: Option<&PathEnd<C>>) -> &'static str {
     if matches!(end, Some(PathEnd::Completed)) { "completed" } else { "not completed" }
 }
 
-/// Of an event the factors and the motion of the object; of each contact that is looked at its data, and where it would leave its state. What it takes
-/// to start is left out.
+/// Work of an event: the factors and the motion of the object. Work of each contact examined: its data, and the load at which it would leave its
+/// state. The start is left out.
 fn needs<const D: usize, const C: usize>(contacts: usize, events: f64, looked: f64) -> Needs {
-    // The lines of memory of a contact on its way.
+    // Bytes of memory lines of a contact on its way.
     let contact = if C == 2 { 128.0 } else { 256.0 };
     let [d, c] = [D, C].map(|n| n as f64);
-    // A dyad leaves the stiffness and one enters; it is factored by reflections and solved with.
+    // A dyad leaves the stiffness and one enters; the stiffness is factored by reflections and solved with.
     let event = 4.0 * d * d + 4.0 / 3.0 * d * d * d + 4.0 * d * d;
     // u = x⁰ + τ x⁰' - m - Q y and its rate, and three conditions on both.
     let look = 2.0 * (2.0 * c * d + 3.0 * c) + 12.0 * c;

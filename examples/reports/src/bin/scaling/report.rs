@@ -1,4 +1,4 @@
-//! Times, and how they are printed.
+//! Times, and their printed table.
 
 use crate::limits::Limit;
 
@@ -10,14 +10,14 @@ pub fn head() {
     );
 }
 
-/// What stands beside a time, s; what is not a number is left out.
+/// Times for comparison, s; NaN is left out.
 #[derive(Clone, Copy)]
 pub struct Beside {
-    /// What the crate takes in general.
+    /// Time of the crate's general method.
     pub in_general: f64,
-    /// What one does without it.
+    /// Time of the usual method without the crate.
     pub today: f64,
-    /// What this machine takes at least.
+    /// Least time on this machine.
     pub limit: Limit,
 }
 

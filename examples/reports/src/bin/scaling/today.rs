@@ -1,4 +1,4 @@
-//! What one does today: the reduced quadratic program by an interior-point method (Clarabel), again and again.
+//! The usual method today: the reduced quadratic program by an interior-point method (Clarabel), solved repeatedly.
 
 use grasp_lcp::PolygonCone;
 use grasp_lcp::ask::Grasp;
@@ -7,12 +7,12 @@ use grasp_lcp::grasp::Wrench;
 
 use support::interior_point::{Oracle, interior_point};
 
-/// A friction row with less slack than this part of the largest one is taken for sliding; at the onset itself the method leaves about as much.
+/// A friction row with less slack than this part of the largest slack counts as sliding; at the onset itself the method leaves about as much.
 const ACTIVE: f64 = 1e-6;
 /// Halvings of the interval.
 const HALVINGS: usize = 20;
 
-/// One solution of the program under a load; whether no friction row is active in it.
+/// Solves the program once under a load; returns whether no friction row is active.
 pub fn sticks<const C: usize>(grasp: &Grasp<C>, load: &Wrench<C>) -> Result<bool, grasp_lcp::Error> {
     let reduced = grasp.energy().reduced_qp(load, &PolygonCone::default(), Unknowns::TwistAndGaps)?;
     let Oracle::Minimum(x, _) = interior_point(&reduced.program) else { return Ok(false) };
@@ -23,7 +23,7 @@ pub fn sticks<const C: usize>(grasp: &Grasp<C>, load: &Wrench<C>) -> Result<bool
     Ok(friction().all(|(_, slack)| *slack > ACTIVE * largest))
 }
 
-/// The factor of the load from which on the program has a friction row active, by doubling and halving.
+/// The factor of the load at which a friction row of the program becomes active, by doubling and halving.
 pub fn bisected_onset<const C: usize>(
     grasp: &Grasp<C>,
     direction: &Wrench<C>,

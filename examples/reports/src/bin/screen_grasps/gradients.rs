@@ -1,4 +1,4 @@
-//! What gradients cost beside values.
+//! Cost of gradients beside values.
 
 use grasp_lcp::screening::ScreenedGradients;
 use grasp_lcp::spatial::{Batch, Fingers, Pull, Wrench};
@@ -8,10 +8,10 @@ use support::best_time::best_in_turns;
 
 use super::{CHUNK, Cloud, Random, finger, sample, weight};
 
-/// Chunks of grasps that are timed: enough that handing them out does not count, few enough that memory is not measured.
+/// Number of chunks of grasps that are timed: enough that their distribution to threads does not count, few enough that memory is not measured.
 const CHUNKS: usize = 16;
 
-/// Prints the throughput of gradients of grasps on a cloud, as a ratio to factors too.
+/// Prints the throughput of gradients of grasps on a cloud, also as a ratio to that of factors.
 pub(crate) fn print_cost(cloud: &Cloud) -> Result<(), Box<dyn std::error::Error>> {
     let mut random = Random(1);
     let mut batch = Batch::<3>::with_capacity(CHUNKS * CHUNK);

@@ -1,8 +1,8 @@
-//! Which of a million grasps holds an object best, whichever way it is turned?
+//! Which of a million grasps holds an object best in every orientation?
 //!
-//! `cargo run --release -p reports --bin screen_grasps` samples three-finger grasps on a point cloud with normals, asks of each at which multiple of its weight the
-//! first finger slides, for gravity in 26 directions, and keeps the weakest direction. It prints the ten best grasps, checked with
-//! `Grasp::onset`, the throughput, also of gradients, and draws how the million are distributed.
+//! `cargo run --release -p reports --bin screen_grasps` samples three-finger grasps on a point cloud with normals. For each it finds the multiple of
+//! its weight at which the first finger slides, for gravity in 26 directions, and keeps the weakest direction. It prints the ten best grasps, checked
+//! with `Grasp::onset`, and the throughput, also of gradients; it draws the distribution over the million.
 
 mod gradients;
 
@@ -94,8 +94,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
 type Cloud = Vec<(Vector3<f64>, Vector3<f64>)>;
 
-/// Points on a bottle 20 cm high, with normals into it, both as a depth camera would see them: off by half a millimetre and by two degrees. Its
-/// centre of mass is the origin.
+/// Points on a bottle 20 cm high, with normals into it, both with the errors of a depth camera: half a millimetre and two degrees. The centre of mass
+/// is the origin.
 fn bottle() -> Cloud {
     let mut random = Random(1);
     let radius = |z: f64| 0.035 - 0.02 / (1.0 + (-(z - 0.05) / 0.012).exp());
@@ -136,7 +136,7 @@ struct Found {
     fingers: [usize; 3],
 }
 
-/// What screening some grasps has brought.
+/// Results of screening some grasps.
 #[derive(Debug, Clone)]
 struct Part {
     best: Vec<Found>,
@@ -170,7 +170,7 @@ impl Part {
     }
 }
 
-/// Samples and screens one chunk; which grasps it holds depends on nothing but its number.
+/// Samples and screens one chunk; its grasps depend only on its number.
 fn screen(cloud: &Cloud, chunk: usize) -> Result<Part, Error> {
     let mut random = Random(1 + chunk as u64);
     let grasps: Vec<[usize; 3]> =
@@ -223,7 +223,7 @@ fn sample(cloud: &Cloud, random: &mut Random) -> [usize; 3] {
     }
 }
 
-/// The relative difference between the multiple and what `Grasp::onset` finds.
+/// The relative difference between the multiple and that of `Grasp::onset`.
 fn check(cloud: &Cloud, found: &Found) -> Result<f64, Box<dyn std::error::Error>> {
     let grasp = Grasp::new(found.fingers.map(|i| finger(&cloud[i])))?;
     let mut least = f64::INFINITY;
@@ -234,7 +234,7 @@ fn check(cloud: &Cloud, found: &Found) -> Result<f64, Box<dyn std::error::Error>
     Ok((least / found.multiple - 1.0).abs())
 }
 
-/// How many grasps hold how much, and where the best one takes hold.
+/// Distribution of the held multiples, and the places of the best grasps.
 fn picture(cloud: &Cloud, all: &Part) -> Result<String, Box<dyn std::error::Error>> {
     let bars = all.histogram.iter().enumerate();
     let bars = bars.map(|(k, &count)| ((k as f64 + 0.5) / BINS as f64 * MOST, 1e-3 * count as f64)).collect();

@@ -1,4 +1,4 @@
-//! Where the last digits decide: loads next to the onset of sliding, and wedges next to their locking angle.
+//! Scenes in which the last digits decide: loads next to the onset of sliding, and wedges next to their locking angle.
 
 use grasp_lcp::grasp::Wrench;
 use nalgebra::SVector;
@@ -10,7 +10,7 @@ use support::scene::{Datum, Scene};
 
 /// Half the angle of the wedge.
 const HALF_ANGLE: f64 = 0.3;
-/// Closer than this to a locking angle or limit load, the rounding of the scene itself decides.
+/// Relative distance from a locking angle or limit load below which the rounding of the scene itself decides.
 const DATA: f64 = 1e-12;
 
 pub(crate) fn rows(table: &mut Table) -> Result<(), Failure> {
@@ -26,7 +26,7 @@ pub(crate) fn rows(table: &mut Table) -> Result<(), Failure> {
     Ok(())
 }
 
-/// How far above, or below, the edge: 1e-3 … 1e-15 of it and nothing.
+/// Relative distances above and below the edge: 1e-3 … 1e-15, and zero.
 fn parts() -> impl Iterator<Item = (String, f64)> {
     let exponents = [3, 6, 9, 12, 13, 14, 15];
     let below = exponents.map(|k| (format!("-1e-{k}"), -10_f64.powi(-k)));
@@ -34,7 +34,7 @@ fn parts() -> impl Iterator<Item = (String, f64)> {
     below.into_iter().chain([("0".to_owned(), 0.0)]).chain(above.into_iter().rev())
 }
 
-/// Fingers of which the first to slide leaves the others to hold.
+/// Fingers whose first slide leaves the others holding.
 fn onset<const D: usize, const C: usize>(
     table: &mut Table,
     case: &'static str,
@@ -69,8 +69,8 @@ fn paper(table: &mut Table, value: (String, f64)) -> Result<(), Failure> {
     Ok(())
 }
 
-/// A wedge, in space a plug, squeezed by fingers on its flanks. What sticks has `F_t / F_n = tan(half angle)` whatever the stiffness: with more
-/// friction it is held, with less it is squeezed out and nothing presses any more.
+/// A wedge, in space a plug, squeezed by fingers on its flanks. Sticking contacts have `F_t / F_n = tan(half angle)` whatever the stiffness. With
+/// more friction the wedge is held; with less it is squeezed out and nothing presses any more.
 fn wedge<const D: usize, const C: usize>(table: &mut Table, value: (String, f64)) -> Result<(), Failure> {
     let (sin, cos) = HALF_ANGLE.sin_cos();
     let count = if C == 2 { 2 } else { 3 };

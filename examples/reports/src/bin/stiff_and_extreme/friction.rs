@@ -1,4 +1,4 @@
-//! Friction from none to infinite, and squeezes far from the load.
+//! Friction from zero to infinite, and squeezes much larger and smaller than the load.
 
 use crate::Failure;
 use crate::measure::{Question, Table};
@@ -6,7 +6,7 @@ use crate::ring::{NORMAL, PULL, TANGENTIAL, TILTED, enough, held, power, uneven}
 
 pub(crate) const ALL: &str = "friction of all contacts";
 pub(crate) const ONE: &str = "friction of a contact that is pulled along";
-/// How much stiffer the first finger is, and what the table says of it.
+/// Stiffness of the first finger over the others', and its name in the table.
 const STIFFER: [(f64, &str); 2] =
     [(1.0, "fingers equally stiff"), (1e12, "the first finger 1e12 times as stiff")];
 
@@ -21,7 +21,7 @@ pub(crate) fn rows(table: &mut Table) -> Result<(), Failure> {
     squeeze::<6, 3>(table)
 }
 
-/// 0, 1e-12 … 1e12 and infinite.
+/// The coefficients 0, 1e-12 … 1e12 and infinite.
 fn frictions() -> impl Iterator<Item = (String, f64)> {
     let none = std::iter::once(("0".to_owned(), 0.0));
     none.chain((-12..=12).step_by(2).map(power)).chain([("infinite".to_owned(), f64::INFINITY)])
@@ -60,7 +60,7 @@ fn squeeze<const D: usize, const C: usize>(table: &mut Table) -> Result<(), Fail
         let value = power(exponent);
         let mut scene = held::<D, C>(enough::<C>(), TILTED);
         for (i, datum) in scene.contacts.iter_mut().enumerate() {
-            // Not all alike.
+            // Slightly different commands.
             datum.command[0] = value.1 * (1.0 + 0.05 * uneven(i)) / NORMAL;
         }
         let load = nalgebra::SVector::<f64, C>::from_column_slice(&scene.wrench().components()[..C]).norm();

@@ -83,7 +83,7 @@ fn resting<const C: usize>(point: [f64; C], normal: [f64; C], friction: f64) -> 
     }
 }
 
-/// A body on three contacts in the plane, two of them tilted by an angle; the load across is what the tilt can carry.
+/// A body on three contacts in the plane, two of them tilted by an angle; the tilt can carry the load across.
 fn cradle(angle: f64, friction: f64) -> Scene<3, 2> {
     let (sin, cos) = angle.sin_cos();
     let contacts = vec![

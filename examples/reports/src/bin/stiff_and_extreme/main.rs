@@ -1,15 +1,15 @@
-//! What becomes of an answer where stiffness, friction, squeeze, lengths or normals are extreme?
+//! How accurate are answers if stiffness, friction, squeeze, lengths or normals are extreme?
 //!
-//! `cargo run --release -p reports --bin stiff_and_extreme` asks for one equilibrium a row, in the plane and in space, and compares it with exact
-//! arithmetic: the contact states that came out are solved again with every number of the scene, and every contact frame as it was rounded, taken
-//! for what it is. A row shows
+//! `cargo run --release -p reports --bin stiff_and_extreme` computes one equilibrium for each row, in the plane and in space, and compares it with
+//! exact arithmetic. The resulting contact states are solved again with every number of the scene, and every rounded contact frame, taken as exact. A
+//! row shows
 //!
 //! ```text
 //! true error       largest error of a contact force / largest force, load included
 //! estimate         the error that the answer itself states, over the same force (Accuracy::force)
 //! condition        Accuracy::condition
 //! states           right: every condition of every state holds in exact arithmetic
-//!                  edge k: k contacts are said not to be told apart from another state (ContactAnswer::distinct)
+//!                  edge k: the states of k contacts are marked as not distinct from other states (ContactAnswer::distinct)
 //!                  WRONG: a condition fails and nothing says so
 //! ```
 //!

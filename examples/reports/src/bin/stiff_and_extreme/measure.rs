@@ -11,26 +11,26 @@ use crate::textbook;
 use support::scene::Scene;
 use support::truth::Truth;
 
-/// As many directions of sliding in space can be afforded as unknowns of exact equations.
+/// Largest number of directions of sliding in space that is affordable as unknowns of exact equations.
 const MOST_TURNING: usize = 12;
-/// A condition that fails by more than this part of its terms is wrong, marked or not.
+/// A condition that fails by more than this part of its terms is wrong, whether marked as an edge or not.
 const CLEARLY: f64 = 1e-12;
 
-/// What a row is about.
+/// Subject of a row.
 #[derive(Debug, Clone)]
 pub(crate) struct Question {
     pub(crate) family: &'static str,
     pub(crate) case: &'static str,
     /// The extreme number, as text and as a number.
     pub(crate) value: (String, f64),
-    /// What must come out, where a closed form says so.
+    /// The expected result, where a closed form gives it.
     pub(crate) expected: Option<Expected>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Expected {
     AllStick,
-    /// Of the squeeze nothing is left but rounding.
+    /// Only rounding of the squeeze is left.
     NoForce,
     NoEquilibrium,
 }
@@ -44,28 +44,28 @@ pub(crate) struct Row {
     pub(crate) slides: bool,
     /// `None` without an equilibrium.
     pub(crate) answer: Option<Answer>,
-    /// `None` where states or outcome cannot be checked.
+    /// `None` if states or outcome cannot be checked.
     pub(crate) states: Option<States>,
     pub(crate) remark: String,
 }
 
-/// Numbers of an equilibrium; forces over the largest.
+/// Numbers of an equilibrium; forces are over the largest force.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Answer {
-    /// `None` where the oracle has no answer.
+    /// `None` if the oracle has no answer.
     pub(crate) error: Option<f64>,
-    /// Of a component over that component.
+    /// Error of a component over that component.
     pub(crate) component: Option<f64>,
     pub(crate) estimate: f64,
     pub(crate) condition: f64,
-    /// Error of the normal equations, where everything sticks.
+    /// Error of the normal equations, if everything sticks.
     pub(crate) textbook: Option<f64>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum States {
     Right,
-    /// So many contacts are said not to be told apart from another state.
+    /// This number of contacts is marked as not distinct from another state.
     Edge(usize),
     Wrong,
 }
@@ -76,7 +76,7 @@ pub(crate) struct Table {
 }
 
 impl Table {
-    /// Asks for the equilibrium of a scene and adds a row.
+    /// Computes the equilibrium of a scene and adds a row.
     pub(crate) fn ask<const D: usize, const C: usize>(
         &mut self,
         question: Question,
@@ -86,7 +86,7 @@ impl Table {
         self.ask_of(question, scene, &grasp)
     }
 
-    /// The same of a grasp that was made otherwise.
+    /// [`Self::ask`] for a grasp that was made in another way.
     pub(crate) fn ask_of<const D: usize, const C: usize>(
         &mut self,
         question: Question,

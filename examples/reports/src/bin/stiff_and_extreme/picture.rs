@@ -6,7 +6,7 @@ use crate::Failure;
 use crate::measure::{Answer, Row, Table};
 use crate::stiffness::{FEW, SLIDING, STICKING};
 
-/// Where errors of exactly zero are drawn.
+/// Height at which errors of exactly zero are drawn.
 const ZERO: f64 = 1e-17;
 
 pub(crate) fn save(table: &Table) -> Result<(), Failure> {

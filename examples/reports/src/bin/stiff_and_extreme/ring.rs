@@ -1,4 +1,4 @@
-//! Fingers around a body: what most of the rows start from.
+//! Fingers around a body: the base scene of most rows.
 
 use std::f64::consts::TAU;
 
@@ -6,19 +6,19 @@ use nalgebra::SVector;
 
 use support::scene::{Datum, Scene};
 
-/// Stiffness, N/m, and friction where nothing else is said.
+/// Default stiffness, N/m, and friction.
 pub(crate) const NORMAL: f64 = 1000.0;
 pub(crate) const TANGENTIAL: f64 = 800.0;
 pub(crate) const FRICTION: f64 = 0.8;
 /// Force with which a finger squeezes, N.
 pub(crate) const SQUEEZE: f64 = 5.0;
-/// Force with which a finger that is to slide is pulled along, N.
+/// Force that pulls a finger along the surface if it is to slide, N.
 pub(crate) const PULL: f64 = 20.0;
-/// Fingers that press almost towards the middle, and such that stiff ones push each other aside.
+/// Tilts of the normals: fingers press almost towards the middle, or so that stiff ones push each other aside.
 pub(crate) const LEVEL: f64 = 0.1;
 pub(crate) const TILTED: f64 = 0.25;
 
-/// A fixed sequence without structure in [-½, ½).
+/// A fixed irregular sequence in [-½, ½).
 pub(crate) fn uneven(i: usize) -> f64 {
     (i as f64 * 0.618_033_988_749_894_9 + 0.37).fract() - 0.5
 }
@@ -48,7 +48,7 @@ pub(crate) fn ring<const C: usize>(count: usize, tilt: f64) -> Vec<Datum<C>> {
         .collect()
 }
 
-/// So many tilted fingers resist every motion by their normals alone.
+/// Number of tilted fingers that resist every motion by their normals alone.
 pub(crate) const fn enough<const C: usize>() -> usize {
     if C == 2 { 4 } else { 8 }
 }

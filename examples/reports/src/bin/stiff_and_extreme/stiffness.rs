@@ -1,4 +1,4 @@
-//! Springs of very different stiffness: between contacts, between the axes of one, between body and finger, beside a rigid side.
+//! Springs of very different stiffness: between contacts, between the axes of one contact, between body and finger, beside a rigid side.
 
 use grasp_lcp::ask::Grasp;
 use nalgebra::SVector;
@@ -16,10 +16,10 @@ const SLIPPERY: f64 = 0.02;
 /// Friction of contacts that are to stick.
 const ROUGH: f64 = 2.0;
 
-/// Where the ratio stands.
+/// Springs between which the ratio of stiffness is.
 #[derive(Debug, Clone, Copy)]
 enum Between {
-    /// One finger is stiffer than the others; all are commanded alike, so that its trial force is as many times larger.
+    /// One finger is stiffer than the others; all have the same commands, so its trial force is larger by the ratio.
     Contacts,
     /// The same with four fingers in space, where friction must help to hold the body.
     ContactsOfFew,
@@ -66,7 +66,7 @@ fn of<const D: usize, const C: usize>(
     Ok(())
 }
 
-/// Fingers with this ratio of stiffness. The scene has the series stiffnesses as the grasp rounded them.
+/// Fingers with this ratio of stiffness. The scene has the series stiffnesses that the grasp has rounded.
 fn stiff<const D: usize, const C: usize>(
     kind: Between,
     ratio: f64,

@@ -1,4 +1,4 @@
-//! The sticking problem as textbooks solve it: `q = (G K Gᵀ)⁻¹ (G K a + W)`, `F = K (a - Gᵀ q)`, in double precision, by Gaussian elimination.
+//! The sticking problem by the textbook's formulas: `q = (G K Gᵀ)⁻¹ (G K a + W)`, `F = K (a - Gᵀ q)`, in double precision, by Gaussian elimination.
 
 use grasp_lcp::ask::Grasp;
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
@@ -7,7 +7,7 @@ use support::dyadic::Dyadic;
 use support::scene::{Scene, wrench};
 use support::truth::Truth;
 
-/// Largest error of a contact force over the largest force. `None` where the matrix has no inverse.
+/// Largest error of a contact force over the largest force. `None` if the matrix has no inverse.
 pub(crate) fn error<const D: usize, const C: usize>(
     scene: &Scene<D, C>,
     grasp: &Grasp<C>,

@@ -1,0 +1,68 @@
+//! Bodies with masses under the scene's gravity: the command line tilts and accelerates these, and counts no weight twice.
+
+use std::borrow::Cow;
+
+use grasp_lcp::scene::Setup;
+use grasp_lcp::words::printable;
+
+use crate::arguments::{LoadArguments, Numbers};
+use crate::failure::Failure;
+
+/// The weight of all bodies and where it acts, for a turn.
+pub(crate) struct TurnedWeight<const C: usize> {
+    pub(crate) weight: [f64; C],
+    pub(crate) at: Numbers,
+}
+
+/// Leaves gravity to a load that turns, if bodies have masses.
+pub(crate) fn tilted<const C: usize>(setup: &mut Setup<C>) -> Option<TurnedWeight<C>> {
+    let (mass, centre) = setup.own_mass()?;
+    let gravity = setup.gravity?;
+    *setup = setup.with_gravity_as_load();
+    Some(TurnedWeight { weight: std::array::from_fn(|a| mass * gravity[a]), at: Numbers(centre.to_vec()) })
+}
+
+/// The mass of all bodies, of which every load has its share from now on, and its centre; `option` says what needs it.
+pub(crate) fn accelerated<const C: usize>(
+    setup: &mut Setup<C>,
+    option: &str,
+) -> Result<(f64, [f64; C]), Failure> {
+    let message = || {
+        format!("--{option} without --mass: say it, unless bodies have masses and the scene has a gravity")
+    };
+    let own = setup.own_mass().ok_or_else(|| Failure::Usage(message()))?;
+    (setup.loaded, setup.shared_by_mass) = (None, true);
+    Ok(own)
+}
+
+/// Refuses a mass on a body that has one.
+pub(crate) fn refuse_mass<const C: usize>(setup: &Setup<C>, mass: Option<f64>) -> Result<(), Failure> {
+    match mass.and_then(|_| setup.weighty_body(None)) {
+        None => Ok(()),
+        Some(body) => Err(Failure::Usage(format!(
+            "--mass: the scene's gravity already pulls at {}, which has a mass: leave --mass out for its own weight, and say what lies on it besides as --force",
+            printable(body)
+        ))),
+    }
+}
+
+/// The load where it accelerates the bodies of the scene, as that of one mass without weight.
+pub(crate) fn of_own_masses<'l, const C: usize>(
+    load: &'l LoadArguments,
+    beside: bool,
+    setup: &mut Setup<C>,
+) -> Result<Cow<'l, LoadArguments>, Failure> {
+    refuse_mass(setup, load.mass)?;
+    if load.accelerated.is_none() || load.mass.is_some() {
+        return Ok(Cow::Borrowed(load));
+    }
+    let (mass, centre) = accelerated(setup, "accelerated")?;
+    let others =
+        [load.force.is_some(), load.moment.is_some(), load.at.is_some(), !load.together_with.is_empty()];
+    if beside || others.contains(&true) {
+        let message = "--accelerated: accelerates the bodies by their own masses, must stand without --base, --force, --moment, --at and --together-with: what is always there is the `load` of a body";
+        return Err(Failure::Usage(message.to_owned()));
+    }
+    let (gravity, at) = (Some(Numbers(vec![0.0; C])), Some(Numbers(centre.to_vec())));
+    Ok(Cow::Owned(LoadArguments { mass: Some(mass), gravity, at, ..load.clone() }))
+}

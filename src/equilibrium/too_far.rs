@@ -1,0 +1,219 @@
+//! What is no longer a small motion: a body has turned too far, or a contact has slipped or opened too far.
+//!
+//! Contact points and normals are those of the undeformed grasp, so that beyond [`SmallMotions`] an equilibrium solves the question as it was put and
+//! says little about the object. This is the one place that measures it, for answers and all along load paths.
+
+use core::fmt;
+
+use nalgebra::SVector;
+
+use crate::contact::State;
+use crate::grasp::{Engine, WholeContact, WholeContacts, of_the_object};
+use crate::numerics::{Size, Vector};
+use crate::object::Problem;
+use crate::prelude::*;
+use crate::search::{Found, SmallMotions};
+#[cfg(feature = "serde")]
+use crate::serial::AsComputed;
+use crate::words::{LinkKind, Words, printable};
+
+/// Contact points are apart if their distance is more than this part of their coordinates: less is the rounding of their centroid.
+const APART: f64 = 1e-12;
+/// An angle is told as a person says it.
+const FEW_DIGITS: usize = 2;
+
+/// The motion that is farthest beyond [`SmallMotions`].
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(tag = "motion", rename_all = "snake_case")
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub enum TooFar {
+    /// A body turns too far.
+    Turns {
+        /// Its name; `None` where there is one object.
+        #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+        body: Option<String>,
+        /// The limit, rad.
+        #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
+        limit: f64,
+    },
+    /// The surfaces of a closed contact have moved past each other too far.
+    Slips {
+        /// The contact.
+        contact: WholeContact,
+        /// The limit, m.
+        #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
+        limit: f64,
+    },
+    /// The object has moved too far away from a finger.
+    Opens {
+        /// The contact.
+        contact: WholeContact,
+        /// The limit, m.
+        #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
+        limit: f64,
+    },
+}
+
+/// "it turns by more than 5.7°", "left slips by more than 4 mm".
+impl fmt::Display for TooFar {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let name = match self {
+            Self::Turns { body, .. } => body.as_ref().map_or("it".into(), |body| printable(body)),
+            Self::Slips { contact, .. } | Self::Opens { contact, .. } => contact.text(),
+        };
+        write!(f, "{name} {}", self.does())
+    }
+}
+
+impl TooFar {
+    /// What a body or a contact does: "turns by more than 5.7°".
+    #[must_use]
+    pub fn does(&self) -> String {
+        let words = Words::with_digits(FEW_DIGITS);
+        match self {
+            Self::Turns { limit, .. } => format!("turns by more than {}", words.angle(*limit)),
+            Self::Slips { limit, .. } => format!("slips by more than {}", words.length(*limit)),
+            Self::Opens { limit, .. } => format!("opens by more than {}", words.length(*limit)),
+        }
+    }
+}
+
+/// A rotation, slip or opening of which the length counts. In given states it is affine in the motion of the object, the forces and the commands.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct CountedMotion {
+    /// Of an opening the one component along the normal, which counts where it is positive.
+    pub(crate) shift: SVector<f64, 3>,
+    /// Up to where it is small.
+    pub(crate) limit: f64,
+    of: MotionOf,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum MotionOf {
+    /// A body by its first coordinate.
+    Body(usize),
+    Slip(usize),
+    Opening(usize),
+}
+
+impl CountedMotion {
+    /// Whether it counts in one direction alone.
+    pub(crate) fn is_opening(&self) -> bool {
+        matches!(self.of, MotionOf::Opening(_))
+    }
+
+    /// Above 1 it is no small motion.
+    pub(crate) fn over_the_limit(&self) -> f64 {
+        if self.is_opening() { self.shift[0] / self.limit } else { self.shift.norm() / self.limit }
+    }
+}
+
+/// The motion that is farthest beyond what is small, or nearest to it.
+pub(crate) fn farthest(motions: &[CountedMotion]) -> Option<&CountedMotion> {
+    motions.iter().max_by(|a, b| a.over_the_limit().total_cmp(&b.over_the_limit()))
+}
+
+/// Contacts in known states, with what their springs count from.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Standing<'s, D: Size, const C: usize> {
+    pub(crate) drives: &'s [SVector<f64, C>],
+    pub(crate) slips: &'s [SVector<f64, C>],
+    pub(crate) states: &'s [State<C>],
+    pub(crate) forces: &'s [SVector<f64, C>],
+    pub(crate) twist: &'s Vector<D>,
+}
+
+impl<'s, D: Size, const C: usize> Standing<'s, D, C> {
+    /// What was found for a local problem.
+    pub(crate) fn found(problem: &'s Problem<'_, D, C>, found: &'s Found<D, C>) -> Self {
+        let (drives, slips) = (&problem.drives, &problem.slips);
+        Self { drives, slips, states: &found.states, forces: &found.forces, twist: &found.twist }
+    }
+}
+
+impl<D: Size, const C: usize> Engine<D, C> {
+    /// The root mean square distance of contact points from their centroid, of several bodies the largest; infinite where all are at one point.
+    pub(crate) fn size_of_grasp(&self) -> f64 {
+        let first = self.contacts()[0].point;
+        let far = self.contacts().iter().map(|contact| contact.point.amax()).fold(0.0, f64::max);
+        if self.contacts().iter().all(|contact| (contact.point - first).amax() <= APART * far) {
+            return f64::INFINITY;
+        }
+        let places = self.bodies().map_or(&[][..], |bodies| &bodies.places);
+        places.iter().map(|place| place.reach).fold(self.length(), f64::max)
+    }
+
+    /// The rotation of each body, and the slip or opening of each contact.
+    pub(crate) fn counted_motions(
+        &self,
+        small: &SmallMotions,
+        standing: &Standing<'_, D, C>,
+    ) -> Vec<CountedMotion> {
+        let mut motions = Vec::with_capacity(self.len() + 1);
+        let places = self.bodies().map_or(&[][..], |bodies| &bodies.places);
+        let first_of_each = places.iter().map(|place| place.first);
+        for first in first_of_each.chain(places.is_empty().then_some(0)) {
+            let mut shift = SVector::zeros();
+            for k in first + C..first + of_the_object::<C>() {
+                let behind = self.linkage().filter(|_| first > 0);
+                let length = behind.map_or(self.length(), |linkage| linkage.lengths[k]);
+                shift[k - first - C] = standing.twist[k] / length;
+            }
+            motions.push(CountedMotion { shift, limit: small.rotation, of: MotionOf::Body(first) });
+        }
+        let limit = small.slip * self.size_of_grasp();
+        for (i, (contact, site)) in self.contacts().iter().zip(self.sites()).enumerate() {
+            // A cable that goes slack is not taken away.
+            if contact.link == Some(LinkKind::Cable) {
+                continue;
+            }
+            let moved = site.map.tr_mul(standing.twist);
+            let (mut shift, mut of) = (SVector::zeros(), MotionOf::Slip(i));
+            if standing.states[i].is_open() {
+                // A command that leads a finger away from the object is no motion of the object.
+                (shift[0], of) = (moved[0] - standing.drives[i][0].max(0.0), MotionOf::Opening(i));
+            } else {
+                let mut slip = standing.slips[i];
+                if !standing.states[i].is_sticking() || site.friction.is_frictionless() {
+                    slip += site.springs.slip(&(standing.drives[i] - moved), &standing.forces[i]);
+                }
+                (1..C).for_each(|axis| shift[axis - 1] = slip[axis]);
+            }
+            motions.push(CountedMotion { shift, limit, of });
+        }
+        motions
+    }
+
+    /// A motion for whoever reads of it.
+    pub(crate) fn too_far(&self, motion: &CountedMotion) -> Option<TooFar> {
+        let limit = motion.limit;
+        let contact = |site: usize| WholeContacts::of(self.contacts()).with(&|i| i == site).pop();
+        Some(match motion.of {
+            MotionOf::Body(first) => {
+                let named = self.bodies().and_then(|bodies| {
+                    bodies.places.iter().zip(&bodies.names).find(|(place, _)| place.first == first)
+                });
+                TooFar::Turns { body: named.map(|(_, name)| name.to_string()), limit }
+            }
+            MotionOf::Slip(site) => TooFar::Slips { contact: contact(site)?, limit },
+            MotionOf::Opening(site) => TooFar::Opens { contact: contact(site)?, limit },
+        })
+    }
+
+    /// What is no small motion in an answer.
+    pub(super) fn farthest_beyond(
+        &self,
+        small: &SmallMotions,
+        standing: &Standing<'_, D, C>,
+    ) -> Option<TooFar> {
+        let motions = self.counted_motions(small, standing);
+        farthest(&motions)
+            .filter(|motion| motion.over_the_limit() > 1.0)
+            .and_then(|motion| self.too_far(motion))
+    }
+}

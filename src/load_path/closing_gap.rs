@@ -1,0 +1,215 @@
+//! Where an equilibrium is lost the object moves on until a gap closes.
+//!
+//! Where nothing resists the motion v of a loss, forces stay what they are along it: no spring is stretched, and friction does all that it can do already. So every
+//! place on the way is in balance under the load of the loss. The way ends where the first open contact closes, with the slips that the way has brought:
+//!
+//! ```text
+//! δ = min gap_i / (-n_i·G_iᵀv)
+//! ```
+//!
+//! From there the path goes on at the same load. Where friction falls as contacts begin to slide, what they lose is let go first
+//! ([`super::letting_go`]), and the gap closes on that leg. A way that is no small motion any more is not gone.
+
+use super::event::{Change, Event, Loss, LossKind, PathEnd};
+use super::journey::Journey;
+use super::letting_go::Fall;
+use super::pieces::Pieces;
+use crate::contact::{Law, LocalLaw, Mode, Resistance, ZERO_SLACK, tangential};
+use crate::grasp::Coordinates;
+use crate::numerics::{Size, Vector};
+use crate::object::PieceState;
+use crate::prelude::*;
+use crate::search::Found;
+
+use nalgebra::SVector;
+
+/// A velocity below this part of what the motion could give the contact is rounding.
+const STILL: f64 = 1e-9;
+/// Friction does all that it can against a slip that is off its direction by less than the root of twice this, rad.
+const ALONG: f64 = 1e-10;
+/// A motion is small that turns no body by more than this, rad,
+const SMALL_TURN: f64 = 0.1;
+/// and moves no contact that touches by more than this part of the size of the grasp.
+const SMALL_SLIP: f64 = 0.1;
+
+/// The way to the gap that closes first.
+struct FreeWay {
+    /// So many times the motion.
+    length: f64,
+    /// Sites whose gaps close at its end.
+    closing: Vec<usize>,
+    /// Sites that keep their place on it, although they stand on an edge.
+    still: Vec<bool>,
+}
+
+/// Whether a contact with this force lets the body move at a velocity, in the contact frame, without a change of its force. `none` is a
+/// velocity that is rounding.
+fn lets_pass<const C: usize>(
+    local: &LocalLaw<'_, C>,
+    force: &SVector<f64, C>,
+    velocity: &SVector<f64, C>,
+    none: f64,
+) -> bool {
+    match local.resistance(velocity) {
+        Resistance::Unlimited => false,
+        Resistance::BySprings(row) => {
+            (0..local.springs.axes()).all(|axis| row[axis].abs() <= local.springs.force_along(axis, none))
+        }
+        Resistance::ByFriction(_) if velocity[0].abs() > none => false,
+        Resistance::ByFriction(_) if !local.may_slide() || tangential(velocity).norm() <= none => true,
+        Resistance::ByFriction(most) => {
+            // The resistance is that under a normal stretch of one, less what the normal velocity takes off.
+            let most = most * force[0] / local.springs.force_along(0, 1.0);
+            -force.dot(velocity) >= most - ALONG * most.abs() - force[0] * none
+        }
+    }
+}
+
+impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
+    /// The way along a motion to the gap that closes first; `None` where something resists it, where no gap closes, or where it is no small motion.
+    fn free_way(&self, motion: &Vector<D>) -> Option<FreeWay> {
+        let grasp = self.segment.grasp;
+        let drives = self.segment.drives(self.factor);
+        let (mut still, mut gaps, mut fastest) = (Vec::new(), Vec::new(), 0.0);
+        for (i, site) in grasp.sites().iter().enumerate() {
+            let velocity = site.map.tr_mul(motion);
+            let none = STILL * site.span_moved(&SVector::zeros(), motion.norm());
+            let (local, force) = (self.segment.problem.local(i), &self.node.at.forces[i]);
+            still.push(velocity.norm() <= none);
+            if self.node.states[i].is_open() || self.node.stands[i].apex && local.may_open() {
+                let gap = -site.stretch(&drives[i], &self.node.at.twist)[0];
+                let shut = ZERO_SLACK * site.span(&drives[i], &self.node.at.twist);
+                if velocity[0] < -none {
+                    // What touches is in the way.
+                    if gap <= shut {
+                        return None;
+                    }
+                    gaps.push((i, gap / -velocity[0], shut / -velocity[0]));
+                }
+            } else if !lets_pass(&local, force, &velocity, none) {
+                return None;
+            } else if i < grasp.len() {
+                fastest = velocity.norm().max(fastest);
+            }
+        }
+        let length = gaps.iter().map(|(_, way, _)| *way).reduce(f64::min)?;
+        let together = gaps.iter().filter(|(_, way, unknown)| way - length <= *unknown);
+        let closing: Vec<usize> = together.map(|(i, ..)| *i).collect();
+        for &i in closing.iter().filter(|i| **i < grasp.len()) {
+            fastest = grasp.sites()[i].map.tr_mul(motion).norm().max(fastest);
+        }
+        let moves = grasp.each_moves(&(motion * length));
+        let turns_little = moves.iter().all(|body| body.twist.parts().1.size() <= SMALL_TURN);
+        let is_small = turns_little && fastest * length <= SMALL_SLIP * grasp.length();
+        is_small.then_some(FreeWay { length, closing, still })
+    }
+
+    /// What stands on an edge yields as the object sets out: what does so otherwise than before.
+    fn yield_along(
+        &mut self,
+        motion: &Vector<D>,
+        way: &FreeWay,
+        journey: &Journey<'g, D, C>,
+    ) -> Vec<(usize, Change<C>)> {
+        use super::follower::Follower;
+
+        let rates = self.edge(journey).rates;
+        let mut states = rates.yielding();
+        for (i, state) in states.iter_mut().enumerate() {
+            if way.still[i] && matches!(rates.laws[i], Law::Edge(_)) {
+                *state = Mode::Sticking;
+            }
+        }
+        let forces = vec![SVector::zeros(); states.len()];
+        let found = Found::new(states, forces, motion.clone());
+        self.node.take_over(&mut self.segment, self.factor, &rates, &found)
+    }
+
+    /// Goes to the end of a way; `None` where rounding does not let the state there be told.
+    fn go_free_way(&mut self, motion: &Vector<D>, way: &FreeWay) -> Option<()> {
+        let here = self.node.look(&self.segment.at_rest(self.factor), self.factor, None).ok()?;
+        // What has parted from the object has lost the rounding of its force, too.
+        let forces = here.lines.iter().map(|line| line.force).collect();
+        let twist = &self.node.at.twist + motion * way.length;
+        self.node.arrive(&mut self.segment, &here, self.factor, &PieceState { forces, twist });
+        let drives = self.segment.drives(self.factor);
+        for (i, site) in self.segment.grasp.sites().iter().enumerate() {
+            if self.node.states[i].is_open() {
+                let gap = -site.stretch(&drives[i], &self.node.at.twist)[0];
+                let shut = ZERO_SLACK * site.span(&drives[i], &self.node.at.twist);
+                self.node.stands[i].leave();
+                self.node.stands[i].apex = gap <= shut || way.closing.contains(&i);
+            }
+        }
+        (self.here, self.at_node) = (None, true);
+        Some(())
+    }
+
+    /// Where the object moves freely from a loss on and a gap closes on its way, the path goes on from there. `None` where it does not.
+    pub(super) fn caught_by_a_gap(
+        &mut self,
+        journey: &Journey<'g, D, C>,
+        loss: &Loss<C>,
+    ) -> Result<Option<Event<C>>, PathEnd<C>> {
+        if self.fallen.is_some() || self.pace.steps >= journey.settings.most_steps {
+            return Ok(None);
+        }
+        let before = self.behind.last().and_then(|last| self.state_on(last, last.to));
+        let Some(state) = before.or_else(|| self.present_state(journey)) else { return Ok(None) };
+        let goal = self.segment.course.at(self.factor);
+        let leg = Self::standing(self.segment.at_rest(self.factor), self.node.clone());
+        let mut fall = Fall::of(leg);
+        fall.leg.pace.steps = self.pace.steps + 1;
+        let went = fall.go_on_freely(loss, &goal, journey).and_then(|lets_go| {
+            let first = core::mem::take(&mut fall.changes);
+            if lets_go { fall.go(&goal, journey).map(|()| first) } else { Ok(first) }
+        });
+        let Ok(changes) = went else { return Ok(None) };
+        let jump = Some(Box::new(self.land(journey, &goal, fall)?));
+        self.at_node = true;
+        let (changes, drives) = journey.grasp.contacts_and_drives(changes);
+        Ok(Some(Event {
+            leg: journey.program.leg,
+            fraction: self.factor,
+            load: journey.program.load_at(self.factor),
+            changes,
+            drives,
+            free_motions: Vec::new(),
+            other_continuations: None,
+            state,
+            jump,
+        }))
+    }
+}
+
+impl<'g, D: Size, const C: usize> Fall<'g, D, C> {
+    /// After a loss on its leg: contacts that begin to slide let go of what their friction loses, or else the object moves until a gap closes. Whether something is
+    /// let go.
+    ///
+    /// # Errors
+    /// The loss, where no gap closes.
+    pub(super) fn go_on_freely(
+        &mut self,
+        loss: &Loss<C>,
+        goal: &Vector<D>,
+        journey: &Journey<'g, D, C>,
+    ) -> Result<bool, PathEnd<C>> {
+        let lost = || PathEnd::Lost(Box::new(loss.clone()));
+        let motion: Option<Vector<D>> = loss.leaves.as_ref().map(Coordinates::to);
+        let motion = motion.filter(|_| loss.kind != LossKind::LetsGo).ok_or_else(lost)?;
+        let way = self.leg.free_way(&motion).ok_or_else(lost)?;
+        let changes = self.leg.yield_along(&motion, &way, journey);
+        let begin = self.leg.begin_to_slide(&changes);
+        if !begin.is_empty()
+            && let Some(leg) = self.leg.let_go(goal, &begin, journey)?
+        {
+            self.leg = leg;
+            self.note(&changes);
+            return Ok(true);
+        }
+        self.note(&changes);
+        self.leg.go_free_way(&motion, &way).ok_or_else(lost)?;
+        self.reaches.extend(way.closing);
+        Ok(false)
+    }
+}

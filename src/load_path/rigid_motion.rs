@@ -1,0 +1,102 @@
+//! With which motion bodies that nothing presses yet leave: that of rigid bodies under the load, with Coulomb friction at what touches.
+//!
+//! Where nothing presses, springs say nothing of the way out, and the trial in which everything sticks turns about a point of its own. As soon as the load
+//! acts, a rigid body that it drives away has the velocity
+//!
+//! ```text
+//! v = W + Σ G_i r_i,     0 <= r_n ⟂ n·G_iᵀv >= 0,     |r_t| <= μ r_n against G_iᵀv
+//! ```
+//!
+//! as if its mass were one in inside coordinates: that of points at the root mean square distance of contacts. Links, and contacts that neither open nor
+//! slide, leave motions across them alone.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::contact::Law;
+use crate::friction::FrictionProblem;
+use crate::numerics::{Size, Vector};
+use crate::object::Problem;
+use crate::prelude::*;
+
+/// With more coordinates or contacts nobody waits for a word.
+const MOST: usize = 64;
+/// A motion that is this part of the load's is none, up to the rounding of forces: contacts push it back, or nearly so.
+const NONE: f64 = 1e-6;
+/// Friction that is less than its limit by this part is at its limit, where forces nearly balance the load.
+const NEAR: f64 = 1e-6;
+/// A direction of which this part is left beside others is one of them.
+const DEPENDENT: f64 = 1e-9;
+
+/// The unit motion in which rates of a load leave that nothing balances, where nothing presses yet; `None` where something does.
+pub(super) fn rigid_motion<D: Size, const C: usize>(rates: &Problem<D, C>) -> Option<Vector<D>> {
+    if rates.wrench.as_slice().len() > MOST || rates.drives.iter().any(|drive| drive.norm() > 0.0) {
+        return None;
+    }
+    // An orthonormal basis of the motions that links resist.
+    let mut resisted: Vec<Vector<D>> = Vec::new();
+    let across = |resisted: &[Vector<D>], mut v: Vector<D>| {
+        for _ in 0..2 {
+            v = resisted.iter().fold(v, |v, e| {
+                let part = e.dot(&v);
+                v - e * part
+            });
+        }
+        v
+    };
+    for (law, site) in rates.laws.iter().zip(rates.sites) {
+        match law {
+            Law::Bonded => {
+                for axis in 0..site.springs.axes() {
+                    let column = site.map.column(axis);
+                    let rest = across(&resisted, column.clone());
+                    if rest.norm() > DEPENDENT * column.norm() {
+                        resisted.push(rest.normalize());
+                    }
+                }
+            }
+            Law::Absent | Law::Cone { gap: true } => {}
+            Law::Cone { gap: false } | Law::Edge(_) => return None,
+        }
+    }
+    let touches = |i: &usize| matches!(rates.laws[*i], Law::Cone { .. });
+    let touching: Vec<usize> = (0..rates.len()).filter(touches).collect();
+    let never_slides = |i: &usize| rates.local(*i).never_slides();
+    if touching.is_empty() || touching.len() > MOST || touching.iter().any(never_slides) {
+        return None;
+    }
+    let load = across(&resisted, rates.wrench.clone());
+    let mut columns = Vec::new();
+    let mut friction = Vec::new();
+    for &i in &touching {
+        let site = &rates.sites[i];
+        (0..C).for_each(|axis| columns.push(across(&resisted, site.map.column(axis))));
+        let slides_freely = rates.local(i).is_frictionless() || !site.springs.resists_tangentially();
+        friction.push(if slides_freely { 0.0 } else { rates.local(i).cone().limit(1.0) });
+    }
+    let products = DMatrix::from_fn(columns.len(), columns.len(), |a, b| columns[a].dot(&columns[b]));
+    let driven = DVector::from_fn(columns.len(), |a, _| columns[a].dot(&load));
+    let pushes = FrictionProblem::<C>::new(products, driven, friction).ok()?.solve();
+    let pushes = pushes.solution()?;
+    let motion = columns.iter().zip(pushes.r.iter()).fold(load.clone(), |v, (column, r)| v + column * *r);
+    if motion.norm() > NONE * load.norm() {
+        return Some(motion.normalize());
+    }
+    // At the very limit forces all but balance the load: what slides at it may slide on, what sticks stays, and what presses does not come nearer.
+    let largest = pushes.r.amax();
+    for (k, &i) in touching.iter().enumerate() {
+        let push = pushes.r.rows(C * k, C);
+        if push[0] <= NEAR * largest {
+            continue;
+        }
+        let sideways = push.iter().skip(1).map(|x| x * x).sum::<f64>().sqrt();
+        let slides = sideways >= rates.local(i).cone().limit(push[0]) * (1.0 - NEAR);
+        for column in &columns[C * k..C * k + if slides { 1 } else { C }] {
+            let rest = across(&resisted, column.clone());
+            if rest.norm() > DEPENDENT * column.norm() {
+                resisted.push(rest.normalize());
+            }
+        }
+    }
+    let free = across(&resisted, load.clone());
+    (free.norm() > NONE * load.norm()).then(|| free.normalize())
+}

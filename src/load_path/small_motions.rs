@@ -1,0 +1,174 @@
+//! Up to where on a path all motions are small, and from where on everything slides.
+//!
+//! While contacts keep their states, rotations, slips and gaps are affine in the fraction of the leg, so that the largest is at an end of the piece; while the
+//! load turns they turn with it, and the first place is a root of a trigonometric polynomial. Steps along sliding arcs are looked at where they end. The
+//! place itself is bisected.
+
+use core::f64::consts::{FRAC_PI_2, PI};
+
+use super::journey::Journey;
+use super::pieces::Pieces;
+use super::stretch::Stretch;
+use crate::contact::WEIGHTLESS;
+use crate::equilibrium::{AnswerFor, CountedMotion, Standing, TooFar, farthest};
+use crate::grasp::Engine;
+use crate::numerics::{Fall, Harmonic, Size, Trigonometric};
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
+use crate::search::SmallMotions;
+#[cfg(feature = "serde")]
+use crate::serial::AsComputed;
+
+/// Bisection of one piece down to neighbouring numbers.
+const HALVINGS: usize = 64;
+
+/// Where the motions of a path are no longer [small](crate::Settings::small_motions): what lies beyond is told for the undeformed geometry, and says little.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub struct EndOfSmallMotions {
+    /// The leg, from 0.
+    pub leg: usize,
+    /// How much of the leg has been gone, from 0 to 1.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
+    pub fraction: f64,
+    /// What goes too far from there on.
+    pub what: TooFar,
+}
+
+/// Where on a piece which motion is too far.
+type Place = (f64, CountedMotion);
+
+impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
+    /// Notes where motions cease to be small, after each piece and at the very start.
+    pub(super) fn note_how_far(&mut self, journey: &Journey<'g, D, C>) {
+        if self.end_of_small_motions.is_some() {
+            return;
+        }
+        let (grasp, answer_for) = (self.segment.grasp, self.segment.answer_for);
+        let drives = self.segment.drives(self.factor);
+        let (slips, states) = (&self.segment.problem.slips, &self.node.states);
+        let (forces, twist) = (&self.node.at.forces, &self.node.at.twist);
+        let motions = grasp
+            .counted_motions(&answer_for.small, &Standing { drives: &drives, slips, states, forces, twist });
+        let here = farthest(&motions).filter(|motion| motion.over_the_limit() > 1.0).copied();
+        let found = match self.behind.last() {
+            None => here.map(|motion| (self.factor, motion)),
+            Some(last) => {
+                let turning = last.turns_too_far(grasp, &answer_for.small);
+                turning.or_else(|| Some(last.first_too_far(grasp, answer_for, here?)))
+            }
+        };
+        let leg = self.behind.last().map_or(journey.program.leg, |last| last.leg);
+        let end = |(fraction, motion): Place| {
+            Some(EndOfSmallMotions { leg, fraction, what: grasp.too_far(&motion)? })
+        };
+        self.end_of_small_motions = found.and_then(end);
+    }
+
+    /// The leg and its fraction from which on every contact with friction that presses slides, up to the place `until`; `None` where one sticks there.
+    pub(super) fn pieces_all_slide_from(&self, until: (usize, f64)) -> Option<(usize, f64)> {
+        let mut since = None;
+        for piece in self.behind.iter().rev() {
+            if piece.to <= piece.from || (piece.leg, piece.from) >= until {
+                continue;
+            }
+            if !piece.everything_slides(self.segment.grasp) {
+                break;
+            }
+            since = Some((piece.leg, piece.from));
+        }
+        since
+    }
+}
+
+impl<'g, D: Size, const C: usize> Stretch<'g, D, C> {
+    /// Where on a piece at whose end this motion is too far one is for the first time.
+    fn first_too_far(
+        &self,
+        grasp: &'g Engine<D, C>,
+        answer_for: AnswerFor,
+        at_the_end: CountedMotion,
+    ) -> Place {
+        // Where a part of a step cannot be made it counts as its end.
+        let too_far = |fraction: f64| {
+            let Some((problem, found)) = self.found_at(grasp, answer_for, fraction) else {
+                return Some(at_the_end);
+            };
+            let motions = grasp.counted_motions(&answer_for.small, &Standing::found(&problem, &found));
+            farthest(&motions).filter(|motion| motion.over_the_limit() > 1.0).copied()
+        };
+        if let Some(motion) = too_far(self.from) {
+            return (self.from, motion);
+        }
+        let (mut low, mut high, mut which) = (self.from, self.to, at_the_end);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            if middle <= low || middle >= high {
+                break;
+            }
+            match too_far(middle) {
+                Some(motion) => (high, which) = (middle, motion),
+                None => low = middle,
+            }
+        }
+        (high, which)
+    }
+
+    /// Where a motion that turns with the load is too far for the first time: each is affine in what turns, and known from three angles.
+    fn turns_too_far(&self, grasp: &'g Engine<D, C>, small: &SmallMotions) -> Option<Place> {
+        let turned = self.here.turned.as_ref()?;
+        let at = |angle: f64| {
+            let there = self.here.after(angle / turned.angle);
+            let (drives, slips) = (&self.problem.drives, &self.problem.slips);
+            let (forces, twist) = (&there.forces, &there.twist);
+            let standing = Standing { drives, slips, states: &self.states, forces, twist };
+            grasp.counted_motions(small, &standing)
+        };
+        let (begin, quarter, half) = (at(0.0), at(FRAC_PI_2), at(PI));
+        let most = (self.to - self.from) * turned.angle;
+        let mut first: Option<Place> = None;
+        for (motion, (quarter, half)) in begin.iter().zip(quarter.iter().zip(&half)) {
+            let component = |k: usize| {
+                let constant = 0.5 * (motion.shift[k] + half.shift[k]);
+                let cosine = 0.5 * (motion.shift[k] - half.shift[k]);
+                Harmonic::new([constant, cosine, quarter.shift[k] - constant])
+            };
+            let square = |x: Harmonic<f64>| Trigonometric::square_of(&x);
+            let of = |limit: f64| Harmonic::new([limit, 0.0, 0.0]);
+            let margin = if motion.is_opening() {
+                Trigonometric::linear(&of(motion.limit)).minus(&Trigonometric::linear(&component(0)))
+            } else {
+                let limit = square(of(motion.limit));
+                (0..3).fold(limit, |margin, k| margin.minus(&square(component(k))))
+            };
+            if motion.limit.is_finite()
+                && let Some(Fall::At(angle)) = margin.first_fall(most, 0.0, 0)
+                && first.is_none_or(|(fraction, _)| self.from + angle / turned.angle < fraction)
+            {
+                first = Some((self.from + angle / turned.angle, *motion));
+            }
+        }
+        first
+    }
+
+    /// Whether every contact with friction that presses slides, and there is one.
+    fn everything_slides(&self, grasp: &Engine<D, C>) -> bool {
+        let force = |i: usize| self.here.lines[i].force.norm().max(self.there.forces[i].norm());
+        let contacts = 0..grasp.len();
+        let largest = contacts.clone().map(force).fold(0.0, f64::max);
+        let mut any = false;
+        for i in contacts {
+            let has_friction =
+                !grasp.sites()[i].friction.is_frictionless() && grasp.contacts()[i].link.is_none();
+            if has_friction && force(i) > WEIGHTLESS * largest {
+                if !self.states[i].slides() {
+                    return false;
+                }
+                any = true;
+            }
+        }
+        any
+    }
+}

@@ -1,0 +1,153 @@
+//! What presses at rest: nothing, or other forces than those that the scene says.
+
+use super::link::LinkSetup;
+use super::odd::put_on;
+use super::question::Question;
+use super::setup::Setup;
+use super::warning::Warning;
+use crate::ask::Grasp;
+use crate::equilibrium::{ContactAnswer, Outcome};
+use crate::error::Error;
+use crate::grasp::{Hold, Wrench};
+use crate::load_path::Ramp;
+
+/// Of a force that is said to press on a contact this part does.
+const ALONG: f64 = 1e-6;
+
+/// Forces that differ by less than this part are what was meant.
+const OTHERWISE: f64 = 0.02;
+
+/// Friction with which a load is tried that may jam the object: what presses then presses with any.
+const MUCH_FRICTION: f64 = 3.0;
+
+impl<const C: usize> Setup<C> {
+    /// Whether a question begins without load, no command presses, and no load presses contacts on by itself: a weight does, and a load that jams.
+    pub(super) fn nothing_presses(&self, grasp: &Grasp<C>) -> Result<bool, Error> {
+        if grasp.presses() {
+            return Ok(false);
+        }
+        for question in &self.questions {
+            let is_solved = matches!(question, Question::Solve { load, .. } if *load != Wrench::ZERO);
+            if is_solved || at_rest(question) != Wrench::ZERO {
+                continue;
+            }
+            let grasp = self.grasp_of(grasp, question)?;
+            let mut presses = false;
+            for load in put_on(question) {
+                presses = presses || self.lies_on_a_contact(&load) || jams(&grasp, load)?;
+            }
+            if !presses {
+                return Ok(true);
+            }
+        }
+        Ok(self.questions.is_empty())
+    }
+
+    /// Whether a load presses a contact on by itself, as a weight does the table: it needs no finger for that.
+    fn lies_on_a_contact(&self, load: &Wrench<C>) -> bool {
+        let force = &load.components()[..C];
+        let size = force.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let presses = |normal: &[f64]| {
+            let (mut along, mut length) = (0.0, 0.0_f64);
+            for (n, x) in normal.iter().zip(force) {
+                (along, length) = (along + n * x, length.hypot(*n));
+            }
+            along < -ALONG * size * length
+        };
+        let hangs = |LinkSetup { link, .. }: &LinkSetup<C>| {
+            let points = link.contacts().unwrap_or_default();
+            points.iter().any(|point| point.hold != Hold::Unilateral || presses(point.normal.as_slice()))
+        };
+        self.entries().any(|entry| presses(entry.contact.normal.as_slice())) || self.links.iter().any(hangs)
+    }
+
+    /// Contacts and links that press or pull at rest with another force than they are told to, whatever the questions have there at rest.
+    pub(super) fn otherwise_at_rest(&self, grasp: &Grasp<C>) -> Result<Vec<Warning>, Error> {
+        let told = |entry: &LinkSetup<C>| entry.link.tension.is_none() && entry.link.pretension != 0.0;
+        if self.entries().all(|entry| entry.contact.press.is_none()) && !self.links.iter().any(told) {
+            return Ok(Vec::new());
+        }
+        let mut bases: Vec<Wrench<C>> = Vec::new();
+        for question in &self.questions {
+            let base = at_rest(question);
+            if !bases.contains(&base) {
+                bases.push(base);
+            }
+        }
+        if bases.is_empty() {
+            bases.push(Wrench::ZERO);
+        }
+        let mut fewest: Option<Vec<Warning>> = None;
+        for base in &bases {
+            let warnings = self.otherwise_under(grasp, base)?;
+            if fewest.as_ref().is_none_or(|fewest| warnings.len() < fewest.len()) {
+                fewest = Some(warnings);
+            }
+        }
+        Ok(fewest.unwrap_or_default())
+    }
+
+    fn otherwise_under(&self, grasp: &Grasp<C>, base: &Wrench<C>) -> Result<Vec<Warning>, Error> {
+        let Ok(Outcome::Equilibrium(state)) = grasp.solve(base) else { return Ok(Vec::new()) };
+        let mut warnings = Vec::new();
+        let (mut first, mut pressed) = (0, 0);
+        for (contact, entry) in self.entries().enumerate() {
+            let points = first..first + entry.count()?;
+            first = points.end;
+            let Some(told) = entry.contact.press else { continue };
+            pressed += 1;
+            let force = state.contacts[points].iter().map(ContactAnswer::normal_force).sum::<f64>();
+            if (force - told).abs() > OTHERWISE * told {
+                let name = entry.contact.label_text(contact);
+                warnings.push(Warning::PressesOtherwise { contact, name, told, force });
+            }
+        }
+        if pressed > 0 && warnings.len() == pressed {
+            // None does as it is told: it is told once why, if that is known.
+            warnings = self.same_side().map_or(warnings, |why| vec![why]);
+        }
+        for (number, LinkSetup { link, .. }) in self.links.iter().enumerate() {
+            let points = link.contacts()?.len();
+            let (told, site) = (link.pretension, first);
+            first += points;
+            if told == 0.0 || link.tension.is_some() {
+                continue;
+            }
+            let force = state.contacts[site].normal_force();
+            if (force - told).abs() > OTHERWISE * told.abs() {
+                let (link, name) = (number, link.called(number));
+                warnings.push(Warning::PullsOtherwise { link, name, told, force });
+            }
+        }
+        Ok(warnings)
+    }
+}
+
+/// Whether a load is held for a while if there is more friction, since it presses contacts on.
+fn jams<const C: usize>(grasp: &Grasp<C>, load: Wrench<C>) -> Result<bool, Error> {
+    if load == Wrench::ZERO {
+        return Ok(false);
+    }
+    let rough = grasp.with_friction(|_, mu| if mu > 0.0 { mu.max(MUCH_FRICTION) } else { mu })?;
+    let verdict = rough.hold(Ramp::load(Wrench::ZERO, load))?;
+    Ok(verdict.lost.map_or(verdict.held_to > 0.0, |lost| lost.factor > 0.0))
+}
+
+/// What acts before the loads of a question are put on; nothing where it is one equilibrium that is asked for.
+fn at_rest<const C: usize>(question: &Question<C>) -> Wrench<C> {
+    match question {
+        Question::Hold { base, .. } => *base,
+        Question::Need(asked) => {
+            let turned = asked.turn.map_or(Wrench::ZERO, |turn| turn.load_at(0.0));
+            asked.base.unwrap_or(Wrench::ZERO) + turned
+        }
+        Question::Improve(asked) => asked.base.unwrap_or(Wrench::ZERO),
+        Question::Solve { .. } => Wrench::ZERO,
+        Question::Onset(asked) => asked.base,
+        Question::OnsetOfTurn(turn) => turn.load_at(0.0),
+        Question::Follow { start, .. } => *start,
+        Question::Shake(asked) => asked.base,
+        Question::Shakedown(asked) => asked.base,
+        Question::Identify(asked) => asked.at_rest(),
+    }
+}

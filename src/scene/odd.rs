@@ -1,0 +1,188 @@
+//! Numbers of a scene that are hardly meant: friction in percent, lengths in mm, normals the wrong way round, contacts that stand there twice.
+
+use nalgebra::SVector;
+
+use super::fingertip::Fingertip;
+use super::question::Question;
+use super::setup::Setup;
+use super::warning::Warning;
+use crate::ask::Grasp;
+use crate::error::Error;
+use crate::grasp::{Hold, Wrench};
+use crate::statics::Closure;
+
+/// Coefficients of friction above this are hardly found: soft rubber on dry concrete has about 1.2, tyres of racing cars have less than 2.
+const MUCH_FRICTION: f64 = 2.0;
+
+/// What is gripped is hardly larger, m.
+const MANY_METRES: f64 = 10.0;
+
+/// A patch that is so many times as wide as contacts are apart is in another unit.
+const WIDE: f64 = 10.0;
+
+/// A load that acts so many times as far away as contacts are apart is in another unit, if that is more than a metre.
+const FAR: f64 = 100.0;
+
+/// Contacts that are apart by less than this part of the size of the grasp are in one place.
+const ONE_PLACE: f64 = 1e-9;
+
+impl<const C: usize> Setup<C> {
+    /// What is odd about contacts by themselves, whatever acts.
+    pub(super) fn odd_contacts(&self, grasp: &Grasp<C>) -> Result<Vec<Warning>, Error> {
+        let mut warnings = Vec::new();
+        let entries: Vec<_> = self.entries().collect();
+        let name = |i: usize| entries[i].contact.label_text(i);
+        let names = |contacts: &[usize]| contacts.iter().map(|i| name(*i)).collect::<Vec<_>>();
+        let mu = |i: usize| entries[i].contact.friction_coefficient();
+        let much = |i: &usize| mu(*i) > MUCH_FRICTION && mu(*i).is_finite();
+        let contacts: Vec<_> = (0..entries.len()).filter(much).collect();
+        if let Some(first) = contacts.first() {
+            let (friction, names) = (mu(*first), names(&contacts));
+            warnings.push(Warning::MuchFriction { contacts, names, friction });
+        }
+        if self.has_no_friction(&entries)
+            && !matches!(grasp.statics().force_closure()?, Closure::Closed { .. })
+        {
+            warnings.push(Warning::NoFriction);
+        }
+        let size = spread(&entries.iter().map(|entry| entry.contact.point).collect::<Vec<_>>());
+        if size > MANY_METRES {
+            warnings.push(Warning::ManyMetres {
+                what: "the contacts are apart by up to".to_owned(),
+                length: size,
+                beside: None,
+            });
+        }
+        let mut first = 0;
+        for (i, entry) in entries.iter().enumerate() {
+            let points: Vec<_> =
+                grasp.contacts()[first..first + entry.count()?].iter().map(|c| c.point).collect();
+            first += points.len();
+            let wide = spread(&points);
+            if size > 0.0 && wide > WIDE * size {
+                let what = format!("the patch of {} is as wide as", name(i));
+                warnings.push(Warning::ManyMetres { what, length: wide, beside: Some(size) });
+            }
+            let is_there = |j: &usize| is_in_place_of(entries[*j], entry, size);
+            if let Some(twice) = (0..i).find(is_there) {
+                let contacts = vec![twice, i];
+                warnings.push(Warning::OnePlace { names: names(&contacts), contacts });
+            }
+        }
+        for (contact, entry) in self.entries().enumerate() {
+            let (point, normal) = (entry.contact.point(), entry.contact.normal);
+            if points_out(self.outline_around(entry), &point, &normal) {
+                warnings.push(Warning::PointsOut { contact, name: entry.contact.label_text(contact) });
+            }
+        }
+        Ok(warnings)
+    }
+
+    /// The outline of what a contact's normal points into.
+    fn outline_around(&self, entry: &Fingertip<C>) -> &[SVector<f64, C>] {
+        let Some(on) = &entry.contact.on else { return &self.outline };
+        self.bodies.iter().find(|body| body.name == *on).map_or(&[], |body| &body.outline)
+    }
+
+    /// Loads that act far outside of the grasp.
+    pub(super) fn far_loads(&self) -> Vec<Warning> {
+        let points: Vec<_> = self.entries().map(|entry| entry.contact.point).collect();
+        let (size, count) = (spread(&points), points.len() as f64);
+        if size == 0.0 || !self.bodies.is_empty() {
+            return Vec::new();
+        }
+        let centre = points.iter().fold(SVector::<f64, C>::zeros(), |sum, point| sum + point / count);
+        let arm = |load: &Wrench<C>| {
+            let force = SVector::<f64, C>::from_column_slice(&load.components()[..C]);
+            let about = *load - Wrench::force_through(&centre, &force);
+            let moment = about.components()[C..].iter().fold(0.0, |h: f64, m| h.hypot(*m));
+            // Of a moment alone no arm is known.
+            if force.norm() > 0.0 { moment / force.norm() } else { 0.0 }
+        };
+        let far = self.questions.iter().flat_map(put_on).map(|load| arm(&load)).fold(0.0, f64::max);
+        if far > 1.0 && far > FAR * size {
+            let what = "a load acts at a distance of".to_owned();
+            return vec![Warning::ManyMetres { what, length: far, beside: Some(size) }];
+        }
+        Vec::new()
+    }
+
+    /// Whether contacts that press alone have friction nowhere, and nothing else holds the object.
+    fn has_no_friction(&self, entries: &[&Fingertip<C>]) -> bool {
+        let is_bare = |entry: &&Fingertip<C>| {
+            let contact = &entry.contact;
+            let presses_alone =
+                contact.hold == Hold::Unilateral && contact.suction == 0.0 && entry.cup.is_none();
+            presses_alone && contact.friction_coefficient() == 0.0
+        };
+        self.links.is_empty() && self.bodies.is_empty() && entries.iter().all(is_bare)
+    }
+
+    /// Contacts that are told to press, if all normals point the same way so that these cannot.
+    pub(super) fn same_side(&self) -> Option<Warning> {
+        let entries: Vec<_> = self.entries().collect();
+        if entries.len() < 2 || !self.links.is_empty() || !self.bodies.is_empty() {
+            return None;
+        }
+        let along = |i: usize, j: usize| entries[i].contact.normal.dot(&entries[j].contact.normal) > 0.0;
+        let is_so = (0..entries.len()).all(|i| (0..i).all(|j| along(i, j)));
+        let contacts: Vec<_> = (0..entries.len()).collect();
+        let names = contacts.iter().map(|i| entries[*i].contact.label_text(*i)).collect();
+        is_so.then_some(Warning::SameSide { contacts, names })
+    }
+}
+
+/// The loads that a question puts on.
+pub(super) fn put_on<const C: usize>(question: &Question<C>) -> Vec<Wrench<C>> {
+    match question {
+        Question::Hold { load, .. } | Question::Solve { load, .. } => vec![*load],
+        Question::Need(asked) => asked.put_on().copied().collect(),
+        Question::Improve(asked) => asked.load.iter().chain(&asked.loads).copied().collect(),
+        Question::Onset(asked) => vec![asked.direction],
+        Question::OnsetOfTurn(_) => Vec::new(),
+        Question::Follow { legs, .. } => legs.iter().filter_map(|leg| leg.straight_load()).collect(),
+        Question::Shake(asked) => asked.loads.clone(),
+        Question::Shakedown(asked) => asked.loads.clone(),
+        Question::Identify(asked) => asked.slips.iter().filter_map(|slip| slip.load).collect(),
+    }
+}
+
+/// How far apart the farthest of these points are, to a factor of two.
+fn spread<const C: usize>(points: &[SVector<f64, C>]) -> f64 {
+    points.iter().map(|point| (point - points[0]).norm()).fold(0.0, f64::max)
+}
+
+/// Whether two contacts of the same bodies are at one point with parallel normals.
+fn is_in_place_of<const C: usize>(one: &Fingertip<C>, other: &Fingertip<C>, size: f64) -> bool {
+    let (a, b) = (&one.contact, &other.contact);
+    let parallel = a.normal.dot(&b.normal).abs() >= (1.0 - ONE_PLACE) * a.normal.norm() * b.normal.norm();
+    let near = (a.point - b.point).norm() <= ONE_PLACE * size;
+    (&a.on, &a.against) == (&b.on, &b.against) && near && parallel
+}
+
+/// A step from a contact into the object or out of it, in parts of the size of its outline.
+const STEP: f64 = 1e-3;
+
+/// Whether a step along the normal leads out of the outline and one against it leads in. In space the outline is no surface, and nothing is said.
+fn points_out<const C: usize>(
+    outline: &[SVector<f64, C>],
+    point: &SVector<f64, C>,
+    normal: &SVector<f64, C>,
+) -> bool {
+    if C != 2 || outline.len() < 3 {
+        return false;
+    }
+    let size = outline.iter().map(|corner| (corner - outline[0]).norm()).fold(0.0, f64::max);
+    let step = normal.normalize() * (STEP * size);
+    is_inside(outline, &(point - step)) && !is_inside(outline, &(point + step))
+}
+
+/// Whether a ray along x from a point crosses a closed line an odd number of times.
+fn is_inside<const C: usize>(outline: &[SVector<f64, C>], point: &SVector<f64, C>) -> bool {
+    let sides = outline.iter().zip(outline.iter().cycle().skip(1));
+    let crossed = sides.filter(|(a, b)| {
+        let part = (point[1] - a[1]) / (b[1] - a[1]);
+        (a[1] > point[1]) != (b[1] > point[1]) && point[0] < a[0] + part * (b[0] - a[0])
+    });
+    crossed.count() % 2 == 1
+}

@@ -1,0 +1,114 @@
+//! The weight that bodies have by their masses and the scene's gravity: questions may tilt it, and no load counts it twice.
+
+use std::borrow::Cow;
+
+use nalgebra::SVector;
+
+use super::question::Question;
+use super::setup::Setup;
+use super::turn::of_space;
+use crate::ask::Grasp;
+use crate::error::Error;
+use crate::grasp::Wrench;
+use crate::load_path::Turn;
+
+impl<const C: usize> Setup<C> {
+    /// The mass of all bodies together, kg, and its centre, m, where the scene's gravity pulls at them.
+    ///
+    /// ```
+    /// use grasp_lcp::scene::Scene;
+    ///
+    /// // A box on a tray, μ = 0.4: gravity itself turns where the question says of no load that it does.
+    /// let scene: Scene = serde_json::from_str(r#"{
+    ///     "format": "grasp-lcp/1",
+    ///     "planar": {
+    ///         "bodies": [{ "name": "box", "mass": 1, "centre_of_mass": [0, 0.05] }], "gravity": [0, -9.81],
+    ///         "contacts": [{ "name": "tray", "on": "box", "point": [0, 0], "normal": [0, 1], "friction": 0.4, "soft": { "pair": { "width": 0.2 } } }],
+    ///         "questions": [{ "need": { "quantity": "angle", "turn": {} } }]
+    ///     }
+    /// }"#)?;
+    /// let answers = serde_json::to_value(scene.answers()?)?;
+    /// assert!(answers[0]["need"]["says"].as_str().unwrap_or_default().contains("21.8"), "{answers}");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn own_mass(&self) -> Option<(f64, [f64; C])> {
+        self.gravity.filter(|gravity| gravity.iter().any(|x| *x != 0.0))?;
+        let mass: f64 = self.bodies.iter().map(|body| body.mass).sum();
+        let moment = self
+            .bodies
+            .iter()
+            .fold(SVector::<f64, C>::zeros(), |sum, body| sum + body.centre_of_mass * body.mass);
+        (mass > 0.0).then(|| (mass, (moment / mass).into()))
+    }
+
+    /// The body of a load that has a mass of its own: the one that is named, else the one that loads act on, or any where all share them.
+    #[must_use]
+    pub fn weighty_body(&self, named: Option<&str>) -> Option<&str> {
+        self.own_mass()?;
+        let mut bodies = self.bodies.iter();
+        let body = match named.or(self.loaded.as_deref()) {
+            Some(name) => bodies.find(|body| *body.name == *name),
+            None if self.shared_by_mass => bodies.find(|body| body.mass > 0.0),
+            None => bodies.next(),
+        };
+        body.filter(|body| body.mass > 0.0).map(|body| &*body.name)
+    }
+
+    /// This setup where gravity is left to the loads of questions, which act on every body with the share of its mass.
+    #[must_use]
+    pub fn with_gravity_as_load(&self) -> Self {
+        Self { gravity: None, loaded: None, shared_by_mass: true, ..self.clone() }
+    }
+
+    /// The question with the weight of the bodies in it, where their gravity turns; the grasp of it is that of [`Self::grasp_of`].
+    ///
+    /// # Errors
+    /// [`Error::Question`] where the bodies have no weight, and where another load acts beside it.
+    pub fn meant<'q>(&self, question: &'q Question<C>) -> Result<Cow<'q, Question<C>>, Error> {
+        Ok(match question {
+            Question::OnsetOfTurn(turn) => match self.own_turn(turn)? {
+                Some(turn) => Cow::Owned(Question::OnsetOfTurn(turn)),
+                None => Cow::Borrowed(question),
+            },
+            Question::Need(asked) => {
+                let own = asked.turn.as_ref().map(|turn| self.own_turn(turn)).transpose()?.flatten();
+                let Some(turn) = own else { return Ok(Cow::Borrowed(question)) };
+                if asked.base.is_some_and(|base| base != Wrench::ZERO) && !self.shared_by_mass {
+                    let fault = "given, must be left out where gravity turns: what is always there is the `load` of a body";
+                    return Err(Error::Question { question: "need", field: "base", fault });
+                }
+                let mut asked = asked.clone();
+                asked.turn = Some(turn);
+                Cow::Owned(Question::Need(asked))
+            }
+            _ => Cow::Borrowed(question),
+        })
+    }
+
+    /// The weight of all bodies while they are tilted, if that is what turns.
+    fn own_turn(&self, turn: &Turn<C>) -> Result<Option<Turn<C>>, Error> {
+        let Some(axis) = turn.tilts_bodies_about else { return Ok(None) };
+        let (Some(gravity), Some((mass, centre))) = (self.gravity, self.own_mass()) else {
+            turn.check()?;
+            return Ok(None);
+        };
+        let in_space =
+            |x: &SVector<f64, C>| -> [f64; 3] { std::array::from_fn(|a| x.get(a).copied().unwrap_or(0.0)) };
+        let weight =
+            Turn::<3>::force_at(in_space(&(gravity * mass)), in_space(&centre.into()), axis)?.reversed();
+        let [constant, cosine, sine] = weight.parts().map(|part| of_space(&part));
+        Ok(Some(Turn::new(constant, cosine, sine).up_to(turn.angle())))
+    }
+
+    /// The grasp of a question in which gravity turns.
+    pub(super) fn tilted_grasp(&self, question: &Question<C>) -> Result<Option<Grasp<C>>, Error> {
+        let turn = match question {
+            Question::OnsetOfTurn(turn) => Some(turn),
+            Question::Need(asked) => asked.turn.as_ref(),
+            _ => None,
+        };
+        let tilts = turn.is_some_and(|turn| turn.tilts_bodies_about.is_some());
+        tilts.then(|| self.with_gravity_as_load().grasp()).transpose()
+    }
+}

@@ -1,0 +1,94 @@
+//! Weights in the text of a question that the scene's gravity already counts (feature `json`).
+
+use serde_json::Value;
+
+use super::fault::{Fault, FaultKind};
+use super::setup::Setup;
+use super::written::{Scene, Space};
+use crate::words::printable;
+
+impl Scene {
+    /// Refuses questions that count a weight twice. Their text alone still tells a mass from a force.
+    pub(super) fn refuse_weights_twice(&self, text: &[u8]) -> Result<(), Fault> {
+        match &self.space {
+            Space::Planar(setup) => setup.refuse_in_scene(text, "planar"),
+            Space::Spatial(setup) => setup.refuse_in_scene(text, "spatial"),
+        }
+    }
+}
+
+impl<const C: usize> Setup<C> {
+    fn refuse_in_scene(&self, text: &[u8], space: &str) -> Result<(), Fault> {
+        if self.own_mass().is_none() {
+            return Ok(());
+        }
+        // The scene was read from this text, which is therefore JSON.
+        let scene: Value = serde_json::from_slice(text).unwrap_or_default();
+        self.refuse_weight_twice(&scene[space]["questions"], &format!("{space}.questions"))
+    }
+
+    /// Refuses a question, as JSON, in which a mass or a weight that turns acts on bodies that have a weight by their own masses; `path` is the field
+    /// that the question stands in.
+    ///
+    /// # Errors
+    /// A [`Fault`] that names the field, and how the same is said with the weight counted once.
+    pub fn refuse_weight_twice(&self, question: &Value, path: &str) -> Result<(), Fault> {
+        match self.own_mass().and_then(|_| self.weight_twice(question, path, None)) {
+            Some((field, message)) => {
+                Err(Fault { kind: FaultKind::Scene, message, field: Some(field), at: None })
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// The first such field, and the message.
+    fn weight_twice(&self, value: &Value, path: &str, body: Option<&str>) -> Option<(String, String)> {
+        let fields = match value {
+            Value::Array(list) => {
+                let mut all = list.iter().enumerate();
+                return all.find_map(|(i, value)| self.weight_twice(value, &format!("{path}[{i}]"), body));
+            }
+            Value::Object(fields) => fields,
+            _ => return None,
+        };
+        let no_gravity = fields.get("gravity").and_then(Value::as_array);
+        let no_gravity = no_gravity.is_some_and(|row| row.iter().all(|x| x.as_f64() == Some(0.0)));
+        for (name, value) in fields {
+            let (path, called) = (format!("{path}.{name}"), |name| printable(name));
+            match name.as_str() {
+                "mass" if !no_gravity => {
+                    let Some(body) = self.weighty_body(body) else { continue };
+                    let message = format!(
+                        "the scene's gravity already pulls at {}, which has a mass: what lies on it besides is said by its weight as a force, and what accelerates it by this load with \"gravity\" all zeros",
+                        called(body)
+                    );
+                    return Some((path, message));
+                }
+                "weight" => {
+                    let body = self.bodies.iter().find(|body| body.mass > 0.0)?;
+                    let message = format!(
+                        "the scene's gravity already pulls at {}, which has a mass: leave out weight and at, and gravity itself turns",
+                        called(&body.name)
+                    );
+                    return Some((path, message));
+                }
+                "together_with" | "body_loads_by" | "body_loads_to" => {
+                    let named = value.as_object().into_iter().flatten();
+                    for (body, load) in named {
+                        let found = self.weight_twice(load, &format!("{path}.{}", called(body)), Some(body));
+                        if found.is_some() {
+                            return found;
+                        }
+                    }
+                }
+                _ => {
+                    let found = self.weight_twice(value, &path, body);
+                    if found.is_some() {
+                        return found;
+                    }
+                }
+            }
+        }
+        None
+    }
+}

@@ -1,0 +1,47 @@
+//! Up to where motions are small.
+
+use crate::error::{Error, is_moderate};
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
+
+/// Up to where the motions of an answer are small. Contact points and normals are those of the undeformed grasp in all that is computed, so that an answer
+/// beyond says little: a [`Verdict`](crate::hold::Verdict) never tells that a load holds there.
+///
+/// A translation that all contacts take up elastically changes no geometry, and does not count.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(deny_unknown_fields, default)
+)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub struct SmallMotions {
+    /// No body turns by more than this angle, rad (default 0.1).
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
+    pub rotation: f64,
+    /// No contact slips or opens farther than this part of the grasp's size (default 0.1): the root mean square distance of contact points
+    /// from their centroid. A grasp at a single point has no size, and no limit of this kind.
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
+    pub slip: f64,
+}
+
+impl Default for SmallMotions {
+    fn default() -> Self {
+        Self { rotation: 0.1, slip: 0.1 }
+    }
+}
+
+impl SmallMotions {
+    /// Refuses limits that are none.
+    pub(crate) fn check(&self) -> Result<(), Error> {
+        let allowed = "more than 0 and at most 1e50";
+        let limits = [("rotation of small motions", self.rotation), ("slip of small motions", self.slip)];
+        for (what, value) in limits {
+            if !(value > 0.0 && is_moderate(value)) {
+                return Err(Error::Argument { what, value, allowed });
+            }
+        }
+        Ok(())
+    }
+}

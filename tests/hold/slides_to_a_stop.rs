@@ -1,0 +1,66 @@
+//! What is said of a load under which the object slides to a stop.
+
+use grasp_lcp::Error;
+use grasp_lcp::hold::Holding;
+use grasp_lcp::need::Need;
+use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
+
+/// A block of 100 N on two feet, which slides at 50 N, and a stop this far off.
+fn block(gap: f64) -> Result<Grasp, Error> {
+    let foot = |name: &str, x: f64| {
+        Contact::new([x, 0.0], [0.0, 1.0]).name(name).series_stiffness(1e7, 1e7).friction(0.5)
+    };
+    let stop = Contact::new([0.1, 0.01], [-1.0, 0.0]).name("stop").series_stiffness(1e7, 1e7);
+    Grasp::new([foot("left foot", -0.1), foot("right foot", 0.1), stop.clearance(gap)])
+}
+
+fn pulled(force: f64) -> Ramp {
+    Ramp::load(Wrench::force([0.0, -100.0]), Wrench::force([force, 0.0]))
+}
+
+#[test]
+fn the_first_line_says_how_far_it_slides() -> Result<(), Error> {
+    let verdict = block(1e-4)?.hold(pulled(80.0))?;
+    assert_eq!(
+        verdict.to_string(),
+        "HOLDS, but left foot and right foot slide from 0.625 of it on; at 50 N the object slides 0.0975 mm to stop, then holds; lost at 13.125 times this load"
+    );
+    assert_eq!(verdict.holds(), Some(true));
+    assert_eq!(verdict.sticks(), Some(false));
+    let state = verdict.state.expect("it holds");
+    assert!((state.contacts[2].force[0] - 30.0).abs() < 1e-9);
+    assert!(verdict.lost.is_none_or(|lost| lost.factor > 1.0 && lost.nothing_near.is_none()));
+    Ok(())
+}
+
+#[test]
+fn a_loss_behind_the_stop_is_told_with_the_way_to_it() -> Result<(), Error> {
+    // The stop 10 mm up tips the block at 50 N + 100 N · 0.1 m / 0.01 m.
+    let verdict = block(1e-4)?.hold(pulled(2000.0))?;
+    let words = verdict.to_string();
+    let told = "TIPS OVER at 1050 N of 2000 N beside the load at rest, after the object slides 0.0975 mm to stop at 50 N: the object tips over";
+    assert!(words.starts_with(told), "{words}");
+    assert!(matches!(verdict.holding, Holding::Lost));
+    Ok(())
+}
+
+#[test]
+fn a_stop_beyond_small_motions_holds_nothing() -> Result<(), Error> {
+    let verdict = block(0.02)?.hold(pulled(80.0))?;
+    assert!(verdict.to_string().starts_with("SLIPS OUT at 50 N of 80 N"), "{verdict}");
+    let near = verdict.lost.and_then(|lost| lost.nothing_near).expect("a proof");
+    assert!(near.translation < 0.02);
+    Ok(())
+}
+
+/// As much as tips the block over its stop, in place of the 50 N that friction takes.
+#[test]
+fn what_a_load_may_be_counts_the_stop() -> Result<(), Error> {
+    let (down, pull) = (Wrench::force([0.0, -100.0]), Wrench::force([1.0, 0.0]));
+    for (gap, most) in [(1e-4, 1050.0), (0.02, 50.0)] {
+        let needed = block(gap)?.need(&Need::load(pull).on_top_of(down).to_hold())?;
+        let bound = needed.amount.bound().expect("a bound");
+        assert!((bound / most - 1.0).abs() < 1e-9, "{needed}");
+    }
+    Ok(())
+}
