@@ -87,7 +87,7 @@ impl InSpace for Setup<3> {
     }
 }
 
-/// Refuses a question that counts the weight of bodies twice. Text that is no JSON is refused by the parser that follows.
+/// Refuses a question that counts the weight of bodies twice. It accepts text that is not JSON, which the parser refuses later.
 fn once<const C: usize>(setup: &Setup<C>, question: &str, path: &str) -> PyResult<()> {
     setup.refuse_weight_twice(&serde_json::from_str(question).unwrap_or_default(), path).map_err(wrong)
 }

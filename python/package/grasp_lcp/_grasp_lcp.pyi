@@ -7,7 +7,6 @@ from numpy.typing import NDArray
 
 _Floats = NDArray[np.float64]
 
-
 class Told:
     @property
     def outcome(self) -> str: ...

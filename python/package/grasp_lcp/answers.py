@@ -211,20 +211,26 @@ class Verdict(Sentence):
 
     @property
     def lost(self) -> float | None:
-        """Multiple of the load at which equilibrium is lost or motions are no longer small; None if neither happens as far as it was followed."""
+        """Multiple of the load at which equilibrium is lost or motions cease to be small; None if neither happens as far as the load was followed."""
         found = self._tree.get("lost")
         return None if found is None else number(found["factor"])
 
     @property
     def everything_slides(self) -> float | None:
-        """Multiple of the load from which every contact with friction that presses slides; None where one sticks."""
+        """Multiple of the load from which every pressing contact with friction slides, up to the whole load or to the end of the verdict.
+
+        None if one of them sticks.
+        """
         found = self._tree.get("everything_slides")
         return None if found is None else number(found)
 
     @property
     def left_out(self) -> float | None:
-        """Share of the resistance to the motion that small motions leave out: the forces turn with the object and take from it (below 0) or
-        add to it. None up to a tenth."""
+        """Change of the resistance to the motion that the theory of small motions neglects, relative to that resistance.
+
+        Arms of the forces at rest turn with the object, which reduces the resistance (negative) or adds to it. None if the change is at most a
+        tenth, and for several bodies.
+        """
         found = self._tree.get("left_out")
         return None if found is None else number(found)
 

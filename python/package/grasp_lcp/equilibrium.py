@@ -279,11 +279,10 @@ class Equilibrium(View):
 
     @property
     def is_beyond_small_motions(self) -> bool:
-        """Whether the object turns, or a contact slips or opens, farther than ``small_motions`` of the settings: by default 0.1 rad, or a tenth of the
-        grasp's size.
+        """Whether the object turns, or a contact slips or opens, farther than ``small_motions`` of the settings.
 
-        The theory keeps contact points and normals fixed. An answer with a larger rotation solves the question as posed, but says little about
-        the real object.
+        The default limits are 0.1 rad and a tenth of the size of the grasp. The theory keeps contact points and normals fixed. An answer with
+        larger motions solves the question as posed, but says little about the real object.
         """
         return "too_far" in self._tree
 
