@@ -96,7 +96,7 @@ impl<const C: usize> Grasp<C> {
         Self { engine: self.engine.clone(), settings: *settings }
     }
 
-    /// The contacts with `is_meant`, counted as users do: a soft fingertip is one contact, with the number of its points among them.
+    /// The contacts for which `is_meant` is true, counted as users do: a soft fingertip is one contact, with the number of its points among them.
     #[must_use]
     pub fn whole_contacts(&self, is_meant: impl Fn(usize) -> bool) -> Vec<WholeContact> {
         WholeContacts::of(self.contacts()).with(&is_meant)

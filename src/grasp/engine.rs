@@ -101,7 +101,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         self.linkage().map_or(&[], |linkage| &linkage.centres)
     }
 
-    /// A grasp by contacts, whose origin is the centroid of the contacts with `is_meant`.
+    /// A grasp by contacts; its origin is the centroid of those for which `is_meant` is true.
     fn of(size: D, contacts: Vec<Contact<C>>, is_meant: &dyn Fn(usize) -> bool) -> Result<Self, Error> {
         if contacts.is_empty() {
             return Err(Error::EmptyGrasp);

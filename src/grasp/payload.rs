@@ -110,8 +110,8 @@ impl<const C: usize> Payload<C> {
 }
 
 impl<const C: usize> Payload<C> {
-    /// Sets principal moments of inertia about axes through the centre of mass along x, y and z, kg m². These must be principal axes; in the plane
-    /// only the last one counts.
+    /// Sets moments of inertia about axes through the centre of mass along x, y and z, kg m², which must be principal axes. In the plane only the
+    /// last one counts.
     #[must_use]
     pub fn of_inertia(mut self, axes: [f64; 3]) -> Self {
         self.inertia = Some(Matrix3::from_diagonal(&axes.into()));
@@ -128,7 +128,7 @@ impl Payload<2> {
 }
 
 impl Payload<3> {
-    /// Sets principal moments of inertia about axes through the centre of mass along the coordinate axes, kg m². These must be principal axes.
+    /// Sets moments of inertia about axes through the centre of mass along the coordinate axes, kg m², which must be principal axes.
     #[must_use]
     pub fn inertia(self, axes: impl Into<[f64; 3]>) -> Self {
         self.of_inertia(axes.into())
