@@ -2,10 +2,13 @@
 
 mod everyday;
 mod kinetic;
+mod left_out;
 mod nothing_near;
 mod nothing_near_in_space;
 mod payload;
 mod seals;
+mod small_motions;
 mod suction;
 mod ways_out;
+mod within_small_motions;
 mod words;
