@@ -7,8 +7,8 @@ use crate::equilibrium::{ContactState, Equilibrium, Outcome, TooFar};
 use crate::error::{Error, is_moderate};
 use crate::grasp::{Coordinates, Engine, WholeContact, WholeContacts, Wrench};
 use crate::load_path::{
-    Beyond, Change, ContactChange, Departure, EndOfSmallMotions, Event, Leg, LoadPath, Loss, LossKind, Onset,
-    PathEnd, Ramp,
+    Beyond, Change, ContactChange, Departure, EndOfSmallMotions, Event, Leaving, Leg, LoadPath, Loss,
+    LossKind, Onset, PathEnd, Ramp,
 };
 use crate::numerics::Size;
 use crate::object::Load;
@@ -169,9 +169,17 @@ impl<D: Size, const C: usize> Engine<D, C> {
                     };
                     parts.with(&is_meant)
                 };
+                let slides = |i: usize| {
+                    let slides = |leaving: &Leaving<C>| matches!(leaving.how, Departure::Slides { .. });
+                    event.leaving.iter().any(|leaving| leaving.contact.index == i && slides(leaving))
+                };
                 Some(FirstSlip {
                     factor: event.factor,
-                    slide: leaves(|how| matches!(how, Departure::Slides { .. })),
+                    slide: if event.factor == 0.0 {
+                        parts.with(&|i| slides(i) || slides_at_once(i))
+                    } else {
+                        parts.with(&slides)
+                    },
                     open: leaves(|how| matches!(how, Departure::Opens)),
                     would_pull: leaves(|how| matches!(how, Departure::WouldPull)),
                     give_way: event.drives.iter().map(|drive| drive.part.text()).collect(),

@@ -350,7 +350,20 @@ impl<const C: usize> WayOut<C> {
                 format!("turn{ending} about {axis}{} m", words.numbers(centre.as_slice()))
             }
             Self::TipsOver { about, opens } => {
-                format!("tip{ending} over about {}, {}", listed(about), they_open(opens))
+                let edge = |part: &WholeContact| {
+                    if part.is_whole() {
+                        part.text().into_owned()
+                    } else {
+                        format!("an edge of {}", part.text())
+                    }
+                };
+                let about_whole =
+                    |part: &WholeContact| about.iter().all(|other| other.contact != part.contact);
+                let edges: Vec<_> = about.iter().map(edge).collect();
+                let opens: Vec<_> = opens.iter().filter(|part| about_whole(part)).cloned().collect();
+                let they_open =
+                    if opens.is_empty() { String::new() } else { format!(", {}", they_open(&opens)) };
+                format!("tip{ending} over about {}{they_open}", listed(&edges))
             }
             Self::TurnsAbout { about } => format!("turn{ending} about {}", listed(about)),
             _ => format!("move{ending}"),

@@ -11,7 +11,7 @@ use super::pieces::Pieces;
 use super::stretch::Stretch;
 use crate::contact::WEIGHTLESS;
 use crate::equilibrium::{AnswerFor, CountedMotion, Standing, TooFar, farthest};
-use crate::grasp::Engine;
+use crate::grasp::{Engine, Hold};
 use crate::numerics::{Fall, Harmonic, Size, Trigonometric};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
@@ -153,15 +153,16 @@ impl<'g, D: Size, const C: usize> Stretch<'g, D, C> {
         first
     }
 
-    /// Whether every contact with friction that presses slides, and there is one.
+    /// Whether every contact with friction that presses slides, and there is one. What is bonded does not slide; links are no contacts.
     fn everything_slides(&self, grasp: &Engine<D, C>) -> bool {
         let force = |i: usize| self.here.lines[i].force.norm().max(self.there.forces[i].norm());
         let contacts = 0..grasp.len();
         let largest = contacts.clone().map(force).fold(0.0, f64::max);
         let mut any = false;
         for i in contacts {
-            let has_friction =
-                !grasp.sites()[i].friction.is_frictionless() && grasp.contacts()[i].link.is_none();
+            let (contact, site) = (&grasp.contacts()[i], &grasp.sites()[i]);
+            let is_bonded = site.hold == Hold::Bonded;
+            let has_friction = contact.link.is_none() && (is_bonded || !site.friction.is_frictionless());
             if has_friction && force(i) > WEIGHTLESS * largest {
                 if !self.states[i].slides() {
                     return false;

@@ -2,11 +2,14 @@
 
 mod everyday;
 mod kinetic;
+mod left_out;
 mod nothing_near;
 mod nothing_near_in_space;
 mod payload;
 mod seals;
 mod slides_to_a_stop;
+mod small_motions;
 mod suction;
 mod ways_out;
+mod within_small_motions;
 mod words;

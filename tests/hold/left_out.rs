@@ -1,0 +1,44 @@
+//! What the turning of the squeeze takes of what resists: the closed form of a pinch, `−N / (k_t a)`.
+
+use grasp_lcp::planar::{Contact, Grasp, Wrench};
+use grasp_lcp::spatial;
+
+#[test]
+fn of_a_pinch() -> Result<(), grasp_lcp::Error> {
+    let (half, press, tangential) = (0.04, 20.0, 2000.0);
+    let jaw = |x: f64| {
+        Contact::new([x, 0.0], [-x, 0.0])
+            .series_stiffness(5000.0, tangential)
+            .friction(0.9)
+            .pressed_with(press)
+    };
+    let verdict = Grasp::new([jaw(-half), jaw(half)])?.hold(Wrench::new([0.0, 0.0], 0.1))?;
+    let part = verdict.left_out.expect("a quarter");
+    assert!((part + press / (tangential * half)).abs() < 1e-12, "{part}");
+    assert!(verdict.to_string().ends_with(
+        ". CAUTION, left out: as the squeeze turns with the object it takes 25 % of what resists"
+    ));
+    // A translation turns nothing, and a stiff finger loses little.
+    assert_eq!(Grasp::new([jaw(-half), jaw(half)])?.hold(Wrench::force([0.0, -1.0]))?.left_out, None);
+    let stiff = |x: f64| jaw(x).series_stiffness(5e5, 2e5);
+    assert_eq!(Grasp::new([stiff(-half), stiff(half)])?.hold(Wrench::new([0.0, 0.0], 0.1))?.left_out, None);
+    Ok(())
+}
+
+/// The same about each axis across the pinch in space, and nothing about its line.
+#[test]
+fn of_a_pinch_in_space() -> Result<(), grasp_lcp::Error> {
+    let (half, press, tangential) = (0.04, 20.0, 2000.0);
+    let jaw = |x: f64| {
+        spatial::Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0])
+            .series_stiffness(5000.0, tangential)
+            .friction(0.9)
+            .pressed_with(press)
+    };
+    let grasp = spatial::Grasp::new([jaw(-half), jaw(half)])?;
+    for about in [[0.0, 0.1, 0.0], [0.0, 0.06, -0.08]] {
+        let part = grasp.hold(spatial::Wrench::new([0.0; 3], about))?.left_out.expect("a quarter");
+        assert!((part + press / (tangential * half)).abs() < 1e-12, "{part}");
+    }
+    Ok(())
+}

@@ -1,0 +1,176 @@
+//! Random grasps: what is told to hold has moved little, and the first line is the same in other units and orders.
+//!
+//! `GRASP_LCP_SAMPLES=100` draws so many times as many.
+
+use core::fmt::Write;
+
+use grasp_lcp::hold::Verdict;
+use grasp_lcp::{planar, spatial};
+use support::splitmix::Random;
+
+/// As the default settings have them.
+const SMALL: f64 = 0.1;
+
+fn samples(few: usize) -> usize {
+    let times = std::env::var("GRASP_LCP_SAMPLES").ok().and_then(|times| times.parse::<usize>().ok());
+    few * times.unwrap_or(1)
+}
+
+/// Three or four fingers around an object, or what it stands on; soft or stiff, gently or hard overloaded.
+struct Drawn<const C: usize> {
+    points: Vec<[f64; C]>,
+    normals: Vec<[f64; C]>,
+    stiffness: Vec<[f64; 2]>,
+    friction: Vec<f64>,
+    press: Vec<f64>,
+    force: [f64; C],
+    at: [f64; C],
+}
+
+fn drawn<const C: usize>(random: &mut Random) -> Drawn<C> {
+    let count = random.index(2, 5);
+    let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
+    let soft = 10.0_f64.powf(between(2.5, 6.5));
+    let mut of = Drawn {
+        points: Vec::new(),
+        normals: Vec::new(),
+        stiffness: Vec::new(),
+        friction: Vec::new(),
+        press: Vec::new(),
+        force: core::array::from_fn(|_| between(-15.0, 15.0)),
+        at: core::array::from_fn(|_| between(-0.1, 0.1)),
+    };
+    for _ in 0..count {
+        let point: [f64; C] = core::array::from_fn(|_| between(-0.05, 0.05));
+        of.normals.push(core::array::from_fn(|k| between(-0.02, 0.02) - point[k]));
+        of.points.push(point);
+        of.stiffness.push([soft * between(0.5, 2.0), soft * between(0.5, 2.0)]);
+        of.friction.push(if between(0.0, 1.0) < 0.15 { 0.0 } else { between(0.1, 1.2) });
+        of.press.push(between(0.0, 30.0));
+    }
+    of
+}
+
+/// In units of length and force that are so many metres and newtons, contacts in this order. A normal displacement presses: its force is a length times a stiffness.
+fn verdict_in_the_plane(drawn: &Drawn<2>, [length, force]: [f64; 2], order: &[usize]) -> Verdict<2> {
+    let contacts = order.iter().map(|&i| {
+        planar::Contact::new(drawn.points[i].map(|x| x * length), drawn.normals[i])
+            .name(format!("f{i}"))
+            .series_stiffness(drawn.stiffness[i][0] * force / length, drawn.stiffness[i][1] * force / length)
+            .friction(drawn.friction[i])
+            .pressed_with(drawn.press[i] * force)
+    });
+    let load = planar::Wrench::force_at(drawn.force.map(|x| x * force), drawn.at.map(|x| x * length));
+    planar::Grasp::new(contacts).and_then(|grasp| grasp.hold(load)).expect("valid")
+}
+
+fn verdict_in_space(drawn: &Drawn<3>, [length, force]: [f64; 2], order: &[usize]) -> Verdict<3> {
+    let contacts = order.iter().map(|&i| {
+        spatial::Contact::new(drawn.points[i].map(|x| x * length), drawn.normals[i])
+            .name(format!("f{i}"))
+            .series_stiffness(drawn.stiffness[i][0] * force / length, drawn.stiffness[i][1] * force / length)
+            .friction(drawn.friction[i])
+            .pressed_with(drawn.press[i] * force)
+    });
+    let load = spatial::Wrench::force_at(drawn.force.map(|x| x * force), drawn.at.map(|x| x * length));
+    spatial::Grasp::new(contacts).and_then(|grasp| grasp.hold(load)).expect("valid")
+}
+
+/// The size of a grasp by the definition.
+fn size<const C: usize>(points: &[[f64; C]]) -> f64 {
+    let count = points.len() as f64;
+    let middle: [f64; C] = core::array::from_fn(|k| points.iter().map(|p| p[k]).sum::<f64>() / count);
+    let square = |p: &[f64; C]| (0..C).map(|k| (p[k] - middle[k]).powi(2)).sum::<f64>();
+    (points.iter().map(square).sum::<f64>() / count).sqrt()
+}
+
+/// Whether a state that is told to hold has moved farther than it may, by what the answer says of motions.
+fn moves_far<const C: usize>(verdict: &Verdict<C>, points: &[[f64; C]]) -> bool {
+    let state = verdict.state.as_ref().expect("held");
+    let rotation = state.twist.components()[C..].iter().map(|x| x * x).sum::<f64>().sqrt();
+    let far = SMALL * size(points) * (1.0 + 1e-9);
+    let contact_moves = |contact: &grasp_lcp::equilibrium::ContactAnswer<C>| {
+        let is_open = matches!(contact.state, grasp_lcp::equilibrium::ContactState::Separated);
+        // A finger that stays where it is: the gap is what the object has moved away by, less what the finger was pressed in.
+        if is_open { contact.gap > far } else { contact.slip.norm() > far }
+    };
+    rotation > SMALL * (1.0 + 1e-9) || state.contacts.iter().any(contact_moves)
+}
+
+#[test]
+fn what_holds_has_moved_little() {
+    let mut random = Random(62);
+    let (mut held, mut too_far) = (0, 0);
+    for k in 0..samples(60) {
+        let [holds, far] = if k % 3 == 0 {
+            let drawn = drawn::<3>(&mut random);
+            let order: Vec<_> = (0..drawn.points.len()).collect();
+            let verdict = verdict_in_space(&drawn, [1.0, 1.0], &order);
+            let holds = verdict.holds() == Some(true);
+            assert!(!(holds && moves_far(&verdict, &drawn.points)), "{verdict}");
+            [holds, verdict.lost.is_some_and(|lost| lost.too_far.is_some() && lost.factor <= 1.0)]
+        } else {
+            let drawn = drawn::<2>(&mut random);
+            let order: Vec<_> = (0..drawn.points.len()).collect();
+            let verdict = verdict_in_the_plane(&drawn, [1.0, 1.0], &order);
+            let holds = verdict.holds() == Some(true);
+            assert!(!(holds && moves_far(&verdict, &drawn.points)), "{verdict}");
+            [holds, verdict.lost.is_some_and(|lost| lost.too_far.is_some() && lost.factor <= 1.0)]
+        };
+        held += usize::from(holds);
+        too_far += usize::from(far);
+    }
+    println!("{held} held, {too_far} went too far");
+    assert!(held > 0 && too_far > 0);
+}
+
+/// Everything up to the first number: units change numbers.
+fn told_without_numbers(said: &str) -> String {
+    let mut told = String::new();
+    for word in
+        said.split_whitespace().filter(|word| !word.starts_with(|c: char| c.is_ascii_digit() || c == '('))
+    {
+        let _ = write!(told, "{word} ");
+    }
+    told
+}
+
+/// In other units a moment is another number, and lengths are told in mm or m: words and the load factors stay.
+#[test]
+fn units_and_order_do_not_matter() {
+    let mut random = Random(26);
+    let mut asked = 0;
+    while asked < samples(10) {
+        let drawn = drawn::<2>(&mut random);
+        let order: Vec<_> = (0..drawn.points.len()).collect();
+        let other: Vec<_> = order.iter().rev().copied().collect();
+        let scale = [2.0_f64.powi(random.integer(-8, 8) as i32), 2.0_f64.powi(random.integer(-8, 8) as i32)];
+        let one = verdict_in_the_plane(&drawn, [1.0, 1.0], &order);
+        // Where squeezing itself makes contacts slide there may be several states of rest, and the search finds one.
+        if one.first_slip.as_ref().is_some_and(|first| first.factor == 0.0) {
+            continue;
+        }
+        asked += 1;
+        let scaled = verdict_in_the_plane(&drawn, scale, &order);
+        let reordered = verdict_in_the_plane(&drawn, [1.0, 1.0], &other);
+        let close = |a: f64, b: f64| (a - b).abs() <= 1e-7 * a.max(b);
+        assert!(
+            close(one.held_to, scaled.held_to) && close(one.held_to, reordered.held_to),
+            "{one}\n{scaled}\n{reordered}"
+        );
+        let words = |verdict: &Verdict<2>| {
+            let said = verdict.to_string();
+            let first = told_without_numbers(said.split(['.', ':']).next().unwrap_or_default());
+            (first, verdict.holds(), verdict.sticks())
+        };
+        assert_eq!(words(&one), words(&scaled), "{one}\n{scaled}");
+        assert_eq!(one.holds(), reordered.holds(), "{one}\n{reordered}");
+        let slid = |verdict: &Verdict<2>| {
+            let first = verdict.first_slip.iter().flat_map(|first| first.slide.iter().chain(&first.open));
+            let mut names: Vec<_> = first.map(|part| part.label.clone()).collect();
+            names.sort();
+            names
+        };
+        assert_eq!(slid(&one), slid(&reordered), "{one}\n{reordered}");
+    }
+}
