@@ -165,7 +165,9 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
             if lets_go { fall.go(&goal, journey).map(|()| first) } else { Ok(first) }
         });
         let Ok(changes) = went else { return Ok(None) };
-        let jump = Some(Box::new(self.land(journey, &goal, fall)?));
+        // Where rounding does not let the state there be told, the loss is what is known.
+        let Ok(jump) = self.land(journey, &goal, fall) else { return Ok(None) };
+        let jump = Some(Box::new(jump));
         self.at_node = true;
         let (changes, drives) = journey.grasp.contacts_and_drives(changes);
         Ok(Some(Event {

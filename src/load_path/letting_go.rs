@@ -16,11 +16,12 @@ use nalgebra::{Matrix, SVector};
 use super::beyond::Beyond;
 use super::energy::LegEnergy;
 use super::event::{Change, ContactChange, Loss, PathEnd};
+use super::flow::Rule;
 use super::journey::Journey;
 use super::jump::{Jump, JumpSlip};
 use super::node::Node;
 use super::pieces::Pieces;
-use super::stretch::Fallen;
+use super::stretch::{Bend, Fallen};
 use super::trajectory::Trajectory;
 use crate::contact::{ActiveSet, tangential_norm};
 use crate::equilibrium::ACCURATE;
@@ -202,26 +203,33 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         fall: Fall<'g, D, C>,
     ) -> Result<Jump<C>, PathEnd<C>> {
         let slips = fall.slips(journey);
-        let before = core::mem::replace(&mut self.node, fall.leg.node).at;
-        let problem = &mut self.segment.problem;
-        let relaxed = fall.leg.segment.problem;
+        let mut segment = self.segment.clone();
+        let (problem, leg) = (&mut segment.problem, fall.leg);
+        let relaxed = leg.segment.problem;
         for (i, slip) in relaxed.slips.iter().enumerate() {
             problem.drives[i] -= slip - problem.slips[i];
         }
         (problem.slips, problem.cones) = (relaxed.slips, relaxed.cones);
-        self.segment.largest = self.segment.largest.max(fall.leg.segment.largest);
-        self.step_error += fall.leg.step_error;
-        self.pace.steps = fall.leg.pace.steps;
+        segment.largest = segment.largest.max(leg.segment.largest);
+        let landed = Self { factor: self.factor, ..Self::standing(segment, leg.node) };
+        let inaccurate = || journey.undecided(self.factor, Doubt::Inaccurate);
+        let mut stands = landed.standing_here(journey).ok_or_else(inaccurate)?;
+        if landed.node.turns() {
+            // Close to an asymptote the states alone leave the twist all but open: as along an arc, it is that of the way.
+            stands.there = landed.node.at.clone();
+            stands.bend = Some(Bend { unit: 1.0, length: 0.0, rule: Rule::Explicit });
+        }
+        let state = landed.state_on(&stands, self.factor);
+        let state = state.filter(|state| state.residuals.worst() <= ACCURATE).ok_or_else(inaccurate)?;
+        stands.fallen = Some(Box::new(fall.fallen));
+        self.segment = landed.segment;
+        let before = core::mem::replace(&mut self.node, landed.node).at;
+        self.step_error += leg.step_error;
+        self.pace.steps = leg.pace.steps;
         let energy = self.energy_of(goal, &before.forces, &before.twist);
         if let Some(leg) = self.energy.last_mut() {
             leg.add_part(&energy);
         }
-        self.here = None;
-        let inaccurate = || journey.undecided(self.factor, Doubt::Inaccurate);
-        let mut stands = self.standing_here(journey).ok_or_else(inaccurate)?;
-        stands.fallen = Some(Box::new(fall.fallen));
-        let state = self.state_on(&stands, self.factor).filter(|state| state.residuals.worst() <= ACCURATE);
-        let state = state.ok_or_else(inaccurate)?;
         self.here = Some(stands.here.clone());
         self.behind.push(stands);
         self.note_how_far(journey);

@@ -22,8 +22,8 @@ fn energy_balances<const D: usize, const C: usize>(
         let there = |fraction: f64| path.state_at(leg, fraction).map(|state| (fraction, state));
         let mut states: Vec<_> = there(0.0).into_iter().collect();
         for event in events.iter().filter(|event| event.leg == leg) {
-            states.extend(there(event.fraction));
             // Where the object moves under one load there is a state before that and one after it.
+            states.push((event.fraction, event.state.clone()));
             states.extend(event.jump.iter().map(|jump| (event.fraction, jump.state.clone())));
         }
         let end = if leg < last_leg { 1.0 } else { last };
