@@ -319,6 +319,25 @@ class Grasp:
         asked.update(self._together(together_with))
         return Verdict(self._held.ask(dumped({"hold": asked})))
 
+    def warnings(
+        self,
+        load: ArrayLike | Mapping[str, Any] | None = None,
+        base: ArrayLike | Mapping[str, Any] | None = None,
+    ) -> list[str]:
+        """What is said here and hardly meant, in sentences: friction in percent, lengths in mm, normals the wrong way round, nothing that presses.
+
+        :param load: what is to be put on, as for :meth:`hold`; without it what can be told of the contacts alone.
+        :param base: the load at rest; none unless said otherwise.
+        """
+        if load is None:
+            if base is not None:
+                raise TypeError("base: given, must be left out without a load")
+            return list(self._held.warnings())
+        asked = {"load": wrench_json("load", load, self.axes)}
+        if base is not None:
+            asked["base"] = wrench_json("base", base, self.axes)
+        return list(self._held.warnings(dumped({"hold": asked})))
+
     def shake(
         self,
         loads: Sequence[ArrayLike | Mapping[str, Any]],
@@ -613,7 +632,7 @@ class Grasp:
         """At which angle the first contact stops sticking while a load turns.
 
         Give a ``weight`` while the object is tilted with its grasp, or a ``force`` that turns, or ``cosine`` and ``sine``. In the plane it
-        turns from x to y, in space about the axis by the right-hand rule.
+        turns from x to y, in space about the axis by the right-hand rule. With none of them the gravity of bodies turns.
 
         :param weight: N, shape (c,), as it hangs before the tilt.
         :param force: N, shape (c,), in place of the weight.
