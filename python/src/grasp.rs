@@ -30,6 +30,7 @@ pub(crate) trait Held: Send + Sync {
     fn ask(&self, py: Python<'_>, question: &str) -> PyResult<String>;
     fn equilibria(&self, py: Python<'_>, load: &Bound<'_, PyAny>) -> PyResult<String>;
     fn watch(&self) -> PyResult<Watch>;
+    fn warnings(&self, question: Option<&str>) -> PyResult<Vec<String>>;
 }
 
 /// Direction, base load and changes of commands of an onset, as Python passes them.
@@ -175,6 +176,16 @@ where
         json(&told.map_err(refused)?)
     }
 
+    fn warnings(&self, question: Option<&str>) -> PyResult<Vec<String>> {
+        let mut setup = self.setup.clone();
+        if let Some(question) = question {
+            once(&setup, question, "question")?;
+            let question = serde_json::from_str(question).map_err(|error| of_json("question", &error))?;
+            setup = setup.ask(question);
+        }
+        Ok(setup.warnings().map_err(refused)?.iter().map(ToString::to_string).collect())
+    }
+
     fn watch(&self) -> PyResult<Watch> {
         Contact::watch(self.without_joints("watch").map_err(refused)?.contacts())
     }
@@ -261,6 +272,11 @@ impl Grasp {
 
     fn equilibria(&self, py: Python<'_>, load: &Bound<'_, PyAny>) -> PyResult<String> {
         self.held.equilibria(py, load)
+    }
+
+    #[pyo3(signature = (question=None))]
+    fn warnings(&self, question: Option<&str>) -> PyResult<Vec<String>> {
+        self.held.warnings(question)
     }
 
     fn watch(&self) -> PyResult<Watch> {

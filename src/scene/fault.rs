@@ -143,6 +143,11 @@ fn parse_on_track(text: &[u8]) -> Result<Scene, Fault> {
         let at = Some(TextPosition { line: 1, column: 1 });
         return Err(Fault { kind: FaultKind::Syntax, message: message.to_owned(), field: None, at });
     }
+    if text.trim_ascii().is_empty() {
+        let message = "the text is empty, must be a scene; `grasp-lcp new gripper` writes one to begin with";
+        let at = Some(TextPosition { line: 1, column: 1 });
+        return Err(Fault { kind: FaultKind::Syntax, message: message.to_owned(), field: None, at });
+    }
     let mut json = serde_json::Deserializer::from_slice(text);
     let mut track = Track::new();
     let scene = Scene::deserialize(serde_path_to_error::Deserializer::new(&mut json, &mut track));

@@ -23,6 +23,12 @@ const WIDE: f64 = 10.0;
 /// A load that acts so many times as far away as contacts are apart is in another unit, if that is more than a metre.
 const FAR: f64 = 100.0;
 
+/// A load of so many times what all contacts press with is in another unit: friction does not carry it by far.
+const HEAVY: f64 = 100.0;
+
+/// Normals point away from the middle where they do so by more than this part of the way there.
+const OUTWARDS: f64 = 0.5;
+
 /// Contacts that are apart by less than this part of the size of the grasp are in one place.
 const ONE_PLACE: f64 = 1e-9;
 
@@ -53,13 +59,15 @@ impl<const C: usize> Setup<C> {
                 beside: None,
             });
         }
-        let mut first = 0;
+        warnings.extend(self.outwards(&entries));
+        let (mut first, mut is_wide) = (0, false);
         for (i, entry) in entries.iter().enumerate() {
             let points: Vec<_> =
                 grasp.contacts()[first..first + entry.count()?].iter().map(|c| c.point).collect();
             first += points.len();
             let wide = spread(&points);
-            if size > 0.0 && wide > WIDE * size {
+            if size > 0.0 && wide > WIDE * size && !is_wide {
+                is_wide = true;
                 let what = format!("the patch of {} is as wide as", name(i));
                 warnings.push(Warning::ManyMetres { what, length: wide, beside: Some(size) });
             }
@@ -84,16 +92,26 @@ impl<const C: usize> Setup<C> {
         self.bodies.iter().find(|body| body.name == *on).map_or(&[], |body| &body.outline)
     }
 
-    /// Loads that act far outside of the grasp.
-    pub(super) fn far_loads(&self) -> Vec<Warning> {
+    /// Loads that act far outside of the grasp, or are far beyond what contacts press with.
+    pub(super) fn odd_loads(&self) -> Vec<Warning> {
+        let mut warnings = Vec::new();
+        let pressed: f64 =
+            self.entries().filter_map(|entry| entry.contact.press.or(entry.contact.force)).sum();
+        let force = |load: &Wrench<C>| SVector::<f64, C>::from_column_slice(&load.components()[..C]);
+        // The size of a direction says nothing.
+        let asked = || self.questions.iter().filter(|question| !matches!(question, Question::Onset(_)));
+        let heaviest = asked().flat_map(put_on).map(|load| force(&load).norm()).fold(0.0, f64::max);
+        if pressed > 0.0 && heaviest > HEAVY * pressed {
+            warnings.push(Warning::HeavyLoad { force: heaviest, pressed });
+        }
         let points: Vec<_> = self.entries().map(|entry| entry.contact.point).collect();
         let (size, count) = (spread(&points), points.len() as f64);
         if size == 0.0 || !self.bodies.is_empty() {
-            return Vec::new();
+            return warnings;
         }
         let centre = points.iter().fold(SVector::<f64, C>::zeros(), |sum, point| sum + point / count);
         let arm = |load: &Wrench<C>| {
-            let force = SVector::<f64, C>::from_column_slice(&load.components()[..C]);
+            let force = force(load);
             let about = *load - Wrench::force_through(&centre, &force);
             let moment = about.components()[C..].iter().fold(0.0, |h: f64, m| h.hypot(*m));
             // Of a moment alone no arm is known.
@@ -102,9 +120,27 @@ impl<const C: usize> Setup<C> {
         let far = self.questions.iter().flat_map(put_on).map(|load| arm(&load)).fold(0.0, f64::max);
         if far > 1.0 && far > FAR * size {
             let what = "a load acts at a distance of".to_owned();
-            return vec![Warning::ManyMetres { what, length: far, beside: Some(size) }];
+            warnings.push(Warning::ManyMetres { what, length: far, beside: Some(size) });
         }
-        Vec::new()
+        warnings
+    }
+
+    /// Contacts that press towards the outside, where no outline shows the object.
+    fn outwards(&self, entries: &[&Fingertip<C>]) -> Option<Warning> {
+        let count = entries.len() as f64;
+        let centre =
+            entries.iter().fold(SVector::<f64, C>::zeros(), |sum, entry| sum + entry.contact.point / count);
+        let is_so = |entry: &&Fingertip<C>| {
+            let (way, normal) = (entry.contact.point - centre, entry.contact.normal);
+            entry.contact.press.is_some() && way.dot(&normal) > OUTWARDS * way.norm() * normal.norm()
+        };
+        let shown = self.outline.len() > 2 || !self.bodies.is_empty();
+        if shown || entries.len() < 2 || !entries.iter().all(is_so) {
+            return None;
+        }
+        let contacts: Vec<_> = (0..entries.len()).collect();
+        let names = contacts.iter().map(|i| entries[*i].contact.label_text(*i)).collect();
+        Some(Warning::Outwards { contacts, names })
     }
 
     /// Whether contacts that press alone have friction nowhere, and nothing else holds the object.

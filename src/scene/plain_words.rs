@@ -31,6 +31,14 @@ pub(super) fn in_plain_words(message: &str, here: Option<u8>) -> String {
         return format!("the text ends within {}: something is missing, perhaps a bracket", wanted(what));
     }
     match message {
+        "expected value" | "expected ident" | "key must be a string" if here == Some(b'\'') => {
+            "names and texts stand in double quotes, not in single ones"
+        }
+        "expected value" | "expected ident" | "key must be a string" | "trailing characters"
+            if here.is_some_and(|byte| b"/#".contains(&byte)) =>
+        {
+            "JSON has no comments: scenes, contacts and bodies have a field `comment` for a text"
+        }
         // A number or a list where a name is wanted is no value of this kind, though it is one of JSON.
         "expected value" | "expected ident" if here.is_some_and(|byte| b"0123456789-[".contains(&byte)) => {
             "this is none of the values that are allowed here, must be a name in double quotes, or an object"

@@ -68,7 +68,7 @@ pub enum Question<const C: usize> {
 }
 
 /// Told to whoever writes no object, such as `"onset"` alone.
-const AN_OBJECT: &str = "a question with what it needs, such as {\"onset\": {\"direction\": {\"force\": [0, -1]}}}, with three numbers in space";
+const AN_OBJECT: &str = "a question with what it needs, such as {\"hold\": {\"load\": {\"force\": [0, -1]}}}, with three numbers in space";
 
 /// A question that is read as an object: a bare name is refused with [`AN_OBJECT`].
 struct Named<const C: usize>(Question<C>);

@@ -291,7 +291,12 @@ impl<const C: usize> Setup<C> {
         let said = [("gravity", self.gravity.is_some()), ("loaded", self.loaded.is_some())];
         let mut said = said.into_iter().chain([("shared_by_mass", self.shared_by_mass)]);
         if let Some((field, _)) = said.find(|(_, said)| *said && self.bodies.is_empty()) {
-            return Err(format!("{field}: of a scene with bodies alone"));
+            let payload = if field == "gravity" {
+                "; of one object its weight is a load with a mass, {\"mass\": 2, \"at\": …}, which may have a `gravity`"
+            } else {
+                ""
+            };
+            return Err(format!("{field}: of a scene with bodies alone{payload}"));
         }
         if self.shared_by_mass && self.loaded.is_some() {
             return Err(

@@ -96,6 +96,20 @@ pub enum Warning {
         /// How messages call them.
         names: Vec<String>,
     },
+    /// All normals point away from the middle of the contacts, as those of fingers in a hole.
+    Outwards {
+        /// The contacts of the scene, from 0.
+        contacts: Vec<usize>,
+        /// How messages call them.
+        names: Vec<String>,
+    },
+    /// A load is hundreds of times what contacts press with; perhaps its mass is given in g.
+    HeavyLoad {
+        /// Its force, N.
+        force: f64,
+        /// What contacts press with together, N.
+        pressed: f64,
+    },
     /// Two contacts are in one place, with parallel normals.
     OnePlace {
         /// The contacts of the scene, from 0.
@@ -155,6 +169,17 @@ impl fmt::Display for Warning {
                 "the normals of {} point the same way: contacts cannot press against each other; normals point into the object, the way the finger pushes",
                 all(names)
             ),
+            Self::Outwards { names, .. } => write!(
+                f,
+                "the normals of {} point away from the middle: so they do for fingers in a hole; else normals point into the object, the way the finger pushes",
+                all(names)
+            ),
+            Self::HeavyLoad { force, pressed } => write!(
+                f,
+                "a load has {} N, and contacts press with {} N together: masses are in kg; is this in g?",
+                words.number(*force),
+                words.number(*pressed)
+            ),
             Self::OnePlace { names, .. } => write!(
                 f,
                 "{} are in one place, with parallel normals: a finger that is there twice is twice as stiff",
@@ -210,7 +235,7 @@ impl<const C: usize> Setup<C> {
     pub fn warnings(&self) -> Result<Vec<Warning>, Error> {
         let grasp = self.grasp()?;
         let mut warnings = self.odd_contacts(&grasp)?;
-        warnings.extend(self.far_loads());
+        warnings.extend(self.odd_loads());
         if self.nothing_presses(&grasp)? {
             warnings.push(Warning::NothingPresses);
         }

@@ -283,3 +283,32 @@ fn refused() {
         assert_eq!(error.to_string(), words);
     }
 }
+
+/// Three belts of unlike stiffness over a block on two feet: each pulls as it is told, whatever the others do to it, and the feet carry their sum.
+#[test]
+fn belts_pull_as_they_are_installed() {
+    use planar::{Bodies, Body, Contact, Link, Wrench};
+    let foot =
+        |x: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(3e4, 3e4).friction(0.5).on("block");
+    let belts = [(-0.2, 1e4, 120.0), (0.05, 3e6, 45.0), (0.2, 2e5, 80.0)];
+    let belt = |(x, k, pull): (f64, f64, f64)| {
+        Link::cable([x, 0.3], [x, 0.0])
+            .stiffness(k)
+            .tension(pull)
+            .name(format!("belt at {x}"))
+            .to_ground("block")
+    };
+    let grasp = Bodies::new([Body::new("block").mass(2.0, [0.0, 0.1])])
+        .gravity([0.0, -10.0])
+        .contacts([foot(-0.25), foot(0.25)])
+        .links(belts.map(belt))
+        .grasp()
+        .expect("well posed");
+    let outcome = grasp.solve(&Wrench::ZERO).expect("well posed");
+    let state = outcome.equilibrium().expect("stands");
+    for (contact, (_, _, pull)) in state.contacts[2..].iter().zip(belts) {
+        assert!((contact.normal_force() - pull).abs() < 1e-9 * pull, "{outcome}");
+    }
+    let feet: f64 = state.contacts[..2].iter().map(|contact| contact.normal_force()).sum();
+    assert!((feet - 265.0).abs() < 1e-6, "{outcome}");
+}

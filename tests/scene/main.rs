@@ -27,3 +27,4 @@ mod suction;
 mod turn_charts;
 mod turn_messages;
 mod turns;
+mod warnings;

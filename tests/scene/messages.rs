@@ -240,6 +240,14 @@ fn what_is_no_json_is_no_scene() {
             "{text}: {fault}"
         );
     }
+    for (text, said) in [
+        ("\n ", "the text is empty, must be a scene"),
+        ("// my gripper\n{}", "JSON has no comments: scenes, contacts and bodies have a field `comment`"),
+        ("{'format': 1}", "names and texts stand in double quotes, not in single ones"),
+    ] {
+        let told = Scene::from_json(text.as_bytes()).unwrap_err().to_string();
+        assert!(told.contains(said), "{told}");
+    }
     let two = format!("{GOOD}\n{GOOD}");
     assert!(
         Scene::from_json(two.as_bytes())
@@ -252,8 +260,7 @@ fn what_is_no_json_is_no_scene() {
 #[test]
 fn what_is_meant_is_said() {
     let told = message(r#"{"solve": {"load": {"force": [0, -1]}}}"#, "\"solve\"");
-    let object =
-        r#"must be a question with what it needs, such as {"onset": {"direction": {"force": [0, -1]}}}"#;
+    let object = r#"must be a question with what it needs, such as {"hold": {"load": {"force": [0, -1]}}}"#;
     assert!(told.contains("planar.questions[0]: \"solve\" given") && told.contains(object), "{told}");
     let marked = format!("\u{feff}{GOOD}");
     let told = Scene::from_json(marked.as_bytes()).unwrap_err().to_string();

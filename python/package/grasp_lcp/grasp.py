@@ -322,6 +322,25 @@ class Grasp:
         asked.update(self._together(together_with))
         return Verdict(self._held.ask(dumped({"hold": asked})))
 
+    def warnings(
+        self,
+        load: ArrayLike | Mapping[str, Any] | None = None,
+        base: ArrayLike | Mapping[str, Any] | None = None,
+    ) -> list[str]:
+        """What is said here and hardly meant, in sentences: friction in percent, lengths in mm, normals the wrong way round, nothing that presses.
+
+        :param load: what is to be put on, as for :meth:`hold`; without it what can be told of the contacts alone.
+        :param base: the load at rest; none unless said otherwise.
+        """
+        if load is None:
+            if base is not None:
+                raise TypeError("base: given, must be left out without a load")
+            return list(self._held.warnings())
+        asked = {"load": wrench_json("load", load, self.axes)}
+        if base is not None:
+            asked["base"] = wrench_json("base", base, self.axes)
+        return list(self._held.warnings(dumped({"hold": asked})))
+
     def shake(
         self,
         loads: Sequence[ArrayLike | Mapping[str, Any]],
@@ -618,8 +637,8 @@ class Grasp:
     ) -> TurnOnset:
         """The angle at which the first contact stops sticking while a load turns.
 
-        Give a ``weight`` for an object that is tilted together with its grasp, or a ``force`` that turns, or ``cosine`` and ``sine``. The turn goes
-        from x to y in the plane, and about ``axis`` by the right-hand rule in space.
+        Give a ``weight`` for an object that is tilted together with its grasp, or a ``force`` that turns, or ``cosine`` and ``sine``. With none of
+        them the gravity of bodies turns. The turn goes from x to y in the plane, and about ``axis`` by the right-hand rule in space.
 
         :param weight: the weight before the tilt, N, shape (c,).
         :param force: a force that turns, N, shape (c,), in place of the weight.
