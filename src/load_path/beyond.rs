@@ -2,8 +2,7 @@
 //!
 //! A motion may prove that there is none: the motion with which the object leaves, or another one that separates the load from all possible contact
 //! forces. In the plane and on polygons every combination of contact states is tried at `τ* + ε`, with ε infinitesimal. A condition holds there if
-//! its value at τ* is positive, or zero with a rate that is not negative. On the round cone an equilibrium is sought from scratch at a small distance
-//! beyond.
+//! its value at τ* is positive, or zero with a rate that is not negative. On the round cone an equilibrium is sought from scratch slightly beyond.
 
 use nalgebra::SVector;
 

@@ -1,6 +1,6 @@
 //! A step along a sliding arc that ends where a condition is just met.
 //!
-//! Newton's method on the condition repeats the last step with a shorter or longer length, within a bracket, so that no interpolation is involved.
+//! Newton's method on the condition repeats the last step with a shorter or longer length, within a bracket, so that states are never interpolated.
 
 use super::flow::{Flow, Reached, Rule, StepGoal};
 use super::pieces::Pieces;

@@ -200,7 +200,7 @@ impl<'g, D: Size, const C: usize> Cycles<'g, D, C> {
 }
 
 impl<D: Size, const C: usize> CycleState<D, C> {
-    /// The friction of each site: kinetic where it slides with less friction.
+    /// The friction of each site: kinetic where it slides with less friction. Empty if `weaker` is.
     fn cones(&self, grasp: &Engine<D, C>) -> Vec<Coulomb> {
         let sites = grasp.sites().iter().zip(&self.weaker);
         sites.map(|(site, weaker)| site.kinetic.filter(|_| *weaker).unwrap_or(site.friction)).collect()

@@ -27,7 +27,7 @@ pub(super) fn end_of_path<D: Size, const C: usize>(
     }
     let motions = leaving_motions(rates, &segment.course.at(loss.fraction), &rates.yielding());
     let [mut motion, mut against] = motions.map_or([None, None], |motions| motions.map(Some));
-    // Where no contact presses yet, springs do not determine the motion; a motion on which no friction works proves the end.
+    // Where no contact presses yet, springs do not determine the motion; a motion that no friction can work against proves the end.
     if let Some(rigid) = rigid_motion(rates) {
         motion = Some(rigid);
         if let Settled::Separating(v) = &settled {

@@ -112,8 +112,7 @@ pub enum Change<const C: usize> {
 pub enum PathEnd<const C: usize> {
     /// All legs were followed to their end.
     Completed,
-    /// The equilibrium ends here: no solution of the rates continues it under a growing load. Whether another exists beyond is a separate question,
-    /// see
+    /// The equilibrium ends here: no rates continue it under a growing load. Whether another exists beyond is a separate question, see
     /// [`LoadPath::beyond`](super::LoadPath::beyond).
     Lost(Box<Loss<C>>),
     /// There is no equilibrium to start from.

@@ -50,7 +50,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         !self.segment.problem.cones.is_empty()
     }
 
-    /// Gives contacts that do not slide their friction of rest, inside whose cone they are.
+    /// Gives contacts that do not slide their friction of rest; they are inside its cone.
     pub(super) fn friction_of_rest(&mut self) {
         let problem = &mut self.segment.problem;
         for (i, cone) in problem.cones.iter_mut().enumerate() {

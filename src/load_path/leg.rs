@@ -77,8 +77,8 @@ impl<const C: usize> Leg<C> {
         Self { load: LegLoad::Straight(LegGoal::To(load)), ..Self::STAY }
     }
 
-    /// The load changes along a [`Turn`]: from the present load, by what the turn takes away and adds. Other loads stay, and the constant part of the
-    /// turn does not matter. The fingers stay as commanded, so that events are found at their angles without stepping.
+    /// The load changes along a [`Turn`]: the change of the turn from its beginning is added to the present load. Other loads stay, and the constant
+    /// part of the turn does not matter. The fingers stay as commanded, so that events are found at their angles without stepping.
     ///
     /// ```
     /// use grasp_lcp::planar::{Change, Contact, Grasp, Leg, Turn, Wrench};

@@ -8,8 +8,8 @@
 //! ```
 //!
 //! The path follows such a leg like any other. A contact that leaves its cone of rest on the leg joins: the force that it loses is supplied as well,
-//! and the leg begins anew from there. Either the leg reaches its end, or equilibrium is lost on it. The released force represents the damping of a
-//! motion that does not overshoot.
+//! and the leg begins anew from there. Either the leg reaches its end, or equilibrium is lost on it, with a complete [`Loss`]. The released force
+//! represents the damping of a motion that does not overshoot.
 
 use nalgebra::{Matrix, SVector};
 

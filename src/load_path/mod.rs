@@ -20,9 +20,10 @@
 //! one the equilibrium ends ([`Loss`]). Whether another equilibrium exists just beyond ([`Beyond`]) is a separate question: the end is a limit load
 //! if there is none, else a snap.
 //!
-//! **Load programs** ([`Grasp::follow`](crate::ask::Grasp::follow)). The path leads from event to event and remembers slip: `F_t = K_t (a_t - t·u_c -
-//! s)` with the earlier slip s. On polygons and in the plane every piece is straight, or turns with the load. On the round cone the direction of
-//! sliding turns along the way, `ds = γ F_t` with `|F_t| = μ F_n` at all times; slips are integrated with an estimate of the error.
+//! **Load programs** ([`Grasp::follow`](crate::ask::Grasp::follow)). The path leads from event to event and remembers slip:
+//! `F_t = K_t (a_t - t·u_c - s)` with the earlier slip s. On polygons and in the plane every piece is straight, or turns with the load. On the round
+//! cone the direction of sliding turns along the way, `ds = γ F_t` with `|F_t| = μ F_n` at all times; slips are integrated with an estimate of the
+//! error.
 //!
 //! A [`Path`] keeps the program, its place in it, and how it ended; the type of its reports is a parameter.
 //!

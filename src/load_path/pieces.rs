@@ -239,7 +239,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
             return Ok(None);
         }
         let Some(state) = before.or_else(|| self.present_state(journey)) else { return Ok(None) };
-        // Where all forces vanish together, residuals cannot be measured by the rest of them.
+        // Where all forces vanish together, their remainder is no scale for residuals.
         let largest = state.contacts.iter().map(|contact| contact.force.norm()).fold(0.0, f64::max);
         let carries = largest > WEIGHTLESS * self.segment.largest
             && self.node.at.forces.iter().any(|force| force.norm() > 0.0);

@@ -83,7 +83,7 @@ impl<const C: usize> Program<C> {
         true
     }
 
-    /// Whether the program closes: load and commands at the end differ from the beginning by at most this part of the largest on the way.
+    /// Checks that the program closes: load and commands at the end differ from the beginning by at most this part of the largest on the way.
     ///
     /// # Errors
     /// [`Error::NotClosed`] naming the quantity that differs at the end.

@@ -2,6 +2,7 @@
 //!
 //! A friction force along p that turns by the angle φ towards d changes the tangent C of its contact, and with it the rate `r = C s` of its own
 //! force. Through balance the motion of the object changes, which affects all contacts. With φ = d·Δ / |F_t| for a change Δ of the friction forces
+//!
 //! ```text
 //! (J Δ)_i = v_i φ_i + C_i s_i',     v = (∂C/∂φ) s,     s_i' = a_i' δλ - G_iᵀ δq
 //! T δq - b δλ = Σ G_i v_i φ_i,      (δq, δλ) across the path

@@ -50,7 +50,6 @@ pub(super) fn change<const C: usize>(
 }
 
 /// Number of other solutions of the rates: with other forces, or other motions apart from free ones. Zero if a P-matrix proves uniqueness; else all
-/// Number of other solutions of the rates: with other forces, or other motions apart from free ones. Zero if a P-matrix proves uniqueness; else all
 /// combinations of states are tried if they are few. `None` if that is not decided.
 pub(super) fn others<D: Size, const C: usize>(rates: &Problem<D, C>, found: &Found<D, C>) -> Option<usize> {
     // Conclusions of polygons about an apex do not hold for the round cone.

@@ -46,7 +46,7 @@ const NO_WAY: f64 = 1e-12;
 const APPROACH: f64 = 0.5;
 /// Events are gathered at places this part of the leg apart: nearer ones are the same once more.
 const GATHERED_AGAIN: f64 = 1e-9;
-/// Steps shorter than this part of the way so far end the arc.
+/// Steps shorter than this part of the way gone are none: the arc ends here.
 const SHORTEST: f64 = 1e-13;
 
 impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
@@ -117,7 +117,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         }
     }
 
-    /// Whether the path has moved since events were last gathered at one place.
+    /// Whether there has been a way since events were last gathered at one place.
     fn may_gather(&self) -> bool {
         self.gathered.is_nan() || (self.factor - self.gathered).abs() > GATHERED_AGAIN
     }

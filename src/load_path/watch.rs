@@ -42,7 +42,7 @@ impl Watch {
         self.value < -(ZERO_SLACK + ERROR_OF_STEPS) * self.size
     }
 
-    /// Zero, as far as can be told.
+    /// Zero up to rounding and the error of steps.
     pub(super) fn is_met(&self) -> bool {
         self.value.abs() <= (ZERO_SLACK + ERROR_OF_STEPS) * self.size
     }

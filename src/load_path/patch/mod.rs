@@ -7,7 +7,7 @@
 //! * an event changes a term or two of the d x d stiffness, and one d x d system gives the next piece;
 //! * a contact is evaluated again only when the path has gone far enough to use up one of its bounds;
 //! * at an event only the contacts on an edge are decided anew, and sliding contacts elsewhere only when the direction of the path has turned far
-//! enough to stop them.
+//!   enough to stop them.
 //!
 //! | file | idea |
 //! |---|---|

@@ -13,7 +13,7 @@ use crate::prelude::*;
 
 /// Growth of the speed from which it is recorded anew.
 const GROWN: f64 = 2.0;
-/// Ratio of the distances at which speeds are compared.
+/// Least ratio of the distances at which speeds are compared.
 const APART: f64 = 1e3;
 /// Growth of the speed between them beyond which the path does not end at a corner.
 const RUNS: f64 = 8.0;

@@ -1,7 +1,8 @@
 //! Errors that a step and its halves share, so that their difference does not show them.
 //!
 //! Along a step h the twist is off a straight way by up to `off`, and sticking springs would pull by `K v'' h² = 8 K Gᵀ off` more at its end than its
-//! beginning suggests. A contact that slides on its cone along p is driven along it by `a = p·K v_t' - μ k_n v_n'`, times h. With `c = a' h`, c < 0,
+//! beginning suggests. A contact that slides on its cone along p is driven out across the cone by `a = p·K v_t' - μ k_n v_n'`, times h. With `c = a'
+//! h`, c < 0,
 //!
 //! ```text
 //! the contact stops where a + c s = 0.  A straight stretch lets it slide on, or stop where the stretch begins,
