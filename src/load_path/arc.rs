@@ -1,4 +1,4 @@
-//! States that stay along a way on which directions of sliding turn, and the linear algebra of a point on it.
+//! An arc: contact states stay while directions of sliding turn; and the linear algebra of a point on it.
 //!
 //! A contact that slides along p = F_t / |F_t| with `|F_t| = μ F_n` has the tangent `C = k_n (e_n + μ P) e_nᵀ + κ d dᵀ`, see
 //! [`Tangent`], which depends on p alone. With drives a that are affine in the factor λ, and a load W that is or turns with it, twist and factor
@@ -22,36 +22,36 @@ use crate::numerics::{Size, Vector};
 use crate::object::{Imbalance, Piece, PieceState};
 use crate::prelude::*;
 
-/// Steps of Newton's method onto the cones: what a step leaves is of the order of its error, and the first step leaves the square of that.
+/// Most Newton corrections onto the cones: a step violates them by the order of its error, and the first correction leaves the square of that.
 const CORRECTIONS: usize = 6;
-/// A state from which forces were more than so many times as large is approached again: what they were has left its rounding.
+/// A state whose forces were larger than at the end by more than this factor is corrected again: it still carries their rounding.
 const FROM_AFAR: f64 = 4.0;
 const PASSES: usize = 4;
-/// What is left out of balance is the rounding of its terms: for each this part of their sum, and of many the root of their number.
+/// Imbalance below this part of the sum of all terms, times the root of their number, is rounding.
 const BALANCED: f64 = 2e-16;
-/// The tangent turns by less than sixty degrees within a step: a longer one might come out the other way round.
+/// Least cosine of the turn of the tangent within a step, sixty degrees: a longer step might come out reversed.
 const LEAST_COSINE: f64 = 0.5;
 
-/// What an event leaves of balance and of the cones is rounding: a correction by more of the largest force leads to another equilibrium.
+/// A correction by more than this part of the largest force leads to another equilibrium: events leave only rounding in balance and cones.
 const CORRECTED: f64 = 1e-6;
 
-/// Contacts in states that stay.
+/// Contacts in fixed states along an arc.
 pub(super) struct Arc<'s, 'g, D: Size, const C: usize> {
     pub(super) segment: &'s Segment<'g, D, C>,
     pub(super) states: &'s [State<C>],
     /// The contacts that slide.
     pub(super) sliding: Vec<usize>,
-    /// u, the displacement that counts as much as the whole leg, m.
+    /// u, the displacement that counts in arclength as much as the whole leg, m.
     unit: f64,
-    /// T of what does not slide; motions that nothing resists are held, or pushed along by what carries no force.
+    /// T of the contacts that do not slide; motions that nothing resists are held, or pushed along by contacts without force.
     fixed: PathStiffness<D>,
-    /// b of what does not slide, but for the rate of the load.
+    /// b of the contacts that do not slide, without the rate of the load.
     push: Vector<D>,
     /// Whether commands change.
     pub(super) driven: bool,
 }
 
-/// A direction in which the path goes on.
+/// A direction of the path.
 #[derive(Debug, Clone)]
 pub(super) struct Direction<D: Size> {
     /// q'.
@@ -61,19 +61,19 @@ pub(super) struct Direction<D: Size> {
 }
 
 impl<D: Size> Direction<D> {
-    /// To a larger factor, wherever the object goes: a row across it keeps the factor as it is.
+    /// Towards a larger factor, with any motion: the row across it keeps the factor fixed.
     pub(super) fn onward() -> Self {
         Self { twist: Vector::zeros(), factor: 1.0 }
     }
 
-    /// Whether what goes across it stays at its factor.
+    /// Whether motions across this direction keep the factor.
     fn keeps_the_factor(&self) -> bool {
         self.twist.norm_squared() == 0.0
     }
 }
 
 impl<'s, 'g, D: Size, const C: usize> Arc<'s, 'g, D, C> {
-    /// Motions that nothing resists go on at their rates for one unit of the factor.
+    /// The arc in these states, on which motions that nothing resists continue at their rates for one unit of the factor.
     pub(super) fn new<'m>(
         segment: &'s Segment<'g, D, C>,
         states: &'s [State<C>],
@@ -86,7 +86,7 @@ impl<'s, 'g, D: Size, const C: usize> Arc<'s, 'g, D, C> {
         let sites = segment.grasp.sites();
         let size = segment.grasp.size();
         let mut free_motions = free_motions.into_iter().peekable();
-        // What is held along a free motion couples all that moves in it.
+        // Stiffness that holds a free motion couples all coordinates that move in it.
         let order = if free_motions.peek().is_none() { NarrowOrder::of(size, sites) } else { None };
         let (mut fixed, mut push, mut stiffest) =
             (PathStiffness::zeros(size, order), Vector::zeros(), 0.0_f64);
@@ -115,17 +115,17 @@ impl<'s, 'g, D: Size, const C: usize> Arc<'s, 'g, D, C> {
         self.segment.grasp.sites()
     }
 
-    /// b of what does not slide, at a factor.
+    /// b of the contacts that do not slide, at a factor.
     fn push_at(&self, factor: f64) -> Vector<D> {
         self.segment.course.rate_at(factor) + &self.push
     }
 
-    /// `|b|` of what does not slide, N.
+    /// `|b|` of the contacts that do not slide, N.
     pub(super) fn load_rate(&self, factor: f64) -> f64 {
         self.push_at(factor).norm()
     }
 
-    /// How a sliding contact with this friction force gives way; without one it sets out the way it slides.
+    /// Tangent stiffness of a sliding contact with this friction force; a contact without one slides in the direction of its state.
     pub(super) fn tangent(&self, contact: usize, friction: &SVector<f64, C>) -> Tangent<C> {
         let local = self.segment.problem.local(contact);
         if tangential_norm(friction) == 0.0 {
@@ -134,12 +134,12 @@ impl<'s, 'g, D: Size, const C: usize> Arc<'s, 'g, D, C> {
         local.tangent(&State::Round(Slide::new(friction, 0.0)))
     }
 
-    /// Those of all contacts that slide.
+    /// Tangent stiffnesses of all sliding contacts.
     pub(super) fn tangents(&self, frictions: impl Iterator<Item = SVector<f64, C>>) -> Vec<Tangent<C>> {
         self.sliding.iter().zip(frictions).map(|(&i, friction)| self.tangent(i, &friction)).collect()
     }
 
-    /// `[T u | -b]` at a factor with a row across the path, and the size of its entries.
+    /// Factors of `[T u | -b]` at a factor with a row across the path, and the size of its entries.
     fn bordered(
         &self,
         tangents: &[Tangent<C>],
@@ -170,7 +170,7 @@ impl<'s, 'g, D: Size, const C: usize> Arc<'s, 'g, D, C> {
         (t, push)
     }
 
-    /// The factors of such a matrix, and the size of its entries. `None` if more than one direction is open.
+    /// Factors of the bordered matrix, and the size of its entries. `None` if more than one direction is open.
     pub(super) fn factored(
         &self,
         mut t: PathStiffness<D>,
@@ -184,12 +184,12 @@ impl<'s, 'g, D: Size, const C: usize> Arc<'s, 'g, D, C> {
         Some((bordered, scale))
     }
 
-    /// Twist and factor of a solution.
+    /// Twist and factor from a solution in scaled coordinates.
     pub(super) fn unscaled(&self, (x, factor): (Vector<D>, f64)) -> Direction<D> {
         Direction { twist: x * self.unit, factor }
     }
 
-    /// The direction of the path at a factor with these tangents, for one unit of arclength, that goes along a given one.
+    /// The unit direction of the path in arclength at a factor with these tangents, oriented along a given one.
     pub(super) fn direction(
         &self,
         tangents: &[Tangent<C>],
@@ -215,7 +215,7 @@ impl<'s, 'g, D: Size, const C: usize> Arc<'s, 'g, D, C> {
         [stretch, tangent.force(&stretch)]
     }
 
-    /// Rates of all forces, with the tangents of those that slide.
+    /// Rates of all forces, given the tangents of the sliding contacts.
     pub(super) fn force_rates(&self, slid: &[Tangent<C>], way: &Direction<D>) -> Vec<SVector<f64, C>> {
         let mut slid = slid.iter();
         let rate = |(i, state): (usize, &State<C>)| {
@@ -226,7 +226,8 @@ impl<'s, 'g, D: Size, const C: usize> Arc<'s, 'g, D, C> {
         self.states.iter().enumerate().map(rate).collect()
     }
 
-    /// Onto the cones with friction in these directions and into balance, along what the row `across` is across. The state and its factor.
+    /// Corrects a state onto the cones, with friction in these directions, and into balance, moving transversely to `across`. The state and its
+    /// factor.
     pub(super) fn balanced(
         &self,
         mut twist: Vector<D>,
@@ -250,7 +251,7 @@ impl<'s, 'g, D: Size, const C: usize> Arc<'s, 'g, D, C> {
                 }
                 let mut change = self.unscaled(bordered.solve(&left, 0.0));
                 if across.keeps_the_factor() {
-                    // It comes out as the rounding of zero.
+                    // The exact change is zero, and the solver returns its rounding.
                     change.factor = 0.0;
                 }
                 twist += &change.twist;
@@ -295,9 +296,8 @@ impl<'s, 'g, D: Size, const C: usize> Arc<'s, 'g, D, C> {
 }
 
 impl<D: Size, const C: usize> Segment<'_, D, C> {
-    /// State and rates where contacts slide on the round cone: the first order of what comes next, as long as the states last. The
-    /// state is the one near `at` in which friction is on the cones: where a contact has opened, the others take its share. Motions that
-    /// nothing resists are as fast as those of the rates `pushed`.
+    /// State and rates where contacts slide on the round cone: the first order of the path as long as the states last. The state is the one near `at`
+    /// with friction on the cones: where a contact has opened, the others take its share. Motions that nothing resists move at the rates `pushed`.
     pub(super) fn tangent(
         &self,
         states: &[State<C>],

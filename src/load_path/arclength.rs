@@ -11,11 +11,11 @@ use crate::numerics::Size;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// The object moves no more than so many times as far as the softest spring gives: what counts in arclength as much as the whole leg.
+/// Largest ratio of the object's motion to the deflection of the softest spring, in the displacement that counts as much as the whole leg.
 const MOST_AMPLIFIED: f64 = 1e6;
 
 impl<D: Size, const C: usize> Pieces<'_, D, C> {
-    /// How far the object moves for one unit of the factor to begin with; while the load turns, at a place where it moves fast.
+    /// Displacement of the object for one unit of the factor at the beginning; while the load turns, together with the rate a quarter turn later.
     pub(super) fn displacement_rate(&self, here: &Here<D, C>) -> f64 {
         let mut size = here.twist_rate.norm();
         if let Trajectory::Turn { angle, .. } = self.segment.course {
@@ -25,12 +25,12 @@ impl<D: Size, const C: usize> Pieces<'_, D, C> {
                 size = size.hypot(rate.twist.norm());
             }
         }
-        // Beside a limit load hardly anything resists a motion, and a displacement beyond all bounds would be no measure of any other.
+        // Near a limit load hardly anything resists a motion, and an unbounded displacement would be no scale for others.
         let size = size.min(MOST_AMPLIFIED * self.springs_give(here));
         if size > 0.0 { size } else { 1.0 }
     }
 
-    /// How far the softest spring gives under all forces that there are or that come for one unit of the factor.
+    /// Deflection of the softest spring under all present forces and those that one unit of the factor adds.
     fn springs_give(&self, here: &Here<D, C>) -> f64 {
         let sites = self.segment.grasp.sites();
         let softest = sites.iter().map(|site| site.springs.softest()).fold(f64::INFINITY, f64::min);

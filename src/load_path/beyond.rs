@@ -1,9 +1,8 @@
 //! What lies beyond the end of an equilibrium: is there any other under a slightly larger load?
 //!
-//! A motion may prove that there is none: the one with which the object leaves, or another one that separates the load from all that friction
-//! can do. In the plane and on polygons every combination of contact states is tried at `τ* + ε`, with ε infinitely small. A condition
-//! holds there if its value at τ* is positive, or zero with a rate that is not negative. On the round cone equilibrium is sought from
-//! scratch a little further on.
+//! A motion may prove that there is none: the motion with which the object leaves, or another one that separates the load from all possible contact
+//! forces. In the plane and on polygons every combination of contact states is tried at `τ* + ε`, with ε infinitesimal. A condition holds there if
+//! its value at τ* is positive, or zero with a rate that is not negative. On the round cone an equilibrium is sought from scratch slightly beyond.
 
 use nalgebra::SVector;
 
@@ -24,22 +23,24 @@ use crate::search::{
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// However much a piece enlarges rounding, a condition that is missed by more than this part of its size is broken.
+/// Upper bound of the slack for rounding, relative to the size of a condition. A condition missed by more is broken, however strongly a piece
+/// amplifies rounding.
 const MOST_ROUNDING: f64 = 1e-10;
 
-/// Part of the whole load or of all commands, or of the leg where there is no load, that lies just beyond.
+/// First distance beyond the end, as a part of the whole load or of all commands, or of the leg where there is no load.
 const A_LITTLE: f64 = 1e-6;
-/// On the round cone that may be too little to tell: then a little more.
+/// Distances tried in turn on the round cone, where the search may not decide at a shorter one.
 const PARTS_BEYOND: [f64; 3] = [A_LITTLE, 1e-4, 1e-2];
-/// Where the equilibrium there has nearly the forces of the end, nearer: one on a path that goes on comes back to them, another does not.
+/// Shorter distances, where the equilibrium found beyond has nearly the forces of the end. On a continued path those forces converge to the end, on
+/// another they do not.
 const PARTS_NEARER: [f64; 2] = [1e-8, 1e-10];
-/// A proof for all loads from the end on is the clearer the further it looks: this part of the way.
+/// Distance of the proof that nothing holds under any load from the end on: a longer one makes the proof clearer.
 const FURTHER: f64 = 1e-2;
 
-/// A state that holds for less than this part of the way that brought the load here is taken to end at the event.
+/// A condition that would break within this part of the way that brought the load here counts as broken at the event.
 const FLEETING: f64 = 1e-9;
 
-/// What comes after an onset or after the end of a path.
+/// The situation after an onset or after the end of a path.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -49,52 +50,51 @@ const FLEETING: f64 = 1e-9;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Beyond<const C: usize> {
-    /// The equilibrium goes on with these contacts sliding or open. Of an onset; a path has been followed as far as it goes on.
+    /// The equilibrium continues with these contacts sliding or open. Only after an onset: a path is followed as far as it continues.
     Continues(Box<Continuation<C>>),
     /// No equilibrium exists just beyond: a limit load. A motion proves that, or in the plane and on polygons every combination of contact states was
     /// tried. On the round cone it may be known only from a hundredth of the whole load (or of all commands, or of the leg where there is no load
     /// yet) further on.
     LimitLoad,
-    /// This equilibrium ends here, but others exist at slightly larger loads: the grasp snaps over to one of them or is
-    /// lost. A quasi-static analysis cannot say which.
+    /// This equilibrium ends here, but others exist at slightly larger loads: the grasp snaps over to one of them or is lost. Quasi-static analysis
+    /// cannot decide which.
     Snap,
-    /// This equilibrium ends here: the rates have no solution, for this reason, whose work is that of the load direction, J for one
-    /// unit of the factor. Whether others exist beyond is not known: there are more combinations of contact states than
-    /// [`Settings::most_states`], or more than 32 contacts on the round cone, and no proof that nothing else holds was found.
+    /// This equilibrium ends here: the rates have no solution. Whether others exist beyond is not known: there are more combinations of contact
+    /// states than [`Settings::most_states`], or more than 32 contacts on the round cone, and no proof was found that nothing else holds.
     Ends {
-        /// Why the rates have no solution.
+        /// The reason why the rates have no solution; its work is that of the load direction, J for one unit of the factor.
         reason: NoEquilibrium<C>,
     },
-    /// The lips of these suction cups are open all around, and their vacuum is gone. What is left is another grasp, without them.
+    /// The lips of these suction cups are open all around, and their vacuum is gone. The remaining grasp is another one, without them.
     WithoutVacuum {
         /// The cups.
         cups: Vec<WholeContact>,
     },
-    /// Nothing can be said.
+    /// The answer could not be decided.
     Undecided {
-        /// Why.
+        /// The reason.
         doubt: Doubt,
     },
 }
 
-/// How an equilibrium goes on past an event, per unit of load factor.
+/// The continuation of an equilibrium past an event, per unit of load factor.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Continuation<const C: usize> {
-    /// What every contact does next, in the order of the grasp. The direction of a sliding contact is that of its slip rate.
+    /// The next state of every contact, in the order of the grasp. The direction of a sliding contact is that of its slip rate.
     pub states: Vec<ContactState<C>>,
     /// Rates of the contact forces on the object in the contact frames, N for one unit of the factor.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Vec<SVector<f64, C>>>"))]
     pub force_rates: Vec<SVector<f64, C>>,
     /// Rate of the object's twist, m and rad for one unit of the factor.
     pub twist_rate: Motion<C>,
-    /// By which rule it was found.
+    /// The rule that found the solution.
     pub rule: Rung,
 }
 
-/// How an equilibrium goes on where its rates have a solution.
+/// The continuation of an equilibrium whose rates have a solution.
 pub(super) fn continuation<D: Size, const C: usize>(
     grasp: &Engine<D, C>,
     rates: &Problem<D, C>,
@@ -116,7 +116,7 @@ pub(super) fn continuation<D: Size, const C: usize>(
     }))
 }
 
-/// Where an equilibrium ends.
+/// The end of an equilibrium.
 pub(super) struct EquilibriumEnd<'f, D: Size, const C: usize> {
     pub(super) factor: f64,
     pub(super) forces: &'f [SVector<f64, C>],
@@ -124,7 +124,7 @@ pub(super) struct EquilibriumEnd<'f, D: Size, const C: usize> {
     pub(super) motion: Option<Vector<D>>,
 }
 
-/// What lies beyond an end where the rates have no solution.
+/// The situation beyond an end where the rates have no solution.
 pub(super) fn beyond_end<D: Size, const C: usize>(
     segment: &Segment<'_, D, C>,
     rates: &Problem<D, C>,
@@ -133,7 +133,7 @@ pub(super) fn beyond_end<D: Size, const C: usize>(
     settings: &Settings,
 ) -> Beyond<C> {
     let here = segment.problem_at(end.factor);
-    // A little further on, for what takes a finite distance to be seen.
+    // The problem at a finite distance beyond the end, as a part of [`way_beyond`].
     let past = |part: f64| segment.problem_at(end.factor + part * way_beyond(&here, rates));
     let separates = |v: &Vector<D>| separates_from_here_on(&here, v, &rates.wrench);
     if end.motion.as_ref().is_some_and(separates)
@@ -150,7 +150,7 @@ pub(super) fn beyond_end<D: Size, const C: usize>(
             _ => beyond,
         };
     }
-    // Among many contacts the ladder does not say so by itself.
+    // With many contacts the ladder does not prove by itself that the rates have no solution.
     let settled = match settled {
         Settled::Undecided(_) if no_rates(rates) => Settled::NoneOf(0),
         settled => settled,
@@ -166,8 +166,8 @@ pub(super) fn beyond_end<D: Size, const C: usize>(
     }
 }
 
-/// Whether Farkas' lemma says that no slips and gaps make the rates possible: then there are no rates at all. The form is computed, and its proof
-/// good to the rounding of that. It is sought by linear programs of two rows for each of the form.
+/// Whether Farkas' lemma excludes every choice of slips and gaps: then the rates have no solution. The form is computed in floating point, so the
+/// proof holds up to its rounding. It is sought by linear programs with two rows for each row of the form.
 pub(super) fn no_rates<D: Size, const C: usize>(rates: &Problem<D, C>) -> bool {
     if !dense_is_affordable(rates, 2) {
         return false;
@@ -178,13 +178,13 @@ pub(super) fn no_rates<D: Size, const C: usize>(rates: &Problem<D, C>) -> bool {
     kinematic_form(rates, &trial, &state).is_some_and(|form| form.lcp.solve_with(&settings).is_infeasible())
 }
 
-/// What a solution from scratch says a little further on, with the slip so far.
+/// Searches an equilibrium from scratch slightly beyond the end, with the slip so far.
 fn from_scratch<'g, D: Size, const C: usize>(
     past: impl Fn(f64) -> Problem<'g, D, C>,
     forces: &[SVector<f64, C>],
     settings: &Settings,
 ) -> Beyond<C> {
-    // Some equilibrium, at a distance from the end that no path goes on so short a way.
+    // Whether an equilibrium at this distance differs from the end by more than a continued path could.
     let another = |part: &f64| match settle(&past(*part), settings).0 {
         Settled::Found(found, _) => !is_near(&found.forces, forces, *part),
         _ => false,
@@ -192,12 +192,12 @@ fn from_scratch<'g, D: Size, const C: usize>(
     let mut why = Doubt::RayWithoutProof;
     for part in PARTS_BEYOND {
         match settle(&past(part), settings).0 {
-            // Further on it would take as many pivots again.
+            // At a larger distance the search would take as many pivots again.
             Settled::Undecided(Doubt::OutOfPivots) => return Beyond::Undecided { doubt: Doubt::OutOfPivots },
             Settled::Undecided(doubt) => why = doubt,
             Settled::Found(found, _) => {
                 let is_another = !is_near(&found.forces, forces, part) || PARTS_NEARER.iter().any(another);
-                // An equilibrium close by: it may be the one that ends here, found past its end by rounding.
+                // This equilibrium may be the one that ends here, found past its end by rounding.
                 return if is_another {
                     Beyond::Snap
                 } else {
@@ -210,21 +210,21 @@ fn from_scratch<'g, D: Size, const C: usize>(
     Beyond::Undecided { doubt: why }
 }
 
-/// Whether forces are those of a path that goes on by this part: on a short way they change by the root of it at most.
+/// Whether forces could belong to a path that continues by this part: over so short a way they change by at most its square root.
 fn is_near<const C: usize>(found: &[SVector<f64, C>], forces: &[SVector<f64, C>], part: f64) -> bool {
     let largest = forces.iter().map(nalgebra::Matrix::norm).fold(0.0, f64::max);
     let near = part.min(A_LITTLE).sqrt();
     found.iter().zip(forces).all(|(f, g)| (f - g).norm() <= near * largest)
 }
 
-/// The way that parts beyond the end are parts of: [`whole_way`], or the whole leg where there is no load yet. Parts of nothing would lead
-/// no further than the end itself.
+/// The load step that parts beyond the end refer to: [`whole_way`], or the whole leg where there is no load yet. With a zero step all parts would lie
+/// at the end itself.
 fn way_beyond<D: Size, const C: usize>(here: &Problem<D, C>, rates: &Problem<D, C>) -> f64 {
     let way = whole_way(here, rates);
     if way > ZERO_SLACK { way } else { 1.0 }
 }
 
-/// A step of the load factor that makes up the whole load, or all the commands; zero if there is neither.
+/// The change of the load factor that makes up the whole load, or all commands, whichever is less; zero if there is neither.
 fn whole_way<D: Size, const C: usize>(here: &Problem<D, C>, rates: &Problem<D, C>) -> f64 {
     let total = |drives: &[SVector<f64, C>]| drives.iter().map(nalgebra::Matrix::norm).sum::<f64>();
     let load_way = here.wrench.norm() / rates.wrench.norm();
@@ -234,7 +234,7 @@ fn whole_way<D: Size, const C: usize>(here: &Problem<D, C>, rates: &Problem<D, C
 }
 
 fn search_beyond<D: Size, const C: usize>(here: &Problem<D, C>, rates: &Problem<D, C>) -> Beyond<C> {
-    // The whole laws, driven at the rates.
+    // The complete laws under the rates of load and commands.
     let rates = &Problem {
         drives: rates.drives.clone(),
         wrench: rates.wrench.clone(),
@@ -261,7 +261,7 @@ fn search_beyond<D: Size, const C: usize>(here: &Problem<D, C>, rates: &Problem<
         for_each_condition(rates, &states, &next.forces, &next.twist, |rate, rate_size| {
             let (value, size) = values[at];
             at += 1;
-            // Also what would be gone within the uncertainty of the load factor itself.
+            // Conditions that would break within the uncertainty of the load factor itself count as zero.
             let fleeting = rate < 0.0 && value <= FLEETING * way * -rate;
             let zero = value.abs() <= rounding * size || (value > 0.0 && fleeting);
             holds &= if zero { rate >= -rounding * rate_size } else { value > 0.0 };

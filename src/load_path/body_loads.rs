@@ -9,12 +9,12 @@ use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Size, Vector};
 use crate::prelude::*;
 
-/// What becomes of the load of one body along a leg.
+/// The body and the change of its load along a leg.
 pub(super) type BodyGoal<const C: usize> = (Arc<str>, LegGoal<Wrench<C>>);
 
 impl<const C: usize> Leg<C> {
-    /// What acts on one of several bodies, beside the load of the leg and what always acts on it, changes by this much: N and N m about the origin. No
-    /// such load is there when a program starts, and what a leg does not mention stays.
+    /// The load on one of several bodies, beside the load of the leg and its permanent load, changes by this much: N and N m about the origin. Such
+    /// loads are zero when a program starts, and loads that a leg does not mention stay.
     ///
     /// ```
     /// use grasp_lcp::planar::{Bodies, Body, Contact, Leg, Wrench};
@@ -42,19 +42,19 @@ impl<const C: usize> Leg<C> {
         Self::STAY.and_body_load_by(body, change)
     }
 
-    /// What acts on one of several bodies, beside the load of the leg and what always acts on it, changes to this.
+    /// The load on one of several bodies, beside the load of the leg and its permanent load, changes to this.
     #[must_use]
     pub fn body_load_to(body: impl Into<String>, load: Wrench<C>) -> Self {
         Self::STAY.and_body_load_to(body, load)
     }
 
-    /// Meanwhile what acts on a body changes by this much.
+    /// Meanwhile the load on a body changes by this much.
     #[must_use]
     pub fn and_body_load_by(self, body: impl Into<String>, change: Wrench<C>) -> Self {
         self.and_body(body.into(), LegGoal::By(change))
     }
 
-    /// Meanwhile what acts on a body changes to this.
+    /// Meanwhile the load on a body changes to this.
     #[must_use]
     pub fn and_body_load_to(self, body: impl Into<String>, load: Wrench<C>) -> Self {
         self.and_body(body.into(), LegGoal::To(load))
@@ -65,7 +65,7 @@ impl<const C: usize> Leg<C> {
         self
     }
 
-    /// Refuses loads of bodies that are not there, or of one body twice, and such loads while the load turns.
+    /// Refuses loads on bodies that do not exist, two loads on one body, and such loads while the load turns.
     pub(super) fn check_bodies<D: Size>(&self, grasp: &Engine<D, C>) -> Result<(), Error> {
         for (k, (name, goal)) in self.bodies.iter().enumerate() {
             let refuse = |fault: &str| Err(Error::Body { name: name.to_string(), fault: fault.to_owned() });
@@ -84,12 +84,12 @@ impl<const C: usize> Leg<C> {
     }
 }
 
-/// The loads of all bodies at the beginning and at the end of a leg; none where no leg so far has one.
+/// The loads of all bodies at the beginning and at the end of a leg; `None` while no leg has had one.
 #[derive(Debug, Clone, Default)]
 pub(super) struct BodyLoads<const C: usize>(Option<Arc<[Vec<Wrench<C>>; 2]>>);
 
 impl<const C: usize> BodyLoads<C> {
-    /// From the loads at the end of the last leg on, by the goals of this one for bodies with these names.
+    /// Moves on to the next leg: from the loads at the end of the last one, by the goals of this one for bodies with these names.
     pub(super) fn lead_on(&mut self, names: &[Arc<str>], goals: &[BodyGoal<C>]) {
         if goals.is_empty() && self.0.is_none() {
             return;
@@ -107,18 +107,18 @@ impl<const C: usize> BodyLoads<C> {
         self.0 = Some(Arc::new([from, to]));
     }
 
-    /// In inside coordinates, at the beginning and at the end of the leg.
+    /// The sum of these loads in inside coordinates, at the beginning and at the end of the leg.
     pub(super) fn inside<D: Size>(&self, grasp: &Engine<D, C>) -> Option<[Vector<D>; 2]> {
         let (loads, bodies) = self.0.as_ref().zip(grasp.bodies())?;
         Some([0, 1].map(|end| grasp.put_on_each(bodies, &loads[end])))
     }
 
-    /// The loads at an end of the leg: 0 for its beginning, 1 for its end.
+    /// The loads at the beginning (0) or the end (1) of the leg.
     pub(super) fn at_end(&self, end: usize) -> &[Wrench<C>] {
         self.0.as_ref().map_or(&[], |loads| &loads[end])
     }
 
-    /// The bodies of a grasp under their loads at a fraction of the leg.
+    /// The grasp with its bodies under their loads at a fraction of the leg.
     pub(super) fn put_on<'g, D: Size>(
         &self,
         grasp: &'g Engine<D, C>,

@@ -1,14 +1,14 @@
-//! Where an equilibrium is lost the object moves on until a gap closes.
+//! Free motion after a loss of equilibrium, until a gap closes.
 //!
-//! Where nothing resists the motion v of a loss, forces stay what they are along it: no spring is stretched, and friction does all that it can do already. So every
-//! place on the way is in balance under the load of the loss. The way ends where the first open contact closes, with the slips that the way has brought:
+//! If nothing resists the motion v of a loss, forces stay constant along it: no spring is stretched further, and friction is exhausted already. So
+//! every place on the way is in balance under the load of the loss. The way ends where the first open contact closes, and its slips are kept:
 //!
 //! ```text
 //! δ = min gap_i / (-n_i·G_iᵀv)
 //! ```
 //!
-//! From there the path goes on at the same load. Where friction falls as contacts begin to slide, what they lose is let go first
-//! ([`super::letting_go`]), and the gap closes on that leg. A way that is no small motion any more is not gone.
+//! From there the path continues at the same load. Where friction falls as contacts begin to slide, the force that they lose is released first
+//! ([`super::letting_go`]), and the gap closes on that leg. A way too long for small motions is not taken.
 
 use super::event::{Change, Event, Loss, LossKind, PathEnd};
 use super::journey::Journey;
@@ -23,27 +23,27 @@ use crate::search::Found;
 
 use nalgebra::SVector;
 
-/// A velocity below this part of what the motion could give the contact is rounding.
+/// A contact velocity below this part of the largest that the motion could give it is rounding.
 const STILL: f64 = 1e-9;
-/// Friction does all that it can against a slip that is off its direction by less than the root of twice this, rad.
+/// Friction resists fully where the slip is off its direction by less than the root of twice this, rad.
 const ALONG: f64 = 1e-10;
-/// A motion is small that turns no body by more than this, rad,
+/// Small motions turn no body by more than this, rad,
 const SMALL_TURN: f64 = 0.1;
-/// and moves no contact that touches by more than this part of the size of the grasp.
+/// and move no contact that touches by more than this part of the size of the grasp.
 const SMALL_SLIP: f64 = 0.1;
 
 /// The way to the gap that closes first.
 struct FreeWay {
-    /// So many times the motion.
+    /// Length, as a multiple of the motion.
     length: f64,
     /// Sites whose gaps close at its end.
     closing: Vec<usize>,
-    /// Sites that keep their place on it, although they stand on an edge.
+    /// Whether each site keeps its place on the way, although it may be on an edge.
     still: Vec<bool>,
 }
 
-/// Whether a contact with this force lets the body move at a velocity, in the contact frame, without a change of its force. `none` is a
-/// velocity that is rounding.
+/// Whether a contact with this force lets the body move at a velocity, in the contact frame, without a change of its force. Velocities up to `none`
+/// are rounding.
 fn lets_pass<const C: usize>(
     local: &LocalLaw<'_, C>,
     force: &SVector<f64, C>,
@@ -58,7 +58,7 @@ fn lets_pass<const C: usize>(
         Resistance::ByFriction(_) if velocity[0].abs() > none => false,
         Resistance::ByFriction(_) if !local.may_slide() || tangential(velocity).norm() <= none => true,
         Resistance::ByFriction(most) => {
-            // The resistance is that under a normal stretch of one, less what the normal velocity takes off.
+            // The resistance refers to a unit normal stretch; the normal velocity reduces it.
             let most = most * force[0] / local.springs.force_along(0, 1.0);
             -force.dot(velocity) >= most - ALONG * most.abs() - force[0] * none
         }
@@ -66,7 +66,8 @@ fn lets_pass<const C: usize>(
 }
 
 impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
-    /// The way along a motion to the gap that closes first; `None` where something resists it, where no gap closes, or where it is no small motion.
+    /// The way along a motion to the gap that closes first. `None` where a contact resists the motion, where no gap closes, or where the motion is
+    /// not small.
     fn free_way(&self, motion: &Vector<D>) -> Option<FreeWay> {
         let grasp = self.segment.grasp;
         let drives = self.segment.drives(self.factor);
@@ -80,7 +81,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
                 let gap = -site.stretch(&drives[i], &self.node.at.twist)[0];
                 let shut = ZERO_SLACK * site.span(&drives[i], &self.node.at.twist);
                 if velocity[0] < -none {
-                    // What touches is in the way.
+                    // A contact that touches already is in the way.
                     if gap <= shut {
                         return None;
                     }
@@ -104,7 +105,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         is_small.then_some(FreeWay { length, closing, still })
     }
 
-    /// What stands on an edge yields as the object sets out: what does so otherwise than before.
+    /// Lets contacts on an edge yield along the motion, and returns the changes of state.
     fn yield_along(
         &mut self,
         motion: &Vector<D>,
@@ -125,10 +126,10 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         self.node.take_over(&mut self.segment, self.factor, &rates, &found)
     }
 
-    /// Goes to the end of a way; `None` where rounding does not let the state there be told.
+    /// Moves to the end of the way; `None` where rounding keeps the state there from being computed.
     fn go_free_way(&mut self, motion: &Vector<D>, way: &FreeWay) -> Option<()> {
         let here = self.node.look(&self.segment.at_rest(self.factor), self.factor, None).ok()?;
-        // What has parted from the object has lost the rounding of its force, too.
+        // Forces are solved anew in the new states, so that contacts that have opened lose the rounding of their force, too.
         let forces = here.lines.iter().map(|line| line.force).collect();
         let twist = &self.node.at.twist + motion * way.length;
         self.node.arrive(&mut self.segment, &here, self.factor, &PieceState { forces, twist });
@@ -145,7 +146,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         Some(())
     }
 
-    /// Where the object moves freely from a loss on and a gap closes on its way, the path goes on from there. `None` where it does not.
+    /// The event at which a gap closes after a free motion from a loss, from which the path continues. `None` where there is none.
     pub(super) fn caught_by_a_gap(
         &mut self,
         journey: &Journey<'g, D, C>,
@@ -185,8 +186,8 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
 }
 
 impl<'g, D: Size, const C: usize> Fall<'g, D, C> {
-    /// After a loss on its leg: contacts that begin to slide let go of what their friction loses, or else the object moves until a gap closes. Whether something is
-    /// let go.
+    /// Continues after a loss on its leg: contacts that begin to slide release the force that their friction loses, or else the object moves until a
+    /// gap closes. Whether a force is released.
     ///
     /// # Errors
     /// The loss, where no gap closes.

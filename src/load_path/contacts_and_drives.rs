@@ -1,4 +1,4 @@
-//! Events of a hand: a drive is a site like a contact, and what happens to it has names of its own.
+//! Events of a hand: a drive is a site like a contact, but its changes have other names.
 
 use super::drive_change::{DriveChange, PartChange};
 use super::event::{Change, ContactChange};
@@ -11,7 +11,7 @@ use crate::numerics::Size;
 use crate::prelude::*;
 
 impl<D: Size, const C: usize> Engine<D, C> {
-    /// Changes of contacts, and those of drives by the names of their owners.
+    /// Separates the changes of contacts from those of drives, which go by the names of their owners.
     pub(super) fn contacts_and_drives(
         &self,
         changes: Vec<(usize, Change<C>)>,
@@ -32,7 +32,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         (contacts, drives)
     }
 
-    /// Contacts that stop sticking, and drives that do, by their names.
+    /// Separates contacts that stop sticking from drives that do, which go by the names of their owners.
     pub(super) fn leaving_apart(&self, mut leaving: Vec<Leaving<C>>) -> (Vec<Leaving<C>>, Vec<PartChange>) {
         let mut drives = Vec::new();
         leaving.retain_mut(|Leaving { contact, how }| {
@@ -47,7 +47,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         (leaving, drives)
     }
 
-    /// Contacts among these sites, and the owners of drives.
+    /// Separates the contacts among these sites from the owners of drives.
     pub(super) fn sites_apart(&self, sites: Vec<usize>) -> (Vec<ContactLabel>, Vec<PartLabel>) {
         let (contacts, drives): (Vec<usize>, Vec<usize>) = sites.into_iter().partition(|i| *i < self.len());
         let contact = |i: usize| self.contacts()[i].label(i);
@@ -63,7 +63,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         linkage.part(site - self.len()).map(|part| linkage.label(part))
     }
 
-    /// The contact or the owner of the drive at a site; `None` for springs that nobody owns, which never leave.
+    /// The contact or the owner of the drive at a site; `None` for springs without an owner, which never leave.
     pub(crate) fn leaver(&self, site: usize) -> Option<Leaver> {
         match self.linkage() {
             Some(linkage) if site >= self.len() => linkage.part(site - self.len()).map(Leaver::Drive),
@@ -71,7 +71,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         }
     }
 
-    /// The same by name.
+    /// The contact or the owner of the drive at a site, by name.
     pub(super) fn edge_of(&self, site: usize) -> Option<EdgeOf> {
         match self.contacts().get(site) {
             Some(contact) => Some(EdgeOf::Contact(contact.label(site))),

@@ -1,6 +1,6 @@
 //! A step along a sliding arc that ends where a condition is just met.
 //!
-//! The last step is made again, shorter or longer, by Newton's method on the condition, within a bracket: no interpolation comes in.
+//! Newton's method on the condition repeats the last step with a shorter or longer length, within a bracket, so that states are never interpolated.
 
 use super::flow::{Flow, Reached, Rule, StepGoal};
 use super::pieces::Pieces;
@@ -9,24 +9,24 @@ use super::watch::{Watch, watch};
 use crate::numerics::Size;
 use crate::prelude::*;
 
-/// A secant stays this part of the bracket away from either end of it.
+/// Least distance of a secant step from either end of the bracket, as a part of it.
 const INSIDE: f64 = 1e-3;
 
 /// Evaluations on the way to an event: bisection alone would need 50.
 const MOST_TRIALS: usize = 80;
 
-/// Where a step ends.
+/// The end of a step.
 pub(super) struct StepEnd<D: Size, const C: usize> {
     pub(super) length: f64,
     pub(super) rule: Rule,
     pub(super) reached: Reached<D, C>,
     pub(super) watches: Vec<Watch>,
-    /// The condition that it was made to end at.
+    /// The condition at which the step was made to end.
     pub(super) located: Option<usize>,
 }
 
 impl<D: Size, const C: usize> Pieces<'_, D, C> {
-    /// A step of a length, with what comes next there.
+    /// A step of a length, with the conditions at its end.
     pub(super) fn step(
         &self,
         here: &Here<D, C>,
@@ -40,7 +40,7 @@ impl<D: Size, const C: usize> Pieces<'_, D, C> {
         Some(StepEnd { length, rule, reached, watches, located: None })
     }
 
-    /// The condition that is violated at the end of a step, the one that would be first on straight lines.
+    /// The condition violated at the end of a step that linear interpolation between both ends would reach first.
     pub(super) fn first_crossing(start: &[Watch], end: &StepEnd<D, C>) -> Option<usize> {
         let part = |k: usize| {
             let (from, to) = (start[k].value.max(0.0), end.watches[k].value);
@@ -50,7 +50,7 @@ impl<D: Size, const C: usize> Pieces<'_, D, C> {
         violated.min_by(|&i, &j| part(i).total_cmp(&part(j)))
     }
 
-    /// The step that ends where a condition is just met, and no other is violated.
+    /// The step that ends where condition `k` is just met and no other is violated.
     pub(super) fn locate(
         &self,
         here: &Here<D, C>,
@@ -60,18 +60,18 @@ impl<D: Size, const C: usize> Pieces<'_, D, C> {
     ) -> Option<StepEnd<D, C>> {
         let (mut low, mut high) = ((0.0, start[k].value.max(0.0)), (end.length, end.watches[k].value));
         if start[k].is_met() {
-            // It stands there already, and leaves at once.
+            // The condition is met at the start already, and is violated at once.
             low.1 = 0.0;
         }
         for trial in 0..MOST_TRIALS {
-            // The secant, and every third time the middle, so that the bracket shrinks for certain.
+            // A secant step, and every third time bisection, so that the bracket shrinks for certain.
             let part = low.1 / (low.1 - high.1);
             let part = if trial % 3 == 2 { 0.5 } else { part.clamp(INSIDE, 1.0 - INSIDE) };
             let newton =
                 end.watches[k].way().map(|way| end.length + way).filter(|t| *t > low.0 && *t < high.0);
             let to = newton.unwrap_or(low.0 + (high.0 - low.0) * part);
             if to <= low.0 || to >= high.0 {
-                // No number lies between.
+                // No floating-point number lies between.
                 end.located = Some(k);
                 return Some(end);
             }

@@ -1,4 +1,4 @@
-//! A cycle of legs that is gone again and again.
+//! A cycle of legs that is repeated again and again.
 
 use nalgebra::{Matrix, SVector};
 
@@ -15,12 +15,12 @@ use crate::numerics::{Size, Vector};
 use crate::prelude::*;
 use crate::search::{Doubt, Settings};
 
-/// Loads and commands that differ by no more than this part of the largest on the way are one: a cycle that ends there is closed.
+/// A cycle is closed if its end differs from its beginning by at most this part of the largest load or command on the way.
 const CLOSED: f64 = 1e-12;
-/// Forces that differ by no more than this part of the largest are those that a state was made of.
+/// Forces of a rebuilt state must agree with the given ones within this part of the largest.
 const SAME: f64 = 1e-9;
 
-/// A cycle on its way.
+/// A program of repeated cycles in progress.
 #[derive(Debug)]
 pub(crate) struct Cycles<'g, D: Size, const C: usize> {
     path: Following<'g, D, C, Pieces<'g, D, C>>,
@@ -29,36 +29,36 @@ pub(crate) struct Cycles<'g, D: Size, const C: usize> {
     gone: usize,
 }
 
-/// Where a grasp stands between two cycles.
+/// The state of a grasp between two cycles.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct CycleState<D: Size, const C: usize> {
     pub(crate) forces: Vec<SVector<f64, C>>,
-    /// Of what is open, m; zero of what is closed.
+    /// Gaps of open sites, m; zero for closed ones.
     pub(crate) gaps: Vec<f64>,
     pub(crate) slips: Vec<SVector<f64, C>>,
     pub(crate) twist: Vector<D>,
-    /// Which sites slide with less friction than at rest; empty where none is weaker then.
+    /// Whether each site slides with less friction than at rest; empty where no contact has kinetic friction.
     pub(crate) weaker: Vec<bool>,
 }
 
-/// What has happened in one cycle.
+/// Totals of one cycle.
 #[derive(Debug, Clone)]
 pub(crate) struct CycleRecord<const C: usize> {
-    /// The way that each site has slid, m.
+    /// The path length that each site has slid, m.
     pub(crate) slid: Vec<f64>,
     /// Heat from friction, J.
     pub(crate) dissipated: f64,
     /// The largest force on the way, N.
     pub(crate) largest: f64,
-    /// The smallest gap of each site that was open all the way, m.
+    /// The smallest gap of each site that was open all the way, m; `None` for others.
     pub(crate) open: Vec<Option<f64>>,
     pub(crate) step_error: f64,
-    /// What sites did, one state after the other, with the leg of each.
+    /// Successive states of all sites, each with its leg.
     states: Vec<(usize, Vec<State<C>>)>,
 }
 
 impl<const C: usize> CycleRecord<C> {
-    /// What has happened in this and the next one.
+    /// Adds the next cycle to this record.
     pub(crate) fn append(&mut self, next: &Self) {
         self.slid.iter_mut().zip(&next.slid).for_each(|(slid, more)| *slid += more);
         self.dissipated += next.dissipated;
@@ -77,13 +77,13 @@ impl<const C: usize> CycleRecord<C> {
     }
 }
 
-/// Whether all sites do the same but for directions on the round cone.
+/// Whether all sites have the same states, apart from directions on the round cone.
 fn are_alike<const C: usize>(a: &[State<C>], b: &[State<C>]) -> bool {
     a.iter().zip(b).all(|(a, b)| a.is_kind_of(b))
 }
 
 impl<'g, D: Size, const C: usize> Cycles<'g, D, C> {
-    /// Before the first cycle, at rest under a load.
+    /// Before the first cycle, at the equilibrium under the base load.
     ///
     /// # Errors
     /// As for [`Grasp::follow`](crate::ask::Grasp::follow), and [`Error::NotClosed`] for legs that do not lead back.
@@ -97,7 +97,7 @@ impl<'g, D: Size, const C: usize> Cycles<'g, D, C> {
         Ok(Self { path, legs: legs.to_vec(), base: *base, gone: 0 })
     }
 
-    /// Before a cycle that begins elsewhere; `None` if that is no equilibrium of the grasp with these slips.
+    /// Before a cycle that begins in another state; `None` if that state is no equilibrium of the grasp with these slips.
     pub(crate) fn beginning_at(&self, from: &CycleState<D, C>, settings: &Settings) -> Option<Self> {
         let grasp = self.path.journey.grasp;
         let largest = from.forces.iter().map(Matrix::norm).fold(0.0, f64::max);
@@ -106,7 +106,7 @@ impl<'g, D: Size, const C: usize> Cycles<'g, D, C> {
             slipped.drives.iter_mut().zip(&from.slips).for_each(|(drive, slip)| *drive -= slip);
             slipped.slips.clone_from(&from.slips);
             slipped.cones = from.cones(grasp);
-            // Where a contact would have to slide at once nothing need be searched for.
+            // If a contact would have to slide at once, no search is needed.
             let slides = |(i, force): (usize, &SVector<f64, C>)| {
                 slipped.local(i).edges().worst(force).is_some_and(|(_, margin)| margin < -SAME * largest)
             };
@@ -122,17 +122,17 @@ impl<'g, D: Size, const C: usize> Cycles<'g, D, C> {
         is_there.then_some(begun)
     }
 
-    /// From now on a leg may take so many steps along sliding arcs.
+    /// Sets the number of steps along sliding arcs that a leg may take from now on.
     pub(crate) fn allow_steps(&mut self, most_steps: usize) {
         self.path.journey.settings.most_steps = most_steps;
     }
 
-    /// How the path has ended, where it has.
+    /// How the path has ended, if not completed.
     pub(crate) fn end(&self) -> Option<&PathEnd<C>> {
         self.path.end().filter(|end| !matches!(end, PathEnd::Completed))
     }
 
-    /// The leg of the cycle and the fraction of it where the path stands.
+    /// The leg of the cycle and its fraction at the present place.
     pub(crate) fn place(&self) -> (usize, f64) {
         let (leg, fraction) = self.path.place();
         (leg - self.gone.saturating_sub(1) * self.legs.len(), fraction)
@@ -143,14 +143,14 @@ impl<'g, D: Size, const C: usize> Cycles<'g, D, C> {
         self.path.state()
     }
 
-    /// Goes through one cycle; `None` if the path [ends](Self::end) on the way.
+    /// Follows one cycle; `None` if the path [ends](Self::end) on the way.
     pub(crate) fn go(&mut self) -> Option<CycleRecord<C>> {
         if self.gone > 0 && self.path.end().is_some() {
             self.path.journey.program.return_to(self.path.journey.grasp, &self.base);
             self.path.continue_with(&self.legs).ok()?;
         }
         self.gone += 1;
-        // The state here is told from the piece that led to it, which is no part of this cycle.
+        // The present state is computed from the piece that led to it, which is no part of this cycle.
         let before = self.path.follower.as_ref().map_or(0, |follower| follower.behind.len());
         while self.path.next().is_some() {}
         self.end().is_none().then_some(())?;
@@ -169,18 +169,18 @@ impl<'g, D: Size, const C: usize> Cycles<'g, D, C> {
             states: Vec::new(),
         };
         for (k, stretch) in behind.iter().enumerate().skip(before) {
-            // As far as a jump, which counts by itself.
+            // Slips up to a jump; the jump adds its own.
             let next = behind
                 .get(k + 1)
                 .map(|next| next.fallen.as_ref().map_or(&next.problem.slips, |fallen| &fallen.slips));
             record.add(stretch, next.unwrap_or(slips_at_the_end), first);
         }
-        // The state there is told from the piece that leads to it.
+        // The state at the end of the cycle is computed from the piece that leads to it.
         follower.behind.extend(behind.into_iter().last());
         Some(record)
     }
 
-    /// Where the grasp stands after the cycles so far.
+    /// The state of the grasp after the cycles so far.
     pub(crate) fn standing(&self) -> Option<CycleState<D, C>> {
         let follower = self.path.follower.as_ref()?;
         let (at, segment) = (&follower.node.at, &follower.segment);
@@ -200,7 +200,7 @@ impl<'g, D: Size, const C: usize> Cycles<'g, D, C> {
 }
 
 impl<D: Size, const C: usize> CycleState<D, C> {
-    /// The friction that each site has; none of their own where none is weaker once it slides.
+    /// The friction of each site: kinetic where it slides with less friction. Empty if `weaker` is.
     fn cones(&self, grasp: &Engine<D, C>) -> Vec<Coulomb> {
         let sites = grasp.sites().iter().zip(&self.weaker);
         sites.map(|(site, weaker)| site.kinetic.filter(|_| *weaker).unwrap_or(site.friction)).collect()

@@ -28,7 +28,7 @@ impl<const C: usize> fmt::Display for Onset<C> {
     }
 }
 
-/// What the contact does from the event on.
+/// Words for the change of a contact.
 impl<const C: usize> fmt::Display for Change<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
@@ -49,7 +49,7 @@ impl<const C: usize> fmt::Display for Change<C> {
 }
 
 impl<const C: usize> Leaving<C> {
-    /// What the contact does, "slides", or the cable, "goes slack".
+    /// The verb for a contact, "slides", or for a cable, "goes slack".
     #[must_use]
     pub fn verb(&self) -> &'static str {
         match self.how {
@@ -60,7 +60,7 @@ impl<const C: usize> Leaving<C> {
 }
 
 impl<const C: usize> Departure<C> {
-    /// What the contact does: "slides".
+    /// The verb for the contact: "slides".
     #[must_use]
     pub fn verb(&self) -> &'static str {
         match self {
@@ -71,7 +71,7 @@ impl<const C: usize> Departure<C> {
     }
 }
 
-/// The factor, and who stops sticking.
+/// The factor, and the contacts that stop sticking.
 impl<const C: usize> fmt::Display for OnsetEvent<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "at factor {}:", Words::of(f).number(self.factor))?;
@@ -113,7 +113,7 @@ impl<const C: usize> fmt::Display for PathEnd<C> {
     }
 }
 
-/// What comes beyond: "no equilibrium; it is the limit load".
+/// The answer in words: "no equilibrium; it is the limit load".
 impl<const C: usize> fmt::Display for Beyond<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let digits = Words::of(f).digits();

@@ -1,21 +1,21 @@
-//! What happens to a drive of a hand.
+//! Changes of the drives of a hand.
 
 use crate::grasp::PartLabel;
 
-/// A joint or a tendon that does something else from an event on.
+/// A joint or a tendon whose drive changes at an event.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct PartChange {
-    /// Which joint or tendon.
+    /// The joint or tendon.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub part: PartLabel,
-    /// What its drive does from here on.
+    /// The behaviour of its drive from here on.
     pub what: DriveChange,
 }
 
-/// What the drive of a joint or of a tendon does from an event on.
+/// The behaviour of the drive of a joint or of a tendon from an event on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

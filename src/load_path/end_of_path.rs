@@ -1,4 +1,4 @@
-//! How a path ends where the rates have no solution: what can be said of the place alone.
+//! The end of a path where the rates have no solution, as far as the place alone determines it.
 
 use super::beyond::{Beyond, EquilibriumEnd, beyond_end, no_rates};
 use super::event::{Loss, LossKind, PathEnd};
@@ -12,8 +12,8 @@ use crate::search::{Effort, Settings, Settled};
 
 /// The end of a path whose rates have no solution.
 ///
-/// The object gives way where a motion meets no resistance. Else it stands at a corner: no combination of the states of what stands on
-/// an edge has rates. Where that is not known, the proof that nothing holds beyond will do.
+/// The object gives way where a motion meets no resistance. Otherwise the end is a corner: the contacts on an edge have rates in no combination of
+/// states. Where that is not known, a proof that nothing holds beyond suffices.
 pub(super) fn end_of_path<D: Size, const C: usize>(
     edge: &StandAtEdge<'_, D, C>,
     (settled, effort): (Settled<D, C>, &Effort),
@@ -27,7 +27,7 @@ pub(super) fn end_of_path<D: Size, const C: usize>(
     }
     let motions = leaving_motions(rates, &segment.course.at(loss.fraction), &rates.yielding());
     let [mut motion, mut against] = motions.map_or([None, None], |motions| motions.map(Some));
-    // Where nothing presses yet no spring says how it leaves, and what no friction works against proves it.
+    // Where no contact presses yet, springs do not determine the motion; a motion that no friction can work against proves the end.
     if let Some(rigid) = rigid_motion(rates) {
         motion = Some(rigid);
         if let Settled::Separating(v) = &settled {
@@ -46,11 +46,11 @@ pub(super) fn end_of_path<D: Size, const C: usize>(
     PathEnd::Undecided { leg: corner.leg, fraction: corner.fraction, doubt }
 }
 
-/// The unit motion with which the object leaves when everything that stands on an edge slides, and the virtual one that proves it.
+/// The unit motion with which the object leaves when all contacts on an edge slide, and the virtual motion that proves the loss.
 ///
-/// It leaves by a motion that changes no force then, and on which the load works. No force of these states does anything on the virtual motion, which
-/// leans by friction: a block that slides to the right goes up along the edge of its cone virtually. Where there are none both are the motion of the rates
-/// in these states. Their forces balance the load, but their slips are against friction: the motion taken the other way is along it.
+/// The object leaves by a motion that then changes no force, and on which the load works. No force of these states does work on the virtual motion,
+/// which is inclined by friction: for a block that slides to the right it points upwards along the edge of the cone. Where there are no such motions,
+/// both are the motion of the rates in these states. The rates balance the load, but slip against friction: the reversed motion slips along it.
 pub(super) fn leaving_motions<D: Size, const C: usize>(
     rates: &Problem<D, C>,
     load: &Vector<D>,
@@ -59,8 +59,8 @@ pub(super) fn leaving_motions<D: Size, const C: usize>(
     let piece = Piece::new(rates, states);
     let solved = match piece.solve(rates.sites, &rates.drives, &rates.wrench) {
         Err(unbalanced) => {
-            // Where friction is exhausted no spring resists, but the friction forces feel the motion. Where only commands
-            // change it is the load itself that drives the object out.
+            // Where friction is exhausted no spring resists, but the friction forces work on the motion. Where only commands change, the load itself
+            // drives the object out.
             let along = |motions: &[Vector<D>], wrench: &Vector<D>| {
                 let v = motions.iter().fold(Vector::zeros(), |sum, v| sum + v * v.dot(wrench));
                 (v.norm() > 0.0).then(|| v.normalize())

@@ -1,4 +1,4 @@
-//! Where the work goes.
+//! Energy balance of the legs of a path.
 
 use nalgebra::SVector;
 
@@ -11,8 +11,8 @@ use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// Energies of one leg, J: `load_work + finger_work = stored + dissipated`. Along a straight piece forces and motions are affine, and with a load that turns they turn, so that every integral is exact; where contacts
-/// slide on the round cone works are integrated along with the slips.
+/// Energies of one leg, J: `load_work + finger_work = stored + dissipated`. Along a straight piece forces and motions are affine, and under a load
+/// that turns they turn with it, so that every integral is exact. Where contacts slide on the round cone, works are integrated along with the slips.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -21,18 +21,18 @@ pub struct LegEnergy {
     /// Work of the load on the object, `∫ W·dq`.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub load_work: f64,
-    /// Work of the fingers' drives, `Σ ∫ F·du_f`, positive where a finger pushes on.
+    /// Work of the fingers' drives, `Σ ∫ F·du_f`, positive where a finger pushes forward.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub finger_work: f64,
     /// Change of the energy stored in the springs, `Δ Σ ½ F²/k`.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub stored: f64,
-    /// Heat from friction, `Σ ∫ F_t·ds`, and what is lost in [jumps](super::Jump), never negative.
+    /// Heat from friction, `Σ ∫ F_t·ds`, plus the energy lost in [jumps](super::Jump), never negative.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub dissipated: f64,
-    /// Sum of the sizes of all contributions, piece by piece and contact by contact: what the rounding of the balance is
-    /// measured against, since works cancel. Along a sliding arc of the round cone the stored energies count themselves, before and
-    /// after each step, since their change is a difference. Not written.
+    /// Sum of the absolute values of all contributions, piece by piece and contact by contact: the scale for the rounding of the balance, since works
+    /// cancel. Along a sliding arc of the round cone the stored energies before and after each step are contributions, since their change is a
+    /// difference. Not written.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub turnover: f64,
 }
@@ -45,7 +45,7 @@ impl LegEnergy {
         if self.turnover > 0.0 { excess / self.turnover } else { 0.0 }
     }
 
-    /// Adds what the springs take up between two states.
+    /// Adds the energy that the springs take up between two states.
     pub(super) fn store<D: Size, const C: usize>(
         &mut self,
         sites: &[Site<D, C>],
@@ -59,7 +59,7 @@ impl LegEnergy {
         }
     }
 
-    /// Adds another part of the way.
+    /// Adds the energies of another part of the way.
     pub(super) fn add_part(&mut self, part: &Self) {
         self.load_work += part.load_work;
         self.finger_work += part.finger_work;
@@ -68,7 +68,7 @@ impl LegEnergy {
         self.turnover += part.turnover;
     }
 
-    /// Adds a piece from a factor on, along which states stay and nothing slides on a round cone.
+    /// Adds the energies of a piece from a factor on, with fixed states and no contact sliding on a round cone.
     pub(super) fn add<D: Size, const C: usize>(
         &mut self,
         segment: &Segment<D, C>,
@@ -104,7 +104,7 @@ impl LegEnergy {
         }
     }
 
-    /// Adds a piece along which everything turns with the load: works of one harmonic on another.
+    /// Adds the energies of a piece along which everything turns with the load: works of one harmonic on another.
     fn add_turned<D: Size, const C: usize>(
         &mut self,
         segment: &Segment<D, C>,

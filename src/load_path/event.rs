@@ -1,4 +1,4 @@
-//! What happens on a load path.
+//! Events of a load path, and how it ends.
 
 use nalgebra::SVector;
 
@@ -13,7 +13,7 @@ use crate::search::Doubt;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// Something changes: one or more contacts, at one load.
+/// One or more contacts change at one load.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -21,52 +21,51 @@ use crate::serial::AsComputed;
 pub struct Event<const C: usize> {
     /// The leg, from 0.
     pub leg: usize,
-    /// How much of the leg has been gone, from 0 to 1, exact up to rounding; where something slides on the round cone up to the
-    /// error of the steps, see [`LoadPath::step_error`](super::LoadPath::step_error).
+    /// Fraction of the leg already followed, from 0 to 1, exact up to rounding; where a contact slides on the round cone up to the error of the
+    /// steps, see [`LoadPath::step_error`](super::LoadPath::step_error).
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub fraction: f64,
     /// The load there.
     pub load: Wrench<C>,
-    /// What changes, contact by contact; empty where only a motion has become free, and where a leg begins as contacts are but could go on
-    /// otherwise as well. Symmetric grasps change several at once.
+    /// Changes, contact by contact. Empty where only a motion has become free, and where contacts at the start of a leg keep their states but could
+    /// continue otherwise as well. Symmetric grasps change several contacts at once.
     pub changes: Vec<ContactChange<C>>,
-    /// What changes in the hand, if one holds the object: drives of joints and tendons that yield, hold, slacken or tighten.
+    /// Changes in the hand, if one holds the object: drives of joints and tendons that yield, hold, slacken or tighten.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub drives: Vec<PartChange>,
-    /// Unit motions that nothing resists from here on: the twist is known up to them, the path goes on without moving
-    /// along them, unless a contact that touches without force pushes the object.
+    /// Unit motions that nothing resists from here on: the twist is known up to them. The path continues without moving along them, unless a contact
+    /// that touches without force pushes the object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub free_motions: Vec<Motion<C>>,
-    /// Other ways in which the contacts on an edge could go on. The continuation is unique if this is `Some(0)`, which a P-matrix of the
-    /// rates proves or, among few contacts, trying all. `None`, and not written, if neither says, as at the apex of a round cone.
+    /// Number of other continuations of the contacts on an edge. `Some(0)` means that the continuation is unique: a P-matrix of the rates proves that
+    /// or, among few contacts, a trial of all states. `None`, and not written, if neither decides, as at the apex of a round cone.
     ///
-    /// The path prefers that nothing changes; then that what slides goes on sliding and what has reached an edge slides; then
-    /// that everything sticks; then what Lemke's method finds. Of the motions that the same forces allow it takes one in which
-    /// contacts without force do not drag the object along.
+    /// The path prefers in this order: nothing changes; sliding contacts keep sliding and contacts at an edge slide; everything sticks; the solution
+    /// of Lemke's method. Of the motions that the same forces allow it takes one in which contacts without force do not drag the object along.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub other_continuations: Option<usize>,
-    /// The equilibrium there. Its states are those before the event (at the very start of a path, where there is no before, those after it).
+    /// The equilibrium there, with contact states before the event (at the very start of a path those after it).
     pub state: Equilibrium<C>,
-    /// What comes of it at this load, where a contact begins to slide with less friction than at rest, or where the object moves freely until a gap closes.
+    /// The jump at this load, where a contact begins to slide with less friction than at rest, or where the object moves freely until a gap closes.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub jump: Option<Box<Jump<C>>>,
 }
 
-/// A contact that does something else from an event on.
+/// A contact whose state changes at an event.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct ContactChange<const C: usize> {
-    /// Which contact.
+    /// The contact that changes.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub contact: ContactLabel,
-    /// What it does from here on.
+    /// Its behaviour from here on.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub what: Change<C>,
 }
 
-/// What a contact does from an event on.
+/// The behaviour of a contact from an event on.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -77,7 +76,7 @@ pub struct ContactChange<const C: usize> {
 pub enum Change<const C: usize> {
     /// A sticking contact starts to slide, `|F_t| = μ F_n`.
     Slides {
-        /// Unit direction in which the finger slips over the body, coordinate axes; friction pulls the body that way.
+        /// Unit direction in which the finger slips over the body, coordinate axes; friction pulls the body in this direction.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         direction: SVector<f64, C>,
     },
@@ -89,7 +88,7 @@ pub enum Change<const C: usize> {
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         direction: SVector<f64, C>,
     },
-    /// A sliding contact turns to another facet or corner of its cone (space, on a polygon; on the round cone it turns all the time).
+    /// A sliding contact turns to another facet or corner of its cone (space, on a polygon; on the round cone it turns continuously).
     Turns {
         /// Its new direction, as for [`Self::Slides`].
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
@@ -101,7 +100,7 @@ pub enum Change<const C: usize> {
     Closes,
     /// An open contact closes and slides from the start.
     ClosesSliding {
-        /// Unit direction in which the finger slips over the body, coordinate axes; friction pulls the body that way.
+        /// Unit direction in which the finger slips over the body, coordinate axes; friction pulls the body in this direction.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         direction: SVector<f64, C>,
     },
@@ -113,18 +112,18 @@ pub enum Change<const C: usize> {
 pub enum PathEnd<const C: usize> {
     /// All legs were followed to their end.
     Completed,
-    /// This equilibrium ends here: no way goes on from it with a growing load. Whether another exists beyond is a question of its own, see
+    /// The equilibrium ends here: no rates continue it under a growing load. Whether another exists beyond is a separate question, see
     /// [`LoadPath::beyond`](super::LoadPath::beyond).
     Lost(Box<Loss<C>>),
     /// There is no equilibrium to start from.
     NoStart(Box<Outcome<C>>),
-    /// The path could not be followed further, and whether it goes on or ends there is not known. It holds up to there.
+    /// The path could not be followed further, and it is not known whether it continues or ends there. It is valid up to there.
     Undecided {
         /// The leg, from 0.
         leg: usize,
-        /// How much of the leg has been gone, from 0 to 1.
+        /// Fraction of the leg already followed, from 0 to 1.
         fraction: f64,
-        /// Why.
+        /// The reason.
         doubt: Doubt,
     },
 }
@@ -157,7 +156,7 @@ impl<const C: usize> PathEnd<C> {
     }
 }
 
-/// Where an equilibrium cannot be continued.
+/// The place where an equilibrium cannot be continued.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -165,12 +164,12 @@ impl<const C: usize> PathEnd<C> {
 pub struct Loss<const C: usize> {
     /// The leg, from 0.
     pub leg: usize,
-    /// How much of the leg has been gone, from 0 to 1.
+    /// Fraction of the leg already followed, from 0 to 1.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub fraction: f64,
     /// The load there.
     pub load: Wrench<C>,
-    /// What ends the equilibrium.
+    /// The reason for the end of the equilibrium.
     pub kind: LossKind,
     /// The contacts that stand on the edge of their cone there.
     pub contacts: Vec<ContactLabel>,
@@ -181,11 +180,11 @@ pub struct Loss<const C: usize> {
     /// `None` if those states do not determine one.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub motion: Option<Motion<C>>,
-    /// Contacts that begin to slide with less friction than at rest, and how far they had slipped when nothing caught the object any more: all at this load.
+    /// Contacts that begin to slide with less friction than at rest, with their slips until nothing caught the object any more, all at this load.
     /// Empty where no friction fell.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub jumped: Vec<JumpSlip<C>>,
-    /// The virtual motion against which contacts do the least there, in inside coordinates.
+    /// The virtual motion against which contacts can resist least there, in inside coordinates.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(crate) against: Option<Coordinates<C>>,
     /// The motion with which the object leaves, in inside coordinates.
@@ -194,12 +193,12 @@ pub struct Loss<const C: usize> {
 }
 
 impl<const C: usize> Loss<C> {
-    /// The virtual motion against which contacts do the least there, in inside coordinates.
+    /// The virtual motion against which contacts can resist least there, in inside coordinates.
     pub(crate) fn virtual_motion(&self) -> Option<&Coordinates<C>> {
         self.against.as_ref()
     }
 
-    /// This loss with another virtual motion than that with which the object leaves.
+    /// This loss with a virtual motion other than the one with which the object leaves.
     pub(super) fn and_virtually<D: Size>(mut self, against: Option<&Vector<D>>) -> Self {
         self.against = against.map(Coordinates::of);
         self
@@ -214,24 +213,24 @@ impl<const C: usize> Loss<C> {
     }
 }
 
-/// What ends an equilibrium as the load grows: all that can be said of the place alone.
+/// The reason for the end of an equilibrium as the load grows, as far as the place alone determines it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum LossKind {
-    /// The load has a smooth maximum along a sliding arc of the round cone: with these states the equilibrium goes on under less load only.
+    /// The load has a smooth maximum along a sliding arc of the round cone: in these contact states the equilibrium continues under less load only.
     Fold,
     /// Contacts stand on an edge, and in no combination of their states are there rates with a growing load.
     Corner,
-    /// The object moves on without bound, and the load comes closer to this one and never reaches it. Directions of sliding have turned
-    /// along the motion, which nothing else resists.
+    /// The object moves without bound while the load approaches this one and never reaches it. Directions of sliding have turned along the motion,
+    /// which nothing else resists.
     Asymptote,
-    /// From here on nothing resists the motion, on which the load works as it changes.
+    /// From here on nothing resists the motion, and the change of the load does work on it.
     GivesWay,
-    /// Motions cease to be [small](crate::Settings::small_motions) there: what comes next small motions do not tell.
+    /// Motions cease to be [small](crate::Settings::small_motions) there: the theory of small motions does not say what follows.
     TooFar,
-    /// A contact with infinite friction loses its normal force while it still holds a tangential one; or all of the lip of a suction cup is open,
+    /// A contact with infinite friction loses its normal force while it still carries a tangential one; or the whole lip of a suction cup is open,
     /// and its vacuum is gone.
     LetsGo,
 }

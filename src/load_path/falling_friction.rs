@@ -1,4 +1,4 @@
-//! Which friction a contact has: that of rest, or as long as it slides a lower one.
+//! The friction of contacts: that of rest, or a lower one while they slide.
 
 use super::event::{Change, Event, PathEnd};
 use super::first_exits::PathState;
@@ -10,12 +10,12 @@ use crate::contact::{ActiveSet, Mode};
 use crate::numerics::Size;
 use crate::prelude::*;
 
-/// A force below this part of the largest is gone, where stick and slip in turn have brought it there.
+/// Forces below this part of the largest have vanished, where alternating stick and slip has brought them there.
 const RUN_OUT: f64 = 1e-9;
 
 impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
-    /// From rest on every contact has a cone of its own, if some are weaker once they slide. Those that slide already do with less. Cones that are given
-    /// are those of contacts that were on their way.
+    /// Gives every contact a cone of its own from rest on, if some have lower friction while they slide. Contacts that slide already get the lower
+    /// one. Cones already present belong to a path in progress, and stay.
     pub(super) fn with_falling_friction(mut self, journey: &Journey<'g, D, C>) -> Result<Self, PathEnd<C>> {
         let grasp = journey.grasp;
         if self.friction_falls() || grasp.weaker_once_they_slide().next().is_none() {
@@ -50,7 +50,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         !self.segment.problem.cones.is_empty()
     }
 
-    /// What does not slide has its friction of rest, and is inside that cone.
+    /// Gives contacts that do not slide their friction of rest; they are inside its cone.
     pub(super) fn friction_of_rest(&mut self) {
         let problem = &mut self.segment.problem;
         for (i, cone) in problem.cones.iter_mut().enumerate() {
@@ -64,14 +64,15 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         }
     }
 
-    /// Whether a contact that sticks and slips in turn as it is relieved has all but lost its force: it does so infinitely often until then.
+    /// Whether a contact that alternately sticks and slips while it is unloaded has all but lost its force: up to then it would do so infinitely
+    /// often.
     pub(super) fn runs_out(&self, standing: &PathState<C>) -> bool {
         let largest = self.segment.largest;
         let is_weaker = |i: usize| self.segment.problem.sites[i].kinetic.is_some();
         standing.iter().any(|(i, _)| is_weaker(*i) && self.node.at.forces[*i].norm() <= RUN_OUT * largest)
     }
 
-    /// What such a contact does next is decided as if all of its force were gone.
+    /// Puts such a contact at its apex, as if all of its force had vanished.
     pub(super) fn let_run_out(&mut self, standing: &PathState<C>) {
         let largest = self.segment.largest;
         for (i, _) in standing {
@@ -84,7 +85,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         self.stalls = 0;
     }
 
-    /// On a leg along which nothing changes, time passes: what slid comes to rest.
+    /// On a leg along which nothing changes time passes: sliding contacts come to rest.
     pub(super) fn pause(&mut self) -> Vec<(usize, Change<C>)> {
         let segment = &self.segment;
         let is_still = matches!(&segment.course, Trajectory::Straight { rate, .. } if rate.norm() == 0.0)
@@ -101,7 +102,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         rest.into_iter().map(|i| (i, Change::Sticks)).collect()
     }
 
-    /// The friction that contacts have after these changes, and the jump that comes of it if some begin to slide.
+    /// Sets the friction of contacts after these changes, and makes the jump that follows if some begin to slide.
     pub(super) fn friction_after(
         &mut self,
         journey: &Journey<'g, D, C>,
@@ -112,7 +113,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         Ok(self.jump(journey, &begin)?.map(Box::new))
     }
 
-    /// Those that begin to slide with less friction than at rest.
+    /// The contacts that begin to slide with less friction than at rest.
     pub(super) fn begin_to_slide(&self, changes: &[(usize, Change<C>)]) -> Vec<usize> {
         let problem = &self.segment.problem;
         let falls = |(i, change): &(usize, Change<C>)| {

@@ -1,7 +1,7 @@
-//! The onset where everything clearly sticks to begin with, and one contact reaches the edge of its cone before all others.
+//! The onset where everything clearly sticks at the base, and one contact reaches the edge of its cone before all others.
 //!
-//! That is the common case and the cheap one: one factorisation for two loads, a ratio test, and one more solve at the onset, which gives its
-//! factor the last digits. Everything else is for [`super::walk`].
+//! This case is common and cheap: one factorisation for two loads, a ratio test, and one more solve at the onset, which makes the last digits of its
+//! factor exact. [`super::sticking_path`] handles all other cases.
 
 use nalgebra::{Matrix, SVector};
 
@@ -17,17 +17,16 @@ use crate::object::{Imbalance, PieceState};
 use crate::prelude::*;
 use crate::search::{Found, Rung};
 
-/// Conditions at the base must hold by this part of their size: less may be rounding or an edge on which a contact stands, which is for
-/// the walk to tell.
+/// Least relative margin of conditions at the base. Less may be rounding, or a contact on an edge, which the sticking path decides.
 const CLEARLY: f64 = 1e-9;
-/// The next contact must be farther than this part of the way to the first.
+/// Least distance of the next contact behind the first, as a part of the way to the first.
 const APART: f64 = 1e-9;
-/// The solve at the onset may correct the factor by this part; a larger correction says that something else is wrong.
+/// Largest relative correction of the factor by the solve at the onset; a larger one means that something else is wrong.
 const ROUGHLY: f64 = 1e-6;
-/// A factor at which the forces would be so many times as large as at the base may be that of rates which are rounding.
+/// Largest growth of forces up to the onset, relative to the base: beyond it, the rates may be rounding.
 const FAR: f64 = 1e6;
 
-/// Which contact stops sticking first, and the state there.
+/// The contact that stops sticking first, and the state there.
 pub(super) struct FirstToLeave<D: Size, const C: usize> {
     pub(super) factor: f64,
     contact: usize,
@@ -35,7 +34,7 @@ pub(super) struct FirstToLeave<D: Size, const C: usize> {
     there: PieceState<D, C>,
 }
 
-/// The first to leave along a ramp, or `None` where the case is another one.
+/// The first contact to leave along a ramp; `None` where this simple case does not apply.
 pub(super) fn first_to_leave<D: Size, const C: usize>(
     segment: &Segment<'_, D, C>,
     memory: &mut OnsetMemory<D, C>,
@@ -50,7 +49,7 @@ pub(super) fn first_to_leave<D: Size, const C: usize>(
     piece.solve_roughly_into(&segment.change, &direction, (solution, rate));
     piece.solve_roughly_into(&problem.drives, &problem.wrench, (solution, base));
     let First { contact, exit, line } = first_exit(segment, base, (&direction, rate))?;
-    // Again at the onset: found from afar the factor carries the rounding of what the forces are at the base.
+    // Solved again at the onset: the factor found from afar carries the rounding of forces at the base.
     let mut factor = exit.step;
     let load = segment.course.at(factor);
     segment.drives_into(factor, driven);
@@ -65,7 +64,7 @@ pub(super) fn first_to_leave<D: Size, const C: usize>(
     Some(FirstToLeave { factor, contact, exit, there: core::mem::take(there) })
 }
 
-/// What happens while a load turns.
+/// The result of a turn.
 pub(super) enum WhileTurning<D: Size, const C: usize> {
     /// One contact leaves before all others.
     First(FirstToLeave<D, C>),
@@ -73,7 +72,7 @@ pub(super) enum WhileTurning<D: Size, const C: usize> {
     Never,
 }
 
-/// The first to leave while a load turns, or that there is none. `None` where the case is another one.
+/// The first contact to leave while a load turns, or the answer that none leaves. `None` where this simple case does not apply.
 pub(super) fn first_to_leave_on_turn<D: Size, const C: usize>(
     segment: &Segment<'_, D, C>,
     turn: &Turn<C>,
@@ -101,7 +100,7 @@ pub(super) fn first_to_leave_on_turn<D: Size, const C: usize>(
         return None;
     }
     let mut turned = segment.turned(inside, 1.0, &parts);
-    // Rough states carry the rounding of the largest force everywhere; what that could change is for the walk to tell.
+    // Rough states carry the rounding of the largest force everywhere; the sticking path decides what that could change.
     let roughly = parts.map(|part| problem.largest_force(&part.forces, &part.twist));
     let roughly = roughly.parts().into_iter().sum::<f64>();
     for [force, _] in &mut turned.waves {
@@ -177,7 +176,7 @@ struct First<const C: usize> {
     line: Line<C>,
 }
 
-/// The first way out, if everything clearly sticks at the base and no other comes near it.
+/// The first exit, if everything clearly sticks at the base and no other exit is near.
 fn first_exit<D: Size, const C: usize>(
     segment: &Segment<'_, D, C>,
     base: &PieceState<D, C>,
@@ -216,7 +215,7 @@ fn first_exit<D: Size, const C: usize>(
     })
 }
 
-/// Whether forces balance a load as well as those of an answer have to.
+/// Whether forces balance a load within the accuracy required of an answer.
 fn is_balanced<D: Size, const C: usize>(
     sites: &[Site<D, C>],
     load: &Vector<D>,

@@ -8,7 +8,7 @@
 //! ```
 //!
 //! so that a fold, where the load factor has a maximum, is passed like any other point. Balance is linear in all variables and survives every step.
-//! What a step leaves of the cones is taken away by Newton's method across the path.
+//! Newton's method across the path removes the violation of the cones that a step leaves.
 
 use nalgebra::SVector;
 
@@ -22,15 +22,16 @@ use crate::numerics::{Size, Stepped, Vector, explicit_step, implicit_step};
 use crate::object::{PieceState, largest_force};
 use crate::prelude::*;
 
-/// A goal within this part of the leg is where the step ends.
+/// A step that comes within this part of the leg of its goal ends at the goal.
 const AT_THE_GOAL: f64 = 2e-13;
-/// After so many trials it need not come as near, and after so many more a part of the leg as small as the error of steps will do: the tangent leads there.
+/// Wider distances to the goal, after [`MANY_TRIALS`] trials and after twice as many; the last is as small as the error of steps. The tangent leads
+/// over the rest.
 const NEAR_THE_GOAL: [f64; 2] = [1e-11, 1e-9];
 const MANY_TRIALS: usize = 16;
 const MOST_TRIALS: usize = 60;
-/// A part of a step may have so many times its error.
+/// Factors on the error allowed to a part of a step, tried in turn: rounding may refuse the smaller ones.
 const LOOSER: [f64; 4] = [1.0, 10.0, 100.0, 1000.0];
-/// A motion slower than this part of the fastest is rounding.
+/// A free motion slower than this part of the twist rate is rounding.
 const UNPUSHED: f64 = 1e-9;
 /// A slip against the friction force by this part of the displacements of the contact is rounding.
 const BACKWARDS: f64 = 1e-13;
@@ -42,16 +43,16 @@ const WORKS: usize = 4;
 /// How a step is made.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Rule {
-    /// Along the tangent: so short a way that nothing turns.
+    /// Along the tangent, over so short a way that no direction turns.
     Straight,
     /// To order 8, where directions turn as fast as the object moves.
     Explicit,
-    /// With this error, where directions turn much faster than that.
+    /// Implicit, with this error, where directions turn much faster than that.
     Implicit { tolerance: f64 },
 }
 
 impl Rule {
-    /// With so many times the error, where it has one.
+    /// This rule with a larger error by this factor, if it has one.
     fn looser(self, times: f64) -> Self {
         if let Self::Implicit { tolerance } = self {
             Self::Implicit { tolerance: tolerance * times }
@@ -65,12 +66,12 @@ impl Rule {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct StepGoal {
     factor: f64,
-    /// So near it the tangent leads there.
+    /// Distance within which the tangent leads to the goal, as a part of the leg.
     near: f64,
 }
 
 impl StepGoal {
-    /// The goal of a trial after so many that missed it: steps of implicit rules come no nearer than their rounding.
+    /// The goal of a trial, given the number of trials that missed it: steps of implicit rules come no nearer than their rounding.
     pub(super) fn after(factor: f64, trials: usize) -> Self {
         let near = match trials / MANY_TRIALS {
             0 => AT_THE_GOAL,
@@ -81,7 +82,7 @@ impl StepGoal {
     }
 }
 
-/// States that stay, from a point of the path on.
+/// The differential equation of an arc in fixed contact states, from one point of the path.
 pub(super) struct Flow<'s, 'g, D: Size, const C: usize> {
     arc: Arc<'s, 'g, D, C>,
     from: f64,
@@ -89,20 +90,20 @@ pub(super) struct Flow<'s, 'g, D: Size, const C: usize> {
     here: &'s Here<D, C>,
     /// Friction forces of the sliding contacts at the start.
     begin: Vec<SVector<f64, C>>,
-    /// Which of them lose their normal force: their slip is not known any more.
+    /// Whether each of them is losing its normal force, so that its slip is not known any more.
     vanishing: Vec<bool>,
     /// The largest force, N, and the largest displacement, m, at the start.
     sizes: [f64; 2],
 }
 
-/// A point further on.
+/// The state at the end of a step.
 #[derive(Debug, Clone)]
 pub(super) struct Reached<D: Size, const C: usize> {
     pub(super) to: f64,
-    /// With rates for one unit of arclength.
+    /// State with rates for one unit of arclength.
     pub(super) here: Here<D, C>,
     pub(super) energy: LegEnergy,
-    /// The estimated error of forces, over the largest of them, and of the twist, over the largest displacement.
+    /// Estimated relative error: of forces over the largest of them, of the twist over the largest displacement; the larger of both.
     pub(super) error: f64,
     /// Some contact slipped against its friction force on the way.
     pub(super) backwards: bool,
@@ -118,7 +119,7 @@ impl<D: Size, const C: usize> Reached<D, C> {
 }
 
 impl<'s, 'g, D: Size, const C: usize> Flow<'s, 'g, D, C> {
-    /// From where a state has rates for one unit of the arclength of (q/unit, λ).
+    /// The flow from a state with rates for one unit of the arclength of (q/unit, λ).
     pub(super) fn new(
         segment: &'s Segment<'g, D, C>,
         states: &'s [State<C>],
@@ -133,13 +134,13 @@ impl<'s, 'g, D: Size, const C: usize> Flow<'s, 'g, D, C> {
         let force = largest_force(sites, &drives, &here.twist, load, forces).max(segment.largest);
         let spans = sites.iter().zip(&drives).map(|(site, a)| site.span(a, &here.twist));
         let sizes = [force, spans.fold(0.0, f64::max)];
-        // Motions that no force drives go on as they do here.
+        // Motions that no force drives continue at their present rate.
         let pushed = |v: &Vector<D>| {
             let rate = v.dot(&here.twist_rate);
             if rate.abs() > UNPUSHED * here.twist_rate.norm() { rate / here.factor_rate } else { 0.0 }
         };
         let arc = Arc::new(segment, states, here.free_motions.iter().map(|v| (v, pushed(v))), unit);
-        // The friction force of what has just closed is rounding: its direction is that of the state.
+        // A contact that has just closed has a friction force of rounding size: its state gives the direction.
         let friction = |&i: &usize| {
             let size = tangential_norm(&here.lines[i].force);
             states[i].slide().map_or_else(SVector::zeros, |slide| slide.direction * size)
@@ -154,12 +155,12 @@ impl<'s, 'g, D: Size, const C: usize> Flow<'s, 'g, D, C> {
         Direction { twist: self.here.twist_rate.clone(), factor: self.here.factor_rate }
     }
 
-    /// How fast friction forces turn towards their slips at the start, for one unit of arclength: the fastest.
+    /// The fastest rate at which a friction force turns towards its slip at the start, for one unit of arclength.
     pub(super) fn fastest_relaxation(&self) -> f64 {
         self.relaxations().map(|(_, rate)| rate).fold(0.0, f64::max)
     }
 
-    /// The sliding contacts, and how fast each friction force turns towards its slip at the start, for one unit of arclength: `κ γ / |F_t|`.
+    /// The sliding contacts, and the rate at which each friction force turns towards its slip at the start, for one unit of arclength: `κ γ / |F_t|`.
     pub(super) fn relaxations(&self) -> impl Iterator<Item = (usize, f64)> {
         let rate = |(&i, friction): (&usize, &SVector<f64, C>)| {
             let tangent = self.arc.tangent(i, friction);
@@ -172,7 +173,7 @@ impl<'s, 'g, D: Size, const C: usize> Flow<'s, 'g, D, C> {
         self.arc.sliding.iter().zip(&self.begin).map(move |(i, friction)| (*i, rate((i, friction))))
     }
 
-    /// A step of this length, which ends at the goal if it comes so near it. `None` if there is no such step.
+    /// A step of this length, ended at the goal if it comes near enough. `None` if no such step exists.
     pub(super) fn reach(&self, length: f64, goal: StepGoal, rule: Rule) -> Option<Reached<D, C>> {
         let mut backwards = false;
         let mut rate = |y: &[f64], out: &mut [f64]| self.rate(y, out).map(|back| backwards |= back);
@@ -201,7 +202,7 @@ impl<'s, 'g, D: Size, const C: usize> Flow<'s, 'g, D, C> {
         let tangents = self.arc.tangents(frictions.iter().copied());
         let way = self.arc.direction(&tangents, factor, &self.onward())?;
         let stays = |factor: f64| (factor - goal.factor).abs() <= goal.near;
-        // The correction onto the cones may come near the goal, too.
+        // The correction onto the cones may reach the goal, too.
         let arrived = if stays(factor) {
             None
         } else {
@@ -211,7 +212,7 @@ impl<'s, 'g, D: Size, const C: usize> Flow<'s, 'g, D, C> {
         let (at, to) = match arrived {
             Some(arrived) if !stays(factor) => arrived,
             _ => {
-                // The rest of the way along the tangent, which the friction forces go as well.
+                // The rest of the way follows the tangent, and friction forces change along it.
                 let rest = (goal.factor - factor) / way.factor;
                 for ((&i, tangent), friction) in self.arc.sliding.iter().zip(&tangents).zip(&mut frictions) {
                     *friction += tangential(&self.arc.rates(i, tangent, &way)[1]) * rest;
@@ -228,7 +229,7 @@ impl<'s, 'g, D: Size, const C: usize> Flow<'s, 'g, D, C> {
         Some(Reached { to, here, energy, error, backwards })
     }
 
-    /// Where among the variables the load factor and the works are: after friction forces and twist.
+    /// Indices of the load factor and of the works among the variables, behind friction forces and twist.
     fn places(&self) -> [usize; 2] {
         let load = self.begin.len() * (C - 1) + self.size().count();
         [load, load + 1]
@@ -275,7 +276,7 @@ impl<'s, 'g, D: Size, const C: usize> Flow<'s, 'g, D, C> {
         Some(backwards > 0.0)
     }
 
-    /// Friction forces after these changes of the variables, contact by contact of those that slide.
+    /// Friction forces of the sliding contacts, in order, after these changes of the variables.
     fn frictions(&self, y: &[f64]) -> impl Iterator<Item = SVector<f64, C>> {
         self.begin.iter().zip(y.chunks_exact(C - 1)).map(|(begin, change)| {
             let mut force = *begin;
@@ -306,7 +307,7 @@ impl<'s, 'g, D: Size, const C: usize> Flow<'s, 'g, D, C> {
         sum
     }
 
-    /// An error of the variables: of forces over the largest, of the twist over the largest displacement.
+    /// Relative error of the variables: of forces over the largest, of the twist over the largest displacement.
     fn error_size(&self, error: &[f64], length: f64) -> f64 {
         let count = self.size().count();
         let size = |k: usize| self.sizes[k] + length * self.here.rate_sizes[k];
@@ -323,7 +324,7 @@ impl<'s, 'g, D: Size, const C: usize> Flow<'s, 'g, D, C> {
         (norm(&others[..count]) / travel).max(of_forces / force).max(of_load / force).max(of_themselves)
     }
 
-    /// The step from the start to a factor on the way, which is as long as `most` at most.
+    /// The step from the start to a factor on the way, of length at most `most`.
     pub(super) fn reach_factor(&self, goal: f64, most: f64, rule: Rule) -> Option<Reached<D, C>> {
         let (mut low, mut high) = (0.0, most);
         let mut length = (goal - self.from) / self.here.factor_rate;
@@ -331,7 +332,7 @@ impl<'s, 'g, D: Size, const C: usize> Flow<'s, 'g, D, C> {
             if !(length > low && length < high) {
                 length = 0.5 * (low + high);
             }
-            // What reached the end of a step reaches a part of it, if not always with the same error: rounding is in the way.
+            // A rule that reached the end of a step also reaches a part of it, though rounding may prevent the same error.
             let goal_here = StepGoal::after(goal, trial);
             let mut rules = LOOSER.into_iter().map(|times| rule.looser(times));
             let reached = rules.find_map(|rule| self.reach(length, goal_here, rule))?;

@@ -1,4 +1,4 @@
-//! What every follower of a load program answers, however it finds its way.
+//! The interface of every follower of a load program, however it advances.
 
 use core::fmt::Debug;
 
@@ -17,18 +17,18 @@ use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// How far a follower has come.
+/// Result of one advance of a follower.
 #[derive(Debug)]
 pub(crate) enum Came<T> {
-    /// There is something to tell.
+    /// The follower has reached an event or a step to report.
     To(T),
-    /// Nothing yet.
+    /// Nothing to report yet.
     OnTheWay,
-    /// The leg is done, all of it told.
+    /// The leg is complete, and everything on it has been reported.
     ToTheEndOfTheLeg,
 }
 
-/// Contacts at the place where they stand, and the rates of what stands on an edge there.
+/// The contacts at the present place, and the rates of those on an edge.
 #[derive(Debug)]
 pub(crate) struct StandAtEdge<'g, D: Size, const C: usize> {
     pub(super) segment: Segment<'g, D, C>,
@@ -36,45 +36,45 @@ pub(crate) struct StandAtEdge<'g, D: Size, const C: usize> {
     pub(super) forces: Vec<SVector<f64, C>>,
 }
 
-/// A way to follow a program: piece by piece for a few contacts, one event at a time for thousands, in steps. It stands on a leg, and keeps the slip so
-/// far; which leg, and what comes after it, is for the path to say.
+/// A way to follow a program: piece by piece for a few contacts, one event at a time for thousands, or in steps. The follower knows its place on the
+/// present leg and the slip so far; the path keeps the leg and those that follow.
 pub(crate) trait Follower<'g, D: Size, const C: usize>: Debug {
-    /// What there is to tell on the way.
+    /// The type of reports on the way.
     type Report;
 
-    /// The method that takes straight legs alone, if this is its follower.
+    /// Name of the question that takes straight legs alone, if this is its follower.
     const STRAIGHT_ONLY: Option<&'static str> = None;
 
-    /// Sets out on the present leg of the journey.
+    /// Starts the present leg of the journey.
     ///
     /// # Errors
-    /// How the path ends if there is no way to go.
+    /// How the path ends if it cannot start.
     fn set_out(&mut self, journey: &Journey<'g, D, C>) -> Result<(), PathEnd<C>>;
 
-    /// Goes on to the next place to look at.
+    /// Advances to the next place that needs a decision.
     ///
     /// # Errors
     /// How the path ends here.
     fn go_on(&mut self, journey: &Journey<'g, D, C>) -> Result<Came<Self::Report>, PathEnd<C>>;
 
-    /// The fraction of the leg that has been gone.
+    /// The fraction of the leg already followed.
     fn fraction(&self) -> f64;
 
-    /// The equilibrium there; `None` where rounding does not allow it to be told.
+    /// The equilibrium there; `None` where rounding keeps it from being computed.
     fn state(&self, journey: &Journey<'g, D, C>) -> Option<Equilibrium<C>>;
 
-    /// Forces there, N, in the contact frames.
+    /// Contact forces there, N, in the contact frames.
     fn forces(&self, journey: &Journey<'g, D, C>) -> Vec<SVector<f64, C>>;
 
-    /// What stands on an edge there.
+    /// The contacts on an edge there, with their rates.
     fn edge(&self, journey: &Journey<'g, D, C>) -> StandAtEdge<'g, D, C>;
 
-    /// What lies beyond a jump that nothing caught, from a follower whose friction falls; `None` where the path did not end in one.
+    /// The situation beyond a jump that nothing caught, from a follower with falling friction; `None` where the path did not end in one.
     fn beyond_a_jump(&self, _settings: &Settings) -> Option<Beyond<C>> {
         None
     }
 
-    /// [`Self::go_on`] no further than a fraction of the leg, for a follower that can stop anywhere.
+    /// [`Self::go_on`] at most up to a fraction of the leg, for a follower that can stop anywhere.
     ///
     /// # Errors
     /// As for [`Self::go_on`].
@@ -86,7 +86,7 @@ pub(crate) trait Follower<'g, D: Size, const C: usize>: Debug {
         self.go_on(journey)
     }
 
-    /// Whether nothing has to be told or decided before the path goes on.
+    /// Whether the path can continue without a report or a decision first.
     fn has_nothing_due(&self) -> bool {
         true
     }
@@ -101,32 +101,32 @@ pub(crate) trait Follower<'g, D: Size, const C: usize>: Debug {
         &[]
     }
 
-    /// Whether a fraction of a leg lies behind, for a follower that keeps what lies behind.
+    /// Whether a fraction of a leg has been passed, for a follower that keeps its past.
     fn is_behind(&self, _leg: usize, _fraction: f64) -> bool {
         false
     }
 
-    /// The equilibrium at a fraction of a leg that lies behind; `None` where rounding does not allow it to be told.
+    /// The equilibrium at a fraction of a leg already passed; `None` where rounding keeps it from being computed.
     fn state_behind(&self, _leg: usize, _fraction: f64) -> Option<Equilibrium<C>> {
         None
     }
 
-    /// Suction cups whose lips are open all around from here on, for a follower that looks at them.
+    /// Suction cups whose lips are open all around from here on, for a follower that checks them.
     fn cups_open(&self, _journey: &Journey<'g, D, C>) -> Vec<WholeContact> {
         Vec::new()
     }
 
-    /// Where motions cease to be small, for a follower that looks at them.
+    /// The place where motions cease to be small, for a follower that checks them.
     fn end_of_small_motions(&self) -> Option<&EndOfSmallMotions> {
         None
     }
 
-    /// The leg and its fraction from which on every contact with friction that presses slides, up to a place, for a follower that keeps what lies behind.
+    /// The leg and fraction from which every contact with friction and a normal force slides up to `until`, for a follower that keeps its past.
     fn all_slide_from(&self, _until: (usize, f64)) -> Option<(usize, f64)> {
         None
     }
 
-    /// How often a contact has been looked at.
+    /// Number of evaluations of single contacts.
     fn contacts_looked_at(&self) -> usize {
         0
     }

@@ -1,4 +1,4 @@
-//! A load program with its follower: how it starts, goes from leg to leg, and ends.
+//! A load program with its follower: its start, the change of legs, and its end.
 
 use core::fmt::Debug;
 
@@ -19,7 +19,7 @@ use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Settings, settle};
 
-/// A journey, and who follows it.
+/// A journey with its follower.
 #[derive(Debug)]
 pub(crate) struct Following<'g, D: Size, const C: usize, F> {
     pub(super) journey: Journey<'g, D, C>,
@@ -29,7 +29,7 @@ pub(crate) struct Following<'g, D: Size, const C: usize, F> {
 }
 
 impl<'g, D: Size, const C: usize, F: Follower<'g, D, C>> Following<'g, D, C, F> {
-    /// A path from rest under a load, where a follower begins at the equilibrium if there is one, with the first leg before it.
+    /// A path from rest under a load; the follower begins at the equilibrium if there is one, before the first leg.
     pub(super) fn start(
         grasp: &'g Engine<D, C>,
         (start, legs): (&Wrench<C>, &[Leg<C>]),
@@ -57,14 +57,14 @@ impl<'g, D: Size, const C: usize, F: Follower<'g, D, C>> Following<'g, D, C, F> 
         Ok(path)
     }
 
-    /// Sets out on the present leg if there is one, or completes the path.
+    /// Starts the present leg if there is one, or completes the path.
     fn set_out(&mut self, goes: bool) {
         if let Some(follower) = &mut self.follower {
             self.end = if goes { follower.set_out(&self.journey).err() } else { Some(PathEnd::Completed) };
         }
     }
 
-    /// Ends the path where the lip of a suction cup is open all around: what comes next is not for a grasp with its vacuum to say.
+    /// Ends the path where the lip of a suction cup is open all around: the grasp with its vacuum no longer describes what follows.
     fn end_without_vacuum(&mut self) {
         let Some(follower) = &self.follower else { return };
         let open = follower.cups_open(&self.journey);
@@ -75,7 +75,7 @@ impl<'g, D: Size, const C: usize, F: Follower<'g, D, C>> Following<'g, D, C, F> 
         }
     }
 
-    /// What a follower has to tell when it goes on in this way; `None` where the path has ended or there is nothing to tell yet.
+    /// The report of a follower that advances by `on`; `None` where the path has ended or there is nothing to report yet.
     pub(super) fn go(
         &mut self,
         on: impl FnOnce(&mut F, &Journey<'g, D, C>) -> Result<Came<F::Report>, PathEnd<C>>,
@@ -96,7 +96,7 @@ impl<'g, D: Size, const C: usize, F: Follower<'g, D, C>> Following<'g, D, C, F> 
     }
 }
 
-/// What a path answers, whoever follows it and in however many coordinates.
+/// The questions that a path answers, for any follower and number of coordinates.
 pub(crate) trait AnyPath<const C: usize, T>: Debug {
     fn next(&mut self) -> Option<T>;
     fn next_before(&mut self, leg: usize, fraction: f64) -> Option<T>;

@@ -1,4 +1,4 @@
-//! What a small change of the geometry does to the grasp map of one contact.
+//! Change of the grasp map of one contact under a small change of the geometry.
 //!
 //! With the arm p from the reference point and the frame R = (n, t…), columns along the coordinate axes, `G F = (R F, p × R F)`.
 //!
@@ -7,7 +7,7 @@
 //! frame turned, dR = R S, Sᵀ = -S:       dG   = G S
 //! ```
 //!
-//! The second holds for all rows of G, those of joints included: they are the same forces `R F`, felt elsewhere.
+//! The second formula holds for all rows of G, also for those of joints: the same forces `R F` act on other coordinates.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -23,13 +23,13 @@ pub(super) fn map_by_point<D: Size, const C: usize>(
     let mut arm = SVector::<f64, C>::zeros();
     arm[axis] = 1.0 / length;
     let mut map = grasp_map(site.map.size(), &arm, &site.frame);
-    // The force itself stays: only its moment changes.
+    // The force itself stays and only its moment changes.
     (0..C).for_each(|k| map.set_row(k, &SVector::zeros()));
     map
 }
 
-/// dG for a frame that turns, 1/rad: about its normal from t₁ to t₂ (axis 0, in space alone), or so that the normal tilts towards the
-/// tangent with this axis. `None` for an axis that there is not.
+/// dG for a frame that turns, 1/rad: about its normal from t₁ to t₂ (axis 0, only in space), or so that the normal tilts towards the tangent with
+/// this axis. `None` for an axis that does not exist.
 pub(super) fn map_by_normal<D: Size, const C: usize>(site: &Site<D, C>, axis: usize) -> Option<Map<D, C>> {
     let (from, to) = match axis {
         0 if C == 3 => (1, 2),

@@ -10,23 +10,23 @@ use crate::grasp::Engine;
 use crate::numerics::Size;
 use crate::prelude::*;
 
-/// Derivatives of the load factor (without unit) at which one contact stops sticking, by the geometry of every contact. Commands,
-/// clearances and stiffnesses stay along the axes of the contact frames, changes of commands along a ramp too.
+/// Derivatives of the load factor (without unit) at which one contact stops sticking, with respect to the geometry of every contact. Commands,
+/// clearances and stiffnesses keep their components along the axes of the contact frames, and so do changes of commands along a ramp.
 ///
 /// A command a that stays along the **coordinate** axes changes in a frame that tilts by φ towards the tangent t: by φ `a·t` along the
-/// normal, by -φ `a·n` along t. With [`OnsetGradient::command`](super::OnsetGradient::command) that adds its part to `normal`.
+/// normal, by -φ `a·n` along t. Multiplied by [`OnsetGradient::command`](super::OnsetGradient::command), that is the term to add to `normal`.
 ///
-/// Not a number where another geometry leaves the load unbalanced, or holds a motion that is free in this one. Such are two point
-/// fingers in space that do not meet the line of the load any more.
+/// Not a number where a changed geometry leaves the load unbalanced, or holds a motion that is free in this one. An example is two point fingers in
+/// space that no longer meet the line of the load.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct GeometryGradient<const C: usize> {
-    /// What leaves. Where several leave together the onset is the least of their factors.
+    /// The contact or drive that leaves. Where several leave together the onset is the least of their factors.
     pub leaving: Leaver,
-    /// By the position of every contact along the coordinate axes, 1/m, its frame as it is.
+    /// Derivatives with respect to the position of every contact along the coordinate axes, 1/m, at a fixed frame.
     pub point: Vec<SVector<f64, C>>,
-    /// By the direction of every normal, 1/rad, in the contact frame: along a tangent t, by the angle by which the normal tilts towards
-    /// it, `dn = φ t`, and the frame with it. Along the normal, by a turn of the tangents about it, from t₁ to t₂; zero in the plane.
+    /// Derivatives with respect to the direction of every normal, 1/rad, in the contact frame. Along a tangent t: the angle by which the normal tilts
+    /// towards it, `dn = φ t`, and the frame with it. Along the normal: a turn of the tangents about it, from t₁ to t₂; zero in the plane.
     ///
     /// A rotation vector θ along the coordinate axes tilts by `φ_a = (θ × n)·t_a`; in the plane `t = (n_y, -n_x)`, and φ is an
     /// angle from y to x.

@@ -1,4 +1,4 @@
-//! What a path goes by, whoever follows it: the grasp, the program of legs, and what the caller has chosen.
+//! The data of a path, common to all followers: the grasp, the program of legs, and the settings of the caller.
 
 use alloc::sync::Arc;
 
@@ -17,17 +17,17 @@ use crate::object::{Load, Problem};
 use crate::prelude::*;
 use crate::search::{Doubt, Effort, Found, Rung, Settings, Settled, settle};
 
-/// What an equilibrium to start from settled to.
+/// The settled equilibrium to start from.
 pub(crate) type Rest<D, const C: usize> = (Settled<D, C>, Effort);
 
-/// A program of legs on its way.
+/// A program of legs in progress.
 #[derive(Debug)]
 pub(crate) struct Journey<'g, D: Size, const C: usize> {
     pub(super) grasp: &'g Engine<D, C>,
     pub(super) settings: Settings,
     pub(super) polygon: Arc<Polygon<C>>,
     pub(super) program: Program<C>,
-    /// Where it starts, if that is known already.
+    /// The start, if it is known already.
     pub(super) rest: Option<Rest<D, C>>,
 }
 
@@ -50,7 +50,7 @@ impl<'g, D: Size, const C: usize> Journey<'g, D, C> {
         self.grasp.problem(self.polygon.clone(), round, drives, &Load::from(load))
     }
 
-    /// Of contacts that have not slipped yet: where the journey starts.
+    /// The problem at the start, with contacts that have not slipped yet.
     pub(super) fn problem_at_start(&self) -> Problem<'g, D, C> {
         self.problem(self.grasp.drives(), &self.program.inside_course(self.grasp).at(0.0))
     }
@@ -67,7 +67,7 @@ impl<'g, D: Size, const C: usize> Journey<'g, D, C> {
         }
     }
 
-    /// The present leg, contacts having slipped so far before it. Counted anew from its goals, so that rounding does not add up over many
+    /// The present leg, with slips up to its beginning. It is computed anew from the goals of the leg, so that rounding does not add up over many
     /// legs.
     pub(super) fn segment(&self, slips: Vec<SVector<f64, C>>) -> Segment<'g, D, C> {
         let course = self.program.inside_course(self.grasp);
@@ -77,12 +77,12 @@ impl<'g, D: Size, const C: usize> Journey<'g, D, C> {
         Segment { grasp: self.grasp, answer_for: self.answer_for(), problem, change, course, largest: 0.0 }
     }
 
-    /// What answers are for.
+    /// The cone and the limits of small motions that answers refer to.
     pub(super) fn answer_for(&self) -> AnswerFor {
         AnswerFor::of::<C>(&self.settings)
     }
 
-    /// What was found at a fraction of the present leg, as physics.
+    /// The equilibrium found at a fraction of the present leg, as an answer.
     pub(super) fn equilibrium(
         &self,
         problem: &Problem<'g, D, C>,
@@ -94,7 +94,7 @@ impl<'g, D: Size, const C: usize> Journey<'g, D, C> {
         grasp.equilibrium(problem, &load, found, Rung::LoadPath, &effort, self.answer_for())
     }
 
-    /// Equilibrium is lost at a fraction of the present leg where these sites stand on an edge, the object leaving with this motion.
+    /// The loss of equilibrium at a fraction of the present leg, with these sites on an edge; the object leaves with this motion.
     pub(super) fn loss(
         &self,
         fraction: f64,
@@ -119,12 +119,12 @@ impl<'g, D: Size, const C: usize> Journey<'g, D, C> {
         loss.leaving(self.grasp, motion)
     }
 
-    /// Where a path stands and cannot be followed further.
+    /// The end of a path that cannot be followed further from here.
     pub(super) fn undecided(&self, fraction: f64, doubt: Doubt) -> PathEnd<C> {
         PathEnd::Undecided { leg: self.program.leg, fraction, doubt }
     }
 
-    /// Appends legs; a follower that takes straight ones alone has its name in the error.
+    /// Appends legs; `straight_only` is the name, for the error, of a follower that takes straight legs alone.
     pub(super) fn extend(
         &mut self,
         legs: &[Leg<C>],

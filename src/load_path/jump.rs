@@ -1,4 +1,4 @@
-//! What happens at one load: friction falls as a contact begins to slide, or nothing resists the object any more, and other contacts catch it.
+//! Jumps at one load: friction falls as a contact begins to slide, or nothing resists the object any more, until other contacts catch it.
 
 use core::fmt;
 
@@ -13,38 +13,39 @@ use crate::prelude::*;
 use crate::serial::AsComputed;
 use crate::words::{Words, listed};
 
-/// A body that moves by less than this part of the fastest keeps its place, for whoever reads of it.
+/// A body that moves by less than this part of the fastest is not named in the sentence.
 const SEEN: f64 = 1e-6;
 
 /// A jump from one equilibrium to another under one load: contacts begin to slide, and with [kinetic friction](crate::grasp::Contact::kinetic) they carry
 /// less.
 ///
-/// What they have lost is taken off as slowly as need be, so that the others take it over: contacts that reach their friction at rest on that way begin to
-/// slide, too, and lose theirs. The object comes to rest where forces balance again. That is the overdamped answer: it does not shoot over.
+/// The lost force is taken off as slowly as necessary, so that other contacts take it over. Contacts that reach their friction at rest on the way
+/// begin to slide, too, and lose theirs. The object comes to rest where forces balance again. This is the overdamped answer: the object does not
+/// overshoot.
 ///
-/// Or nothing resists the object any more, and it moves until the gap of a contact that was open closes ([`Self::reaches`]). Every place on the way is in balance
-/// under the same load. How fast it arrives is not asked.
+/// Or nothing resists the object any more, and it moves until the gap of an open contact closes ([`Self::reaches`]). Every place on the way is in
+/// balance under the same load. The speed of arrival plays no part.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Jump<const C: usize> {
-    /// What else changes in it, in order: contacts that join, others that stick again, open or close.
+    /// Further changes in the jump, in order: contacts that join, stick again, open or close.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub changes: Vec<ContactChange<C>>,
-    /// The contacts that slip in it, and how far.
+    /// The contacts that slip in the jump, and how far.
     pub slips: Vec<JumpSlip<C>>,
-    /// The contacts whose gaps close where the object has moved without resistance, in order. Empty where others that touch already catch it.
+    /// The contacts whose gaps close after the object has moved without resistance, in order. Empty where contacts that touch already catch it.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub reaches: Vec<ContactLabel>,
-    /// What the object, or each of several bodies, moves by in it.
+    /// The motion of the object, or of each of several bodies, in the jump.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub moved: Vec<BodyMotion<C>>,
-    /// Energy that is lost in it, J: the work of the load less what springs take up. Friction makes heat of the larger part, and of the rest what damps the
-    /// object.
+    /// Energy lost in the jump, J: the work of the load less the energy that springs take up. Friction turns most of it into heat, and the damping of
+    /// the object the rest.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub energy_lost: f64,
-    /// The equilibrium after it.
+    /// The equilibrium after the jump.
     pub state: Equilibrium<C>,
 }
 
@@ -54,10 +55,10 @@ pub struct Jump<const C: usize> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct JumpSlip<const C: usize> {
-    /// Which contact.
+    /// The contact that slips.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub contact: ContactLabel,
-    /// Slip in the contact frame, as that of [`ContactAnswer`](crate::equilibrium::ContactAnswer), m.
+    /// Slip in the contact frame, as in [`ContactAnswer`](crate::equilibrium::ContactAnswer), m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub slip: SVector<f64, C>,
 }

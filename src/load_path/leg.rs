@@ -13,11 +13,11 @@ use crate::grasp::{Engine, Wrench};
 use crate::numerics::Size;
 use crate::prelude::*;
 
-/// One leg of a load program: the load, the finger commands, or both go straight to where they are told.
+/// One leg of a load program: the load, the finger commands, or both change linearly to their goals.
 ///
-/// A squeeze is a leg of commands, loading and unloading are legs of the load; what is not mentioned stays as it is. Loads are what pulls
-/// on the object (N, N m about the origin); commands are displacements of the fingers in their contact frames (m), the normal part
-/// positive into the object. Both change in proportion to the fraction of the leg, from 0 to 1.
+/// A squeeze is a leg of commands, loading and unloading are legs of the load; a quantity that the leg does not mention stays. Loads act on the
+/// object (N, N m about the origin); commands are displacements of the fingers in their contact frames (m), the normal part positive into the object.
+/// Both change in proportion to the fraction of the leg, from 0 to 1.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
@@ -77,8 +77,8 @@ impl<const C: usize> Leg<C> {
         Self { load: LegLoad::Straight(LegGoal::To(load)), ..Self::STAY }
     }
 
-    /// The load changes as this one does: from what it is, by what the turn takes away and adds. What else acts stays; the constant part of
-    /// the turn does not matter. The fingers stay as commanded, so that events are found at their angles without stepping.
+    /// The load changes along a [`Turn`]: the change of the turn from its beginning is added to the present load. Other loads stay, and the constant
+    /// part of the turn does not matter. The fingers stay as commanded, so that events are found at their angles without stepping.
     ///
     /// ```
     /// use grasp_lcp::planar::{Change, Contact, Grasp, Leg, Turn, Wrench};
@@ -183,13 +183,13 @@ impl<const C: usize> Leg<C> {
         Self { joints: LegGoal::To(commands.into_iter().collect()), ..self }
     }
 
-    /// Whether the load turns along it.
+    /// Whether the load turns along this leg.
     #[cfg(feature = "plot")]
     pub(crate) fn turns(&self) -> bool {
         matches!(self.load, LegLoad::Turn(_))
     }
 
-    /// What a ramp changes for one unit of its factor.
+    /// The change of a ramp for one unit of its factor, as a leg.
     #[must_use]
     pub fn along(ramp: &Ramp<C>) -> Self {
         let by = |change: &Vec<_>| LegGoal::By(change.clone());
@@ -201,7 +201,7 @@ impl<const C: usize> Leg<C> {
         }
     }
 
-    /// The load grows by this much, and is taken off again.
+    /// Two legs: the load changes by this much, then back again.
     ///
     /// ```
     /// use grasp_lcp::planar::{Leg, Wrench};
@@ -237,16 +237,16 @@ impl<const C: usize> Leg<C> {
     }
 }
 
-/// What the load does along a leg.
+/// The change of the load along a leg.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum LegLoad<const C: usize> {
     Straight(LegGoal<Wrench<C>>),
-    /// It changes as this one does.
+    /// The load changes along this turn.
     Turn(Turn<C>),
 }
 
 impl<const C: usize> LegLoad<C> {
-    /// The way from a load on, and where it ends.
+    /// The trajectory of the load along the leg that starts at `from`, and the load at its end.
     pub(super) fn course(&self, from: &Wrench<C>) -> (Trajectory<Wrench<C>>, Wrench<C>) {
         let to = match self {
             Self::Straight(LegGoal::Stay) => *from,
@@ -262,7 +262,7 @@ impl<const C: usize> LegLoad<C> {
 }
 
 impl<T: Copy + Add<Output = T>> LegGoal<Vec<T>> {
-    /// From commands at the end of the last leg, behind those at its beginning, to commands at both ends of this one.
+    /// Moves commands on to this leg: the list holds commands at both ends of a leg, beginning first.
     pub(super) fn lead_on(&self, commands: &mut [Vec<T>; 2]) {
         commands.swap(0, 1);
         let [from, to] = commands;

@@ -1,15 +1,15 @@
-//! A jump at one load: what contacts lose as their friction falls goes over to the others.
+//! A jump at one load: other contacts take over the force that contacts lose when their friction falls.
 //!
-//! A contact that leaves its cone of rest has, with the same springs as far stretched, the force F' of its cone of sliding in place of F. What is missing for
-//! balance is held up at first, and then let go along a leg of its own, at the same load and with the same commands:
+//! A contact that leaves its cone of rest, its springs stretched as before, has the force F' of its cone of sliding in place of F. The force missing
+//! for balance is supplied at first, and then released along a leg of its own, at the same load and with the same commands:
 //!
 //! ```text
 //! Σ G_i F_i + W + (1 - τ) Σ G_j (F_j - F_j') = 0,      τ from 0 to 1
 //! ```
 //!
-//! Such a leg is followed as any other one. Who leaves its cone of rest on it joins: what it loses is held up besides, and the leg begins anew from there.
-//! Either its end is reached, or equilibrium is lost on it with all that a loss tells. What is let go stands for the damping of a motion that does not shoot
-//! over.
+//! The path follows such a leg like any other. A contact that leaves its cone of rest on the leg joins: the force that it loses is supplied as well,
+//! and the leg begins anew from there. Either the leg reaches its end, or equilibrium is lost on it, with a complete [`Loss`]. The released force
+//! represents the damping of a motion that does not overshoot.
 
 use nalgebra::{Matrix, SVector};
 
@@ -30,14 +30,15 @@ use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Doubt, Found, Settings, Settled, settle};
 
-/// One contact slides, sticks and slides again within a jump so often at most: each time it loses energy, and more often rounding goes in circles.
+/// Most times that one contact slides, sticks and slides again within a jump: each time energy is lost, and beyond this number rounding goes in
+/// circles.
 const MOST_OFTEN: usize = 16;
 
-/// A jump on its way.
+/// A jump in progress.
 pub(super) struct Fall<'g, D: Size, const C: usize> {
-    /// Along the leg on which what is missing is let go.
+    /// The leg along which the missing force is released.
     pub(super) leg: Pieces<'g, D, C>,
-    /// What has happened on it so far.
+    /// The slips and states on it so far.
     fallen: Fallen<C>,
     pub(super) changes: Vec<(usize, Change<C>)>,
     /// Sites whose gaps have closed at the end of a free motion.
@@ -45,14 +46,14 @@ pub(super) struct Fall<'g, D: Size, const C: usize> {
 }
 
 impl<'g, D: Size, const C: usize> Fall<'g, D, C> {
-    /// At the beginning of its leg.
+    /// A jump at the beginning of its leg.
     pub(super) fn of(leg: Pieces<'g, D, C>) -> Self {
         let slips = leg.segment.problem.slips.clone();
         let fallen = Fallen { slid: vec![false; slips.len()], slips, states: Vec::new() };
         Self { leg, fallen, changes: Vec::new(), reaches: Vec::new() }
     }
 
-    /// To the end of the leg, who leaves its cone on the way joining.
+    /// Follows the leg to its end; contacts that leave their cone on the way join.
     pub(super) fn go(&mut self, goal: &Vector<D>, journey: &Journey<'g, D, C>) -> Result<(), PathEnd<C>> {
         let mut left = MOST_OFTEN * self.fallen.slid.len();
         loop {
@@ -75,7 +76,8 @@ impl<'g, D: Size, const C: usize> Fall<'g, D, C> {
         }
     }
 
-    /// Goes on along the leg, or decides how it goes on: the contacts that begin to slide with less friction than at rest; `None` at the end of the leg.
+    /// Advances along the leg, or decides its continuation. Returns the contacts that begin to slide with less friction than at rest; `None` at the
+    /// end of the leg.
     fn go_to_the_next_node(&mut self, journey: &Journey<'g, D, C>) -> Result<Option<Vec<usize>>, PathEnd<C>> {
         let leg = &mut self.leg;
         if !core::mem::take(&mut leg.at_node) {
@@ -99,7 +101,7 @@ impl<'g, D: Size, const C: usize> Fall<'g, D, C> {
         self.fallen.states.push(states.clone());
     }
 
-    /// How far contacts have slipped so far.
+    /// Slips of the contacts in the jump so far.
     fn slips(&self, journey: &Journey<'g, D, C>) -> Vec<JumpSlip<C>> {
         let contacts = journey.grasp.contacts().iter().enumerate().filter(|(i, _)| self.fallen.slid[*i]);
         let slip = |i: usize| self.leg.segment.problem.slips[i] - self.fallen.slips[i];
@@ -108,8 +110,8 @@ impl<'g, D: Size, const C: usize> Fall<'g, D, C> {
 }
 
 impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
-    /// The leg along which what is missing is let go, these having begun to slide here. At its end the load is `goal`. `None` where they set out from
-    /// an apex, with no force to lose: what comes next is decided once more, with less friction.
+    /// The leg along which the missing force is released after the contacts `begin` have begun to slide. At its end the load is `goal`. `None` where
+    /// they start from an apex, with no force to lose: the continuation is then decided once more, with less friction.
     pub(super) fn let_go(
         &mut self,
         goal: &Vector<D>,
@@ -139,7 +141,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
             self.segment.problem.cones.clone_from(&problem.cones);
             return Ok(None);
         }
-        // What sets out on a round cone right here has no direction yet that others could take over.
+        // A contact that starts to slide on a round cone right here has no direction yet that others could take over.
         let has_none = |i: usize| states[i].slide().is_some() && tangential_norm(&forces[i]) == 0.0;
         if (0..states.len()).any(has_none) {
             return Err(journey.undecided(0.0, Doubt::OnTheBoundary));
@@ -162,7 +164,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         Ok(Some(leg))
     }
 
-    /// Goes over to where the object comes to rest when the friction of these falls. `None` where they have none to lose.
+    /// Moves to where the object comes to rest after the friction of these contacts falls. `None` where they have none to lose.
     pub(super) fn jump(
         &mut self,
         journey: &Journey<'g, D, C>,
@@ -171,7 +173,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         if begin.is_empty() {
             return Ok(None);
         }
-        // Where contacts that slide together stick and slip in turn there are ever more jumps, the less friction falls.
+        // Contacts that slide together and stick and slip in turn make the more jumps the less friction falls.
         if self.pace.steps >= journey.settings.most_steps {
             return Err(journey.undecided(self.factor, Doubt::OutOfSteps));
         }
@@ -195,7 +197,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         self.land(journey, &goal, fall).map(Some)
     }
 
-    /// Goes over to the end of a jump, at the load `goal`.
+    /// Moves to the end of a jump, at the load `goal`.
     pub(super) fn land(
         &mut self,
         journey: &Journey<'g, D, C>,
@@ -239,7 +241,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         Ok(Jump { changes, slips, reaches, moved, energy_lost: energy.dissipated, state })
     }
 
-    /// Of a jump from these forces and this twist: what springs do not take up is lost.
+    /// Energies of a jump from these forces and this twist: work that springs do not take up is lost.
     fn energy_of(&self, load: &Vector<D>, forces: &[SVector<f64, C>], twist: &Vector<D>) -> LegEnergy {
         let works = load.component_mul(&(&self.node.at.twist - twist));
         let mut energy =
@@ -250,7 +252,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
     }
 }
 
-/// Whether there is an equilibrium at the load of a jump that was not caught, with the friction that is left.
+/// Whether an equilibrium exists at the load of a jump that was not caught, with the remaining friction.
 pub(super) fn beyond_a_jump<D: Size, const C: usize>(
     fallen: &Problem<'_, D, C>,
     settings: &Settings,

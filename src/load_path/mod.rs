@@ -1,4 +1,4 @@
-//! What happens as the load grows: the onset of sliding, found directly, and the first step beyond it; whole load programs, with slip memory.
+//! The onset of sliding as the load grows, found directly, the first step beyond it, and whole load programs with slip memory.
 //!
 //! **Onset** ([`Grasp::onset`](crate::ask::Grasp::onset)). While everything sticks, forces are affine in the factor τ of a [`Ramp`], and the onset is the least τ >= 0
 //! at which a condition of sticking is used up, found from two linear solves and no stepping:
@@ -7,40 +7,42 @@
 //! F(τ) = F⁰ + τ F¹        μ F_n(τ) = |F_t(τ)|   (linear in the plane, quadratic on the round cone)   or   F_n(τ) = 0
 //! ```
 //!
-//! **A load that turns** ([`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn), [`Leg::turn`]), as a weight does in the frame of an object
-//! that is tilted. While contacts keep their states forces and slips turn with it. A margin then is a trigonometric polynomial: its first fall below
-//! zero is isolated between its turning points.
+//! **A load that turns** ([`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn), [`Leg::turn`]), like the weight in the frame of an object that
+//! is tilted. While contacts keep their states, forces and slips turn with the load. A margin is then a trigonometric polynomial: its first fall
+//! below zero is isolated between its turning points.
 //!
 //! ```text
 //! W(θ) = W₀ + W_c cos θ + W_s sin θ        F(θ) = F₀ + F_c cos θ + F_s sin θ
 //! ```
 //!
-//! **Beyond.** At an event the contacts that stand on an edge pose a complementarity problem in rates. A gap or a slip grows
-//! only where the normal force or the friction in reserve stays zero; a contact that stands on no edge is bonded or absent. The solution says
-//! how the equilibrium goes on ([`Continuation`]). Without one the equilibrium ends ([`Loss`]). Whether another exists just beyond ([`Beyond`]) is asked for by itself:
-//! it is a limit load if there is none, else a snap.
+//! **Beyond.** At an event the contacts on an edge pose a complementarity problem in rates. A gap or a slip grows only where the normal force or the
+//! friction reserve stays zero; a contact on no edge is bonded or absent. A solution says how the equilibrium continues ([`Continuation`]); without
+//! one the equilibrium ends ([`Loss`]). Whether another equilibrium exists just beyond ([`Beyond`]) is a separate question: the end is a limit load
+//! if there is none, else a snap.
 //!
-//! **Load programs** ([`Grasp::follow`](crate::ask::Grasp::follow)). From event to event on, with the slip so far kept in memory: `F_t = K_t (a_t - t·u_c - s)` with s
-//! from before. On polygons and in the plane every piece is straight, or turns with the load. On the round cone the direction of sliding turns along the way,
-//! `ds = γ F_t` with `|F_t| = μ F_n` at all times, and slips are integrated with an estimate of the error.
+//! **Load programs** ([`Grasp::follow`](crate::ask::Grasp::follow)). The path leads from event to event and remembers slip:
+//! `F_t = K_t (a_t - t·u_c - s)` with the earlier slip s. On polygons and in the plane every piece is straight, or turns with the load. On the round
+//! cone the direction of sliding turns along the way, `ds = γ F_t` with `|F_t| = μ F_n` at all times; slips are integrated with an estimate of the
+//! error.
 //!
-//! A [`Path`] keeps the program, says where it stands, and ends; what there is to tell is a parameter.
+//! A [`Path`] keeps the program, its place in it, and how it ended; the type of its reports is a parameter.
 //!
-//! | path | goes by | tells | affordable |
+//! | path | advances by | reports | affordable |
 //! |---|---|---|---|
 //! | [`LoadPath`] | whole pieces, kept behind | every event, energies, states anywhere | some hundreds of contacts |
 //! | [`PatchPath`] | sums and queues, on polygons | every event, one contact at a time | 10⁵ |
 //! | [`SteppedPath`] | steps of exact slips, on the round cone | the steps | 10⁵ |
 //!
 //! **Sensitivities** ([`Sensitivity::of`](crate::ask::Sensitivity::of), [`response`](crate::ask::Sensitivity::response),
-//! [`onset_gradients`](crate::ask::Sensitivity::onset_gradients)). In known states the law is linear, `F_i = K_i (a_i - G_iᵀq)` with K_i that depends on
-//! stiffness, friction and state, and a small change of a datum p leads to one more solve:
+//! [`onset_gradients`](crate::ask::Sensitivity::onset_gradients)). In known states the law is linear, `F_i = K_i (a_i - G_iᵀq)`, where K_i depends on
+//! stiffness, friction and state. A small change of a datum p leads to one more solve:
 //!
 //! ```text
 //! dF_i = K_i (da_i - G_iᵀdq) + (∂K_i/∂p) (a_i - G_iᵀq) dp,      Σ G_i dF_i + dW = 0
 //! ```
 //!
-//! Positions and normals ([`onset_gradients_by_geometry`](crate::ask::Sensitivity::onset_gradients_by_geometry)) change the grasp maps: `-K_i dG_iᵀq` and `dG_i F_i` come in.
+//! Positions and normals ([`onset_gradients_by_geometry`](crate::ask::Sensitivity::onset_gradients_by_geometry)) change the grasp maps and add the
+//! terms `-K_i dG_iᵀq` and `dG_i F_i`.
 
 mod arc;
 mod arclength;

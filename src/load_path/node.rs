@@ -1,4 +1,4 @@
-//! A node of the load path: what stands where, and how it goes on from there.
+//! A node of the load path: the active sets of contacts, and the decision how the path continues.
 
 use nalgebra::{Matrix, SVector};
 
@@ -20,43 +20,43 @@ use crate::search::{
     try_states,
 };
 
-/// A motion that is shorter by less than this part is none that is shorter: it is the same up to rounding.
+/// Motions whose lengths differ by less than this part are equal up to rounding.
 const LESS: f64 = 1e-9;
 
-/// While the load turns, the rates that decide are those so many radians ahead, or nearer if something else happens before.
+/// While the load turns, rates this many radians ahead decide, or nearer ones where another event comes first.
 const AHEAD: [f64; 4] = [1e-3, 1e-5, 1e-7, 1e-9];
-/// An event's angle is known as well as this, rad: where the load turns back its rate is zero up to that, and has any sign.
+/// Accuracy of an event's angle, rad: where the load turns back, its rate is zero up to that, of either sign.
 const ANGLE_KNOWN: f64 = 1e-12;
 
-/// What the rates at a node say.
+/// The decision from the rates at a node.
 struct Decided<'g, D: Size, const C: usize> {
-    /// The factor whose rates they are.
+    /// The factor at which the rates were taken.
     ahead: f64,
     rates: Problem<'g, D, C>,
     settled: Settled<D, C>,
     effort: Effort,
 }
 
-/// Where the path stands, contact by contact.
+/// The state of the path at a node, contact by contact.
 #[derive(Debug, Clone)]
 pub(super) struct Node<D: Size, const C: usize> {
-    /// Those of contacts that slide on the round cone have the direction of their friction force.
+    /// States; contacts that slide on the round cone have the direction of their friction force.
     pub(super) states: Vec<State<C>>,
     /// Directions in which contacts slide, coordinate axes.
     pub(super) directions: Vec<Option<SVector<f64, C>>>,
     pub(super) stands: Vec<ActiveSet<C>>,
-    /// Infinite friction holds a tangential force: it cannot vanish with the normal force but has to be let go of.
+    /// Whether infinite friction holds a tangential force: the force cannot vanish with the normal force but is lost at once.
     pub(super) holds: Vec<bool>,
-    /// A contact slides from the apex of its cone on: it has a direction, and no friction force yet.
+    /// Whether a contact starts to slide from the apex of its cone: it has a direction, but no friction force yet.
     pub(super) sets_out: bool,
-    /// Contacts whose slip has come to its end here.
+    /// Contacts whose slip has ended here.
     pub(super) stopped: Vec<usize>,
     pub(super) at: PieceState<D, C>,
-    /// The factor whose rates decide: here, or a little ahead while the load turns.
+    /// The factor whose rates decide: the present one, or a little ahead while the load turns.
     pub(super) ahead: f64,
 }
 
-/// How the path goes on from a node.
+/// The continuation of the path from a node.
 pub(super) struct Onward<D: Size, const C: usize> {
     pub(super) here: Here<D, C>,
     pub(super) changes: Vec<(usize, Change<C>)>,
@@ -64,7 +64,7 @@ pub(super) struct Onward<D: Size, const C: usize> {
 }
 
 impl<D: Size, const C: usize> Node<D, C> {
-    /// Decides the states of everything that stands on an edge, from the rates.
+    /// Decides the states of all contacts on an edge, from the rates.
     pub(super) fn go_on(
         &mut self,
         segment: &mut Segment<'_, D, C>,
@@ -88,11 +88,12 @@ impl<D: Size, const C: usize> Node<D, C> {
         if segment.problem.round {
             slide_where_they_graze(&rates, &mut found);
         }
-        // From nothing on, what slides without slipping may as well slip: the middle of all motions that hold is told, not an end of them.
+        // From a state without forces a contact that slides without slipping may slip as well. The path takes the middle of all motions that hold,
+        // not one end.
         if self.at.forces.iter().all(|force| force.norm() == 0.0) {
             found = on_the_whole_line(&rates, found);
         }
-        // Infinite friction keeps its tangential force until the normal force is gone, and then loses it all at once.
+        // Infinite friction keeps its tangential force until the normal force is gone, and then loses it at once.
         let lets_go = |i: usize| self.holds[i] && !self.states[i].is_open() && found.states[i].is_open();
         if (0..self.states.len()).any(lets_go) {
             let motion = (found.twist.norm() > 0.0).then(|| found.twist.normalize());
@@ -118,11 +119,11 @@ impl<D: Size, const C: usize> Node<D, C> {
         Ok(Onward { here, changes, other_continuations })
     }
 
-    /// What the rates say.
+    /// Solves the rates at the node.
     ///
-    /// While the load turns, a slip may stop and a force may touch its edge: rates here do not tell which way these go. Those a little ahead do. The loads
-    /// for which given states hold in rates are a convex cone, and the rates of the load on the way there lie between those at its ends: what
-    /// holds at both holds all the way.
+    /// While the load turns, a slip may stop and a force may touch its edge. Rates at the node do not show in which direction these continue; rates
+    /// slightly ahead do. The loads for which given states hold in rates form a convex cone, and the rates of the load in between lie between those
+    /// at both ends: states that hold at both ends hold all the way.
     fn decided<'g>(
         &self,
         segment: &Segment<'g, D, C>,
@@ -146,7 +147,7 @@ impl<D: Size, const C: usize> Node<D, C> {
                 last = Some(decided);
                 continue;
             };
-            // At the apex of a round cone the direction of a slide turns with the load.
+            // At the apex of a round cone the direction of sliding turns with the load.
             let here = segment.rates(factor + ANGLE_KNOWN / angle, laws.clone());
             if decided.rates.round || matches!(try_states(&here, found.states.clone()), Judged::Holds(_)) {
                 return decided;
@@ -155,22 +156,22 @@ impl<D: Size, const C: usize> Node<D, C> {
         }
         match last {
             Some(last) if !segment.problem.round => last,
-            // The end of an arc is known to the error of its steps: rates here say as much as those ahead.
+            // The end of an arc is known up to the error of its steps: rates at the node are as good as those ahead.
             _ => at(factor),
         }
     }
 
-    /// Nothing changes, or else what stands on an edge slides: mostly one of them holds.
+    /// Tries the two usual continuations: nothing changes, or contacts on an edge slide.
     fn guess(&self, segment: &Segment<'_, D, C>, factor: f64, rates: &Problem<D, C>) -> Judged<D, C> {
-        // Within a leg something has just left its cone, and must change.
+        // Within a leg a contact has just left its cone, and must change.
         let as_before =
             (factor == 0.0).then(|| nothing_changes(&segment.problem, rates, &self.states)).flatten();
         if let Some(holds @ Judged::Holds(_)) = as_before.map(|states| try_states(rates, states)) {
             return holds;
         }
         let sliding = rates.yielding();
-        // At the apex there is no telling: every state is as good a guess. On the round cone it opens, or Newton's
-        // method starts from two of them.
+        // At the apex every state is as good a guess. On the round cone either the contact opens, or Newton's method starts from sticking and from
+        // sliding.
         let at_the_apex = |i: usize| matches!(rates.laws[i], Law::Cone { .. });
         if (0..rates.len()).any(at_the_apex) {
             if !rates.round {
@@ -188,12 +189,12 @@ impl<D: Size, const C: usize> Node<D, C> {
         try_states(rates, sliding)
     }
 
-    /// What touches without force, and gets none, does not drag the object along: where the contact may as well part from it, and
-    /// the object moves less then, it parts. Forces are the same. Where nothing presses at all, and something would slide on the round cone, everything that
-    /// touches parts.
+    /// Opens contacts that touch without force and gain none, so that they do not drag the object along. A contact opens where it may as well part
+    /// from the object and the object then moves less; forces are the same. Where nothing presses at all, and a contact would slide on the round
+    /// cone, all contacts that touch open.
     fn without_dragging(&self, rates: &Problem<D, C>, found: Found<D, C>) -> Found<D, C> {
         let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
-        // Friction that is none has no direction to slide in.
+        // Friction of zero force has no direction to slide in.
         let slides = rates.round && found.twist.norm() > 0.0 && found.states.iter().any(State::slides);
         let nothing = slides && carries_nothing(rates, &found.forces, &found.twist);
         let state = |i: usize| {
@@ -219,7 +220,7 @@ impl<D: Size, const C: usize> Node<D, C> {
         }
     }
 
-    /// Takes the states of the rates over and says what changed.
+    /// Takes over the states from the rates and returns the changes.
     pub(super) fn take_over(
         &mut self,
         segment: &mut Segment<'_, D, C>,
@@ -236,7 +237,7 @@ impl<D: Size, const C: usize> Node<D, C> {
             let is = is.unwrap_or(Mode::Open);
             self.sets_out |= is.slide().is_some() && matches!(rates.laws[i], Law::Cone { .. });
             if was.is_open() && !is.is_open() {
-                // It closes where its finger now is: F_t = 0 to begin with, its slip has followed the surfaces.
+                // The contact closes at the present place of its finger: F_t = 0 at first, its slip has followed the surfaces.
                 segment.remember_slip(i, factor, &self.at.twist, &SVector::zeros());
             }
             if let Mode::Round(slide) = &is {
@@ -249,7 +250,7 @@ impl<D: Size, const C: usize> Node<D, C> {
     }
 }
 
-/// A contact that sticks along a tangent of the round cone slides, see [`LocalLaw::grazes`](crate::contact::LocalLaw::grazes).
+/// Lets a contact slide that sticks along a tangent of the round cone, see [`LocalLaw::grazes`](crate::contact::LocalLaw::grazes).
 fn slide_where_they_graze<D: Size, const C: usize>(rates: &Problem<D, C>, found: &mut Found<D, C>) {
     let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
     for (i, state) in found.states.iter_mut().enumerate() {
@@ -261,7 +262,7 @@ fn slide_where_they_graze<D: Size, const C: usize>(rates: &Problem<D, C>, found:
     }
 }
 
-/// In which directions contacts slide.
+/// The directions in which contacts slide.
 pub(super) fn directions<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     found: &Found<D, C>,

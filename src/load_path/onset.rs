@@ -1,4 +1,4 @@
-//! The answers to the question for the onset of sliding.
+//! The answers to the question of the onset of sliding.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -16,26 +16,26 @@ use crate::serial::AsComputed;
 
 /// The answer to "at which load factor τ >= 0 does the first contact stop sticking?", or at which angle of a load that turns.
 ///
-/// Of a [`Turn`](super::Turn) every factor here is the angle in rad, and factor 0 is where the turn begins.
+/// For a [`Turn`](super::Turn) every factor here is the angle in rad, and factor 0 is the beginning of the turn.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum Onset<const C: usize> {
-    /// At this factor.
+    /// The onset lies at this factor.
     At(Box<OnsetEvent<C>>),
-    /// However far the load goes along this direction, everything keeps sticking; of a turn, up to its last angle.
+    /// Everything keeps sticking however far the load goes along its direction; for a turn, up to its last angle.
     Never,
-    /// At factor 0 something slides already: the equilibrium there. (A contact that only stands on the edge there sticks, and may leave at 0.)
+    /// A contact slides already at factor 0: the equilibrium there. (A contact on the edge of its cone sticks, and may leave at factor 0.)
     AlreadySliding(Box<Equilibrium<C>>),
     /// No equilibrium exists at factor 0.
     NoBase(NoEquilibrium<C>),
-    /// No contact stops sticking, but from this factor on nothing resists the load: the reason.
+    /// No contact stops sticking, but from this factor on nothing resists the load.
     GivesWay {
         /// The factor up to which the grasp holds.
         factor: f64,
-        /// Why it does not hold beyond; the work in it is that of the load's rate, J for one unit of the factor (J/rad of a turn).
+        /// The reason for the loss beyond; its work is that of the load's rate, J for one unit of the factor (J/rad of a turn).
         reason: NoEquilibrium<C>,
     },
-    /// Nothing can be said about the equilibrium at factor 0.
+    /// The equilibrium at factor 0 could not be decided.
     Undecided(Undecided),
 }
 
@@ -49,8 +49,8 @@ impl<const C: usize> Onset<C> {
         }
     }
 
-    /// The load factor up to which everything that touches sticks: that of the event, or from which on nothing resists; infinite for never.
-    /// `None` where there is no sticking equilibrium to start from, or nothing can be said.
+    /// The load factor up to which everything that touches sticks: the factor of the event, or the one from which on nothing resists; infinite for
+    /// [`Self::Never`]. `None` where there is no sticking equilibrium to start from, or where the answer is undecided.
     #[must_use]
     pub fn factor(&self) -> Option<f64> {
         match self {
@@ -62,9 +62,8 @@ impl<const C: usize> Onset<C> {
     }
 }
 
-/// The first contact stops sticking. The equilibrium there is one call further
-/// ([`Grasp::state_at_onset`](crate::ask::Grasp::state_at_onset)), and so is what comes next
-/// ([`Grasp::beyond`](crate::ask::Grasp::beyond)).
+/// The first contact stops sticking. The equilibrium there is computed on request ([`Grasp::state_at_onset`](crate::ask::Grasp::state_at_onset)), and
+/// so is the continuation ([`Grasp::beyond`](crate::ask::Grasp::beyond)).
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct OnsetEvent<const C: usize> {
@@ -72,17 +71,17 @@ pub struct OnsetEvent<const C: usize> {
     pub factor: f64,
     /// The load there.
     pub load: Wrench<C>,
-    /// Which contacts leave, all at once. Contacts that close on the way do not count.
+    /// The contacts that leave, all at once. Contacts that close on the way do not count.
     pub leaving: Vec<Leaving<C>>,
     /// Drives of a hand that give way there: joints and tendons at their limit, tendons that slacken.
     pub drives: Vec<PartChange>,
-    /// The friction cone that the event is for.
+    /// The friction cone for which the event was computed.
     pub cone: Cone,
-    /// What the questions to the event start from.
+    /// State from which questions about the event start.
     pub(super) local: StickingState<C>,
 }
 
-/// Where everything sticks and some contacts stand on the edge of their cone, and where the ramp leads from there. Loads are in inside
+/// The sticking state at an onset, with some contacts on the edge of their cone, and the rates of the ramp from there. Loads are in inside
 /// coordinates.
 #[derive(Debug, Clone)]
 pub(super) struct StickingState<const C: usize> {
@@ -100,7 +99,7 @@ pub(super) struct StickingState<const C: usize> {
 }
 
 impl<const C: usize> OnsetEvent<C> {
-    /// The event at a factor, with the load and the sticking state there and what contacts stand on, in lists that are there.
+    /// The event at a factor, with the load, the sticking state and the active sets of contacts there, in lists supplied by the caller.
     pub(super) fn new<D: Size>(
         segment: Segment<'_, D, C>,
         (factor, load): (f64, Wrench<C>),
@@ -131,12 +130,12 @@ impl<const C: usize> OnsetEvent<C> {
 }
 
 impl<const C: usize> Leaving<C> {
-    /// Of a site, which has no name yet.
+    /// The departure of a site, which has no name yet.
     pub(super) fn new(site: usize, how: Departure<C>) -> Self {
         Self { contact: ContactLabel { index: site, point: None, name: None, link: None }, how }
     }
 
-    /// How the load drives a contact out of its cone where no equilibrium shows which way it goes.
+    /// The departure of a contact that the load drives out of its cone, where no equilibrium shows its direction.
     pub(super) fn driven_out(
         site: usize,
         stand: &ActiveSet<C>,
@@ -161,7 +160,7 @@ impl<const C: usize> Leaving<C> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Leaving<const C: usize> {
-    /// Which contact.
+    /// The contact that leaves.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub contact: ContactLabel,
     /// How it leaves.
@@ -180,7 +179,7 @@ pub struct Leaving<const C: usize> {
 pub enum Departure<const C: usize> {
     /// It slides, `|F_t| = μ F_n`.
     Slides {
-        /// Unit direction in which the finger slips over the body, coordinate axes; friction pulls the body that way.
+        /// Unit direction in which the finger slips over the body, coordinate axes; friction pulls the body in this direction.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         direction: SVector<f64, C>,
     },

@@ -9,31 +9,32 @@ use crate::grasp::{Engine, of_the_object};
 use crate::numerics::Size;
 use crate::prelude::*;
 
-/// Derivatives of the load factor (without unit) at which one contact stops sticking. Those by positions and normals of contacts are a
-/// question of their own, [`Sensitivity::onset_gradients_by_geometry`](crate::ask::Sensitivity::onset_gradients_by_geometry).
+/// Derivatives of the load factor (without unit) at which one contact stops sticking. Derivatives with respect to positions and normals are a
+/// separate question, [`Sensitivity::onset_gradients_by_geometry`](crate::ask::Sensitivity::onset_gradients_by_geometry).
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct OnsetGradient<const C: usize> {
-    /// What leaves: a contact, or a drive of a hand. Where several leave together the onset is the least of their factors: its one-sided derivative along
-    /// a change of the data is the least of theirs.
+    /// The contact or drive that leaves. Where several leave together the onset is the least of their factors, and its one-sided derivative along a
+    /// change of the data is the least of their derivatives.
     pub leaving: Leaver,
-    /// By every contact's coefficient of friction.
+    /// With respect to every contact's coefficient of friction.
     pub friction: Vec<f64>,
-    /// By every contact's series stiffness, axis by axis, m/N.
+    /// With respect to every contact's series stiffness, axis by axis, m/N.
     pub stiffness: Vec<SVector<f64, C>>,
-    /// By every contact's command in its contact frame, axis by axis, 1/m.
+    /// With respect to every contact's command in its contact frame, axis by axis, 1/m.
     pub command: Vec<SVector<f64, C>>,
-    /// By the commands of the joints of a hand, then of its tendons, 1/rad or 1/m.
+    /// With respect to the commands of the joints of a hand, then of its tendons, 1/rad or 1/m.
     pub joint_command: Vec<f64>,
-    /// By the stiffnesses of their own springs, rad/(N m) or m/N.
+    /// With respect to the stiffnesses of their own springs, rad/(N m) or m/N.
     pub joint_stiffness: Vec<f64>,
-    /// By their limits, 1/(N m) or 1/N.
+    /// With respect to their limits, 1/(N m) or 1/N.
     pub joint_limit: Vec<f64>,
-    /// By the components of the base load, or of the constant part of one that turns, 1/N and 1/(N m). Those by the load direction are the
-    /// factor times these, those by the parts that turn cos θ and sin θ times. Not a number where a component works on a motion that nothing resists: with such a load there is no equilibrium.
+    /// With respect to the components of the base load, or of the constant part of a load that turns, 1/N and 1/(N m). Multiply by the factor for the
+    /// load direction, and by cos θ and sin θ for the parts that turn. Not a number where a component works on a motion that nothing resists: under
+    /// such a load there is no equilibrium.
     pub base_load: Vec<f64>,
-    /// By a factor on the whole load, at 1: base and direction, or all parts of one that turns. Without a base load, and with commands
-    /// that stay, it is minus the onset.
+    /// With respect to a factor on the whole load, at 1: on base and direction, or on all parts of a load that turns. Without a base load, and with
+    /// constant commands, it is minus the onset.
     pub load_scale: f64,
 }
 
@@ -80,7 +81,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             put(margins.by(Parameter::JointLimit { joint }), &|g, value| g.joint_limit.push(value))?;
         }
         for component in 0..of_the_object::<C>() {
-            // A load on a free motion is not carried at all: the onset does not depend on what cannot be.
+            // A load on a free motion cannot be carried at all, so its derivative stays not a number.
             put(margins.by(Parameter::Load { component }), &|g, value| g.base_load[component] = value);
         }
         put(margins.by_load(&event.load), &|g, value| g.load_scale = value);

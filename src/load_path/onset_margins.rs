@@ -1,4 +1,4 @@
-//! The margins that vanish at an onset: how the factor at which they do changes with the data, `dτ = -dm / m'`.
+//! The margins that vanish at an onset, and how its factor depends on the data, `dτ = -dm / m'`.
 
 use nalgebra::SVector;
 
@@ -11,7 +11,7 @@ use crate::numerics::Size;
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// What leaves at an onset.
+/// The part of a grasp that leaves at an onset.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Leaver {
@@ -27,7 +27,7 @@ pub(crate) struct OnsetMargins<'g, D: Size, const C: usize> {
     margins: Vec<Margin<C>>,
 }
 
-/// `μ F_n - h·F_t` of what leaves, or `F_n` alone where there is no friction or no limit to it.
+/// `μ F_n - h·F_t` of the leaving contact or drive, or `F_n` alone where friction is absent or unlimited.
 struct Margin<const C: usize> {
     leaver: Leaver,
     site: usize,
@@ -50,7 +50,7 @@ impl<'g, D: Size, const C: usize> OnsetMargins<'g, D, C> {
             return None;
         }
         let StickingState { drive_rates, wrench_rate, leaving, .. } = &event.local;
-        // What slides as soon as it touches leaves at a gap, not at a margin.
+        // A contact that slides as soon as it touches leaves at a gap, not at a margin.
         if leaving.iter().any(|&site| local.states[site].is_open()) {
             return None;
         }
@@ -66,12 +66,12 @@ impl<'g, D: Size, const C: usize> OnsetMargins<'g, D, C> {
         Some(Self { local, margins })
     }
 
-    /// What leaves.
+    /// The contacts and drives that leave.
     pub(crate) fn leavers(&self) -> impl Iterator<Item = Leaver> {
         self.margins.iter().map(|margin| margin.leaver)
     }
 
-    /// The derivative of the factor of everything that leaves by one datum. `None` where
+    /// The derivative, with respect to one datum, of the factor of each contact or drive that leaves. `None` where
     /// [`Sensitivity::of`](crate::ask::Sensitivity::of) has no derivative of the forces.
     pub(crate) fn by(&self, parameter: Parameter) -> Option<Vec<f64>> {
         let (_, forces) = self.local.derivative(parameter)?;
@@ -84,7 +84,7 @@ impl<'g, D: Size, const C: usize> OnsetMargins<'g, D, C> {
         Some(self.margins.iter().map(|m| self.moved(m, &forces, of_friction(m))).collect())
     }
 
-    /// The same by a load, beside what is there; in proportion to it.
+    /// The derivative along an additional load, in proportion to it.
     pub(crate) fn by_load(&self, load: &Wrench<C>) -> Option<Vec<f64>> {
         let forces = self.local.forces_by_load(load)?;
         Some(self.margins.iter().map(|m| self.moved(m, &forces, 0.0)).collect())
@@ -102,7 +102,7 @@ impl<const C: usize> Margin<C> {
     }
 }
 
-/// The facet that is reached; inside `None` where the normal force alone counts.
+/// The facet that is reached; inner `None` where only the normal force counts.
 #[expect(clippy::option_option, reason = "there may be no facet to find, and none to look for")]
 fn facet<D: Size, const C: usize>(
     local: &Local<D, C>,

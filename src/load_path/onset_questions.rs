@@ -1,9 +1,9 @@
 //! The onset of sliding, found directly.
 //!
-//! While everything sticks, forces are affine in the load factor, `F(τ) = F⁰ + τ F¹`: two linear solves. The onset is
-//! the smallest τ at which a contact reaches the edge of its cone (a linear equation for each facet, a quadratic one
-//! for the round cone). It is the first pivot of Lemke's method with the load as covering vector. An open contact may
-//! close on the way; it starts with F_t = 0 and sticks on if the rates lie in its cone.
+//! While everything sticks, forces are affine in the load factor, `F(τ) = F⁰ + τ F¹`: two linear solves. The onset is the smallest τ at which a
+//! contact reaches the edge of its cone (a linear equation for each facet, a quadratic one for the round cone). It is the first pivot of Lemke's
+//! method with the load as covering vector. An open contact may close on the way; it starts with F_t = 0 and continues to stick if the rates lie in
+//! its cone.
 
 use super::beyond::{Beyond, EquilibriumEnd, beyond_end, continuation};
 use super::end_of_path::leaving_motions;
@@ -32,7 +32,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         self.onset_in_memory(ramp, settings, &mut OnsetMemory::default())
     }
 
-    /// [`OnsetWorkspace::onset`](crate::ask::OnsetWorkspace::onset): in the memory of the last question, and in that of its answer.
+    /// [`OnsetWorkspace::onset`](crate::ask::OnsetWorkspace::onset): in the memory of the last question and of its answer.
     pub(crate) fn onset_in(
         &self,
         ramp: &Ramp<C>,
@@ -47,7 +47,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         self.onset_in_memory(ramp, settings, memory)
     }
 
-    /// [`Self::onset`], and what the base settled to if that had to be known: for a path from there.
+    /// [`Self::onset`], with the solution of the base if it had to be found: for a path from there.
     pub(crate) fn onset_from_rest(
         &self,
         ramp: &Ramp<C>,
@@ -55,7 +55,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
     ) -> Result<(Onset<C>, Option<Rest<D, C>>), Error> {
         let mut memory = OnsetMemory::default();
         let onset = self.onset_in_memory(ramp, settings, &mut memory)?;
-        // With few coordinates it is found at once.
+        // With few coordinates the base is found at once.
         Ok((onset, memory.rest.filter(|_| are_many(self.size()))))
     }
 
@@ -81,7 +81,8 @@ impl<D: Size, const C: usize> Engine<D, C> {
         Ok(onset)
     }
 
-    /// The onset along a course, as the question has it, up to its end, with all that may happen on the way from where its base settled.
+    /// The onset along a course, in the coordinates of the question, up to its end, including contacts that close on the way; starts from the settled
+    /// base.
     pub(super) fn walked<'a>(
         &'a self,
         segment: Segment<'a, D, C>,
@@ -144,7 +145,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         Some(Problem { slips: local.slips.clone(), ..problem })
     }
 
-    /// The equilibrium at factor 0 if nothing slides there.
+    /// The equilibrium at factor 0 if no contact slides in it.
     fn sticking_base(
         &self,
         segment: &Segment<'_, D, C>,

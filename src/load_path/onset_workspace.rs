@@ -1,4 +1,4 @@
-//! One onset after another in the same memory.
+//! Memory that one onset after another uses.
 
 use alloc::sync::Arc;
 
@@ -16,14 +16,14 @@ use crate::object::{Lists, Load, PieceState, SolutionMemory};
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// The lists that an onset is made of.
+/// The lists that an onset needs.
 #[derive(Debug, Clone)]
 pub(super) struct OnsetMemory<D: Size, const C: usize> {
     pub(super) lists: Lists<C>,
     pub(super) change: Vec<SVector<f64, C>>,
     polygon: Option<(PolygonCone, Arc<Polygon<C>>)>,
     pub(super) solution: SolutionMemory,
-    /// At the base, its rate, and at the onset with the drives there.
+    /// State at the base, its rate, and state at the onset with the drives there.
     pub(super) base: PieceState<D, C>,
     pub(super) rate: PieceState<D, C>,
     pub(super) there: PieceState<D, C>,
@@ -33,10 +33,10 @@ pub(super) struct OnsetMemory<D: Size, const C: usize> {
     pub(super) leaving: Vec<Leaving<C>>,
     /// The sites that leave.
     pub(super) sites: Vec<usize>,
-    /// Lists of coordinates of joints.
+    /// Lists of joint coordinates.
     pub(super) coordinates: [Vec<f64>; 3],
     place: Option<Box<OnsetEvent<C>>>,
-    /// What the base settled to, if the last question had to know.
+    /// The settled base, if the last question needed it.
     pub(super) rest: Option<Rest<D, C>>,
 }
 
@@ -63,7 +63,7 @@ impl<D: Size, const C: usize> Default for OnsetMemory<D, C> {
 }
 
 impl<D: Size, const C: usize> OnsetMemory<D, C> {
-    /// The stretch from a base load on, along which drives change as noted in this memory, all contacts at rest.
+    /// The segment from a base load, with drive rates from this memory and all contacts at rest.
     pub(super) fn segment<'g>(
         &mut self,
         grasp: &'g Engine<D, C>,
@@ -93,7 +93,7 @@ impl<D: Size, const C: usize> OnsetMemory<D, C> {
         }
     }
 
-    /// An event in the place of the last one.
+    /// Puts an event into the box of the last one.
     pub(super) fn put(&mut self, event: OnsetEvent<C>) -> Box<OnsetEvent<C>> {
         match self.place.take() {
             Some(mut place) => {
@@ -104,7 +104,7 @@ impl<D: Size, const C: usize> OnsetMemory<D, C> {
         }
     }
 
-    /// Takes the lists of an answer that is not needed any more.
+    /// Recovers the lists of an answer that is no longer needed.
     pub(super) fn take_back(&mut self, told: Onset<C>) {
         let Onset::At(mut event) = told else { return };
         let local = &mut event.local;

@@ -1,4 +1,4 @@
-//! A load program being followed, by whichever follower.
+//! [`Path`], which shows a followed load program without the number of coordinates of its follower.
 
 use nalgebra::SVector;
 
@@ -15,16 +15,16 @@ use crate::error::Error;
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// A load program being followed: an iterator over what happens on the way, so that the caller may look at each event or step and stop at any. When the
-/// iterator has ended, [`end`](Self::end) says how the path did.
+/// A load program being followed: an iterator over the reports of the way, so that the caller can inspect each event or step and stop at any. When
+/// the iterator has ended, [`end`](Self::end) says how the path ended.
 ///
-/// What there is to tell (`T`), and how many contacts are affordable, depends on the follower: [`LoadPath`], [`PatchPath`] or [`SteppedPath`]. The law is
-/// one: contacts stick, slide with memory of their slip, open and close again.
+/// The follower determines the type `T` of the reports and how many contacts are affordable: [`LoadPath`], [`PatchPath`] or [`SteppedPath`]. The law
+/// is the same for all: contacts stick, slide with memory of their slip, open and close again.
 #[derive(Debug)]
 pub struct Path<'g, const C: usize, T>(Box<dyn AnyPath<C, T> + 'g>);
 
-/// A load program being followed: an iterator over its [`Event`]s that keeps the straight pieces behind it. Made by
-/// [`Grasp::follow`](crate::ask::Grasp::follow); when the iterator has ended, [`end`](Self::end) says how the path did.
+/// A load program being followed: an iterator over its [`Event`]s that keeps the pieces already passed. Made by
+/// [`Grasp::follow`](crate::ask::Grasp::follow); when the iterator has ended, [`end`](Self::end) says how the path ended.
 ///
 /// ```
 /// use grasp_lcp::planar::{Change, Contact, Grasp, Leg, PathEnd, Wrench};
@@ -53,15 +53,12 @@ pub struct Path<'g, const C: usize, T>(Box<dyn AnyPath<C, T> + 'g>);
 /// ```
 pub type LoadPath<'g, const C: usize> = Path<'g, C, Event<C>>;
 
-/// A load program being followed for many contacts: an iterator over its [`PatchEvent`]s, one
-/// contact at a time. Made by
-/// [`Grasp::follow_patch`](crate::ask::Grasp::follow_patch); when the iterator has ended,
-/// [`end`](Self::end) says how the path did.
+/// A load program being followed for many contacts: an iterator over its [`PatchEvent`]s, one contact at a time. Made by
+/// [`Grasp::follow_patch`](crate::ask::Grasp::follow_patch); when the iterator has ended, [`end`](Self::end) says how the path ended.
 ///
-/// The law is that of [`LoadPath`](crate::load_path::LoadPath), with slip memory, in space **on the
-/// polygonal cone**; legs are the same. Between events [`state`](Self::state) tells the equilibrium
-/// where the path stands, [`next_before`](Self::next_before) stops anywhere on the way. It does not
-/// say whether the continuation is unique, and keeps neither the pieces behind it nor energies. An event allocates nothing.
+/// The law is the same as for a [`LoadPath`], with slip memory, in space **on the polygonal cone**; legs are the same. Between events
+/// [`state`](Self::state) returns the equilibrium at the present place, and [`next_before`](Self::next_before) stops anywhere on the way. The path
+/// does not say whether the continuation is unique, and keeps neither pieces passed nor energies. An event allocates nothing.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
@@ -87,11 +84,11 @@ pub type LoadPath<'g, const C: usize> = Path<'g, C, Event<C>>;
 /// ```
 pub type PatchPath<'g, const C: usize> = Path<'g, C, PatchEvent<C>>;
 
-/// A load program being followed in steps: an iterator over them, so that the caller may look at each and stop at any. Made by
-/// [`Grasp::follow_in_steps`](crate::ask::Grasp::follow_in_steps); when the iterator has ended, [`end`](Self::end) says how the path did.
+/// A load program being followed in steps: an iterator over them, so that the caller can inspect each and stop at any. Made by
+/// [`Grasp::follow_in_steps`](crate::ask::Grasp::follow_in_steps); when the iterator has ended, [`end`](Self::end) says how the path ended.
 ///
-/// The law is that of [`LoadPath`](crate::load_path::LoadPath), on the round cone, with slip memory: contacts stick, slide in directions that turn, open
-/// and close again. Their events are not told one by one; [`state`](Self::state) tells the equilibrium where the path stands.
+/// The law is the same as for a [`LoadPath`], on the round cone, with slip memory: contacts stick, slide in directions that turn, open and close
+/// again. The path does not report their events one by one; [`state`](Self::state) returns the equilibrium at the present place.
 pub type SteppedPath<'g, const C: usize> = Path<'g, C, Step<C>>;
 
 impl<'g, const C: usize, T> Path<'g, C, T> {
@@ -105,33 +102,33 @@ impl<'g, const C: usize, T> Path<'g, C, T> {
         self.0.end()
     }
 
-    /// Where the path stands: the leg, from 0, and how much of it has been gone, from 0 to 1. A completed path stands at the end of its last leg.
+    /// The present place: the leg, from 0, and the fraction of it already followed, from 0 to 1. A completed path is at the end of its last leg.
     #[must_use]
     pub fn place(&self) -> (usize, f64) {
         self.0.place()
     }
 
-    /// The equilibrium where the path stands, with residuals recomputed from the grasp, the load and the slip so far; `None` if there was none to
-    /// start from, or where rounding does not allow it to be told. It is not checked against its residuals: look at them. Where an event lies exactly
-    /// here, its states may be those before the event or those with which the path goes on.
+    /// The equilibrium at the present place, with residuals recomputed from the grasp, the load and the slip so far. `None` if the path had no
+    /// equilibrium to start from, or where rounding keeps the state from being computed. The state is returned whatever its residuals are: check
+    /// them. Where an event lies exactly here, the contact states may be those before or after it.
     #[must_use]
     pub fn state(&self) -> Option<Equilibrium<C>> {
         self.0.state()
     }
 
-    /// Forces on the object in the contact frames where the path stands, N: (`F_n`, `F_t`…), in the order of the grasp; empty if there was no
-    /// equilibrium to start from. Cheaper than [`Self::state`].
+    /// Contact forces on the object at the present place, in the contact frames, N: (`F_n`, `F_t`…), in the order of the grasp. Empty if the path had
+    /// no equilibrium to start from. Cheaper than [`Self::state`].
     #[must_use]
     pub fn forces(&self) -> Vec<SVector<f64, C>> {
         self.0.forces()
     }
 
-    /// Follows the path to its end and returns what there is to tell on the way.
+    /// Follows the path to its end and returns all reports of the way.
     pub fn run(&mut self) -> Vec<T> {
         self.by_ref().collect()
     }
 
-    /// Appends legs to the program; a completed path goes on, one that has ended otherwise does not.
+    /// Appends legs to the program: a completed path continues, a path that has ended otherwise does not.
     ///
     /// # Errors
     /// As for the method that has made the path.
@@ -146,9 +143,9 @@ impl<'g, const C: usize, T> Path<'g, C, T> {
         self.0.beyond(None)
     }
 
-    /// Whether another equilibrium exists just beyond where this one was lost, with the slip so far, sought as far as these [`Settings`]
-    /// allow. That takes longer than the path as a rule, in space up to a proof over all contact states. Among more contacts than all states can be
-    /// tried of, a limit load is told from other ends where a motion proves it. `None` where the path has not been lost.
+    /// Whether another equilibrium exists just beyond where this one was lost, with the slip so far, sought as far as these [`Settings`] allow. The
+    /// search usually takes longer than the path, in space up to a proof over all contact states. With too many contacts to try all their states,
+    /// only a motion can prove a limit load. `None` where the path has not been lost.
     #[must_use]
     pub fn beyond_with(&self, settings: &Settings) -> Option<Beyond<C>> {
         self.0.beyond(Some(settings))
@@ -167,41 +164,40 @@ impl<const C: usize> LoadPath<'_, C> {
     /// Sum of the estimated errors of all steps along sliding arcs on the round cone, each below [`Settings::step_error`] unless
     /// rounding forbids that; zero where nothing had to be integrated, as always in the plane and on polygons.
     ///
-    /// An estimate is for forces over the largest force of the step and for displacements over the largest one, whichever is worse. As a
-    /// rule the error is smaller. What an earlier error becomes later on is not in it; sliding forgets most of it.
+    /// The estimate is relative: of forces to the largest force of the step, of displacements to the largest one, whichever is worse. The error is
+    /// usually smaller. How an earlier error grows later is not included; sliding forgets most of it.
     #[must_use]
     pub fn step_error(&self) -> f64 {
         self.0.step_error()
     }
 
-    /// Where motions cease to be small by [`Settings::small_motions`], as far as the path has been followed: beyond, what it tells is for the undeformed
-    /// geometry and says little. `None` where all motions are small.
+    /// The place where motions cease to be small by [`Settings::small_motions`], as far as the path has been followed. Beyond it the answers hold for
+    /// the undeformed geometry and say little. `None` where all motions are small.
     #[must_use]
     pub fn end_of_small_motions(&self) -> Option<&EndOfSmallMotions> {
         self.0.end_of_small_motions()
     }
 
-    /// [`Self::run`] as far as motions are small: up to the first piece on which they are not any more.
+    /// [`Self::run`] as far as motions are small: up to the first piece on which they cease to be.
     pub fn run_while_small(&mut self) -> Vec<Event<C>> {
         core::iter::from_fn(|| self.0.next_small()).collect()
     }
 
-    /// Where everything slides: the leg and its fraction from which on every contact with friction that presses slides, without a break up to the leg and
-    /// fraction `until`. `None` where one sticks there.
+    /// The leg and fraction from which every contact with friction and a normal force slides, without interruption up to the leg and fraction
+    /// `until`. `None` where such a contact sticks there.
     #[must_use]
     pub fn everything_slides_from(&self, until: (usize, f64)) -> Option<(usize, f64)> {
         self.0.all_slide_from(until)
     }
 
-    /// Energies of every leg that was entered, J, up to where the path has been followed.
+    /// Energies of every leg entered so far, J, up to the present place.
     #[must_use]
     pub fn energies(&self) -> &[LegEnergy] {
         self.0.energies()
     }
 
-    /// The equilibrium at a fraction (0 to 1) of a leg (from 0) that the path has passed or stands at; `None` beyond. Where an event lies
-    /// exactly there, the state before it. On a sliding arc the step is made again up to there, to the same error; `None` where
-    /// rounding does not allow that.
+    /// The equilibrium at a fraction (0 to 1) of a leg (from 0) that the path has passed or has reached; `None` beyond. Where an event lies exactly
+    /// there, the state before it. On a sliding arc the step is repeated up to there with the same error bound; `None` where rounding prevents that.
     #[must_use]
     pub fn state_at(&self, leg: usize, fraction: f64) -> Option<Equilibrium<C>> {
         self.0.state_at(leg, fraction)
@@ -209,16 +205,14 @@ impl<const C: usize> LoadPath<'_, C> {
 }
 
 impl<const C: usize> PatchPath<'_, C> {
-    /// How often a contact has been looked at so far: a measure of the work that does not depend on
-    /// the machine.
+    /// The number of evaluations of single contacts so far: a measure of work that does not depend on the machine.
     #[must_use]
     pub fn contacts_looked_at(&self) -> usize {
         self.0.contacts_looked_at()
     }
 
-    /// The next event up to a fraction (0 to 1) of a leg (from 0); `None` when the path stands
-    /// there, or has ended before. To look at a state on the way, take events until there are none,
-    /// then ask for [`state`](Self::state).
+    /// The next event up to a fraction (0 to 1) of a leg (from 0); `None` when the path has reached that place, or has ended before. To inspect a
+    /// state on the way, take events until there are no more, then call [`state`](Self::state).
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
@@ -240,9 +234,9 @@ impl<const C: usize> PatchPath<'_, C> {
 }
 
 impl<const C: usize> SteppedPath<'_, C> {
-    /// Estimated error of the forces, over the largest one, wherever the path has been. It is how far the path has been from one of the same steps,
-    /// each made at once instead of in two halves. To that comes what both may miss alike where a contact stops, opens or closes. As a rule
-    /// the error is a third of it.
+    /// Estimated error of the forces, relative to the largest force, everywhere on the path so far. It compares the path with one that makes each
+    /// step at once instead of in two halves, and adds what both can miss alike where a contact stops, opens or closes. The error is usually a third
+    /// of the estimate.
     #[must_use]
     pub fn step_error(&self) -> f64 {
         self.0.step_error()

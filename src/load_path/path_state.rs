@@ -1,4 +1,4 @@
-//! Where the path stands, and what comes next as long as every contact keeps its state.
+//! Active sets and slip memory of the contacts at a node of the path.
 
 use nalgebra::{Matrix, SVector};
 
@@ -14,14 +14,14 @@ use crate::object::{PieceState, Problem, least_spring_force};
 use crate::prelude::*;
 use crate::search::Found;
 
-/// Where steps die out events follow each other ever faster: a margin below this part of its size is used up.
+/// Margins below this part of their size are used up where steps die out, because events follow each other ever faster there.
 const GATHERED: f64 = 1e-8;
 
-/// So many roundings of a displacement come together in a force at rest.
+/// Forces at rest below this part of what displacements would make in the softest spring are rounding: 16 units of it may add up.
 const NO_FORCE_AT_REST: f64 = 16.0 * f64::EPSILON;
 
-/// Whether all forces are the rounding of what the softest spring would do from these displacements. Which contacts press is then a matter of
-/// that rounding, and none of them does. The same of rates of forces, beside those of displacements.
+/// Whether all forces are as small as the rounding of displacements in the softest spring. Rounding alone would then decide which contacts press, so
+/// none of them does. The same holds for rates of forces and of displacements.
 pub(super) fn carries_nothing<D: Size, const C: usize>(
     problem: &Problem<'_, D, C>,
     forces: &[SVector<f64, C>],
@@ -33,8 +33,8 @@ pub(super) fn carries_nothing<D: Size, const C: usize>(
 }
 
 impl<D: Size, const C: usize> Node<D, C> {
-    /// At the start of the path, finds what stands on an edge: the state comes from a one-shot solution, which does not
-    /// say. What slipped from rest to here becomes memory.
+    /// The node at the start of the path, with active sets from forces and gaps: the one-shot solution does not report them. Slip from rest to here
+    /// becomes memory.
     pub(super) fn at_start(segment: &mut Segment<'_, D, C>, found: Found<D, C>) -> Self {
         let n = segment.problem.len();
         let mut node = Self {
@@ -60,12 +60,12 @@ impl<D: Size, const C: usize> Node<D, C> {
         node
     }
 
-    /// Whether something slides on the round cone: then the path is no straight line.
+    /// Whether a contact slides on the round cone: then the path is an arc.
     pub(super) fn turns(&self) -> bool {
         self.states.iter().any(|state| state.slide().is_some())
     }
 
-    /// Forces and their rates in the present states. Motions that these leave free are as fast as those of the rates `pushed`.
+    /// Forces and their rates in the present states. Motions that these leave free move at the rates `pushed`.
     pub(super) fn look(
         &self,
         segment: &Segment<'_, D, C>,
@@ -79,7 +79,7 @@ impl<D: Size, const C: usize> Node<D, C> {
         }
     }
 
-    /// The slip of what slides becomes memory; on the round cone it slides on along its friction force.
+    /// Adds the slip of sliding contacts to memory; on the round cone they continue to slide along their friction force.
     fn slip_until_now(&mut self, segment: &mut Segment<'_, D, C>, factor: f64) {
         for i in 0..self.states.len() {
             if self.states[i].slides() {
@@ -106,14 +106,14 @@ impl<D: Size, const C: usize> Node<D, C> {
         }
     }
 
-    /// What was reached on the way here.
+    /// Adds the edges reached on the way to the active sets.
     pub(super) fn reach(&mut self, reached: &PathState<C>) {
         for (i, exits) in reached {
             self.stands[*i].reach(&self.states[*i], exits);
         }
     }
 
-    /// Moves to the end of a piece: the slip of what slid becomes memory.
+    /// Moves to the end of a piece: the slip on it becomes memory.
     pub(super) fn arrive(
         &mut self,
         segment: &mut Segment<'_, D, C>,
@@ -128,7 +128,7 @@ impl<D: Size, const C: usize> Node<D, C> {
         segment.largest = segment.largest.max(here.sizes[0]);
         for (i, (line, force)) in here.lines.iter().zip(&there.forces).enumerate() {
             let closed = !self.states[i].is_open();
-            // What set out from there has not come away yet, either.
+            // A contact that started to slide from the apex and is still weightless has not left it.
             let comes_there = line.force.norm() > 0.0 || self.states[i].slides();
             if closed && comes_there && ActiveSet::is_weightless(force, line.force_size) {
                 self.stands[i].apex = true;
@@ -139,7 +139,8 @@ impl<D: Size, const C: usize> Node<D, C> {
         self.slip_until_now(segment, factor);
     }
 
-    /// While the load turns, forgets what contacts stood on and are away from now: their rates did not say so yet.
+    /// While the load turns, removes edges from active sets that contacts have moved away from by now: at the event their rates did not show that
+    /// yet.
     fn leave_behind(&mut self, segment: &Segment<'_, D, C>, here: &Here<D, C>, factor: f64) {
         let drives = segment.drives(factor);
         for (i, (stand, state)) in self.stands.iter_mut().zip(&self.states).enumerate() {
@@ -153,7 +154,7 @@ impl<D: Size, const C: usize> Node<D, C> {
         }
     }
 
-    /// What slides and has all but lost its normal force is at the apex: its friction cannot be followed any further. Whether there is
+    /// Puts sliding contacts that have all but lost their normal force at the apex: their friction cannot be followed any further. Whether there is
     /// such a contact.
     pub(super) fn let_go(&mut self, here: &Here<D, C>) -> bool {
         let mut any = false;
@@ -166,14 +167,14 @@ impl<D: Size, const C: usize> Node<D, C> {
         any
     }
 
-    /// What slid no more does: inside its cone from here on.
+    /// A contact has stopped sliding: it is inside its cone from here on.
     pub(super) fn stick(&mut self, contact: usize) {
         self.stands[contact] = ActiveSet::NOWHERE;
         self.stopped.push(contact);
     }
 
-    /// A contact that has stopped here and, sticking, goes along a tangent of its cone out of it. Where everything else goes straight it can neither
-    /// slide on nor stick: to slide on it would slip against friction.
+    /// A contact that has stopped here and, sticking, leaves its cone along a tangent. Where everything else is straight it can neither slide nor
+    /// stick: sliding on, it would slip against friction.
     pub(super) fn neither_slides_nor_sticks(
         &self,
         segment: &Segment<'_, D, C>,
@@ -186,8 +187,9 @@ impl<D: Size, const C: usize> Node<D, C> {
         self.stopped.iter().find(leaves).copied().filter(|_| straight)
     }
 
-    /// Where steps die out: what is near an edge stands on it, all that would happen within the error of steps at one place. How far from there it was at
-    /// most, of its size; `None` if there is nothing to decide. While the load turns, what slides was decided ahead, and would be once more.
+    /// Where steps die out: puts contacts near an edge onto it, so that all events within the error of steps happen at one place. Returns their
+    /// largest distance from the edge relative to its size; `None` if there is nothing to decide. While the load turns, sliding contacts alone decide
+    /// nothing: they were decided ahead already.
     pub(super) fn gather(&mut self, segment: &Segment<'_, D, C>, here: &Here<D, C>) -> Option<f64> {
         let mut apart: Option<f64> = None;
         for (i, (line, gap)) in here.lines.iter().zip(&here.gaps).enumerate() {

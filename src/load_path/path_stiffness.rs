@@ -1,4 +1,4 @@
-//! T of a point on a path, and the factors of what borders it: whole, or of many coordinates near the diagonal of a good order.
+//! Stiffness T at a point of a path, and factors of T with a border: as a full matrix, or for many coordinates as a band in a suitable order.
 
 use alloc::sync::Arc;
 use core::ops::Range;
@@ -8,7 +8,7 @@ use crate::numerics::{Band, Bordered, BorderedBand, Size, Square, Vector, narrow
 use crate::object::are_many;
 use crate::prelude::*;
 
-/// An order of coordinates in which those that a contact couples are near each other.
+/// An order of coordinates in which coordinates coupled by a contact are near each other.
 #[derive(Debug)]
 pub(super) struct NarrowOrder {
     numbers: Vec<usize>,
@@ -16,7 +16,7 @@ pub(super) struct NarrowOrder {
 }
 
 impl NarrowOrder {
-    /// `None` of few coordinates, for which it is not worth its while.
+    /// `None` for few coordinates, where a band is not worthwhile.
     pub(super) fn of<D: Size, const C: usize>(size: D, sites: &[Site<D, C>]) -> Option<Arc<Self>> {
         if !are_many(size) {
             return None;
@@ -28,21 +28,21 @@ impl NarrowOrder {
     }
 }
 
-/// T.
+/// The stiffness T.
 #[derive(Debug, Clone)]
 pub(super) enum PathStiffness<D: Size> {
     Whole(Square<D>),
     Narrow { order: Arc<NarrowOrder>, band: Band },
 }
 
-/// Factors of `[T | c]` above a row.
+/// Factors of `[T | c]` with a row below.
 #[derive(Debug, Clone)]
 pub(super) enum PathFactors<D: Size> {
     Whole(Bordered<D>),
     Narrow { order: Arc<NarrowOrder>, bordered: Box<BorderedBand> },
 }
 
-/// A pivot below this part of the largest says that more than one direction is open.
+/// A pivot below this part of the largest means that more than one direction is open.
 const SINGULAR: f64 = 1e-13;
 
 impl<D: Size> PathStiffness<D> {
@@ -56,7 +56,7 @@ impl<D: Size> PathStiffness<D> {
         }
     }
 
-    /// Adds to all entries among coordinates that a contact feels.
+    /// Adds a contact's entries, among the coordinates that it couples.
     #[inline(always)]
     pub(super) fn add(&mut self, felt: &[Range<usize>; 2], entry: impl Fn(usize, usize) -> f64) {
         match self {
@@ -81,7 +81,7 @@ impl<D: Size> PathStiffness<D> {
         }
     }
 
-    /// Times a factor.
+    /// Multiplies all entries by a factor.
     pub(super) fn scale(&mut self, factor: f64) {
         let entries = match self {
             Self::Whole(square) => square.as_mut_slice(),
@@ -100,7 +100,7 @@ impl<D: Size> PathStiffness<D> {
         }
     }
 
-    /// Factors with a column and a row beside it. `None` if more than one direction is open.
+    /// Factors with a border: one column and one row. `None` if more than one direction is open.
     pub(super) fn bordered(
         self,
         size: D,
@@ -115,7 +115,7 @@ impl<D: Size> PathStiffness<D> {
                 if let Some(bordered) = BorderedBand::new(band.clone(), column, row, corner) {
                     return Some(PathFactors::Narrow { order, bordered: Box::new(bordered) });
                 }
-                // Where the load has a maximum T is singular, and the whole matrix is not.
+                // At a maximum of the load T is singular while the bordered matrix is regular.
                 let mut square = Square::zeros(size);
                 let entry = |(i, j): (usize, usize)| band.entry(order.numbers[i], order.numbers[j]);
                 let places = (0..size.count()).flat_map(|j| (0..size.count()).map(move |i| (i, j)));

@@ -1,8 +1,8 @@
 //! Every event of a load program with its exact load, piece by piece: for a few contacts.
 //!
-//! While every contact keeps its state everything is affine in the fraction of the leg, so the next event is a ratio test; or it turns with
-//! the load, and the next event is a root (see [`super::straight`], [`super::turned`]). Where something slides on a round cone its direction
-//! turns (see [`super::turning`]).
+//! While every contact keeps its state everything is affine in the fraction of the leg, and the next event is a ratio test; or everything turns with
+//! the load, and the next event is a root (see [`super::straight`], [`super::turning_load`]). A contact that slides on a round cone changes its
+//! direction on the way (see [`super::turning`]).
 //! At an event some contacts stand on an edge of their cone, at its apex or at a closed gap. They form a small complementarity
 //! problem in rates. Its solution is the next straight piece, and without a solution the path ends.
 
@@ -39,7 +39,7 @@ pub(crate) struct Pieces<'g, D: Size, const C: usize> {
     pub(super) factor: f64,
     pub(super) segment: Segment<'g, D, C>,
     pub(super) node: Node<D, C>,
-    /// Whether it has yet to be decided how the path goes on from here.
+    /// Whether the continuation from here is still to be decided.
     pub(super) at_node: bool,
     pub(super) here: Option<Here<D, C>>,
     /// The pieces that the path has passed.
@@ -51,9 +51,9 @@ pub(crate) struct Pieces<'g, D: Size, const C: usize> {
     pub(super) gathered: f64,
     /// Sum of the estimated errors of the steps along sliding arcs.
     pub(super) step_error: f64,
-    /// What is to be told before the path sets out: something slides at rest, and its friction falls.
+    /// An event to report before the path starts: a contact slides at rest, and its friction falls.
     pub(super) first: Option<Box<Event<C>>>,
-    /// What there was to balance where a jump was not caught.
+    /// The problem at the end of a jump that nothing caught.
     pub(super) fallen: Option<Problem<'g, D, C>>,
     /// Where motions cease to be small, if they do.
     pub(super) end_of_small_motions: Option<EndOfSmallMotions>,
@@ -161,13 +161,13 @@ impl<'g, D: Size, const C: usize> Follower<'g, D, C> for Pieces<'g, D, C> {
 }
 
 impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
-    /// Stands at the equilibrium to start from, if there is one.
+    /// Starts at the equilibrium of the problem, if there is one.
     pub(super) fn at_start(
         journey: &Journey<'g, D, C>,
         problem: &Problem<'g, D, C>,
     ) -> Result<Self, PathEnd<C>> {
         let found = journey.start(problem)?;
-        // At rest: nothing changes yet.
+        // At rest, load and commands do not change.
         let change = journey.grasp.drive_changes(None, None);
         let course = Trajectory::Straight { from: problem.wrench.clone(), rate: Vector::zeros() };
         let (grasp, answer_for, problem) = (journey.grasp, journey.answer_for(), problem.clone());
@@ -215,7 +215,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         stretch.state_at(self.segment.grasp, self.segment.answer_for, fraction)
     }
 
-    /// Decides how the path goes on from here; an event if a contact changes its state.
+    /// Decides the continuation of the path from here; an event if a contact changes its state.
     fn decide(&mut self, journey: &Journey<'g, D, C>) -> Result<Option<Event<C>>, PathEnd<C>> {
         if let Some(first) = self.first.take() {
             self.at_node = true;
@@ -233,13 +233,13 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         self.pace = self.pace.at_node();
         let jump = if self.friction_falls() { self.friction_after(journey, &onward.changes)? } else { None };
         let (changes, drives) = grasp.contacts_and_drives(onward.changes);
-        // Where a leg begins contacts may go on as before, or otherwise as well: that is told, too.
+        // At the start of a leg several continuations are reported, even if the present one changes nothing.
         let branches = self.factor == 0.0 && onward.other_continuations.is_some_and(|others| others > 0);
         if changes.is_empty() && drives.is_empty() && !(set_free && before.is_some()) && !branches {
             return Ok(None);
         }
         let Some(state) = before.or_else(|| self.present_state(journey)) else { return Ok(None) };
-        // Where all forces vanish together what is left of them is no yardstick for their residuals.
+        // Where all forces vanish together, their remainder is no scale for residuals.
         let largest = state.contacts.iter().map(|contact| contact.force.norm()).fold(0.0, f64::max);
         let carries = largest > WEIGHTLESS * self.segment.largest
             && self.node.at.forces.iter().any(|force| force.norm() > 0.0);
@@ -259,16 +259,16 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         }))
     }
 
-    /// Where the path stands in its present states.
+    /// The equilibrium at the present place in the present states.
     pub(super) fn present_state(&self, journey: &Journey<'g, D, C>) -> Option<Equilibrium<C>> {
         self.state_on(&self.standing_here(journey)?, self.factor)
     }
 
-    /// The place where it stands, as a piece without length.
+    /// The present place as a piece of zero length.
     pub(super) fn standing_here(&self, journey: &Journey<'g, D, C>) -> Option<Stretch<'g, D, C>> {
         let here = match &self.here {
             Some(here) => here.clone(),
-            // Where no rates lead on it stands still.
+            // Where no rates lead further, the state with fixed load and commands.
             None => self
                 .node
                 .look(&self.segment, self.factor, None)

@@ -1,4 +1,4 @@
-//! A load program on its way: which leg it is on, and between which loads and commands that leads.
+//! A load program in progress: the present leg, with loads and commands at both its ends.
 
 use alloc::sync::Arc;
 
@@ -13,30 +13,30 @@ use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Size, Vector};
 use crate::prelude::*;
 
-/// A program on its way: the present leg, and the goals between which it leads.
+/// A load program in progress.
 #[derive(Debug, Clone)]
 pub(super) struct Program<const C: usize> {
-    /// From the first on that was not done when legs were added last.
+    /// The legs, from the first that was not done when legs were added last.
     legs: Vec<Leg<C>>,
-    /// How many were done then.
+    /// Number of legs done then.
     done: usize,
-    /// The present leg; as many as there are legs when all are done.
+    /// The index of the present leg; the number of all legs when all are done.
     pub(super) leg: usize,
-    /// How the load goes along the present leg.
+    /// Trajectory of the load along the present leg.
     pub(super) course: Trajectory<Wrench<C>>,
     /// The load at the end of the present leg.
     goal: Wrench<C>,
     /// Finger commands at the beginning and at the end of the present leg.
     pub(super) commands: [Vec<SVector<f64, C>>; 2],
-    /// Those of the joints.
+    /// Joint commands at the beginning and at the end of the present leg.
     joints: [Vec<f64>; 2],
-    /// Of several bodies their names, and the loads of their own along the present leg.
+    /// Names of several bodies, and their loads along the present leg.
     names: Vec<Arc<str>>,
     pub(super) bodies: BodyLoads<C>,
 }
 
 impl<const C: usize> Program<C> {
-    /// Without legs, at rest under a load and the commands of a grasp.
+    /// A program without legs, under a load and the commands of a grasp.
     pub(super) fn new<D: Size>(grasp: &Engine<D, C>, start: Wrench<C>) -> Self {
         let commands: Vec<_> = grasp.contacts().iter().map(|c| c.command).collect();
         let joints = grasp.joint_commands().to_vec();
@@ -73,7 +73,7 @@ impl<const C: usize> Program<C> {
         Ok(())
     }
 
-    /// Sets out from where the last leg ended; false if there is no leg to go.
+    /// Begins the next leg where the last one ended; false if there is none.
     pub(super) fn begin_leg(&mut self) -> bool {
         let Some(leg) = self.legs.get(self.leg - self.done) else { return false };
         (self.course, self.goal) = leg.load.course(&self.goal);
@@ -83,10 +83,10 @@ impl<const C: usize> Program<C> {
         true
     }
 
-    /// Whether these legs, all before them, lead back to where they begin: load and commands within this part of the largest on the way.
+    /// Checks that the program closes: load and commands at the end differ from the beginning by at most this part of the largest on the way.
     ///
     /// # Errors
-    /// [`Error::NotClosed`] saying what is elsewhere at their end.
+    /// [`Error::NotClosed`] naming the quantity that differs at the end.
     pub(super) fn check_closed(&self, part: f64) -> Result<(), Error> {
         let mut gone = self.clone();
         let (load, [commands, _], [joints, _]) =
@@ -122,7 +122,7 @@ impl<const C: usize> Program<C> {
         }
     }
 
-    /// Where all legs are done, stands at this load again and at the commands of a grasp: what rounding has left of the way back is gone.
+    /// After all legs, returns exactly to this load and to the commands of a grasp: removes the rounding of a closed program.
     pub(super) fn return_to<D: Size>(&mut self, grasp: &Engine<D, C>, load: &Wrench<C>) {
         self.goal = *load;
         self.commands[1] = grasp.contacts().iter().map(|contact| contact.command).collect();
@@ -130,25 +130,25 @@ impl<const C: usize> Program<C> {
         self.bodies = BodyLoads::default();
     }
 
-    /// Whether there is a leg to go.
+    /// Whether there is a leg to follow.
     pub(super) fn goes(&self) -> bool {
         self.leg - self.done < self.legs.len()
     }
 
-    /// Goes on to the next leg; false if there is none.
+    /// Moves on to the next leg; false if there is none.
     pub(super) fn next_leg(&mut self) -> bool {
         self.leg += 1;
         self.begin_leg()
     }
 
-    /// Drives, commands less clearances, at the beginning of the present leg, and what they change by.
+    /// Drives, commands less clearances, at the beginning of the present leg, and their change along it.
     pub(super) fn drives<D: Size>(&self, grasp: &Engine<D, C>) -> [Vec<SVector<f64, C>>; 2] {
         let mut drives = [Vec::new(), Vec::new()];
         self.drives_into(grasp, &mut drives);
         drives
     }
 
-    /// [`Self::drives`] in memory that is there.
+    /// [`Self::drives`] into lists supplied by the caller.
     pub(super) fn drives_into<D: Size>(
         &self,
         grasp: &Engine<D, C>,
@@ -160,7 +160,7 @@ impl<const C: usize> Program<C> {
         grasp.changed_by(to.iter().zip(from).map(|(to, from)| to - from), Some(&of_joints), change);
     }
 
-    /// How the load goes along the present leg, in inside coordinates.
+    /// Trajectory of the load along the present leg, in inside coordinates.
     pub(super) fn inside_course<D: Size>(&self, grasp: &Engine<D, C>) -> Trajectory<Vector<D>> {
         match &self.course {
             Trajectory::Straight { from, .. } => {

@@ -1,15 +1,15 @@
-//! Motions that nothing resists: no force drives the object along them. It stays as near to where it was as it can, and goes as fast as what touches it
-//! without force pushes it.
+//! Motions that nothing resists: no force drives the object along them. The twist stays as near as possible to the previous one, and moves as fast as
+//! contacts without force push it.
 
 use super::segment::Segment;
 use crate::numerics::{Size, Vector};
 use crate::object::{Piece, PieceState};
 
-/// A motion slower than this part of the fastest is rounding.
+/// A velocity along a free motion below this part of the pushing velocity is rounding.
 const UNFELT: f64 = 1e-12;
 
 impl<D: Size, const C: usize> Segment<'_, D, C> {
-    /// Rates of a piece, with the motions that it leaves free as fast as those of these rates.
+    /// Rates of a piece, with the velocities along its free motions taken from `pushed`.
     pub(super) fn pushed_along(
         &self,
         piece: &Piece<D, C>,
@@ -23,7 +23,7 @@ impl<D: Size, const C: usize> Segment<'_, D, C> {
         if moves { self.nearest(piece, rate, pushed) } else { rate }
     }
 
-    /// Of all states or rates of a piece that leaves motions free that with the twist nearest to this one.
+    /// The state or rate of a piece with free motions whose twist is nearest to `near`.
     pub(super) fn nearest(
         &self,
         piece: &Piece<D, C>,

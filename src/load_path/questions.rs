@@ -1,4 +1,4 @@
-//! Questions that designers ask of a load path.
+//! Questions of designers about a load path.
 
 use super::ramp::Ramp;
 use crate::error::Error;
@@ -6,7 +6,7 @@ use crate::grasp::Engine;
 use crate::numerics::Size;
 use crate::search::Settings;
 
-/// The range of load factors in which nothing stops sticking; see [`Sensitivity::sticking_range`](crate::ask::Sensitivity::sticking_range).
+/// The range of load factors in which no contact stops sticking; see [`Sensitivity::sticking_range`](crate::ask::Sensitivity::sticking_range).
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct StickingRange {

@@ -26,14 +26,14 @@ pub struct Ramp<const C: usize> {
 }
 
 impl<const C: usize> Ramp<C> {
-    /// The load changes, the fingers stay as commanded. Base in N and N m, direction in the same for each unit of the factor.
+    /// The load changes while finger commands stay. Base in N and N m, direction in the same for each unit of the factor.
     #[must_use]
     pub fn load(base: Wrench<C>, direction: Wrench<C>) -> Self {
         Self { base, direction, command_change: None, joint_change: None }
     }
 
-    /// The load stays, the finger commands change: one displacement a contact for each unit of the factor, each in its contact frame (m),
-    /// the normal part positive into the object.
+    /// The finger commands change while the load stays: one displacement a contact for each unit of the factor, each in its contact frame (m), the
+    /// normal part positive into the object.
     #[must_use]
     pub fn commands(load: Wrench<C>, change: impl IntoIterator<Item = impl Into<[f64; C]>>) -> Self {
         Self::load(load, Wrench::ZERO).with_commands(change)
@@ -53,7 +53,7 @@ impl<const C: usize> Ramp<C> {
         self
     }
 
-    /// Base and direction of the load so many times as large; changes of commands stay.
+    /// Multiplies base and direction of the load by a factor; changes of commands stay.
     ///
     /// ```
     /// use grasp_lcp::planar::{Ramp, Wrench};
@@ -69,7 +69,7 @@ impl<const C: usize> Ramp<C> {
         self
     }
 
-    /// This ramp gone so many times as fast; backwards for a negative factor.
+    /// This ramp with all its rates multiplied by a factor; backwards for a negative one.
     pub(crate) fn times(&self, factor: f64) -> Self {
         let times = |change: &Vec<SVector<f64, C>>| change.iter().map(|a| a * factor).collect();
         Self {
@@ -83,7 +83,7 @@ impl<const C: usize> Ramp<C> {
         }
     }
 
-    /// Whether nothing changes along it.
+    /// Whether all rates of the ramp are zero.
     #[cfg(feature = "serde")]
     pub(crate) fn stands_still(&self) -> bool {
         let commands = self.command_change.iter().flatten().flat_map(|change| change.iter());
@@ -91,14 +91,14 @@ impl<const C: usize> Ramp<C> {
         self.direction.components().iter().chain(commands).chain(joints).all(|x| *x == 0.0)
     }
 
-    /// What the drives of a grasp change by for each unit of the factor.
+    /// Rates of the contact and joint drives of a grasp, for each unit of the factor.
     pub(crate) fn drive_changes<D: Size>(&self, grasp: &Engine<D, C>) -> Result<Vec<SVector<f64, C>>, Error> {
         let mut changes = Vec::new();
         self.drive_changes_into(grasp, &mut changes)?;
         Ok(changes)
     }
 
-    /// [`Self::drive_changes`] in memory that is there.
+    /// [`Self::drive_changes`] into a list supplied by the caller.
     pub(super) fn drive_changes_into<D: Size>(
         &self,
         grasp: &Engine<D, C>,
@@ -122,7 +122,7 @@ impl<const C: usize> Ramp<C> {
     }
 }
 
-/// The load alone, put on from nothing.
+/// The load alone, starting from zero.
 impl<const C: usize> From<Wrench<C>> for Ramp<C> {
     fn from(load: Wrench<C>) -> Self {
         Self::load(Wrench::ZERO, load)
@@ -135,7 +135,7 @@ impl<const C: usize> From<&Self> for Ramp<C> {
     }
 }
 
-/// A list of vectors from whatever turns into arrays.
+/// Converts a list of arrays to vectors.
 pub(super) fn vectors<const C: usize>(
     list: impl IntoIterator<Item = impl Into<[f64; C]>>,
 ) -> Vec<SVector<f64, C>> {

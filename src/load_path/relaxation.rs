@@ -1,7 +1,7 @@
 //! How directions of sliding relax along an arc, to first order: the derivative J of the rates of a [`Flow`](super::flow::Flow).
 //!
 //! A friction force along p that turns by the angle φ towards d changes the tangent C of its contact, and with it the rate `r = C s` of its own
-//! force. Through balance the way of the object changes, which all contacts feel. With φ = d·Δ / |F_t| of a change Δ of the friction forces
+//! force. Through balance the motion of the object changes, which affects all contacts. With φ = d·Δ / |F_t| for a change Δ of the friction forces
 //!
 //! ```text
 //! (J Δ)_i = v_i φ_i + C_i s_i',     v = (∂C/∂φ) s,     s_i' = a_i' δλ - G_iᵀ δq
@@ -23,7 +23,7 @@ use crate::contact::{Tangent, tangential_norm};
 use crate::numerics::{Size, Vector};
 use crate::prelude::*;
 
-/// A direction that is turned by this angle to both sides, rad, for the derivative of a tangent: two thirds of the digits stay.
+/// Angle by which a direction is turned to both sides for the derivative of a tangent, rad: two thirds of the digits remain.
 const TURNED: f64 = 6e-6;
 
 /// A sliding contact at the start of a step.
@@ -32,7 +32,7 @@ struct Turning<D: Size, const C: usize> {
     tangent: Tangent<C>,
     /// |F_t|, N.
     size: f64,
-    /// d; zero without friction force, which has no direction to turn.
+    /// d; zero for a contact without friction force, which has no direction to turn.
     across: SVector<f64, C>,
     /// v, N for one radian and one unit of arclength.
     change: SVector<f64, C>,
@@ -64,7 +64,7 @@ pub(super) struct Damped<D: Size> {
 }
 
 impl<'f, 's, 'g, D: Size, const C: usize> Relaxation<'f, 's, 'g, D, C> {
-    /// Of these friction forces, on the way of the path there.
+    /// J for these friction forces, along the direction of the path there.
     pub(super) fn new(
         arc: &'f Arc<'s, 'g, D, C>,
         frictions: &[SVector<f64, C>],
@@ -109,8 +109,8 @@ impl<'f, 's, 'g, D: Size, const C: usize> Relaxation<'f, 's, 'g, D, C> {
         Some(Damped { length, bordered, sizes })
     }
 
-    /// Solves `(1 - hJ) Δ = g` in place: friction forces, then twist and factor. Works stay as they are: no rate depends on them, and their own follow
-    /// from the places that a step goes through.
+    /// Solves `(1 - hJ) Δ = g` in place: friction forces, then twist and factor. Works stay unchanged: no rate depends on them, and their own rates
+    /// follow from the states within a step.
     pub(super) fn solve(&self, damped: &Damped<D>, side: &mut [f64]) {
         let length = damped.length;
         let mut left = Vector::zeros();
@@ -152,7 +152,7 @@ mod tests {
     use crate::object::Load;
     use crate::spatial::Contact;
 
-    /// Fingers round a ball, softer one way than the other, all sliding but one; commands change with the factor.
+    /// Fingers round a ball, softer along one tangent than the other, all sliding but one; commands change with the factor.
     fn fingers(ratio: f64) -> Engine<Fixed<6>, 3> {
         let finger = |i: u8| {
             let (sin, cos) = (1.3 * f64::from(i)).sin_cos();

@@ -1,14 +1,14 @@
-//! With which motion bodies that nothing presses yet leave: that of rigid bodies under the load, with Coulomb friction at what touches.
+//! Motion of bodies that leave before any contact presses: as rigid bodies under the load, with Coulomb friction at the contacts that touch.
 //!
-//! Where nothing presses, springs say nothing of the way out, and the trial in which everything sticks turns about a point of its own. As soon as the load
-//! acts, a rigid body that it drives away has the velocity
+//! Where no contact presses, springs do not determine the motion, and the elastic trial with all contacts sticking turns about a point of its own. As
+//! soon as the load acts, a rigid body that it drives away has the velocity
 //!
 //! ```text
 //! v = W + Σ G_i r_i,     0 <= r_n ⟂ n·G_iᵀv >= 0,     |r_t| <= μ r_n against G_iᵀv
 //! ```
 //!
-//! as if its mass were one in inside coordinates: that of points at the root mean square distance of contacts. Links, and contacts that neither open nor
-//! slide, leave motions across them alone.
+//! as if its mass were one in inside coordinates: that of points at the root mean square distance of contacts. Links, and contacts that neither open
+//! nor slide, allow only motions across them.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -18,16 +18,16 @@ use crate::numerics::{Size, Vector};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// With more coordinates or contacts nobody waits for a word.
+/// Largest number of coordinates and of contacts for which the motion is computed: beyond, it takes too long.
 const MOST: usize = 64;
-/// A motion that is this part of the load's is none, up to the rounding of forces: contacts push it back, or nearly so.
+/// A motion below this part of the load's counts as zero, up to the rounding of forces: contacts push it back entirely, or nearly so.
 const NONE: f64 = 1e-6;
-/// Friction that is less than its limit by this part is at its limit, where forces nearly balance the load.
+/// Friction within this part of its limit is at its limit, where forces nearly balance the load.
 const NEAR: f64 = 1e-6;
-/// A direction of which this part is left beside others is one of them.
+/// A direction of which less than this part remains beside others depends on them.
 const DEPENDENT: f64 = 1e-9;
 
-/// The unit motion in which rates of a load leave that nothing balances, where nothing presses yet; `None` where something does.
+/// The unit motion with which the object leaves under rates of a load that nothing balances, where no contact presses yet; `None` where one does.
 pub(super) fn rigid_motion<D: Size, const C: usize>(rates: &Problem<D, C>) -> Option<Vector<D>> {
     if rates.wrench.as_slice().len() > MOST || rates.drives.iter().any(|drive| drive.norm() > 0.0) {
         return None;
@@ -81,7 +81,8 @@ pub(super) fn rigid_motion<D: Size, const C: usize>(rates: &Problem<D, C>) -> Op
     if motion.norm() > NONE * load.norm() {
         return Some(motion.normalize());
     }
-    // At the very limit forces all but balance the load: what slides at it may slide on, what sticks stays, and what presses does not come nearer.
+    // Near the limit forces almost balance the load: contacts that slide there may slide on, sticking ones stay, and pressing ones do not come
+    // nearer.
     let largest = pushes.r.amax();
     for (k, &i) in touching.iter().enumerate() {
         let push = pushes.r.rows(C * k, C);

@@ -1,5 +1,5 @@
-//! One stretch of a load program: along it the load goes straight or turns, commands go straight, and as long as every contact keeps its
-//! state so does everything else.
+//! One segment of a load program: the load changes linearly or turns, commands change linearly, and so does everything else while contacts keep their
+//! states.
 
 use nalgebra::{Matrix, SVector};
 
@@ -13,28 +13,28 @@ use crate::numerics::{Size, Vector, cleared_for};
 use crate::object::{Piece, PieceState, Problem, largest_force};
 use crate::prelude::*;
 
-/// Load and drives at factor 0 and their rates, with the slip of the contacts so far.
+/// Load and drives at factor 0 and their rates, with the slips of the contacts so far.
 #[derive(Debug, Clone)]
 pub(super) struct Segment<'g, D: Size, const C: usize> {
     pub(super) grasp: &'g Engine<D, C>,
     pub(super) answer_for: AnswerFor,
-    /// At factor 0; its drives count from the slip so far.
+    /// The problem at factor 0; its drives count from the slips so far.
     pub(super) problem: Problem<'g, D, C>,
     /// Rates of the drives; zero while the load turns.
     pub(super) change: Vec<SVector<f64, C>>,
-    /// The load.
+    /// Trajectory of the load.
     pub(super) course: Trajectory<Vector<D>>,
-    /// The largest force on the way so far, N. Where all forces vanish together none of them is a yardstick for the others.
+    /// The largest force on the way so far, N: the scale of rounding where all forces vanish together.
     pub(super) largest: f64,
 }
 
-/// The state at a factor and its rates.
+/// The state at a factor, with its rates.
 #[derive(Debug, Clone)]
 pub(super) struct Here<D: Size, const C: usize> {
     pub(super) lines: Vec<Line<C>>,
     pub(super) twist: Vector<D>,
     pub(super) twist_rate: Vector<D>,
-    /// Of the factor: one on a straight piece, where rates are those for one unit of it, and less along an arc.
+    /// Rate of the factor: one on a straight piece, where rates are per unit of the factor, and less along an arc.
     pub(super) factor_rate: f64,
     /// Motions that stretch no spring in these states.
     pub(super) free_motions: Vec<Vector<D>>,
@@ -42,15 +42,15 @@ pub(super) struct Here<D: Size, const C: usize> {
     /// The linear piece of these states.
     pub(super) piece: alloc::sync::Arc<Piece<D, C>>,
     pub(super) gaps: Vec<GapLine>,
-    /// Largest force and displacement of the terms that the state and its rates are sums of.
+    /// Largest force and displacement among the terms that the state and its rates are sums of.
     pub(super) sizes: [f64; 2],
     pub(super) rate_sizes: [f64; 2],
-    /// How everything goes on while the load turns; `None` where rates stay or nothing is known beyond them.
+    /// The future state while the load turns; `None` where rates stay constant, or where nothing beyond them is known.
     pub(super) turned: Option<alloc::sync::Arc<TurningState<D, C>>>,
 }
 
 impl<D: Size, const C: usize> Here<D, C> {
-    /// Forces and twist after a step, as far as can be told from here.
+    /// Forces and twist after a step, extrapolated from this state.
     pub(super) fn after(&self, step: f64) -> PieceState<D, C> {
         if let Some(turned) = &self.turned {
             let PieceState { forces, twist } = turned.after(step);
@@ -60,7 +60,7 @@ impl<D: Size, const C: usize> Here<D, C> {
         PieceState { forces, twist: &self.twist + &self.twist_rate * step }
     }
 
-    /// The same state with rates for this part of the way.
+    /// The same state with all rates multiplied by this factor.
     pub(super) fn slowed(&self, part: f64) -> Self {
         let mut here = self.clone();
         here.twist_rate *= part;
@@ -77,8 +77,8 @@ impl<D: Size, const C: usize> Here<D, C> {
 }
 
 impl<'g, D: Size, const C: usize> Segment<'g, D, C> {
-    /// Forces, gaps and their rates at a factor. Where the states leave motions free, the twist is that nearest to
-    /// `near`, and its rate that nearest to `pushed`: no force drives the object along them, but a contact that touches without any may push it.
+    /// Forces, gaps and their rates at a factor. Where the states leave motions free, the twist is the one nearest to `near`, and its rate the one
+    /// nearest to `pushed`: no force drives the object along them, but a contact that touches without force may push it.
     pub(super) fn look(
         &self,
         states: &[State<C>],
@@ -105,7 +105,7 @@ impl<'g, D: Size, const C: usize> Segment<'g, D, C> {
         Ok(self.here(piece, factor, at, (&rate, 1.0), (0.0, &base)))
     }
 
-    /// A state on an arc with rates for one unit of arclength, for which the factor grows at this rate.
+    /// A state on an arc with rates for one unit of arclength, in which the factor changes by `factor_rate`.
     pub(super) fn along(
         &self,
         piece: &alloc::sync::Arc<Piece<D, C>>,
@@ -117,7 +117,7 @@ impl<'g, D: Size, const C: usize> Segment<'g, D, C> {
         self.here(piece.clone(), factor, at.clone(), (rate, factor_rate), (factor, at))
     }
 
-    /// From a factor on nothing resists this motion.
+    /// The loss from a factor on: nothing resists this motion.
     pub(super) fn unbalanced(&self, factor: f64, motion: Option<Vector<D>>) -> NoEquilibrium<C> {
         let v = motion.unwrap_or_else(Vector::zeros);
         let work = v.dot(&self.course.rate_at(factor));
@@ -125,8 +125,8 @@ impl<'g, D: Size, const C: usize> Segment<'g, D, C> {
         NoEquilibrium { proof }
     }
 
-    /// A state at a factor with its rates. What vanishes on the way is known up to the rounding of the terms: those of the state
-    /// that it was reached from, at another factor, and the way from there.
+    /// A state at a factor with its rates. Quantities that vanish on the way are known up to the rounding of their terms: the state `base` at the
+    /// factor `since`, and the change from there.
     pub(super) fn here(
         &self,
         piece: alloc::sync::Arc<Piece<D, C>>,
@@ -158,7 +158,7 @@ impl<'g, D: Size, const C: usize> Segment<'g, D, C> {
             let (stretch, stretching) =
                 (site.stretch(&drives[i], &twist), site.stretch(&change[i], &rate.twist));
             let span_rate = site.span_moved(&change[i], norm_of_rate);
-            // Drives count from the slip so far, and have its rounding where they cancel.
+            // Drives count from the slips so far, and carry the rounding of those slips where they cancel.
             let memory = self.problem.slips[i].norm();
             let span_here = site.span_moved(&drives[i], norm);
             let span =
@@ -187,8 +187,8 @@ impl<'g, D: Size, const C: usize> Segment<'g, D, C> {
         }
     }
 
-    /// Forces and twist at a factor, solved there: interpolated from afar they would carry the rounding of what they are there.
-    /// Where the states leave motions free, the twist is that nearest to `near`.
+    /// Forces and twist at a factor, solved there: interpolation from afar would add the rounding of the larger terms there. Where the states leave
+    /// motions free, the twist is the one nearest to `near`.
     pub(super) fn state(
         &self,
         piece: &Piece<D, C>,
@@ -200,7 +200,7 @@ impl<'g, D: Size, const C: usize> Segment<'g, D, C> {
         Some(if let Some(near) = near { self.nearest(piece, at, near) } else { at })
     }
 
-    /// How far it is from a state, in steps along a straight piece, to where a contact reaches an edge.
+    /// The step along a straight piece from a state to where a contact reaches an edge.
     pub(super) fn way_to(
         &self,
         contact: usize,
@@ -225,13 +225,13 @@ impl<'g, D: Size, const C: usize> Segment<'g, D, C> {
         drives
     }
 
-    /// [`Self::drives`] in memory that is there.
+    /// [`Self::drives`] into a list supplied by the caller.
     pub(super) fn drives_into(&self, factor: f64, drives: &mut Vec<SVector<f64, C>>) {
         cleared_for(drives, self.change.len());
         drives.extend(self.problem.drives.iter().zip(&self.change).map(|(a, da)| a + da * factor));
     }
 
-    /// Commands and load that stay as they are at a factor.
+    /// This segment with commands and load fixed at a factor.
     pub(super) fn at_rest(&self, factor: f64) -> Self {
         let change = vec![SVector::zeros(); self.change.len()];
         let course = Trajectory::Straight { from: self.course.at(factor), rate: Vector::zeros() };
@@ -244,7 +244,7 @@ impl<'g, D: Size, const C: usize> Segment<'g, D, C> {
         Problem { drives: self.drives(factor), wrench, wrench_rest: Vector::zeros(), ..self.problem.clone() }
     }
 
-    /// The slip of a contact so far becomes memory: its springs count from there.
+    /// Adds the slip of a contact up to here to its memory: its springs count from there.
     pub(super) fn remember_slip(
         &mut self,
         contact: usize,
@@ -262,19 +262,19 @@ impl<'g, D: Size, const C: usize> Segment<'g, D, C> {
         self.problem.drives[contact] -= slip;
     }
 
-    /// What leads a contact out of its state.
+    /// The exits through which a contact may leave its state.
     pub(super) fn ways_out(&self, contact: usize, state: &State<C>, here: &Here<D, C>) -> Vec<Exit<C>> {
         self.problem.local(contact).ways_out(state, &here.lines[contact], &here.gaps[contact])
     }
 
-    /// The law of the rates of every contact that stands here.
+    /// The law of the rates of every contact, from its active set and state.
     pub(super) fn laws_of_rates(&self, stands: &[ActiveSet<C>], states: &[State<C>]) -> Vec<Law<C>> {
         let locals = self.problem.locals().zip(stands).zip(states);
         locals.map(|((local, stand), state)| local.law_of_rates(stand, state)).collect()
     }
 
-    /// The smallest step to an edge, an apex, a closed gap or where a slip would turn round, and everything that reaches one there. A load that turns is
-    /// looked at up to a step of `rest`.
+    /// The smallest step to an edge, an apex, a closed gap or a reversal of slip, with all contacts that reach one there. For a load that turns,
+    /// steps up to `rest` are searched.
     pub(super) fn first_exits(&self, states: &[State<C>], here: &Here<D, C>, rest: f64) -> FirstExits<C> {
         if let Some(turned) = &here.turned {
             return turned.first_exits(&self.problem, states, rest);
@@ -287,7 +287,7 @@ impl<'g, D: Size, const C: usize> Segment<'g, D, C> {
             states.iter().enumerate().map(|(i, state)| (i, self.ways_out(i, state, here))).collect();
         let first =
             ways.iter().flat_map(|(_, exits)| exits).min_by(|a, b| a.step.total_cmp(&b.step)).copied()?;
-        // Symmetric grasps reach several edges at once: equal up to the rounding of both.
+        // Symmetric grasps reach several edges at once: steps equal up to the rounding of both count as tied.
         let tied = |exit: &Exit<C>| exit.step - first.step <= exit.uncertainty + first.uncertainty;
         let together = ways
             .into_iter()
@@ -297,7 +297,7 @@ impl<'g, D: Size, const C: usize> Segment<'g, D, C> {
         Some((first.step, together))
     }
 
-    /// The grasp driven at the rates of this stretch at a factor, with these laws.
+    /// The problem in rates of this segment at a factor, with these laws.
     pub(super) fn rates(&self, factor: f64, laws: Vec<Law<C>>) -> Problem<'g, D, C> {
         self.problem.at_rates(laws, self.change.clone(), self.course.rate_at(factor))
     }

@@ -48,16 +48,16 @@ pub enum Parameter {
         /// The axis of its frame: 0 normal, then the tangents.
         axis: usize,
     },
-    /// Position of a contact, m, while its frame stays. Commands and clearance stay along the axes of the frame. Not of a grasp by a hand,
-    /// whose joints would move the contact otherwise.
+    /// Position of a contact, m, at a fixed frame. Commands and clearance stay along the axes of the frame. Not available for a grasp by a hand,
+    /// whose joints would move the contact differently.
     Point {
         /// The contact, from 0.
         contact: usize,
         /// The coordinate axis along which it moves, from 0.
         axis: usize,
     },
-    /// Direction of the normal of a contact, rad: the whole frame turns about the contact point. Stiffness, command, clearance and what
-    /// has slipped stay as they are along its axes, and so turn with it; commands of joints stay.
+    /// Direction of the normal of a contact, rad: the whole frame turns about the contact point. Stiffness, command, clearance and slip keep their
+    /// components along its axes, and so turn with it; commands of joints stay.
     Normal {
         /// The contact, from 0.
         contact: usize,
@@ -87,8 +87,8 @@ pub enum Parameter {
     },
 }
 
-/// Derivatives of an equilibrium by one parameter, as long as every contact keeps its state. Per unit of the parameter: friction 1, stiffness
-/// N/m, command and position m, direction of a normal rad, load N or N m.
+/// Derivatives of an equilibrium with respect to one parameter, as long as every contact keeps its state. Units of the parameter: friction 1,
+/// stiffness N/m, command and position m, direction of a normal rad, load N or N m.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Derivative<const C: usize> {
@@ -111,7 +111,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 }
 
-/// An equilibrium with its piece.
+/// An equilibrium with the factorised linear law of its states.
 pub(super) struct Local<'g, D: Size, const C: usize> {
     grasp: &'g Engine<D, C>,
     pub(super) problem: Problem<'g, D, C>,
@@ -122,7 +122,7 @@ pub(super) struct Local<'g, D: Size, const C: usize> {
     twist: Vector<D>,
 }
 
-/// What of a force is less than this part of the stiffest spring's, were the whole motion its stretch, is rounding.
+/// Forces below this part of the stiffest spring's force, if the whole motion stretched it, are rounding.
 const FREE: f64 = 1e-9;
 
 impl<'g, D: Size, const C: usize> Local<'g, D, C> {
@@ -201,8 +201,8 @@ impl<'g, D: Size, const C: usize> Local<'g, D, C> {
         Some((solved.twist, solved.forces))
     }
 
-    /// dG of one contact. `None` if the axis is out of range, and for the position of a contact of a hand. `None` as well where a motion that is
-    /// free would be held in another geometry: how far it goes then is not said by small changes.
+    /// dG of one contact. `None` if the axis is out of range, and for the position of a contact of a hand. `None` also where the changed geometry
+    /// would hold a motion that is free in this one: small changes do not determine how far it goes then.
     fn map_change(&self, contact: usize, by: Parameter) -> Option<Map<D, C>> {
         let site = &self.problem.sites[contact];
         let change = match by {
@@ -222,7 +222,7 @@ impl<'g, D: Size, const C: usize> Local<'g, D, C> {
         self.piece.free_motions().iter().all(stays_free).then_some(change)
     }
 
-    /// What a load beside the present one changes of the forces. `None` if nothing balances it in these states.
+    /// Change of the contact forces by an additional load; `None` if nothing balances that load in these states.
     pub(super) fn forces_by_load(&self, load: &Wrench<C>) -> Option<Vec<SVector<f64, C>>> {
         let at_rest = vec![SVector::zeros(); self.problem.len()];
         let wrench = self.grasp.inside_unchecked(load);
@@ -255,7 +255,7 @@ impl<'g, D: Size, const C: usize> Local<'g, D, C> {
         } else if !matches!(state, Mode::Corner(_))
             && let Some(h) = local.outward(state)
         {
-            // e_a F_a/k_a, less what the slip gives back so that h·F_t keeps to μ F_n; on the round cone softened by the slip.
+            // e_a F_a/k_a, less the part that the slip takes back so that h·F_t stays at μ F_n; on the round cone softened by the slip.
             let softened =
                 state.slide().map_or(stretch, |slide| stretch * local.springs.softening(axis, slide.lambda));
             f = local.edge(state).pull * (-h[axis] * softened);

@@ -1,8 +1,8 @@
-//! Up to where on a path all motions are small, and from where on everything slides.
+//! The place on a path where motions cease to be small, and the one from which everything slides.
 //!
-//! While contacts keep their states, rotations, slips and gaps are affine in the fraction of the leg, so that the largest is at an end of the piece; while the
-//! load turns they turn with it, and the first place is a root of a trigonometric polynomial. Steps along sliding arcs are looked at where they end. The
-//! place itself is bisected.
+//! While contacts keep their states, rotations, slips and gaps are affine in the fraction of the leg, so that their largest value is at an end of the
+//! piece. While the load turns they turn with it, and the first place is a root of a trigonometric polynomial. Steps along sliding arcs are checked
+//! at their ends. Bisection then finds the place itself.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -19,10 +19,11 @@ use crate::search::SmallMotions;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// Bisection of one piece down to neighbouring numbers.
+/// Bisection of one piece down to adjacent floating-point numbers.
 const HALVINGS: usize = 64;
 
-/// Where the motions of a path are no longer [small](crate::Settings::small_motions): what lies beyond is told for the undeformed geometry, and says little.
+/// The place where the motions of a path cease to be [small](crate::Settings::small_motions): beyond it, answers hold for the undeformed geometry and
+/// say little.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -30,18 +31,18 @@ const HALVINGS: usize = 64;
 pub struct EndOfSmallMotions {
     /// The leg, from 0.
     pub leg: usize,
-    /// How much of the leg has been gone, from 0 to 1.
+    /// Fraction of the leg already followed, from 0 to 1.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub fraction: f64,
-    /// What goes too far from there on.
+    /// The motion that is too large from there on.
     pub what: TooFar,
 }
 
-/// Where on a piece which motion is too far.
+/// A fraction of the leg, and the motion that is too large there.
 type Place = (f64, CountedMotion);
 
 impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
-    /// Notes where motions cease to be small, after each piece and at the very start.
+    /// Records the place where motions cease to be small, after each piece and at the very start.
     pub(super) fn note_how_far(&mut self, journey: &Journey<'g, D, C>) {
         if self.end_of_small_motions.is_some() {
             return;
@@ -67,7 +68,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         self.end_of_small_motions = found.and_then(end);
     }
 
-    /// The leg and its fraction from which on every contact with friction that presses slides, up to the place `until`; `None` where one sticks there.
+    /// The leg and fraction from which every contact with friction and a normal force slides, up to the place `until`; `None` where one sticks there.
     pub(super) fn pieces_all_slide_from(&self, until: (usize, f64)) -> Option<(usize, f64)> {
         let mut since = None;
         for piece in self.behind.iter().rev() {
@@ -84,14 +85,14 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
 }
 
 impl<'g, D: Size, const C: usize> Stretch<'g, D, C> {
-    /// Where on a piece at whose end this motion is too far one is for the first time.
+    /// The first place on a piece where a motion is too large, given one that is too large at its end.
     fn first_too_far(
         &self,
         grasp: &'g Engine<D, C>,
         answer_for: AnswerFor,
         at_the_end: CountedMotion,
     ) -> Place {
-        // Where a part of a step cannot be made it counts as its end.
+        // A part of a step that cannot be made counts as its end.
         let too_far = |fraction: f64| {
             let Some((problem, found)) = self.found_at(grasp, answer_for, fraction) else {
                 return Some(at_the_end);
@@ -116,7 +117,7 @@ impl<'g, D: Size, const C: usize> Stretch<'g, D, C> {
         (high, which)
     }
 
-    /// Where a motion that turns with the load is too far for the first time: each is affine in what turns, and known from three angles.
+    /// The first place where a motion that turns with the load is too large: three angles determine each motion, since it is affine in the harmonics.
     fn turns_too_far(&self, grasp: &'g Engine<D, C>, small: &SmallMotions) -> Option<Place> {
         let turned = self.here.turned.as_ref()?;
         let at = |angle: f64| {

@@ -17,21 +17,21 @@ use crate::search::{Doubt, Found, Rung, Settings, Settled, settle};
 /// The walk along a course while nothing slides.
 pub(super) struct StickingPath<'a, D: Size, const C: usize> {
     pub(super) segment: Segment<'a, D, C>,
-    /// The load as the question has it.
+    /// Trajectory of the load, in the coordinates of the question.
     pub(super) course: Trajectory<Wrench<C>>,
-    /// How far the factor goes.
+    /// The largest factor considered.
     pub(super) end: f64,
     pub(super) settings: &'a Settings,
     pub(super) rule: Rung,
     pub(super) factor: f64,
-    /// What was only touched on the way.
+    /// Sites that touched their edge without crossing it, with the angle, rad.
     pub(super) touches: Vec<(usize, f64)>,
 }
 
 impl<D: Size, const C: usize> StickingPath<'_, D, C> {
     pub(super) fn run(&mut self, mut states: Vec<State<C>>) -> Onset<C> {
         let mut reached: Option<PathState<C>> = None;
-        // Every turn closes a contact for good or ends the walk; the bound only guards against rounding.
+        // Every iteration closes a contact for good or ends the walk; the bound only guards against rounding.
         for _ in 0..2 * states.len() + 2 {
             let mut here = match self.segment.look(&states, self.factor, None, None) {
                 Ok(here) => here,
@@ -79,8 +79,8 @@ impl<D: Size, const C: usize> StickingPath<'_, D, C> {
         Onset::Undecided(Undecided { doubt: Doubt::OnTheBoundary, work: WorkDone::default() })
     }
 
-    /// At the base, a contact on its way out that has no way left to go, or that touches without force, whose fate
-    /// only the rates decide.
+    /// Contacts on an edge at the base: those about to cross it with no way left, and those that touch without force. Only the rates decide about
+    /// both.
     fn standing_at_base(&self, states: &[State<C>], here: &Here<D, C>) -> PathState<C> {
         let mut standing = Vec::new();
         for (i, state) in states.iter().enumerate() {
@@ -150,7 +150,7 @@ impl<D: Size, const C: usize> StickingPath<'_, D, C> {
     }
 }
 
-/// Where these ways out lead to. A contact without one touches without force.
+/// The active sets that these exits lead to. A contact without an exit touches without force.
 fn stands<D: Size, const C: usize>(
     states: &[State<C>],
     here: &Here<D, C>,

@@ -1,5 +1,5 @@
-//! Along a piece on which nothing slides on a round cone: everything is affine in the fraction of the leg, and the next event is a ratio test. While the
-//! load turns, everything turns with it, and the event is a root ([`super::turned`]).
+//! Advance along a piece without sliding on a round cone: everything is affine in the fraction of the leg, and the next event is a ratio test. While
+//! the load turns, everything turns with it, and the event is a root ([`super::turning_load`]).
 
 use super::event::PathEnd;
 use super::first_exits::PathState;
@@ -11,27 +11,27 @@ use crate::object::PieceState;
 use crate::prelude::*;
 use crate::search::Doubt;
 
-/// Steps in a row within their uncertainty that are still events of one node and not rounding that goes in circles.
+/// Most steps in a row within their uncertainty that still count as events of one node: with more, rounding goes in circles.
 const MOST_STALLS: usize = 64;
 
-/// A step is known to this part at least; a larger correction says that there is something else wrong with it.
+/// Largest relative correction of a step; a larger one means that something else is wrong.
 const ROUGHLY: f64 = 1e-6;
 
 impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
-    /// Goes along the present piece to its end: the next edge, or the end of the leg. Whether that is done.
+    /// Advances along the present piece to its end: the next edge, or the end of the leg. Whether the leg is done.
     pub(super) fn advance_straight(&mut self, journey: &Journey<'g, D, C>) -> Result<bool, PathEnd<C>> {
         let Some(here) = self.here.clone() else {
             return Err(journey.undecided(self.factor, Doubt::OnTheBoundary));
         };
         let rest = 1.0 - self.factor;
         let exits = self.segment.first_exits(&self.node.states, &here, rest).standing;
-        // What is reached together with the end of the leg, up to rounding, stands there when the next one begins.
+        // Edges reached together with the end of the leg, up to rounding, are in the active sets when the next leg begins.
         let at_the_end = |standing: &PathState<C>| {
             standing.iter().any(|(_, exits)| exits.iter().any(|e| (e.step - rest).abs() <= e.uncertainty))
         };
         let (step, standing, leg_done) = match exits {
             Some((_, standing)) if at_the_end(&standing) => (rest, standing, true),
-            // Of a load that turns every root was refined where it is.
+            // While the load turns, every root is refined in place already.
             Some((step, standing)) if here.turned.is_some() && self.factor + step < 1.0 => {
                 (step, standing, false)
             }
@@ -43,7 +43,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
             _ => (rest, Vec::new(), true),
         };
         let to = if leg_done { 1.0 } else { self.factor + step };
-        // A step within its own uncertainty may be none: two motions that rounding chooses between would go on for ever.
+        // A step within its own uncertainty may be zero: two motions between which rounding chooses could alternate for ever.
         let uncertain = standing.iter().flat_map(|(_, exits)| exits).any(|exit| step <= exit.uncertainty);
         self.stalls = if to > self.factor && (leg_done || !uncertain) { 0 } else { self.stalls + 1 };
         let piled_up = self.stalls > MOST_STALLS;
@@ -73,7 +73,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         self.segment.state(&here.piece, self.factor + step, Some(&near.twist)).unwrap_or(near)
     }
 
-    /// The step to an edge, corrected from the state there: found from afar, it carries the rounding of what the state is here.
+    /// The step to an edge, corrected from the state there: found from afar, it carries the rounding of the present state.
     fn corrected(&self, here: &Here<D, C>, step: f64, standing: &PathState<C>) -> f64 {
         let exits = standing.iter().flat_map(|(i, exits)| exits.iter().map(move |exit| (*i, exit)));
         let Some((i, exit)) = exits.min_by(|(_, a), (_, b)| a.uncertainty.total_cmp(&b.uncertainty)) else {

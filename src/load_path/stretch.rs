@@ -1,5 +1,5 @@
-//! One piece of a path: every contact keeps its state. Where nothing slides on a round cone everything is affine in the fraction
-//! of the leg, or turns with the load. Where something does, the piece is a step of the integration, made again up to where it is asked for.
+//! One piece of a path, along which every contact keeps its state. If no contact slides on a round cone, everything is affine in the fraction of the
+//! leg, or turns with the load. Otherwise the piece is a step of the integration, repeated up to the place asked for.
 
 use nalgebra::SVector;
 
@@ -15,53 +15,53 @@ use crate::object::{PieceState, Problem};
 use crate::prelude::*;
 use crate::search::{Effort, Found, Rung};
 
-/// Of a step of which a part cannot be made at once: each is half as long as the one before.
+/// Most parts into which a step is divided where it cannot be repeated at once: each is half as long as the one before.
 const MOST_PARTS: usize = 60;
-/// Loads that are less than this part of the leg apart are one, up to the rounding of balance.
+/// Loads less than this part of the leg apart are equal, up to the rounding of balance.
 const ONE_LOAD: f64 = 1e-15;
 
-/// What is needed to tell the state at any fraction on the way.
+/// The data from which the state at any fraction of the piece is computed.
 #[derive(Debug)]
 pub(super) struct Stretch<'g, D: Size, const C: usize> {
     pub(super) leg: usize,
     pub(super) from: f64,
     pub(super) to: f64,
-    /// The local problem at fraction 0 of the leg, with the slip so far, the rates of its drives, and how its load goes.
+    /// The local problem at fraction 0 of the leg, with the slip so far; the rates of its drives; the trajectory of its load.
     pub(super) problem: Problem<'g, D, C>,
     pub(super) change: Vec<SVector<f64, C>>,
     pub(super) course: Trajectory<Vector<D>>,
-    /// How the load of the question goes.
+    /// Trajectory of the load of the question.
     pub(super) load: Trajectory<Wrench<C>>,
-    /// And those of bodies that go their own way.
+    /// Loads of bodies with goals of their own.
     pub(super) bodies: BodyLoads<C>,
     pub(super) states: Vec<State<C>>,
-    /// At `from`, with rates.
+    /// State at `from`, with rates.
     pub(super) here: Here<D, C>,
-    /// At `to`.
+    /// State at `to`.
     pub(super) there: PieceState<D, C>,
-    /// Where something slides on the round cone.
+    /// The step, where a contact slides on the round cone.
     pub(super) bend: Option<Bend>,
-    /// Of a piece without length that a jump led to.
+    /// The jump that led to this piece of zero length.
     pub(super) fallen: Option<Box<Fallen<C>>>,
 }
 
-/// What happened in a jump at one load.
+/// The course of a jump at one load.
 #[derive(Debug)]
 pub(super) struct Fallen<const C: usize> {
     /// Slips before it.
     pub(super) slips: Vec<SVector<f64, C>>,
-    /// Which sites slid in it.
+    /// Whether each site slid in it.
     pub(super) slid: Vec<bool>,
-    /// What sites did in it, one state after the other.
+    /// Successive states of all sites in it.
     pub(super) states: Vec<Vec<State<C>>>,
 }
 
-/// How a piece was integrated.
+/// The step by which a piece was integrated.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Bend {
     /// The displacement that counts in arclength as the whole leg does, m.
     pub(super) unit: f64,
-    /// In arclength.
+    /// Length of the step, in arclength.
     pub(super) length: f64,
     pub(super) rule: Rule,
 }
@@ -79,7 +79,7 @@ impl<'g, D: Size, const C: usize> Stretch<'g, D, C> {
         Some(grasp.equilibrium(&problem, &load, found, Rung::LoadPath, &Effort::default(), answer_for))
     }
 
-    /// Contacts at a fraction of the leg; `None` where rounding keeps a part of a step from being made.
+    /// Problem and contact states at a fraction of the leg; `None` where rounding keeps a part of a step from being made.
     pub(super) fn found_at(
         &self,
         grasp: &'g Engine<D, C>,
@@ -91,7 +91,7 @@ impl<'g, D: Size, const C: usize> Stretch<'g, D, C> {
             return self.on_the_bend(bend, &segment, fraction);
         }
         let step = fraction - self.from;
-        // Between the ends, each of which is solved where it is.
+        // Interpolation between the ends, each of which is solved in place.
         let part = if self.to > self.from { step / (self.to - self.from) } else { 0.0 };
         let between = |line: &Line<C>, there: &SVector<f64, C>| line.force * (1.0 - part) + there * part;
         let (forces, twist) = match &self.here.turned {
@@ -104,7 +104,7 @@ impl<'g, D: Size, const C: usize> Stretch<'g, D, C> {
                 &self.here.twist * (1.0 - part) + &self.there.twist * part,
             ),
         };
-        // Those of what turns are the largest on its way.
+        // Sizes of a turning state are already the largest of its turn.
         let step = if self.here.turned.is_some() { 0.0 } else { step };
         let found = Found {
             free_motions: self.here.free_motions.clone(),
@@ -150,7 +150,7 @@ impl<'g, D: Size, const C: usize> Stretch<'g, D, C> {
         Some((problem, found))
     }
 
-    /// The state at a fraction within the step. Where a part of it cannot be made at once, rounding being in the way, in shorter ones one after the other.
+    /// The state at a fraction within the step. Where rounding prevents the part in one step, it is made in successive shorter ones.
     fn part_of_a_step(
         &self,
         bend: &Bend,
@@ -177,7 +177,7 @@ impl<'g, D: Size, const C: usize> Stretch<'g, D, C> {
                 }
             }
         }
-        // Where the object moves on under what is the same load up to rounding, any place on the way is as good.
+        // If the object moves under a load that is constant up to rounding, any place on the way is valid.
         let (to_the_start, to_the_end) = (fraction - self.from, self.to - fraction);
         let near = to_the_start.min(to_the_end) <= ONE_LOAD;
         near.then(|| if to_the_start < to_the_end { start_of(&self.here) } else { self.there.clone() })
@@ -189,7 +189,7 @@ impl<'g, D: Size, const C: usize> Stretch<'g, D, C> {
     }
 }
 
-/// Where a step begins.
+/// The state at the beginning of a step.
 fn start_of<D: Size, const C: usize>(here: &Here<D, C>) -> PieceState<D, C> {
     PieceState { forces: here.lines.iter().map(|line| line.force).collect(), twist: here.twist.clone() }
 }

@@ -1,20 +1,20 @@
-//! The way that a load takes while a factor grows: straight on, or round.
+//! Trajectory of a load with a growing factor: linear, or a turn.
 
 use core::ops::{Add, Mul, Sub};
 
 use crate::numerics::Harmonic;
 
-/// A way, of wrenches as the question has them or in inside coordinates.
+/// A trajectory, of wrenches in the coordinates of the question or in inside coordinates.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Trajectory<X> {
     Straight {
         from: X,
-        /// For one unit of the factor.
+        /// Rate for one unit of the factor.
         rate: X,
     },
     Turn {
         load: Harmonic<X>,
-        /// For one unit of the factor, rad.
+        /// Angle for one unit of the factor, rad.
         angle: f64,
     },
 }

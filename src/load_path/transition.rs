@@ -1,4 +1,4 @@
-//! From one straight piece to the next: the guess that mostly holds, other ways to go on, and what changed.
+//! The transition between straight pieces: the usual guess, other continuations, and the changes.
 
 use nalgebra::SVector;
 
@@ -12,16 +12,15 @@ use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Found, combinations, search_among};
 
-/// Two solutions are one if forces and travel differ by no more than this part of their size.
+/// Solutions whose forces and travel differ by no more than this part of their size are equal.
 const SAME: f64 = 1e-9;
 
-/// With at most this many combinations of states among the contacts on an edge, all are tried to see whether the path
-/// goes on in more than one way.
+/// Up to this many combinations of states among the contacts on an edge, all are tried to find every continuation of the path.
 const FEW_COMBINATIONS: f64 = 256.0;
-/// With more rows than this, the class of their matrix costs more than the event.
+/// With more rows than this, classifying their matrix costs more than the event.
 const MOST_ROWS: usize = 64;
 
-/// Nothing changes: the states so far in terms of the laws of the rates, if these have them.
+/// The present states expressed in the laws of the rates, if these have them: nothing changes.
 pub(super) fn nothing_changes<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     rates: &Problem<D, C>,
@@ -31,7 +30,7 @@ pub(super) fn nothing_changes<D: Size, const C: usize>(
     locals.map(|((local, law), state)| local.in_the_rates(law, *state)).collect()
 }
 
-/// What a contact changes from one state to the next, each with its direction if it slides.
+/// The change of a contact from one state to the next, each with its direction if the contact slides.
 pub(super) fn change<const C: usize>(
     (was, before): (State<C>, Option<SVector<f64, C>>),
     (is, direction): (State<C>, Option<SVector<f64, C>>),
@@ -50,10 +49,10 @@ pub(super) fn change<const C: usize>(
     }
 }
 
-/// How many other solutions the rates have: other forces, or other motions than one along what is free anyway. None if a P-matrix says
-/// that there is only one; else all combinations of states are tried if they are few.
+/// Number of other solutions of the rates: with other forces, or other motions apart from free ones. Zero if a P-matrix proves uniqueness; else all
+/// combinations of states are tried if they are few. `None` if that is not decided.
 pub(super) fn others<D: Size, const C: usize>(rates: &Problem<D, C>, found: &Found<D, C>) -> Option<usize> {
-    // What polygons say of an apex is not true of the round cone.
+    // Conclusions of polygons about an apex do not hold for the round cone.
     if rates.round {
         return None;
     }
@@ -69,7 +68,7 @@ pub(super) fn others<D: Size, const C: usize>(rates: &Problem<D, C>, found: &Fou
     }
     let size = found.forces.iter().map(nalgebra::Matrix::norm).fold(rates.wrench.norm(), f64::max);
     let mut distinct: Vec<Found<D, C>> = vec![found.clone()];
-    // Where a solution takes long, a look at the few rows rules most of them out.
+    // With many coordinates a solution takes long, and signs in the few rows rule out most states first.
     let ruled_out = |states: &[State<C>]| {
         few.as_ref().is_some_and(|few| few.many && clearly_breaks(&few.form, states, few.largest))
     };
@@ -90,7 +89,7 @@ pub(super) fn others<D: Size, const C: usize>(rates: &Problem<D, C>, found: &Fou
     Some(distinct.len() - 1)
 }
 
-/// The kinematic form of rates in few rows.
+/// The kinematic form of the rates, with few rows.
 struct FewRows {
     form: Form,
     /// The largest force of the trial state, in units of the rows.
@@ -99,7 +98,7 @@ struct FewRows {
     many: bool,
 }
 
-/// That form, if it has some rows and not too many. With a P-matrix there is one solution whatever the load does.
+/// The kinematic form, if it has some rows and not too many. A P-matrix gives one solution under any load.
 fn few_rows<D: Size, const C: usize>(rates: &Problem<D, C>, rows: usize) -> Option<FewRows> {
     if rows == 0 || rows > MOST_ROWS {
         return None;

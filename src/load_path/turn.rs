@@ -15,7 +15,8 @@ use crate::serial::AsComputed;
 
 /// At angle θ >= 0 (rad) the load is `constant + cosine cos θ + sine sin θ`; the fingers stay as commanded.
 ///
-/// Such is the weight of an object that is tilted with its grasp, seen from the object, as grasps are: see [`Turn::tilting`].
+/// An example is the weight of an object tilted together with its grasp, in the frame of the object, in which grasps are given: see
+/// [`Turn::tilting`].
 ///
 /// ```
 /// use grasp_lcp::planar::{Turn, Wrench};
@@ -31,17 +32,17 @@ use crate::serial::AsComputed;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Turn<const C: usize> {
     pub(super) load: Harmonic<Wrench<C>>,
-    /// How far it turns, rad.
+    /// Angle of the turn, rad.
     pub(super) angle: f64,
     /// The axis about which the bodies of a scene are tilted under their own gravity, in place of a load; the scene knows their weight.
     pub(crate) tilts_bodies_about: Option<SVector<f64, 3>>,
 }
 
-/// Said where the bodies have no weight that could turn.
+/// Fault reported where the bodies have no weight that could turn.
 const NO_WEIGHT: &str = "is missing: give weight, or force, or cosine and sine; without them gravity turns, where a scene's bodies have masses under `gravity`, by onset_of_turn and need";
 
 impl<const C: usize> Turn<C> {
-    /// From its three parts, N and N m; one full turn.
+    /// A turn from its three parts, N and N m; one full turn.
     #[must_use]
     pub fn new(constant: Wrench<C>, cosine: Wrench<C>, sine: Wrench<C>) -> Self {
         Self { load: Harmonic { constant, cosine, sine }, angle: TAU, tilts_bodies_about: None }
@@ -54,21 +55,21 @@ impl<const C: usize> Turn<C> {
         Self { tilts_bodies_about: Some(axis), ..turn }
     }
 
-    /// This turn beside another load, which stays as it is.
+    /// This turn plus a constant load.
     #[must_use]
     pub fn beside(mut self, load: Wrench<C>) -> Self {
         self.load.constant = self.load.constant + load;
         self
     }
 
-    /// This turn up to another angle, rad, more than zero; any number of full turns.
+    /// This turn up to another angle, rad, positive; any number of full turns.
     #[must_use]
     pub fn up_to(mut self, angle: f64) -> Self {
         self.angle = angle;
         self
     }
 
-    /// The other way round.
+    /// The same turn in the opposite direction.
     #[must_use]
     pub fn reversed(mut self) -> Self {
         self.load.sine = -self.load.sine;
@@ -76,7 +77,7 @@ impl<const C: usize> Turn<C> {
         self
     }
 
-    /// The way back from its end: where it ends to where it begins.
+    /// The way back: from the end of this turn to its beginning.
     #[must_use]
     pub(crate) fn back(mut self) -> Self {
         let (sin, cos) = self.angle.sin_cos();
@@ -85,13 +86,13 @@ impl<const C: usize> Turn<C> {
         self
     }
 
-    /// How far it turns, rad.
+    /// Angle of the turn, rad.
     #[must_use]
     pub fn angle(&self) -> f64 {
         self.angle
     }
 
-    /// The constant part, that of cos θ and that of sin θ.
+    /// The constant part and the coefficients of cos θ and sin θ.
     #[must_use]
     pub fn parts(&self) -> [Wrench<C>; 3] {
         self.load.parts().map(|part| *part)
@@ -103,18 +104,18 @@ impl<const C: usize> Turn<C> {
         self.load.at(angle)
     }
 
-    /// In inside coordinates, once checked; what acts on joints whatever they do belongs to the constant part.
+    /// The load in inside coordinates, once checked; constant torques on joints belong to the constant part.
     pub(crate) fn inside<D: Size>(&self, grasp: &Engine<D, C>) -> Harmonic<Vector<D>> {
         inside(grasp, &self.load)
     }
 
-    /// What the load does from here on that changes as this one does: for one unit of the factor the whole turn.
+    /// The trajectory that starts at `load` and changes like this turn; one unit of the factor is the whole turn.
     pub(super) fn beginning_with(&self, load: &Wrench<C>) -> Trajectory<Wrench<C>> {
         let load = Harmonic { constant: *load - self.load.cosine, ..self.load };
         Trajectory::Turn { load, angle: self.angle }
     }
 
-    /// How far it turns, or a full turn if that is less: all loads that there are.
+    /// The angle of the turn, at most a full turn: it covers every load that occurs.
     pub(crate) fn whole_angle(&self) -> f64 {
         self.angle.min(TAU)
     }
@@ -132,7 +133,7 @@ impl<const C: usize> Turn<C> {
 
     /// Refuses an angle that is not positive, or absurdly large.
     pub(crate) fn check_angle(&self) -> Result<(), Error> {
-        // Beyond, an angle says nothing any more of where in its turn the load is.
+        // At larger angles rounding leaves no accurate place within the turn.
         if !(self.angle > 0.0 && self.angle <= 1e6) {
             let allowed = "more than 0 and at most 1e6 rad";
             return Err(Error::Argument { what: "angle of the turn", value: self.angle, allowed });
@@ -140,7 +141,7 @@ impl<const C: usize> Turn<C> {
         Ok(())
     }
 
-    /// A force that turns, given by its parts along the axis, at θ = 0 and a quarter turn on.
+    /// A force that turns, from its parts along the axis, at θ = 0 and a quarter turn later.
     fn of_forces(parts: [SVector<f64, C>; 3], wrench: impl Fn(SVector<f64, C>) -> Wrench<C>) -> Self {
         let [constant, cosine, sine] = parts.map(wrench);
         Self::new(constant, cosine, sine)
@@ -228,21 +229,21 @@ pub(super) fn inside<D: Size, const C: usize>(
     }
 }
 
-/// A contact, or a drive of a hand, touches its edge and does not cross it.
+/// A contact, or a drive of a hand, touches its edge without crossing it.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Touch {
-    /// What touches its edge.
+    /// The contact or drive that touches its edge.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub of: EdgeOf,
-    /// Where, rad.
+    /// The angle, rad.
     #[cfg_attr(feature = "serde", serde(rename = "angle_rad", with = "AsComputed::<f64>"))]
     pub angle: f64,
 }
 
-/// What has an edge to touch.
+/// The parts of a grasp that have an edge.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(untagged))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

@@ -18,10 +18,10 @@ use crate::search::{Settings, settle};
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct TurnOnset<const C: usize> {
-    /// When that is; its factor is the angle, rad. [`Onset::Never`] holds for the angle that was asked for.
+    /// The onset, whose factor is the angle, rad. [`Onset::Never`] holds up to the angle asked for.
     pub onset: Onset<C>,
-    /// Where contacts come as near to the edge of their cone as rounding without crossing it, up to the onset. Where there are some, the last
-    /// digits of the question may make one of them the onset.
+    /// Contacts that come as near to the edge of their cone as rounding, without crossing it, up to the onset. If there are any, the last digits of
+    /// the question may make one of them the onset.
     pub touches: Vec<Touch>,
 }
 

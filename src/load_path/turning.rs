@@ -9,7 +9,7 @@
 //! path      the rate of the load factor, and what is left of the leg
 //! ```
 //!
-//! found by making the last step again until it ends there, see [`super::crossing`].
+//! found by repeating the last step until it ends there, see [`super::crossing`].
 
 use nalgebra::SVector;
 
@@ -27,22 +27,22 @@ use crate::numerics::Size;
 use crate::prelude::*;
 use crate::search::Doubt;
 
-/// The first step turns the fastest contact by this angle, as far as can be told from the rate there.
+/// The first step turns the fastest contact by this angle, rad, judged by the rate at the start.
 const FIRST_TURN: f64 = 0.3;
-/// Of lengths in which a direction relaxes: an explicit step over six of them and more would let rounding grow.
+/// Longest explicit step, in units of the length over which a direction relaxes: from six units on, rounding would grow.
 const STABLE: f64 = 4.0;
-/// No step lets the load turn further, rad.
+/// Largest turn of the load in a step, rad.
 const MOST_TURNED: f64 = 0.25;
-/// Forces that change by less than this part of them change no more, while the object moves as far as it did for the whole load to begin with.
-/// Nor do directions that are less than this angle off where they relax to, rad. With less, rounding would seem to turn them for ever.
+/// Forces whose relative change is below this stay constant, while the object moves as far as for the whole load at the start. The same holds for
+/// directions within this angle, rad, of their limit. With less, rounding would seem to turn them for ever.
 const STANDS_STILL: f64 = 1e-10;
-/// A normal force below this part of its size goes to zero along the tangent.
+/// A normal force below this part of its size vanishes along the tangent.
 const ALL_BUT_GONE: f64 = 1e-10;
-/// From an apex on the first step is this part of the way on which forces change by as much as they are: they turn by its square.
+/// First step from an apex, as a part of the way on which forces change by their own size: directions turn by its square.
 const SETTING_OUT: f64 = 1e-6;
-/// Where forces would double on this part of the way they are none.
+/// Forces that would double within this part of the rest of the leg are rounding.
 const NO_WAY: f64 = 1e-12;
-/// A step leaves this part of the way to where a sliding contact loses its normal force: its direction may turn ever faster.
+/// Part of the way to where a sliding contact loses its normal force that a step leaves: directions may turn ever faster there.
 const APPROACH: f64 = 0.5;
 /// Events are gathered at places this part of the leg apart: nearer ones are the same once more.
 const GATHERED_AGAIN: f64 = 1e-9;
@@ -55,7 +55,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         let Some(here) = self.here.take() else {
             return Err(journey.undecided(self.factor, Doubt::OnTheBoundary));
         };
-        // From a node on arclength counts the motion beside the load: to begin with both alike.
+        // From a node on, arclength weighs motion and load equally at the beginning.
         let here = if self.pace.unit.is_some() {
             here
         } else {
@@ -122,7 +122,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         self.gathered.is_nan() || (self.factor - self.gathered).abs() > GATHERED_AGAIN
     }
 
-    /// The length on which the load turns as far as one step may: a condition may be broken and hold again on a longer one.
+    /// The length on which the load turns as far as one step may: on a longer one a condition could break and hold again.
     fn part_of_a_turn(&self, here: &Here<D, C>) -> f64 {
         match self.segment.course {
             Trajectory::Turn { angle, .. } => MOST_TURNED / (angle * here.factor_rate.abs()),
@@ -130,7 +130,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         }
     }
 
-    /// The length of a step and how it is made, so that what the friction forces turn by is damped.
+    /// Length and rule of a step for which the relaxation of friction directions is stable.
     fn stable(&mut self, here: &Here<D, C>, length: f64, tolerance: f64) -> (f64, Rule) {
         let unit = self.pace.unit.unwrap_or(1.0);
         let flow = Flow::new(&self.segment, &self.node.states, self.factor, here, unit);
@@ -144,8 +144,8 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         }
     }
 
-    /// Whether the object moves on while no force changes: the load factor comes closer to its limit and never reaches it. A friction force
-    /// that turns fast towards its slip always turns a little, by its rounding, and what sticks takes that up.
+    /// Whether the object moves on while no force changes: the load factor approaches its limit and never reaches it. A friction force that relaxes
+    /// fast always turns slightly by its rounding, and sticking contacts take that up.
     fn slides_away(&self, here: &Here<D, C>) -> bool {
         if here.factor_rate.abs() > STANDS_STILL {
             return false;
@@ -158,8 +158,8 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         here.lines.iter().zip(still).all(|(line, still)| line.rate.norm() <= still)
     }
 
-    /// The way that is so short that a step along the tangent does. From an apex on it gives a friction force its direction; close to
-    /// an apex it is all that is left.
+    /// Length of a step along the tangent, where one is short enough for that. From an apex it gives a friction force its direction; close to an apex
+    /// it covers the rest.
     fn straight_length(&self, here: &Here<D, C>) -> Option<f64> {
         let rest = (1.0 - self.factor) / here.factor_rate;
         let all_but_gone = |(line, state): (&Line<C>, &State<C>)| {
@@ -172,7 +172,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
             return Some(way);
         }
         let force_way = here.sizes[0] / here.rate_sizes[0];
-        // Less is the rounding of forces that are none.
+        // Smaller ratios come from the rounding of vanishing forces.
         let way = if force_way > NO_WAY * rest { rest.min(force_way) } else { rest };
         self.node.sets_out.then_some(SETTING_OUT * way)
     }
@@ -181,7 +181,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         let mut length = (1.0 - self.factor) / here.factor_rate;
         for (line, state) in here.lines.iter().zip(&self.node.states) {
             let (f, df) = (&line.force, &line.rate);
-            // What has just closed has no direction yet.
+            // A contact that has just closed has no direction yet.
             let touches = ActiveSet::is_weightless(f, line.force_size);
             if C == 3 && state.slides() && !touches {
                 let turn = (f[1] * df[C - 1] - f[C - 1] * df[1]).abs() / (f[1] * f[1] + f[C - 1] * f[C - 1]);
@@ -206,7 +206,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         way
     }
 
-    /// Goes there, and stands on what is met there. Whether the leg is done.
+    /// Moves to the end of a step and adds the edges reached there to the active sets. Whether the leg is done.
     fn arrive_at(
         &mut self,
         journey: &Journey<'g, D, C>,
@@ -217,7 +217,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         self.pace.accept(end.length, end.reached.error / tolerance, end.located.is_some());
         let to = end.reached.to;
         let leg_done = to >= 1.0;
-        // At the top what slides for the load alone stops together with it.
+        // At a maximum of the load, contacts that slide only because of the load stop together with it.
         let grows = |watch: &Watch| watch.what == WatchedCondition::Growth && watch.is_met();
         let tops = end.located.is_some() && end.watches.iter().any(grows);
         let there = end.reached.here.clone();
@@ -236,9 +236,9 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
                     let facet = if rubs { tangential(&line.force).normalize() } else { SVector::zeros() };
                     standing.push((contact, vec![Exit { facet, ..apex() }]));
                 }
-                // At the end of a leg its rates are no longer what counts.
+                // At the end of a leg its rates no longer count.
                 _ if leg_done => {}
-                // Where the load itself turns back everything stops: what slides on is for the rates ahead to tell.
+                // Where the load itself turns back everything stops: the rates ahead decide which contacts slide on.
                 _ if self.segment.load_turns_back(to) => stops = true,
                 _ => sticks.push(contact),
             }
@@ -256,13 +256,13 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
             self.node.stick(*contact);
         }
         self.at_node = leg_done || stops;
-        // A maximum at the end of a leg is no end: the next one may go another way.
+        // A maximum at the end of a leg does not end the path: the next leg may lead elsewhere.
         let lost = (tops && !leg_done).then(|| self.lost(journey, LossKind::Fold, &there));
         self.here = Some(there);
         lost.map_or(Ok(leg_done), Err)
     }
 
-    /// Which of these contacts have not slipped since the step began, either.
+    /// The contacts among these that have not slipped since the step began.
     fn stands_still(&self, here: &Here<D, C>, contacts: &[usize]) -> Vec<usize> {
         if contacts.is_empty() {
             return Vec::new();
@@ -274,7 +274,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         contacts.iter().copied().filter(met).collect()
     }
 
-    /// The end of an arc; the motion is that along it.
+    /// The loss at the end of an arc; the object leaves along the arc.
     fn lost(&self, journey: &Journey<'g, D, C>, kind: LossKind, here: &Here<D, C>) -> PathEnd<C> {
         let slides = (0..self.node.states.len()).filter(|i| self.node.states[*i].slides());
         let motion = here.twist_rate.normalize();
@@ -282,7 +282,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
     }
 }
 
-/// Where a normal force or a gap vanishes.
+/// The exit at which a normal force or a gap vanishes.
 fn apex<const C: usize>() -> Exit<C> {
     Exit { step: 0.0, uncertainty: 0.0, facet: SVector::zeros() }
 }

@@ -12,7 +12,7 @@ use crate::equilibrium::NoEquilibrium;
 use crate::numerics::{Harmonic, Size, Vector};
 use crate::object::{Piece, PieceState};
 
-/// A rate below this part of the fastest is none: its angle is known to the rounding of a full turn.
+/// A rate below this part of the fastest counts as zero: its angle is known to the rounding of a full turn.
 const TURNS_BACK: f64 = 1e-12;
 
 impl<D: Size, const C: usize> Segment<'_, D, C> {
@@ -56,7 +56,7 @@ impl<D: Size, const C: usize> Segment<'_, D, C> {
         });
         let mut here = self.here(piece.clone(), factor, at.clone(), (&rate, 1.0), (factor, &at));
         let turned = self.turned(&onward, angle, &parts);
-        // What vanishes somewhere on the way is known up to the rounding of what it is elsewhere.
+        // Quantities that vanish on the way are known up to the rounding of their size elsewhere on it.
         for ((line, gap), [force, stretch]) in here.lines.iter_mut().zip(&mut here.gaps).zip(&turned.waves) {
             line.force_size = line.force_size.max(force.size);
             line.rate_size = line.rate_size.max(force.turning_size * angle);
@@ -76,7 +76,7 @@ impl<D: Size, const C: usize> Segment<'_, D, C> {
         Ok(here)
     }
 
-    /// How everything turns. The parts are the states under the parts of the load, the first with the drives.
+    /// The turn of all quantities. `parts` are the states under the parts of the load, the constant one with the drives.
     pub(super) fn turned(
         &self,
         load: &Harmonic<Vector<D>>,
@@ -101,7 +101,7 @@ impl<D: Size, const C: usize> Segment<'_, D, C> {
             let of = states.map(|(drives, _, part)| sites[i].stretch(&drives[i], &part.twist));
             let spans = states.map(|(drives, _, part)| sites[i].span(&drives[i], &part.twist));
             let turning_size = spans.cosine + spans.sine;
-            // Drives count from the slip so far, and have its rounding where they cancel.
+            // Drives count from the slips so far, and carry the rounding of those slips where they cancel.
             let size = problem.slips[i].norm() + spans.constant + turning_size;
             [force, Wave { of, size, turning_size }]
         };

@@ -1,4 +1,4 @@
-//! While states last, forces and motions turn with the load, and the first way out is a root of a trigonometric polynomial.
+//! Forces and motions that turn with the load while states last: the first exit is a root of a trigonometric polynomial.
 
 use super::first_exits::FirstExits;
 use crate::contact::{Exit, State, TurningExit, Wave};
@@ -6,26 +6,26 @@ use crate::numerics::{Harmonic, Size, Vector};
 use crate::object::{PieceState, Problem};
 use crate::prelude::*;
 
-/// How everything turns from a place on, while contacts keep their states.
+/// The turn of all quantities from a place on, while contacts keep their states.
 #[derive(Debug)]
 pub(super) struct TurningState<D: Size, const C: usize> {
     /// Force and stretch of every contact.
     pub(super) waves: Vec<[Wave<C>; 2]>,
     pub(super) twist: Harmonic<Vector<D>>,
     pub(super) load: Harmonic<Vector<D>>,
-    /// For one unit of the factor, rad.
+    /// Angle for one unit of the factor, rad.
     pub(super) angle: f64,
 }
 
 impl<D: Size, const C: usize> TurningState<D, C> {
-    /// Forces after a step of the factor, and what the twist changes by.
+    /// Forces after a step of the factor, and the change of the twist.
     pub(super) fn after(&self, step: f64) -> PieceState<D, C> {
         let angle = self.angle * step;
         let forces = self.waves.iter().map(|[force, _]| force.of.at(angle)).collect();
         PieceState { forces, twist: self.twist.at(angle) - self.twist.at(0.0) }
     }
 
-    /// What contacts reach first in these states, within a step of the factor.
+    /// The first exits of contacts in these states, within a step of the factor.
     pub(super) fn first_exits(
         &self,
         problem: &Problem<'_, D, C>,
@@ -40,7 +40,7 @@ impl<D: Size, const C: usize> TurningState<D, C> {
     }
 }
 
-/// The first of all ways out; steps are angles before, and parts of an angle then.
+/// The first of all exits; converts steps from angles to parts of `angle`.
 fn first_of<const C: usize>(ways: Vec<(usize, Vec<TurningExit<C>>)>, angle: f64) -> FirstExits<C> {
     let leaving = |exit: &TurningExit<C>| match exit {
         TurningExit::Leaves(exit) => {
@@ -58,7 +58,7 @@ fn first_of<const C: usize>(ways: Vec<(usize, Vec<TurningExit<C>>)>, angle: f64)
             TurningExit::Touches(angle) if *angle < end => Some((contact, *angle)),
             _ => None,
         }));
-        // Symmetric grasps reach several edges at once: equal up to the rounding of both.
+        // Symmetric grasps reach several edges at once: steps equal up to the rounding of both count as tied.
         let tied = |exit: &Exit<C>| {
             first.is_some_and(|first| exit.step - first.step <= exit.uncertainty + first.uncertainty)
         };

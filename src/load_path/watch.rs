@@ -1,25 +1,25 @@
-//! What has to stay positive along a sliding arc.
+//! The conditions that must stay positive along a sliding arc.
 
 use super::segment::{Here, Segment};
 use crate::contact::{Line, Mode, State, ZERO_SLACK, tangential, tangential_norm};
 use crate::numerics::Size;
 use crate::prelude::*;
 
-/// On an arc a value carries the error of the steps besides rounding.
+/// Relative error of values on an arc from its steps, in addition to rounding.
 const ERROR_OF_STEPS: f64 = 1e-13;
 
-/// The size of the rate of the load factor, which is 1 at most. At a top of the load factor a rate of 1e-8 is zero: the factor is known to
-/// the square of that.
+/// Scale of the rate of the load factor, which is at most 1. At a maximum of the load factor a rate of 1e-8 counts as zero: the factor is known to
+/// its square.
 const AT_THE_TOP: f64 = 1e-8 / (ZERO_SLACK + ERROR_OF_STEPS);
 
 /// The normal force of a sliding contact on its way to zero is known, and with it the direction of its friction, to the error of the steps over this
 /// part of its size: too little below.
 const VANISHING: f64 = 1e-7;
 
-/// What a condition is of.
+/// The subject of a condition.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum WatchedCondition {
-    /// Its state.
+    /// The state of this contact.
     Contact(usize),
     /// The load factor grows.
     Growth,
@@ -42,7 +42,7 @@ impl Watch {
         self.value < -(ZERO_SLACK + ERROR_OF_STEPS) * self.size
     }
 
-    /// Zero, as far as can be told.
+    /// Zero up to rounding and the error of steps.
     pub(super) fn is_met(&self) -> bool {
         self.value.abs() <= (ZERO_SLACK + ERROR_OF_STEPS) * self.size
     }
@@ -63,7 +63,7 @@ pub(super) fn is_vanishing<const C: usize>(line: &Line<C>) -> bool {
     line.rate[0] < 0.0 && line.force[0] <= VANISHING * line.force_size
 }
 
-/// Whether a sliding contact has just lost it: its direction was not known well enough for a step that ends there.
+/// Whether a sliding contact has just lost its normal force: its direction was not accurate enough for a step that ends there.
 pub(super) fn has_vanished<const C: usize>(line: &Line<C>) -> bool {
     line.force[0] < 0.0 && line.force[0] >= -VANISHING * line.force_size
 }
@@ -98,7 +98,7 @@ pub(super) fn watch<D: Size, const C: usize>(
             }
             Mode::Sticking if local.may_open() => push(line.force[0], Some(line.rate[0]), line.force_size),
             Mode::Sticking => {}
-            // Whether what is about to vanish sticks on the way there is decided by rounding.
+            // Rounding decides whether a contact with a vanishing force sticks on the way there.
             _ if is_vanishing(line) => push(f64::INFINITY, None, 1.0),
             _ => {
                 let p = tangential(&line.force) / tangential_norm(&line.force);

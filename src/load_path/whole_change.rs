@@ -1,4 +1,4 @@
-//! Events as people tell them: a soft fingertip begins to slide with its first point, and slides everywhere with its last one.
+//! Events of whole contacts: a soft fingertip begins to slide with its first point, and slides everywhere with its last one.
 
 use core::fmt;
 
@@ -8,21 +8,21 @@ use crate::error::ContactLabel;
 use crate::prelude::*;
 use crate::words::{Words, opens};
 
-/// What changes at an event, points of one soft fingertip together.
+/// A change at an event, with the points of one soft fingertip together.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct WholeChange<const C: usize> {
-    /// Which contact.
+    /// The contact that changes.
     pub contact: ContactLabel,
-    /// What it does from here on.
+    /// Its behaviour from here on.
     pub what: Doing<C>,
 }
 
-/// What a contact does from an event on. Points are told by what changes, soft fingertips by their first and their last points.
+/// The behaviour of a contact from an event on. Point contacts are described by their change, soft fingertips by their first and last points.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Doing<const C: usize> {
-    /// A contact that is a point itself changes.
+    /// A contact that is a single point changes.
     Point(Change<C>),
     /// The first points slide.
     BeginsToSlide,
@@ -42,7 +42,7 @@ pub enum Doing<const C: usize> {
     Touches,
     /// The last points touch.
     TouchesEverywhere,
-    /// It is kept closed and would have to pull.
+    /// The contact is kept closed and would have to pull.
     WouldPull,
 }
 
@@ -77,8 +77,8 @@ impl<const C: usize> fmt::Display for WholeChange<C> {
 }
 
 impl<const C: usize> Event<C> {
-    /// What changes, points of one soft fingertip together: of these the first and the last ones are told. Empty where
-    /// only points in between change.
+    /// The changes, with the points of one soft fingertip together, described by the first and the last of them. Empty where only points in between
+    /// change.
     #[must_use]
     pub fn whole_changes(&self) -> Vec<WholeChange<C>> {
         whole_changes(&self.state, &self.changes)
@@ -102,7 +102,7 @@ impl<const C: usize> fmt::Display for Event<C> {
     }
 }
 
-/// What changes beside a state, points of one soft fingertip together, in the order of the first change of each.
+/// The changes relative to a state, with the points of one soft fingertip together, in the order of the first change of each.
 pub(crate) fn whole_changes<const C: usize>(
     state: &Equilibrium<C>,
     changes: &[ContactChange<C>],
@@ -132,7 +132,7 @@ pub(crate) fn whole_changes<const C: usize>(
     all
 }
 
-/// How many points of a pad do what before and after an event.
+/// Numbers of points of a pad in each state, before and after an event.
 struct PadAtEvent {
     before: PadCount,
     after: PadCount,
@@ -182,7 +182,7 @@ impl PadAtEvent {
     }
 }
 
-/// What a point does.
+/// The state of a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum PointDoes {
     Open,
@@ -199,7 +199,7 @@ impl PointDoes {
         }
     }
 
-    /// What it did before a change and does after it. At the very start of a path the states are those after it.
+    /// The states before and after a change. At the very start of a path the states given are those after it.
     fn change<const C: usize>(change: &Change<C>, state: Self) -> [Self; 2] {
         match change {
             Change::Slides { .. } => [Self::Sticks, Self::Slides],
@@ -213,7 +213,7 @@ impl PointDoes {
     }
 }
 
-/// How many points do what.
+/// Numbers of points in each state.
 #[derive(Debug, Clone, Copy, Default)]
 struct PadCount {
     closed: usize,

@@ -1,19 +1,17 @@
-//! What a contact stands on where the path stands, and what bounds its way.
+//! The active set of a contact at the present place of the path, and the bounds of its way.
 
 use nalgebra::SVector;
 
 use crate::contact::PolygonState;
 
-/// What bounds the way of a contact: a facet by its number; the normal force where there is no
-/// facet to watch; the gap of an open contact.
+/// A bound on the way of a contact: a facet by its number; `Apex` for the normal force where no facet bounds it, and for the gap of an open contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Bound {
     Facet(u16),
     Apex,
 }
 
-/// What a contact stands on: at most C - 1 facets, or the apex of its cone (closed without force,
-/// or open without a gap).
+/// The active set of a contact: at most C - 1 facets, or the apex of its cone (closed without force, or open without a gap).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FacetsReached<const C: usize> {
     pub(super) contact: u32,
@@ -39,8 +37,7 @@ impl<const C: usize> FacetsReached<C> {
         &self.facets[..usize::from(self.count)]
     }
 
-    /// Takes up where a bound leads to. More facets than an edge of the cone has meet at the apex
-    /// only.
+    /// Adds a bound. More facets than an edge of the cone has meet only at the apex.
     pub(super) fn reach(&mut self, bound: Bound) {
         match bound {
             Bound::Apex => self.apex = true,

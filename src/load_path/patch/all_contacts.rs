@@ -1,5 +1,5 @@
-//! Where Newton's method on the rates does not arrive, all contacts are asked at once, as those of
-//! a short path are. The path ends where they have no answer either.
+//! Decision among all contacts at once, as on a path of few contacts, where Newton's method on the rates does not converge. The path ends where this
+//! finds no states either.
 
 use super::patch_path::Patch;
 use crate::contact::{Mode, State};
@@ -10,7 +10,7 @@ use crate::numerics::Size;
 use crate::search::{Settled, settle};
 
 impl<D: Size, const C: usize> Patch<D, C> {
-    /// Asks for the states of everything that stands on an edge or slides.
+    /// Finds the states of all contacts that are on an edge or slide.
     pub(super) fn ask_about_all(&mut self, journey: &Journey<'_, D, C>) -> Result<(), PathEnd<C>> {
         self.balance.remember_all();
         let edge = self.all_contacts(journey);

@@ -1,8 +1,7 @@
 //! The contacts in known states, and the motion of the object in which they balance the load.
 //!
-//! With every contact in a known state balance is d equations for the motion y on top of the
-//! elastic trial motion. They are affine in the fraction τ of the leg, and an event changes a term
-//! or two of them:
+//! With every contact in a known state, balance is d equations for the motion y on top of the elastic trial motion. They are affine in the fraction τ
+//! of the leg, and an event changes one or two of their terms:
 //!
 //! ```text
 //! T y = b + τ b',   T = Σ QᵀP Q,   b = Σ Qᵀ((P - 1) x⁰ - P m),   b' = Σ Qᵀ(P - 1) x⁰'
@@ -19,33 +18,32 @@ use crate::numerics::{Factors, Size, Vector, orthonormalise_against};
 use crate::object::{CORRECTIONS, EnergyCoordinates, Facet, MARGIN, Point, Problem, Sums, are_stale, slack};
 use crate::prelude::*;
 
-/// Up to so many contacts the sums are made afresh for every solve: that costs no more than the
-/// solve.
+/// Up to this many contacts the sums are made afresh for every solve, which costs no more than the solve.
 const FEW: usize = 64;
 
-/// The contacts in their states, and where the path stands.
+/// The contacts in their states, and the present place of the path.
 #[derive(Debug)]
 pub(super) struct Balance<D: Size, const C: usize> {
     pub(super) contacts: Vec<MovingContact<D, C>>,
     coordinates: EnergyCoordinates<C>,
     /// T, b and b'.
     sums: Sums<D, 2>,
-    /// Changes since the sums were made.
+    /// Number of changes since the sums were made.
     age: usize,
     factors: Factors<D>,
-    /// The fraction of the leg at which the path stands.
+    /// The present fraction of the leg.
     pub(super) tau: f64,
-    /// Motion on top of the trial state there, scaled as Q is, and its rate.
+    /// Motion on top of the trial state at τ, scaled like Q, and its rate.
     pub(super) y: Vector<D>,
     pub(super) y_rate: Vector<D>,
-    /// A unit of time along the leg that weighs as much as one of y.
+    /// Unit of time along the leg that weighs as much as a unit of y.
     pub(super) pace: f64,
-    /// How often a contact has been looked at.
+    /// Number of evaluations of single contacts.
     pub(super) looked_at: usize,
 }
 
 impl<D: Size, const C: usize> Balance<D, C> {
-    /// Everything sticks.
+    /// The balance with every contact sticking.
     pub(super) fn new(problem: &Problem<'_, D, C>, trial: &TrialLeg<D, C>) -> Self {
         let (mut contacts, mut coordinates) =
             (Vec::with_capacity(problem.len()), EnergyCoordinates::default());
@@ -78,7 +76,7 @@ impl<D: Size, const C: usize> Balance<D, C> {
         self.coordinates.weight.sqrt()
     }
 
-    /// u of a contact where the path stands.
+    /// u of a contact at the present place.
     pub(super) fn stretch(&self, contact: &MovingContact<D, C>) -> SVector<f64, C> {
         contact.stretch(&self.y, self.tau)
     }
@@ -93,12 +91,12 @@ impl<D: Size, const C: usize> Balance<D, C> {
         contact.force(&self.stretch_rate(contact), self.facets(contact))
     }
 
-    /// Size of the terms that u' of a contact is made of.
+    /// Size of the terms that u' of a contact is the sum of.
     pub(super) fn rate_level(&self, contact: &MovingContact<D, C>) -> f64 {
         contact.rate_level(self.y_rate.norm())
     }
 
-    /// How much relative rounding errors grow in a rate of the motion, at least 1.
+    /// Growth of relative rounding errors in a rate of the motion, at least 1.
     pub(super) fn growth(&self) -> f64 {
         self.factors.growth()
     }
@@ -121,14 +119,14 @@ impl<D: Size, const C: usize> Balance<D, C> {
         }
     }
 
-    /// The slip of a contact up to here becomes memory.
+    /// Adds the slip of a contact up to here to memory.
     pub(super) fn remember(&mut self, contact: u32) {
         let contact = &mut self.contacts[contact as usize];
         let u = contact.stretch(&self.y, self.tau);
         contact.remember(&u, self.coordinates.facets(&contact.fixed));
     }
 
-    /// The slip of all contacts up to here becomes memory.
+    /// Adds the slip of all sliding contacts up to here to memory.
     pub(super) fn remember_all(&mut self) {
         for contact in (0..).take(self.contacts.len()) {
             if self.contact(contact).state.slides() {
@@ -137,7 +135,7 @@ impl<D: Size, const C: usize> Balance<D, C> {
         }
     }
 
-    /// The sums afresh.
+    /// Makes the sums afresh.
     pub(super) fn renew(&mut self) {
         let (rank, weight) = (self.coordinates.rank, self.coordinates.weight);
         self.sums = Sums::over(self.sums.stiffness.size(), self.contacts.len(), rank, &|sums, contact| {
@@ -149,12 +147,12 @@ impl<D: Size, const C: usize> Balance<D, C> {
         self.looked_at += self.contacts.len();
     }
 
-    /// The factors of the sums as they have become.
+    /// Factorises the present sums.
     pub(super) fn refactor(&mut self) {
         self.factors = Factors::new(&self.sums.stiffness);
     }
 
-    /// A leg begins, with x⁰ and its change along the leg, spring by spring.
+    /// Begins a leg, with x⁰ and its change along the leg, spring by spring.
     pub(super) fn begin_leg(&mut self, sites: &[Site<D, C>], [trial, rate]: &[Vec<f64>; 2]) {
         let mut springs = trial.iter().zip(rate);
         for (contact, site) in self.contacts.iter_mut().zip(sites) {
@@ -162,13 +160,13 @@ impl<D: Size, const C: usize> Balance<D, C> {
                 (contact.trial[axis], contact.rate[axis]) = (*x, *change);
             }
         }
-        // Where the trial state does not change, nothing does.
+        // With a constant trial state nothing changes.
         let mean = (rate.iter().map(|x| x * x).sum::<f64>() / sites.len() as f64).sqrt();
         self.pace = if mean > 0.0 { mean } else { 1.0 };
         self.tau = 0.0;
     }
 
-    /// Removes what rounding leaves of balance at a fraction of the leg.
+    /// Removes the rounding imbalance at a fraction of the leg.
     pub(super) fn settle_at(&mut self, tau: f64) {
         self.tau = tau;
         let [base, rate] = &self.sums.sides;
@@ -176,14 +174,13 @@ impl<D: Size, const C: usize> Balance<D, C> {
         self.y += self.factors.solve(&left);
     }
 
-    /// Goes along the present piece up to a fraction of the leg.
+    /// Advances along the present piece up to a fraction of the leg.
     pub(super) fn go_to(&mut self, tau: f64) {
         self.y += &self.y_rate * (tau - self.tau);
         self.settle_at(tau);
     }
 
-    /// Solves for the rate of the motion in the present states. `false` if nothing balances the
-    /// load there.
+    /// Solves for the rate of the motion in the present states. `false` if nothing balances the load in them.
     pub(super) fn solve_rates(&mut self, trial: &TrialLeg<D, C>) -> bool {
         if self.contacts.len() <= FEW || are_stale(self.age, self.contacts.len()) {
             self.renew();
@@ -198,7 +195,7 @@ impl<D: Size, const C: usize> Balance<D, C> {
         self.y_rate.iter().all(|x| x.is_finite())
     }
 
-    /// Nothing drives the object along motions that nothing resists.
+    /// Removes the rates along free motions: no force drives the object along them.
     fn rest_along_free_motions(&mut self, trial: &TrialLeg<D, C>) {
         let kernel = self.factors.kernel();
         if kernel.is_empty() {
@@ -206,7 +203,7 @@ impl<D: Size, const C: usize> Balance<D, C> {
         }
         let scale = self.scale();
         let preimage = |y: &Vector<D>| trial.factor.preimage(&(y / scale));
-        // Pairs of a motion and the same in the coordinates of y, the motions orthonormal.
+        // Pairs of a motion and its image in the coordinates of y; the motions are orthonormal.
         let mut known: Vec<(Vector<D>, Vector<D>)> =
             trial.free.iter().map(|v| (v.clone(), Vector::zeros())).collect();
         for mut y in kernel {
@@ -227,7 +224,7 @@ impl<D: Size, const C: usize> Balance<D, C> {
         }
     }
 
-    /// y with what rounding leaves of balance removed from it, summed afresh.
+    /// y with the rounding imbalance removed, from sums made afresh.
     pub(super) fn balanced(&self) -> Vector<D> {
         let mut y = self.y.clone();
         for _ in 0..CORRECTIONS {
@@ -241,12 +238,12 @@ impl<D: Size, const C: usize> Balance<D, C> {
         y
     }
 
-    /// The twist at which y stands on top of the trial state: the least one.
+    /// The twist of least norm at which y is the motion on top of the trial state.
     pub(super) fn twist(&self, trial: &TrialLeg<D, C>, y: &Vector<D>) -> Vector<D> {
         trial.twist(&(&trial.travelled + &trial.rate * self.tau + y / self.scale()))
     }
 
-    /// The motion in which the object goes on.
+    /// The rate of the twist.
     pub(super) fn twist_rate(&self, trial: &TrialLeg<D, C>) -> Vector<D> {
         trial.twist(&(&trial.rate + &self.y_rate / self.scale()))
     }
@@ -262,7 +259,7 @@ impl<D: Size, const C: usize> Balance<D, C> {
         motions
     }
 
-    /// The time in which no bound of a contact can be used up, on the clock of the direction e.
+    /// The time in which no bound of a contact can be reached, on the clock of the direction e.
     pub(super) fn slack(&self, contact: &MovingContact<D, C>, e: &Point<D>) -> f64 {
         let u = self.stretch(contact);
         let margin = MARGIN * contact.level(&u, self.y.norm());
@@ -275,8 +272,7 @@ impl<D: Size, const C: usize> Balance<D, C> {
         least
     }
 
-    /// The least slip rate of a contact that slides, and by how much the direction of the path must
-    /// change until it can vanish.
+    /// The least slip rate of a sliding contact, and the change of the path direction below which it cannot vanish.
     pub(super) fn slip_margin(&self, contact: &MovingContact<D, C>) -> (f64, f64) {
         let du = self.stretch_rate(contact);
         let size = self.course().size();
@@ -292,7 +288,7 @@ impl<D: Size, const C: usize> Balance<D, C> {
         (least, slack)
     }
 
-    /// What a contact stands on.
+    /// The active set of a contact.
     pub(super) fn stand_of(&self, number: u32) -> FacetsReached<C> {
         let contact = self.contact(number);
         let u = self.stretch(contact);

@@ -9,23 +9,21 @@ use crate::numerics::Size;
 use crate::object::{LazyPricing, Point};
 use crate::prelude::*;
 
-/// Times are taken longer by this part, so that rounding of the clock does not hide a contact.
+/// Relative extension of times, so that rounding of the clock does not hide a contact.
 const LONGER: f64 = 1e-13;
-/// The path goes on turning as it has since the last time: by this part as much further before the
-/// line is made anew.
+/// Extrapolated turn of the path, relative to its turn since contacts were last queued: the new queue is made for that direction.
 const AHEAD: f64 = 0.4;
-/// The next event is looked for within so many times the last steps. With less, the first look too
-/// often misses it; with more, contacts are looked at for nothing.
+/// Range of the first search for the next event, as a multiple of the last steps. With less, it often misses the event; with more, contacts are
+/// evaluated in vain.
 const STRIDES: f64 = 4.0;
-/// Then it is looked for within so many times that.
+/// Factor by which later searches extend the range.
 const FURTHER: f64 = 8.0;
-/// A look goes no less far than this part of what is left, whatever the last steps were.
+/// Least range of a later search, as a part of the rest, whatever the last steps were.
 const SHORTEST: f64 = 1e-6;
-/// A step is known to this part at least; a larger correction says that there is something else
-/// wrong with it.
+/// Largest relative correction of a step; a larger one means that something else is wrong.
 const ROUGHLY: f64 = 1e-6;
 
-/// A bound that a step uses up.
+/// A bound that a step reaches.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct BoundReached {
     pub(super) contact: u32,
@@ -34,22 +32,22 @@ pub(super) struct BoundReached {
     uncertainty: f64,
 }
 
-/// How far it is to the end of a piece.
+/// Length of a piece.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum PieceLength {
-    /// To where something reaches an edge.
+    /// Up to where a contact reaches an edge.
     ToAnEdge(f64),
-    /// Nothing reaches an edge up to there, or nothing clearly before.
+    /// Up to the end: no contact reaches an edge before it, or not clearly before.
     ToTheEnd,
 }
 
-/// The contacts in line for their bounds, and those that come first.
+/// The queue of contacts by their bounds, and the first exits.
 #[derive(Debug)]
 pub(super) struct BoundsAhead<D: Size> {
     pricing: LazyPricing<D>,
-    /// The direction of the path when all contacts were put in line.
+    /// The direction of the path when all contacts were last queued.
     last_course: Option<Point<D>>,
-    /// About how far it is to the next event.
+    /// Approximate distance of the next event.
     stride: f64,
     pub(super) exits: Vec<BoundReached>,
 }
@@ -59,13 +57,13 @@ impl<D: Size> BoundsAhead<D> {
         Self { pricing: LazyPricing::default(), last_course: None, stride: 1.0, exits: Vec::new() }
     }
 
-    /// Everybody is put in line for a path that sets out.
+    /// Queues all contacts at the start of a leg.
     pub(super) fn set_out<const C: usize>(&mut self, balance: &mut Balance<D, C>) {
         self.last_course = None;
         self.line_up(balance);
     }
 
-    /// Everybody is put in line for the present direction of the path.
+    /// Queues all contacts for the present direction of the path.
     fn line_up<const C: usize>(&mut self, balance: &mut Balance<D, C>) {
         let course = balance.course().direction();
         let towards = match self.last_course.replace(course.clone()) {
@@ -80,8 +78,7 @@ impl<D: Size> BoundsAhead<D> {
         balance.looked_at += balance.contacts.len();
     }
 
-    /// Looks for what reaches an edge first, at most so far from here, and leaves it in `exits`,
-    /// the tied ones only.
+    /// Finds the contacts that reach an edge first, at most `most` ahead, and leaves the tied exits in `exits`.
     pub(super) fn first_exits<const C: usize>(
         &mut self,
         balance: &mut Balance<D, C>,
@@ -89,7 +86,7 @@ impl<D: Size> BoundsAhead<D> {
     ) -> PieceLength {
         self.exits.clear();
         self.pricing.looked.clear();
-        // Mostly the next event is about as far as the last one was.
+        // The next event is usually about as far as the last one was.
         let mut far = self.stride.min(most);
         loop {
             self.look_within(balance, far);
@@ -102,10 +99,9 @@ impl<D: Size> BoundsAhead<D> {
         let Some(first) = self.exits.iter().copied().min_by(|a, b| a.step.total_cmp(&b.step)) else {
             return PieceLength::ToTheEnd;
         };
-        // Symmetric grasps reach several edges at once: equal up to the rounding of both.
+        // Symmetric grasps reach several edges at once: steps equal up to the rounding of both count as tied.
         self.exits.retain(|exit| exit.step - first.step <= exit.uncertainty + first.uncertainty);
-        // What is reached together with the end of the leg, up to rounding, stands there when the
-        // next begins.
+        // Edges reached together with the end of the leg, up to rounding, are in the active sets when the next leg begins.
         let at_the_end = self.exits.iter().any(|exit| (exit.step - most).abs() <= exit.uncertainty);
         if first.step >= most || (at_the_end && balance.tau + most >= 1.0) {
             PieceLength::ToTheEnd
@@ -114,8 +110,7 @@ impl<D: Size> BoundsAhead<D> {
         }
     }
 
-    /// Looks at everybody whose time comes within a step so long, or within the first exits if they
-    /// are nearer.
+    /// Evaluates all contacts whose time comes within a step of length `far`, or within the first exits if they are nearer.
     fn look_within<const C: usize>(&mut self, balance: &mut Balance<D, C>, far: f64) {
         let speed = self.pricing.speed(&balance.course());
         let (travel, mut longest) = (balance.y.norm(), far);
@@ -156,8 +151,7 @@ impl<D: Size> BoundsAhead<D> {
         balance.go_to(tau);
     }
 
-    /// A little further or back to where the best known of the exits is: found from afar, it
-    /// carries the rounding of what the state is here.
+    /// Moves slightly to the best known of the exits: found from afar, it carries the rounding of the present state.
     pub(super) fn correct<const C: usize>(&self, balance: &mut Balance<D, C>, before: f64) {
         let best = self.exits.iter().min_by(|a, b| a.uncertainty.total_cmp(&b.uncertainty));
         let Some(exit) = best else { return };
@@ -175,7 +169,7 @@ impl<D: Size> BoundsAhead<D> {
         }
     }
 
-    /// Those that were looked at wait again; all are put in line anew where the path has turned.
+    /// Queues the evaluated contacts again, or all contacts where the path has turned.
     pub(super) fn requeue<const C: usize>(&mut self, balance: &mut Balance<D, C>) {
         if self.pricing.has_turned() {
             self.line_up(balance);
@@ -184,7 +178,7 @@ impl<D: Size> BoundsAhead<D> {
         }
     }
 
-    /// Those that were looked at wait for their time from here.
+    /// Queues the evaluated contacts again, with their time from here.
     fn wait_again<const C: usize>(&mut self, balance: &mut Balance<D, C>) {
         while let Some(number) = self.pricing.looked.pop() {
             balance.contacts[number as usize].waits = true;
@@ -194,12 +188,12 @@ impl<D: Size> BoundsAhead<D> {
         }
     }
 
-    /// The numbers of the contacts that the present step has looked at.
+    /// The numbers of the contacts evaluated in the present step.
     pub(super) fn looked(&self) -> &[u32] {
         &self.pricing.looked
     }
 
-    /// What a contact has waited for is of the past.
+    /// Invalidates the queue entries of a contact.
     pub(super) fn call_back<const C: usize>(&mut self, balance: &mut Balance<D, C>, contact: u32) {
         let moved = &mut balance.contacts[contact as usize];
         moved.stamp = moved.stamp.wrapping_add(1);

@@ -1,13 +1,12 @@
-//! What comes next at an event, decided among the contacts that stand on an edge.
+//! The continuation after an event, decided among the contacts on an edge.
 //!
-//! In rates each of them answers a motion of the object by a law of its own. On an edge of the cone
-//! a contact slides along or leaves inwards; at the apex it has its whole law again. Everything
-//! else goes on as it is. Each choice of states for those contacts gives T and with it the rate of
-//! the motion, which must be one that they answer by these states. That is Newton's method on the
-//! rates. It starts from the guess that mostly holds, and is then the whole work, one solve.
+//! In rates each of these contacts responds to a motion of the object by a law of its own. On an edge of the cone a contact slides along or leaves
+//! inwards; at the apex it has its whole law again. All other contacts keep their states. Each choice of states for those on an edge gives T and with
+//! it the rate of the motion, to which they must respond in these states. Newton's method on the rates finds the choice. It starts from the usual
+//! guess, which mostly holds and then costs one solve.
 //!
-//! Contacts that slide elsewhere stand on an edge, too, but as a rule slide on (see `sliding_on`).
-//! They join those that stand here once their slip comes to rest.
+//! Sliding contacts elsewhere are on an edge, too, but usually slide on (see `sliding_on`). They join the contacts decided here once their slip comes
+//! to rest.
 
 use nalgebra::SVector;
 
@@ -22,23 +21,21 @@ use crate::load_path::transition::change;
 use crate::numerics::Size;
 use crate::prelude::*;
 
-/// A motion that is shorter by less than this part is none that is shorter: it is the same up to
-/// rounding.
+/// Motions whose lengths differ by less than this part are equal up to rounding.
 const LESS: f64 = 1e-9;
-/// Newton's method takes a few steps or goes round in circles.
+/// Newton's method takes a few steps or cycles.
 const STEPS: usize = 24;
-/// Rounding is not believed to grow beyond this part of the rates: it would hide a contact that
-/// does move.
+/// Largest growth of rounding accepted, relative to the rates: more could hide a contact that does move.
 const MOST_ROUNDING: f64 = 1e-10;
 
 impl<D: Size, const C: usize> Patch<D, C> {
-    /// Decides how the path goes on from here; the changes are told.
+    /// Decides the continuation of the path from here, and queues the changes for report.
     pub(super) fn decide(&mut self, journey: &Journey<'_, D, C>, due: Due) -> Result<(), PathEnd<C>> {
         let decided = self.decide_among_stands(journey, due);
         if decided.is_ok() {
             self.take_over(journey);
         } else {
-            // The path ends in the states that it has come in.
+            // The path ends in the states in which it arrived.
             self.put_each(|_, stand| stand.was);
             self.balance.refactor();
             self.balance.settle_at(self.balance.tau);
@@ -52,7 +49,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
         }
         let found = if due == Due::Start {
             self.sliding.clear();
-            // Nothing changes; or everything that stands on an edge sticks to begin with.
+            // Either nothing changes, or all contacts on an edge stick at first.
             self.newton() || {
                 self.put_each(|_, _| Mode::Sticking);
                 self.newton()
@@ -68,8 +65,8 @@ impl<D: Size, const C: usize> Patch<D, C> {
         self.check_infinite_friction(journey)
     }
 
-    /// A contact that touches without force, and gets none, does not drag the object along. Where
-    /// it may as well part from the object, which moves less then, it parts; forces are the same.
+    /// Opens contacts that touch without force and gain none, so that they do not drag the object along. They open where the object then moves less;
+    /// forces are the same.
     fn part_idle_contacts(&mut self, journey: &Journey<'_, D, C>) -> Result<(), PathEnd<C>> {
         let balance = &self.balance;
         let is_idle = |stand: &&FacetsReached<C>| {
@@ -92,7 +89,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
         if self.newton() && self.balance.twist_rate(&self.trial).norm() < moved * (1.0 - LESS) {
             return Ok(());
         }
-        // Contacts that have joined since then slide as before.
+        // Contacts that have joined meanwhile slide as before.
         for (k, stand) in self.stands.iter().enumerate() {
             self.balance.put(stand.contact, states.get(k).copied().unwrap_or(stand.was));
         }
@@ -106,7 +103,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
         }
     }
 
-    /// Whether states of the contacts that stand here have been found that answer their own rates.
+    /// Whether Newton's method finds states of the contacts on an edge that respond to their own rates.
     fn newton(&mut self) -> bool {
         for _ in 0..STEPS {
             if !self.balance.solve_rates(&self.trial) {
@@ -124,8 +121,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
                     tolerance = (ZERO_SLACK * self.balance.growth()).min(MOST_ROUNDING);
                 }
                 if margin < -tolerance * level {
-                    // Also where no state answers as it should: what others do may help, or nothing
-                    // does.
+                    // The state also changes where no state responds without violation: changes of other contacts may help.
                     changed = true;
                     let answer = contact.answer(stand, &du, facets);
                     self.balance.put(stand.contact, answer);
@@ -138,8 +134,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
         false
     }
 
-    /// Contacts that slide elsewhere and would slip backwards join those that stand here. Whether
-    /// any does.
+    /// Adds sliding contacts elsewhere that would slip backwards. Whether there are any.
     fn others_come_to_rest(&mut self) -> bool {
         let stands = &self.stands;
         let is_here = |contact| stands.iter().any(|stand| stand.contact == contact);
@@ -151,8 +146,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
         any
     }
 
-    /// Infinite friction keeps its tangential force until the normal force is gone, and loses it
-    /// all at once.
+    /// Infinite friction keeps its tangential force until the normal force is gone, and then loses it at once.
     fn check_infinite_friction(&mut self, journey: &Journey<'_, D, C>) -> Result<(), PathEnd<C>> {
         for k in 0..self.stands.len() {
             let FacetsReached { contact, was, .. } = self.stands[k];
@@ -160,7 +154,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
             if !opens || !journey.grasp.sites()[contact as usize].friction.is_infinite() {
                 continue;
             }
-            // It sticks up to here.
+            // The contact sticks up to here.
             let motion = self.unit_motion();
             self.balance.put(contact, was);
             if self.balance.holds_along(contact) {
@@ -171,7 +165,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
         Ok(())
     }
 
-    /// Tells what has changed, and puts the contacts that stand here in line again.
+    /// Queues the changes for report, and queues the contacts decided here for their bounds again.
     fn take_over(&mut self, journey: &Journey<'_, D, C>) {
         let load = journey.program.load_at(self.balance.tau);
         self.told.clear();
@@ -185,7 +179,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
                 self.told.push(PatchEvent { leg, fraction, load, contact: number, change });
             }
             if is.is_open() {
-                // Slip is remembered from where it closes.
+                // Slip counts from where the contact closes.
                 self.balance.contacts[number].memory = stand.memory;
             }
             self.ahead.call_back(&mut self.balance, stand.contact);
@@ -196,8 +190,8 @@ impl<D: Size, const C: usize> Patch<D, C> {
         self.told.sort_unstable_by_key(|event| core::cmp::Reverse(event.contact));
     }
 
-    /// The direction in which a sliding contact slips from here on, coordinate axes; where the slip
-    /// rate is zero, that in which it would start.
+    /// The direction in which a sliding contact slips from here on, coordinate axes; where the slip rate is zero, the direction in which it would
+    /// start.
     fn slip_direction(&self, journey: &Journey<'_, D, C>, contact: usize) -> Option<SVector<f64, C>> {
         let (moving, site) = (&self.balance.contacts[contact], &journey.grasp.sites()[contact]);
         let outward = outward(journey, contact, moving.state)?;
@@ -211,7 +205,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
     }
 }
 
-/// The middle of the directions in which a sliding contact may slip, coordinate axes.
+/// The middle of the possible slip directions of a sliding contact, coordinate axes.
 fn outward<D: Size, const C: usize>(
     journey: &Journey<'_, D, C>,
     contact: usize,

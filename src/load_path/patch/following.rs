@@ -1,4 +1,4 @@
-//! From event to event, leg by leg.
+//! Advance from event to event, leg by leg.
 
 use nalgebra::SVector;
 
@@ -18,8 +18,7 @@ use crate::numerics::Size;
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// Steps of no length in a row that are still events of one node: with more, rounding goes in
-/// circles.
+/// Most steps of zero length in a row that still count as events of one node: with more, rounding goes in circles.
 const MOST_STALLS: usize = 64;
 
 impl<D: Size, const C: usize> Engine<D, C> {
@@ -99,7 +98,7 @@ impl<'g, D: Size, const C: usize> Follower<'g, D, C> for Patch<D, C> {
 }
 
 impl<'g, D: Size, const C: usize> Patch<D, C> {
-    /// Goes on to the next event of the leg, or up to this fraction of it. Whether the leg is done.
+    /// Advances to the next event of the leg, or up to this fraction of it. Whether the leg is done.
     fn advance(&mut self, journey: &Journey<'g, D, C>, most: f64) -> Result<bool, PathEnd<C>> {
         let before = self.balance.tau;
         match self.ahead.first_exits(&mut self.balance, most - before) {
@@ -124,7 +123,7 @@ impl<'g, D: Size, const C: usize> Patch<D, C> {
         }
     }
 
-    /// What was looked at and stands on an edge now.
+    /// Collects the evaluated contacts that are on an edge now.
     fn stand(&mut self) {
         let Self { stands, ahead, balance, .. } = self;
         stands.clear();
@@ -142,8 +141,7 @@ impl<'g, D: Size, const C: usize> Patch<D, C> {
         for &contact in ahead.looked() {
             if stands[..reached].binary_search_by_key(&contact, |stand| stand.contact).is_err() {
                 let stand = balance.stand_of(contact);
-                // A sliding contact stands on its own facets, and is not asked unless it stands on
-                // more.
+                // A sliding contact is on its own facets, and is decided anew only if it is on more.
                 let own = stand.was.own_facets(C).iter().flatten().count();
                 if stand.apex || stand.facets().len() > own {
                     stands.push(stand);

@@ -1,14 +1,13 @@
-//! One contact on its way along a leg, in energy coordinates, and what its law watches.
+//! One contact on its way along a leg, in energy coordinates, with the conditions of its law.
 //!
-//! A contact that keeps its state answers the motion y of the object by
+//! A contact in a fixed state responds to the motion y of the object by
 //!
 //! ```text
 //! x = P u,     u = x⁰ + τ x⁰' - m - Q y
 //! ```
 //!
-//! x⁰ + τ x⁰' is the elastic trial state on the way along a leg, m the slip so far, and P what the
-//! state lets through. A sticking contact lets everything through, an open one nothing, a sliding
-//! one what lies along its facet or in its corner of the cone.
+//! x⁰ + τ x⁰' is the elastic trial state on the way along a leg, m the slip so far, and P the projection of the state: the identity for a sticking
+//! contact, zero for an open one; for a sliding one it projects onto its facet or its corner of the cone.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -17,8 +16,8 @@ use crate::contact::{Mode, PolygonState, WEIGHTLESS, ZERO_SLACK};
 use crate::numerics::{Size, Vector};
 use crate::object::{EnergyContact, Facet, Point, Slipping, Sums, normal};
 
-/// A contact on its way. With a hundred thousand of them an event waits for memory: a contact takes two of its lines in the
-/// plane and four in space, none of which it shares.
+/// A contact on its way. With a hundred thousand contacts memory access dominates an event: each contact fills two cache lines of its own in the
+/// plane and four in space.
 #[derive(Debug, Clone)]
 #[repr(align(64))]
 pub(super) struct MovingContact<D: Size, const C: usize> {
@@ -32,9 +31,9 @@ pub(super) struct MovingContact<D: Size, const C: usize> {
     /// |Q|.
     width: f64,
     pub(super) state: PolygonState,
-    /// Entries in the lines with another number are of the past.
+    /// Queue entries with another number are outdated.
     pub(super) stamp: u32,
-    /// Whether the contact waits in line for its bounds.
+    /// Whether the contact is queued for its bounds.
     pub(super) waits: bool,
 }
 
@@ -43,7 +42,7 @@ pub(super) fn size<const C: usize>(felt: &SVector<f64, C>) -> f64 {
     felt.lp_norm(1)
 }
 
-/// What a state feels of a facet: `row·x` as a function of u.
+/// The row of a facet seen through a state: `row·x` as a function of u.
 fn through<const C: usize>(
     state: PolygonState,
     facets: &[Facet<C>],
@@ -94,17 +93,17 @@ impl<D: Size, const C: usize> MovingContact<D, C> {
         self.rate - &self.fixed.seen * y_rate
     }
 
-    /// How u changes in a direction of the path.
+    /// Change of u along a direction of the path.
     pub(super) fn change_along(&self, e: &Point<D>, pace: f64) -> SVector<f64, C> {
         self.rate * (e.s / pace) - &self.fixed.seen * &e.y
     }
 
-    /// Size of the terms that u is made of.
+    /// Size of the terms that u is the sum of.
     pub(super) fn level(&self, stretch: &SVector<f64, C>, travel: f64) -> f64 {
         self.trial.amax() + self.rate.amax() + self.memory.amax() + stretch.amax() + self.width * travel
     }
 
-    /// Size of the terms that u' is made of.
+    /// Size of the terms that u' is the sum of.
     pub(super) fn rate_level(&self, travel_rate: f64) -> f64 {
         self.rate.amax() + self.width * travel_rate
     }
@@ -115,7 +114,7 @@ impl<D: Size, const C: usize> MovingContact<D, C> {
         felt.norm() * self.width + felt.dot(&self.rate).abs() / pace
     }
 
-    /// P; `None` where everything is let through.
+    /// P; `None` if it is the identity.
     pub(super) fn hold(&self, facets: &[Facet<C>]) -> Option<SMatrix<f64, C, C>> {
         match self.state {
             Mode::Sticking => None,
@@ -129,7 +128,7 @@ impl<D: Size, const C: usize> MovingContact<D, C> {
         self.hold(facets).map_or(*stretch, |hold| hold * stretch)
     }
 
-    /// Adds the terms of the contact to T, b and b', `weight` times.
+    /// Adds the terms of the contact to T, b and b', multiplied by `weight`.
     pub(super) fn add_to(&self, sums: &mut Sums<D, 2>, facets: &[Facet<C>], weight: f64) {
         let hold = self.hold(facets);
         let pushed = match &hold {
@@ -139,8 +138,7 @@ impl<D: Size, const C: usize> MovingContact<D, C> {
         sums.add(&self.fixed.seen, hold.as_ref(), Some(pushed), weight);
     }
 
-    /// Takes the slip up to here into memory: u becomes x, and that of an open contact keeps its
-    /// gap.
+    /// Adds the slip up to here to memory: u becomes x, and u of an open contact keeps its gap.
     pub(super) fn remember(&mut self, stretch: &SVector<f64, C>, facets: &[Facet<C>]) {
         let x = self.force(stretch, facets);
         for axis in 1..C {
@@ -161,7 +159,7 @@ impl<D: Size, const C: usize> MovingContact<D, C> {
                     visit(Bound::Apex, &normal());
                 }
             }
-            // The facets beside the one on which it slides: all meet at the apex.
+            // The facets on both sides of the one on which the contact slides: all meet at the apex.
             Mode::Facet(j) if C == 3 => {
                 for k in [self.facet_after(j), self.facet_before(j)] {
                     let felt = through(state, facets, &facets[usize::from(k)].row);
@@ -180,7 +178,7 @@ impl<D: Size, const C: usize> MovingContact<D, C> {
         if j > 0 { j - 1 } else { self.fixed.facet_count - 1 }
     }
 
-    /// What the contact stands on where the path stands.
+    /// The active set of the contact at the present place of the path.
     pub(super) fn stand(
         &self,
         contact: u32,
@@ -212,9 +210,8 @@ impl<D: Size, const C: usize> MovingContact<D, C> {
         stand
     }
 
-    /// How far the rates u' are inside the law of rates in a state, at the condition that they
-    /// break most; in the size of u'. A contact that stands on nothing has no conditions, one on
-    /// facets has theirs, one at the apex all of its law.
+    /// Margin of the rates u' within the law of rates in a state, at the condition that they violate most, relative to u'. A contact on no edge has
+    /// no conditions, one on facets has those of the facets, and one at the apex its whole law.
     pub(super) fn margin(
         &self,
         stand: &FacetsReached<C>,
@@ -238,7 +235,7 @@ impl<D: Size, const C: usize> MovingContact<D, C> {
         };
         if stand.apex {
             (0..self.fixed.facet_count).for_each(&mut note_facet);
-            // Without a gap row the cone itself asks for a normal force that grows.
+            // Without a gap row the cone itself requires a growing normal force.
             if !facets.is_empty() && self.state.slides() && !self.fixed.gap {
                 note(&normal());
             }
@@ -248,8 +245,7 @@ impl<D: Size, const C: usize> MovingContact<D, C> {
         least
     }
 
-    /// The state in which the law of rates answers u': the first that breaks no condition, or the
-    /// one that breaks them least.
+    /// The state in which the law of rates responds to u': the first that violates no condition, or the one that violates them least.
     pub(super) fn answer(
         &self,
         stand: &FacetsReached<C>,
@@ -282,7 +278,7 @@ impl<D: Size, const C: usize> MovingContact<D, C> {
         best.0
     }
 
-    /// The corner between the two facets on which a contact stands.
+    /// The corner between the two facets of the active set.
     fn corner_of(&self, stand: &FacetsReached<C>) -> Option<PolygonState> {
         let [a, b] = *stand.facets() else { return None };
         if self.facet_after(a) == b {
@@ -292,8 +288,7 @@ impl<D: Size, const C: usize> MovingContact<D, C> {
         }
     }
 
-    /// What mostly comes next: a contact on an edge slides along it, one without force opens, one
-    /// without a gap sticks.
+    /// The usual continuation: a contact on an edge slides along it, one without force opens, one without a gap sticks.
     pub(super) fn guess(&self, stand: &FacetsReached<C>) -> PolygonState {
         match *stand.facets() {
             _ if stand.apex && self.state.is_open() => Mode::Sticking,

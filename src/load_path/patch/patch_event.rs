@@ -1,4 +1,4 @@
-//! What happens to one contact on the way.
+//! An event of one contact.
 
 use crate::grasp::Wrench;
 use crate::load_path::event::Change;
@@ -9,14 +9,13 @@ use crate::load_path::event::Change;
 pub struct PatchEvent<const C: usize> {
     /// The leg, from 0.
     pub leg: usize,
-    /// How much of the leg has been gone, from 0 to 1, exact up to rounding. That grows where a
-    /// stiff contact slides and soft ones hold what it has held.
+    /// Fraction of the leg already followed, from 0 to 1, exact up to rounding. Rounding grows where a stiff contact slides and soft ones take over
+    /// its force.
     pub fraction: f64,
     /// The load there.
     pub load: Wrench<C>,
-    /// The contact, from 0. What changes together follows one after the other at the same fraction,
-    /// by the numbers of the contacts.
+    /// The contact, from 0. Simultaneous changes follow one another at the same fraction, in the order of contact numbers.
     pub contact: usize,
-    /// What it does from here on.
+    /// Its behaviour from here on.
     pub change: Change<C>,
 }

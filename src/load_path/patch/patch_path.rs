@@ -1,4 +1,4 @@
-//! The follower of thousands of contacts: where it stands, and what ends its path there.
+//! The follower of thousands of contacts: its state, and the end of its path.
 
 use super::active_set::FacetsReached;
 use super::balance::Balance;
@@ -12,14 +12,14 @@ use crate::numerics::{Size, Vector};
 use crate::prelude::*;
 use crate::search::Doubt;
 
-/// What has to be decided before the path goes on.
+/// The decision needed before the path continues.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) enum Due {
     #[default]
     Nothing,
-    /// How a leg begins.
+    /// The beginning of a leg.
     Start,
-    /// How the path goes on from an event.
+    /// The continuation after an event.
     Event,
 }
 
@@ -30,30 +30,30 @@ pub(crate) struct Patch<D: Size, const C: usize> {
     pub(super) balance: Balance<D, C>,
     pub(super) ahead: BoundsAhead<D>,
     pub(super) sliding: SlidingOn<D>,
-    /// The contacts that stand on an edge at the present event.
+    /// The contacts on an edge at the present event.
     pub(super) stands: Vec<FacetsReached<C>>,
     pub(super) due: Due,
-    /// Whether the trial state is that of the present leg already: of the first one.
+    /// Whether the trial state already belongs to the present leg, the first one.
     pub(super) is_laid: bool,
-    /// Steps of no length in a row.
+    /// Number of successive steps of zero length.
     pub(super) stalls: usize,
-    /// Events that have happened and were not told yet, the next one last.
+    /// Events still to be reported, the next one last.
     pub(super) told: Vec<PatchEvent<C>>,
 }
 
 impl<D: Size, const C: usize> Patch<D, C> {
-    /// A contact that slides or stands elsewhere joins those that stand here.
+    /// Adds a sliding contact, or one on an edge, to the contacts decided here.
     pub(super) fn join(&mut self, contact: u32) {
         self.stands.push(self.balance.stand_of(contact));
         self.balance.remember(contact);
     }
 
-    /// Whether a contact is among those that stand here.
+    /// Whether a contact is among the contacts decided here.
     pub(super) fn stands_here(&self, contact: u32) -> bool {
         self.stands.iter().any(|stand| stand.contact == contact)
     }
 
-    /// Equilibrium is lost here, the object leaving with this motion.
+    /// The loss of equilibrium here; the object leaves with this motion.
     pub(super) fn loss(
         &self,
         journey: &Journey<'_, D, C>,
@@ -68,12 +68,12 @@ impl<D: Size, const C: usize> Patch<D, C> {
         journey.loss(self.balance.tau, kind, contacts, motion)
     }
 
-    /// Where rounding keeps the path from being followed further.
+    /// The end of a path that rounding keeps from being followed further.
     pub(super) fn undecided(&self, journey: &Journey<'_, D, C>) -> PathEnd<C> {
         journey.undecided(self.balance.tau, Doubt::OnTheBoundary)
     }
 
-    /// The unit motion in which the object goes on, if it moves, in inside coordinates.
+    /// The unit motion of the object, if it moves, in inside coordinates.
     pub(super) fn unit_motion(&self) -> Option<Vector<D>> {
         let rate = self.balance.twist_rate(&self.trial);
         (rate.norm() > 0.0).then(|| rate.normalize())

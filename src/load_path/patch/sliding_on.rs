@@ -1,5 +1,4 @@
-//! Contacts that slide, and as a rule slide on. Each waits until the direction of the path has
-//! changed by so much that its slip may have come to rest.
+//! Sliding contacts, which usually slide on. Each waits until the direction of the path has changed enough for its slip to come to rest.
 
 use super::balance::Balance;
 use super::moving_contact::MovingContact;
@@ -8,13 +7,12 @@ use crate::numerics::{Size, WaitingLine};
 use crate::object::Point;
 use crate::prelude::*;
 
-/// The contacts that slide on, on the clock of the direction of the path.
+/// The queue of sliding contacts, on the clock of the direction of the path.
 #[derive(Debug, Default)]
 pub(super) struct SlidingOn<D: Size> {
     line: WaitingLine,
     direction: Point<D>,
-    /// Contacts that were looked at and slip on, with their stamps and the time for which they
-    /// wait.
+    /// Evaluated contacts that slip on, with their stamps and the times for which they wait.
     resting: Vec<(u32, u32, f64)>,
 }
 
@@ -23,14 +21,13 @@ impl<D: Size> SlidingOn<D> {
         self.line.clear();
     }
 
-    /// A contact slides, and waits.
+    /// Queues a sliding contact.
     pub(super) fn wait<const C: usize>(&mut self, balance: &Balance<D, C>, number: u32) {
         let contact = balance.contact(number);
         self.line.wait(number, contact.stamp, balance.slip_margin(contact).1);
     }
 
-    /// The contacts whose slip would go backwards, but for those that `stands` names. They leave
-    /// the line.
+    /// Removes from the queue and returns the contacts whose slip would go backwards, except those that `stands` names.
     pub(super) fn come_to_rest<const C: usize>(
         &mut self,
         balance: &mut Balance<D, C>,

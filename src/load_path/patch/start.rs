@@ -1,4 +1,4 @@
-//! Where a path starts, and where each leg of it does.
+//! Start of a path, and of each of its legs.
 
 use super::active_set::FacetsReached;
 use super::balance::Balance;
@@ -16,7 +16,7 @@ use crate::prelude::*;
 use crate::search::Found;
 
 impl<D: Size, const C: usize> Patch<D, C> {
-    /// Stands at the equilibrium to start from, if there is one: at that in which everything sticks before any other is sought.
+    /// Starts at an equilibrium, if there is one: the one in which everything sticks is tried first.
     pub(super) fn at_start<'g>(
         journey: &Journey<'g, D, C>,
         problem: &Problem<'g, D, C>,
@@ -42,7 +42,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
         Ok(patch)
     }
 
-    /// The elastic trial state on the present leg.
+    /// Computes the elastic trial state on the present leg.
     fn lay_leg(&mut self, journey: &Journey<'_, D, C>) {
         self.trial.lay(journey.grasp, &journey.program);
         self.balance.begin_leg(journey.grasp.sites(), &self.trial.x);
@@ -76,7 +76,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
         self.balance.remember_all();
     }
 
-    /// Sets out on the present leg.
+    /// Starts the present leg.
     pub(super) fn begin_leg(&mut self, journey: &Journey<'_, D, C>) -> Result<(), PathEnd<C>> {
         if !core::mem::take(&mut self.is_laid) {
             self.lay_leg(journey);

@@ -1,4 +1,4 @@
-//! The state on the way, as physics, and as the follower of few contacts has it.
+//! The equilibrium on the way, and the rates in the form that the follower of few contacts uses.
 
 use nalgebra::SVector;
 
@@ -14,7 +14,7 @@ use crate::prelude::*;
 use crate::search::Found;
 
 impl<D: Size, const C: usize> Patch<D, C> {
-    /// The whole equilibrium. Just after an event the states are those with which the path goes on. One pass over all contacts.
+    /// The whole equilibrium, computed in one pass over all contacts. Just after an event the states are those with which the path continues.
     pub(super) fn equilibrium(&self, journey: &Journey<'_, D, C>) -> Equilibrium<C> {
         let Self { balance, trial, .. } = self;
         let (y, tau) = (balance.balanced(), balance.tau);
@@ -22,8 +22,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
         let segment = journey.segment(self.slips(journey.grasp.sites(), memory));
         let problem = segment.problem_at(tau);
         let twist = balance.twist(trial, &y);
-        // What vanishes here is known up to the rounding of what it was at the beginning of the
-        // leg.
+        // Quantities that vanish here are known up to the rounding of their size at the beginning of the leg.
         let mut largest = problem.wrench.norm() + segment.course.rate_at(tau).norm() * tau;
         let mut travel = 0.0_f64;
         let forces = self.forces_at(problem.sites, &y);
@@ -50,7 +49,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
         self.balance.contacts.iter().zip(sites).map(force).collect()
     }
 
-    /// The rates of all contacts, which have slipped up to here: those that do not stand here slide on or stay as they are.
+    /// The rates of all contacts, with slips up to here: contacts not decided at the present event slide on or keep their state.
     pub(super) fn all_contacts<'g>(&self, journey: &Journey<'g, D, C>) -> StandAtEdge<'g, D, C> {
         let (balance, sites) = (&self.balance, journey.grasp.sites());
         let remembered = |contact: &MovingContact<D, C>| {
@@ -79,7 +78,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
         StandAtEdge { segment, rates, forces: self.forces_at(sites, &balance.balanced()) }
     }
 
-    /// Slips, m, from what each contact has in memory.
+    /// Slips, m, from the memory of each contact.
     fn slips(
         &self,
         sites: &[Site<D, C>],

@@ -1,4 +1,4 @@
-//! The elastic trial state along a leg: where the path would lead if every contact stuck.
+//! The elastic trial state along a leg: the path if every contact stuck.
 
 use nalgebra::SVector;
 
@@ -8,7 +8,7 @@ use crate::numerics::{Orthogonal, Size, Vector, without};
 use crate::object::{spring_rows, stretched_into, worked_on};
 use crate::prelude::*;
 
-/// The springs of all contacts, and the motion of the object if all of them hold.
+/// The springs of all contacts, and the motion of the object if all of them stick.
 #[derive(Debug)]
 pub(super) struct TrialLeg<D: Size, const C: usize> {
     /// `K^{1/2}Gᵀ = QR`.
@@ -18,7 +18,7 @@ pub(super) struct TrialLeg<D: Size, const C: usize> {
     /// R q at the beginning of the leg, and its change along it.
     pub(super) travelled: Vector<D>,
     pub(super) rate: Vector<D>,
-    /// Drives at the beginning of the leg, and what they change by.
+    /// Drives at the beginning of the leg, and their change along it.
     drives: [Vec<SVector<f64, C>>; 2],
     /// x⁰ there, and its change along the leg, spring by spring.
     pub(super) x: [Vec<f64>; 2],
@@ -32,7 +32,7 @@ impl<D: Size, const C: usize> TrialLeg<D, C> {
         Self { free: factor.null_space(), factor, travelled, rate, drives, x }
     }
 
-    /// Lays out the present leg of a program.
+    /// Computes the trial state along the present leg of a program.
     pub(super) fn lay(&mut self, grasp: &Engine<D, C>, program: &Program<C>) {
         let (from, change) = loads(grasp, program);
         program.drives_into(grasp, &mut self.drives);
@@ -43,7 +43,7 @@ impl<D: Size, const C: usize> TrialLeg<D, C> {
         self.rate = self.factor.project(&mut self.x[1], &change);
     }
 
-    /// The motion on which a load works though nothing resists it.
+    /// A motion that nothing resists and on which a load does work.
     pub(super) fn worked_on(&self, wrench: &Vector<D>) -> Option<Vector<D>> {
         worked_on(&self.free, wrench)
     }

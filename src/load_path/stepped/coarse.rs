@@ -1,43 +1,43 @@
-//! A second path of the same steps, each made at once. How far apart both paths are is what is left of all errors.
+//! A second path of the same steps, each made at once. The distance between both paths measures the remaining effect of all errors.
 //!
-//! A step in two halves errs by a third of what it differs from the step made at once. But errors do not add up: directions of slip relax and forget
-//! them, and one step errs for this contact, the next for another. The second path forgets alike, so that
+//! The error of a step in two halves is a third of its difference from the step made at once. But errors do not add up: directions of slip relax and
+//! forget them, and errors of different steps affect different contacts. The second path forgets in the same way, so that
 //!
 //! ```text
 //! distance = error of the second - error of the first = 3 times the error of the first
 //! ```
 //!
-//! The distance is what is told: where it is not three times the error, directions relax within a step, and it is as large as the error.
+//! The path reports the distance. Where it is not three times the error, directions relax within a step, and it is as large as the error.
 
 use super::one_step::{StepProblem, SteppedState};
 use crate::numerics::Size;
 
-/// The second path has gone elsewhere if its distance grows by more than this factor in a step. Below a few it would be lost at every change of
-/// states; then errors that are forgotten add up.
+/// Growth of the distance in one step beyond which the second path counts as lost. With a factor of only a few it would be lost at every change of
+/// states; errors that are forgotten would then add up.
 const ELSEWHERE: f64 = 10.0;
 
-/// Paths that are apart by no more than this part of the largest force are one as far as Newton's method tells, and so is their next step made at
-/// once. With more, errors that are forgotten add up.
+/// Distance, as a part of the largest force, below which both paths are equal up to Newton's method, and so is their next step made at once. With
+/// more, errors that are forgotten would add up.
 const ONE: f64 = 1e-12;
 
 /// The path of steps made at once.
 #[derive(Debug, Clone)]
 pub(super) struct Coarse<D: Size, const C: usize> {
     pub(super) standing: SteppedState<D, C>,
-    /// Distances where it was lost and began again from the first path, over the largest force.
+    /// Sum of the distances, over the largest force, at which the second path was lost and began again from the first.
     lost: f64,
-    /// The largest distance so far, with those, over the largest force.
+    /// The largest distance so far plus those sums, over the largest force.
     pub(super) farthest: f64,
 }
 
 impl<D: Size, const C: usize> Coarse<D, C> {
-    /// From where both paths begin.
+    /// The second path at the common beginning of both.
     pub(super) fn starting_at(standing: &SteppedState<D, C>) -> Self {
         Self { standing: standing.clone(), lost: 0.0, farthest: 0.0 }
     }
 
-    /// Makes the step that leads the first path from one place to another. `at_once` is that step from there, made at once: where the second path
-    /// finds none, or one elsewhere, it goes on there. `beside` is memory for its own.
+    /// Makes the step of the first path between two places. `at_once` is that step made at once: the second path moves there where it finds no step
+    /// of its own, or only one elsewhere. `beside` is memory for its own step.
     pub(super) fn follow(
         &mut self,
         along: &mut StepProblem<'_, D, C>,

@@ -1,4 +1,4 @@
-//! How a path in steps ends where no step leads on.
+//! The end of a path in steps where no step leads further.
 
 use super::stepped_path::Steps;
 use crate::contact::Law;
@@ -9,20 +9,20 @@ use crate::numerics::{Size, Vector};
 use crate::prelude::*;
 use crate::search::{Doubt, Settled, settle};
 
-/// Forces stay if they change by less than this part of what springs that stick would feel. At maxima it is some hundredths, a thousandth at least;
-/// towards asymptotes it falls to the root of what is left of the load, 1e-5.
+/// Forces stay constant if they change by less than this part of the change that sticking springs would feel. At maxima the ratio is some hundredths,
+/// at least a thousandth; towards asymptotes it falls to the root of the rest of the load, 1e-5.
 const STAY: f64 = 2e-4;
 
 impl<'g, D: Size, const C: usize> Steps<'g, D, C> {
-    /// The end where no step leads on: the motion tells it, or the proof that nothing balances the rates of what stands on an edge. Else the path is
-    /// undecided, for this reason.
+    /// The end where no step leads further, from the motion, or from the proof that nothing balances the rates of the contacts on an edge. Otherwise
+    /// the path is undecided, for the reason `doubt`.
     pub(super) fn end_here(&self, journey: &Journey<'g, D, C>, doubt: Doubt) -> PathEnd<C> {
         let fraction = self.standing.fraction;
         let edge = self.standing.edge(journey);
         let leaves = |i: &usize| matches!(edge.rates.laws[*i], Law::Edge(_) | Law::Cone { .. });
         let leaving = (0..edge.rates.len()).filter(leaves).collect();
         if self.pace.speeds.run_to(fraction) {
-            // Beyond a maximum forces would go on to change as they do; towards an asymptote the object goes on while they stay.
+            // Beyond a maximum forces would continue to change; towards an asymptote they stay while the object moves.
             let kind = if self.pace.changed < STAY { LossKind::Asymptote } else { LossKind::Fold };
             let motion = self.pace.rate.as_ref().map(Vector::normalize);
             return PathEnd::Lost(Box::new(journey.loss(fraction, kind, leaving, motion.as_ref())));

@@ -1,4 +1,4 @@
-//! The equilibrium at the end of a step, along which every stretch goes straight.
+//! The equilibrium at the end of a step, along which every stretch changes linearly.
 
 use nalgebra::SVector;
 
@@ -9,18 +9,18 @@ use crate::numerics::{Size, Vector, cleared_for};
 use crate::object::{Problem, newton_one_by_one};
 use crate::prelude::*;
 
-/// What Newton's method may leave out of balance, as a part of the forces: below the error of any step.
+/// Imbalance that Newton's method may leave, relative to the forces: below the error of any step.
 const SETTLED: f64 = 1e-12;
 
-/// Forces of springs are rounded by this part of what their displacements would make; over [`SETTLED`], so that both are one size.
+/// Rounding of spring forces relative to the forces that their displacements would make, divided by [`SETTLED`] to have the same scale.
 const ROUNDED: f64 = 1e-3;
-/// Shorter parts of a leg than this are not tried: the path has an end there.
+/// Shortest step, as a part of a leg: a path that needs shorter ones ends there.
 pub(super) const SHORTEST: f64 = 1e-12;
 
-/// Where a path stands, inside.
+/// The state at a place of the path, in inside coordinates.
 #[derive(Debug, Clone)]
 pub(super) struct SteppedState<D: Size, const C: usize> {
-    /// Part of the leg that has been gone.
+    /// Fraction of the leg already followed.
     pub(super) fraction: f64,
     pub(super) twist: Vector<D>,
     /// Slips so far, in the contact frames.
@@ -43,13 +43,13 @@ impl<D: Size, const C: usize> SteppedState<D, C> {
 }
 
 impl<D: Size, const C: usize> SteppedState<D, C> {
-    /// Memory for one.
+    /// An empty state, as memory.
     pub(super) fn nowhere() -> Self {
         let (slips, forces, states) = (Vec::new(), Vec::new(), Vec::new());
         Self { fraction: 0.0, twist: Vector::zeros(), slips, forces, states }
     }
 
-    /// Stands where another does.
+    /// Becomes a copy of another state, in the same memory.
     pub(super) fn join(&mut self, other: &Self) {
         self.fraction = other.fraction;
         self.twist.clone_from(&other.twist);
@@ -59,20 +59,20 @@ impl<D: Size, const C: usize> SteppedState<D, C> {
     }
 }
 
-/// What a step along a leg solves; drives and load are put in for each.
+/// The problem of a step along a leg; each step sets its drives and load.
 #[derive(Debug)]
 pub(super) struct StepProblem<'g, D: Size, const C: usize> {
     pub(super) problem: Problem<'g, D, C>,
-    /// Commands less clearances at the beginning of the leg, and what they change by.
+    /// Commands less clearances at the beginning of the leg, and their change along it.
     drives: [Vec<SVector<f64, C>>; 2],
     pub(super) course: Trajectory<Vector<D>>,
-    /// Stretches before a step, and what contacts answer after it.
+    /// Stretches before a step, and responses of contacts after it.
     before: Vec<SVector<f64, C>>,
     answers: Vec<ContactResponse<C>>,
 }
 
 impl<'g, D: Size, const C: usize> StepProblem<'g, D, C> {
-    /// That of the present leg.
+    /// The problem on the present leg.
     pub(super) fn along(journey: &Journey<'g, D, C>) -> Self {
         let course = journey.program.inside_course(journey.grasp);
         let drives = journey.program.drives(journey.grasp);
@@ -80,18 +80,18 @@ impl<'g, D: Size, const C: usize> StepProblem<'g, D, C> {
         Self { problem, drives, course, before: Vec::new(), answers: Vec::new() }
     }
 
-    /// That of the next leg, in the same memory.
+    /// Prepares the next leg, in the same memory.
     pub(super) fn set_out(&mut self, journey: &Journey<'g, D, C>) {
         self.course = journey.program.inside_course(journey.grasp);
         journey.program.drives_into(journey.grasp, &mut self.drives);
     }
 
-    /// What the drive of a contact changes by along the leg.
+    /// Change of the drive of a contact along the leg.
     pub(super) fn change(&self, i: usize) -> SVector<f64, C> {
         self.drives[1][i]
     }
 
-    /// The step of a length from where a path stands, sought near a twist: where it leads `to`. `None` where Newton's method does not arrive.
+    /// The step of a length from a state, written to `to`; the search starts near a given twist. `None` where Newton's method does not converge.
     pub(super) fn step(
         &mut self,
         from: &SteppedState<D, C>,
@@ -112,8 +112,8 @@ impl<'g, D: Size, const C: usize> StepProblem<'g, D, C> {
     }
 }
 
-/// The equilibrium of a problem that counts slips from where a path stands, with the stretches before the step there, sought near a twist. `None` where
-/// Newton's method does not arrive.
+/// The equilibrium of a problem that counts slips from the state `from`, given the stretches before the step; the search starts near a given twist.
+/// `None` where Newton's method does not converge.
 fn equilibrium_after<D: Size, const C: usize>(
     (from, before): (&SteppedState<D, C>, &[SVector<f64, C>]),
     problem: &Problem<'_, D, C>,
@@ -132,7 +132,7 @@ fn equilibrium_after<D: Size, const C: usize>(
     cleared_for(&mut to.states, answers.len());
     for (i, (slip, answer)) in to.slips.iter_mut().zip(answers.iter()).enumerate() {
         let (springs, stretch) = (&problem.sites[i].springs, problem.stretch(i, &to.twist));
-        // What has stuck all the way has not slipped by the rounding of its spring either.
+        // A contact that stuck all the way has not slipped by the rounding of its spring either.
         if !(answer.state.is_sticking() && answer.force == springs.force(&stretch)) {
             *slip += springs.slip(&stretch, &answer.force);
         }

@@ -1,4 +1,4 @@
-//! How the steps of a leg go: how long the next one is, and how fast the object has moved.
+//! Control of the steps along a leg: length of the next one, and speed of the object.
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -12,31 +12,31 @@ const FIRST_STEP: f64 = 1.0 / 16.0;
 /// The steps of a leg so far.
 #[derive(Debug, Clone)]
 pub(super) struct StepPace<D: Size> {
-    /// The motion of the object for one unit of the fraction, from the last step.
+    /// Rate of the twist per unit of the fraction, from the last step.
     pub(super) rate: Option<Vector<D>>,
-    /// How fast the object has moved.
+    /// Speeds of the object so far.
     pub(super) speeds: Speeds,
-    /// By how much a force has changed in the last step, over what springs that stick would feel of it.
+    /// Largest change of a force in the last step, relative to the change that sticking springs would feel.
     pub(super) changed: f64,
-    /// The part of the leg that the next step tries.
+    /// The fraction of the leg that the next step tries.
     pub(super) step: f64,
-    /// The most that a step may be: a load that comes round looks as if it had stayed.
+    /// Longest step: after a full turn a load would look as if it had stayed.
     pub(super) longest: f64,
-    /// Whether the last step was refused: the next one is no longer than the one that was made in its place.
+    /// Whether the last step was refused: the next one is then no longer than its replacement.
     pub(super) refused: bool,
     /// Steps tried.
     pub(super) tried: usize,
 }
 
 impl<D: Size> StepPace<D> {
-    /// That of a leg that begins.
+    /// The control at the beginning of a leg.
     pub(super) fn along<X>(course: &Trajectory<X>) -> Self {
         let longest = if let Trajectory::Turn { angle, .. } = course { FRAC_PI_2 / angle.abs() } else { 1.0 };
         let speeds = Speeds::default();
         Self { rate: None, speeds, changed: 1.0, step: FIRST_STEP, longest, refused: false, tried: 0 }
     }
 
-    /// That of the next leg, in the same memory.
+    /// Restarts the control on the next leg, in the same memory.
     pub(super) fn set_out<X>(&mut self, course: &Trajectory<X>) {
         self.speeds.forget();
         *self = Self { speeds: core::mem::take(&mut self.speeds), ..Self::along(course) };

@@ -1,9 +1,9 @@
-//! Where steps lead.
+//! States at the ends of a step.
 
 use super::one_step::SteppedState;
 use crate::numerics::Size;
 
-/// Where a step leads that is made twice: in halves, which the path takes, and at once.
+/// The states that a step made twice leads to: in halves, which the path takes, and at once.
 #[derive(Debug)]
 pub(super) struct Places<D: Size, const C: usize> {
     pub(super) middle: SteppedState<D, C>,

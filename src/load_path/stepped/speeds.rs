@@ -1,23 +1,23 @@
-//! How fast the object moves as the load grows, towards the end of a path.
+//! Speeds of the object as the load grows, towards the end of a path.
 //!
-//! Towards a load that is never exceeded the speed grows without bound, as a power of the distance that is left:
+//! Towards a load that is never exceeded the speed grows without bound, as a power of the remaining distance:
 //!
 //! ```text
 //! a maximum of the load      q ~ δ^{1/2}                  dq/dδ ~ δ^{-1/2}
 //! an asymptote               q ~ ln(1/δ),  δ^{-p}         dq/dδ ~ δ^{-1},  δ^{-1-p}
 //! ```
 //!
-//! The distance is too small in the end to tell one power from the other.
+//! In the end the distance is too small to distinguish one power from the other.
 
 use crate::prelude::*;
 
-/// The speed has grown if by this factor, and is noted each time that it has.
+/// Growth of the speed from which it is recorded anew.
 const GROWN: f64 = 2.0;
-/// Speeds are compared at distances that differ by this factor.
+/// Least ratio of the distances at which speeds are compared.
 const APART: f64 = 1e3;
-/// The path does not end at a corner if the speed grows by more than this over them.
+/// Growth of the speed between them beyond which the path does not end at a corner.
 const RUNS: f64 = 8.0;
-/// A speed that has not grown over this last part of the leg does not grow without bound.
+/// Last part of the leg over which a speed must have grown if it grows without bound.
 const TO_THE_END: f64 = 1e-8;
 
 /// Fractions of a leg and the speeds there, each larger than the one before.
@@ -25,19 +25,19 @@ const TO_THE_END: f64 = 1e-8;
 pub(super) struct Speeds(Vec<[f64; 2]>);
 
 impl Speeds {
-    /// Nothing has moved yet.
+    /// Removes all records.
     pub(super) fn forget(&mut self) {
         self.0.clear();
     }
 
-    /// A step has arrived at a fraction with this speed on the way.
+    /// Records the speed of a step that has arrived at a fraction.
     pub(super) fn note(&mut self, fraction: f64, speed: f64) {
         if self.0.last().is_none_or(|[_, fastest]| speed > GROWN * fastest) {
             self.0.push([fraction, speed]);
         }
     }
 
-    /// Whether the object goes ever faster to where the path ends.
+    /// Whether the object moves ever faster towards the end of the path.
     pub(super) fn run_to(&self, end: f64) -> bool {
         let mut before = self.0.iter().rev().filter(|[fraction, _]| *fraction < end);
         let Some([near, fast]) = before.next() else { return false };

@@ -1,4 +1,4 @@
-//! Where a path stands, as physics, and what stands on an edge there.
+//! The equilibrium at the present place of a path, and the contacts on an edge there.
 
 use nalgebra::SVector;
 
@@ -10,18 +10,18 @@ use crate::load_path::journey::Journey;
 use crate::numerics::Size;
 use crate::search::Found;
 
-/// Friction in reserve, and forces that a gap would take to close, below this part of the largest force are none: the last steps are parts of
-/// 1e-12 of a leg. With less a contact that such a step would bring to its edge still holds, and the limit is not seen.
+/// Friction reserve, or force to close a gap, below this part of the largest force counts as none, since the last steps are 1e-12 of a leg. With a
+/// smaller part, a contact that such a step would bring to its edge still holds, and the limit is missed.
 const AT_AN_EDGE: f64 = 1e-9;
 
 impl<D: Size, const C: usize> SteppedState<D, C> {
-    /// The whole equilibrium. One pass over all contacts.
+    /// The whole equilibrium, computed in one pass over all contacts.
     pub(super) fn equilibrium(&self, journey: &Journey<'_, D, C>) -> Equilibrium<C> {
         let problem = journey.segment(self.slips.clone()).problem_at(self.fraction);
         let spans =
             problem.sites.iter().zip(&problem.drives).map(|(site, drive)| site.span(drive, &self.twist));
         let sizes = [self.largest_force().max(problem.wrench.norm()), spans.fold(0.0, f64::max)];
-        // All slip so far is memory: what is left of a slide is its direction.
+        // All slip so far is memory: of a slide only the direction remains.
         let standing = |state: &Mode<Slide<C>>| match state {
             Mode::Round(slide) => Mode::Round(Slide { lambda: 0.0, ..*slide }),
             other => *other,
@@ -31,7 +31,7 @@ impl<D: Size, const C: usize> SteppedState<D, C> {
         journey.equilibrium(&problem, self.fraction, found)
     }
 
-    /// The rates, with edges as near as the last steps can tell.
+    /// The rates, with edges within the resolution of the last steps.
     pub(super) fn edge<'g>(&self, journey: &Journey<'g, D, C>) -> StandAtEdge<'g, D, C> {
         let segment = journey.segment(self.slips.clone());
         let (drives, largest) = (segment.drives(self.fraction), self.largest_force());

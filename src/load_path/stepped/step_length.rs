@@ -1,4 +1,4 @@
-//! Steps as long as the error asked for allows.
+//! Steps as long as the allowed error permits.
 
 use super::one_step::{SHORTEST, SteppedState};
 use super::places::Places;
@@ -12,44 +12,45 @@ use crate::numerics::{Size, Vector};
 use crate::prelude::*;
 use crate::search::Doubt;
 
-/// An error below this part of the largest force is rounding.
+/// Errors below this part of the largest force are rounding.
 const ROUNDING: f64 = 1e-13;
-/// A step is followed by one that is this many times as long at least, and at most.
+/// Least and largest ratio of successive step lengths.
 const SLOWER: f64 = 0.2;
 const FASTER: f64 = 2.0;
-/// The next step is as long as would make this part of the error allowed.
+/// The next step aims at this part of the allowed error.
 const CAREFUL: f64 = 0.7;
-/// A step where there is no equilibrium is followed by one this many times as long.
+/// Ratio of step lengths after a step that found no equilibrium.
 const NOWHERE: f64 = 0.25;
-/// What steps and their halves miss alike happens to a contact a few times a leg: each time this part of the error is allowed.
+/// Part of the allowed error for what a step and its halves miss alike in one step: that happens to a contact a few times a leg.
 const UNSEEN: f64 = 0.1;
-/// Of the error that a step would make if all made the same, for the way they go: forces may go farther than the leg is long, and the object farther
-/// than forces. What is wrong of a direction is forgotten while springs that stick would feel the object to go as far as the largest force.
+/// Part of the error that a step may make in proportion to its way, which is the longest of three: the fraction of the leg, the change of forces over
+/// the largest force, and the change that sticking springs would feel. The error of a direction is forgotten while that last change grows to the
+/// largest force.
 const EVEN: f64 = 0.5;
-/// Of the error that the steps before have left to a contact a step may make this part. With more a few steps use it up, and the others have as
-/// little as if nothing were ever forgotten; with less they are shorter than the error asks for.
+/// Part of a contact's remaining error budget that a step may use. With more, a few steps would use it up, and the others would have as little as if
+/// nothing were ever forgotten; with less, steps are shorter than the error requires.
 const OF_WHAT_IS_LEFT: f64 = 0.05;
-/// The error is left to a contact in proportion to the way that forces have gone, over the largest one, up to so many times the error: it is a third of
-/// what two paths are apart. With more it would outgrow what was asked for.
+/// The error budget of a contact is proportional to the way of the forces over the largest one, up to this multiple of the error: the error is a
+/// third of the distance between the two paths. With more it would exceed the allowed error.
 const ALTOGETHER: f64 = 2.0;
-/// A step is a jump if the object is farther than this part of it from its middle halfway …
+/// A step is a jump if halfway the object is farther from the middle of the step than this part of it …
 const LEAP: f64 = 0.25;
 /// … and if springs would feel the step by more than this part of the largest force.
 const FELT: f64 = 0.05;
 
-/// What a step that is made twice tells.
+/// Result of a step made twice.
 #[derive(Debug)]
 struct Twice {
     /// The largest contact force on the way, N.
     largest: f64,
-    /// What both miss alike, over the largest force.
+    /// The error that both miss alike, over the largest force.
     unseen: f64,
-    /// How far springs that stick would feel the object to have gone, N.
+    /// The change of force that sticking springs would feel from the motion of the object, N.
     felt: f64,
 }
 
 impl<'g, D: Size, const C: usize> Steps<'g, D, C> {
-    /// Tries a step; what it is if it errs by no more than is allowed.
+    /// Tries a step; reports it if its error is allowed.
     pub(super) fn try_a_step(&mut self, journey: &Journey<'g, D, C>) -> Result<Came<Step<C>>, PathEnd<C>> {
         let from = self.standing.fraction;
         if self.pace.tried == journey.settings.most_steps {
@@ -72,7 +73,7 @@ impl<'g, D: Size, const C: usize> Steps<'g, D, C> {
         self.pace.refused = part > 1.0;
         self.pace.step = length * (CAREFUL / part.sqrt()).clamp(SLOWER, fastest);
         if part > 1.0 {
-            // Rounding may forbid an error that is so small.
+            // Rounding may forbid so small an error.
             return if self.pace.step < SHORTEST {
                 Err(self.end_here(journey, Doubt::Inaccurate))
             } else {
@@ -86,7 +87,7 @@ impl<'g, D: Size, const C: usize> Steps<'g, D, C> {
         Ok(Came::To(self.arrive(journey, &twice)))
     }
 
-    /// The error of a step, as a part of what it may be.
+    /// The error of a step, as a part of the allowed one.
     fn part_of_what_is_allowed(&self, twice: &Twice) -> f64 {
         let (from, Places { to, at_once, .. }, largest) = (&self.standing, &self.places, twice.largest);
         let length = to.fraction - from.fraction;
@@ -102,8 +103,7 @@ impl<'g, D: Size, const C: usize> Steps<'g, D, C> {
         seen.max(twice.unseen / (UNSEEN * self.error).max(ROUNDING))
     }
 
-    /// A step in two halves and at once; `None` where one of them finds no equilibrium, or only one
-    /// elsewhere.
+    /// A step in two halves and at once; `None` where one of them finds no equilibrium, or only a distant one.
     fn twice(&mut self, length: f64) -> Option<Twice> {
         let Self { along, standing: from, places: Places { middle, to, at_once, .. }, .. } = self;
         let rate = self.pace.rate.clone().unwrap_or_else(Vector::zeros);
@@ -145,12 +145,12 @@ impl<'g, D: Size, const C: usize> Steps<'g, D, C> {
     }
 }
 
-/// What the springs that feel a motion most would make of it, N.
+/// The largest force that sticking springs would make of a motion, N.
 fn most_felt<D: Size, const C: usize>(sites: &[Site<D, C>], motion: &Vector<D>) -> f64 {
     sites.iter().map(|site| pull(site, motion)).fold(0.0, f64::max)
 }
 
-/// What the springs of a contact that sticks make of a motion, N.
+/// The force that the springs of a sticking contact make of a motion, N.
 fn pull<D: Size, const C: usize>(site: &Site<D, C>, motion: &Vector<D>) -> f64 {
     site.springs.force(&site.map.tr_mul(motion)).norm()
 }

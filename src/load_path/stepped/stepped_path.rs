@@ -1,4 +1,4 @@
-//! The follower in steps: what it stands on, and how it starts.
+//! The follower in steps: its state, and its start.
 
 use nalgebra::SVector;
 
@@ -23,21 +23,21 @@ use crate::search::{Found, Settings};
 /// The follower of a [`SteppedPath`].
 #[derive(Debug)]
 pub(crate) struct Steps<'g, D: Size, const C: usize> {
-    /// What a step solves.
+    /// The problem of a step.
     pub(super) along: StepProblem<'g, D, C>,
-    /// Where the path stands.
+    /// The present state.
     pub(super) standing: SteppedState<D, C>,
-    /// Where the last step tried leads.
+    /// The states that the last step tried leads to.
     pub(super) places: Places<D, C>,
-    /// How the steps of the leg go.
+    /// Control of the steps of the leg.
     pub(super) pace: StepPace<D>,
-    /// What was asked for.
+    /// The allowed error.
     pub(super) error: f64,
     /// The path of the same steps made at once.
     pub(super) coarse: Coarse<D, C>,
-    /// The largest error that both paths may have alike.
+    /// The largest error that both paths may share.
     pub(super) unseen: f64,
-    /// How far forces have gone, over the largest one.
+    /// Sum of the changes of forces along the path, over the largest force.
     pub(super) way: f64,
 }
 
@@ -47,15 +47,15 @@ pub(crate) struct Steps<'g, D: Size, const C: usize> {
 pub struct Step<const C: usize> {
     /// The leg, from 0.
     pub leg: usize,
-    /// How much of the leg has been gone at its end, up to 1.
+    /// Fraction of the leg at the end of the step, up to 1.
     pub fraction: f64,
     /// The load there, about the origin, N and N m.
     pub load: Wrench<C>,
-    /// How many contacts slide there.
+    /// Number of contacts that slide there.
     pub sliding: usize,
-    /// How many are open.
+    /// Number of open contacts there.
     pub open: usize,
-    /// The estimated error of the forces that this step has made, over the largest force.
+    /// Estimated error of the forces from this step, over the largest force.
     pub error: f64,
 }
 
@@ -86,7 +86,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 }
 
-/// What an equilibrium is to a path: its slips are memory.
+/// The state of a path at an equilibrium: its slips become memory.
 fn at_start<D: Size, const C: usize>(problem: &Problem<'_, D, C>, found: Found<D, C>) -> SteppedState<D, C> {
     let slip = |(i, state): (usize, &crate::contact::State<C>)| {
         let springs = &problem.sites[i].springs;

@@ -1,19 +1,19 @@
-//! What a step and its halves miss alike.
+//! Errors that a step and its halves share, so that their difference does not show them.
 //!
-//! Along a step h the object is off a straight way by up to `off`, and springs that stick would pull by `K v'' h² = 8 K Gᵀ off` more at its end
-//! than it seems at its beginning. A contact that slides on its cone along p is drawn across it by `a = p·K v_t' - μ k_n v_n'`, times h. With
-//! `c = a' h`, c < 0,
+//! Along a step h the twist is off a straight way by up to `off`, and sticking springs would pull by `K v'' h² = 8 K Gᵀ off` more at its end than its
+//! beginning suggests. A contact that slides on its cone along p is driven out across the cone by `a = p·K v_t' - μ k_n v_n'`, times h. With `c = a'
+//! h`, c < 0,
 //!
 //! ```text
-//! it stops where a + c s = 0.  A straight stretch lets it slide on, or stop where the stretch begins,
-//! and so errs by a² / 2|c| of a force if that is nearer than half a stretch, 1/4 of the step
+//! the contact stops where a + c s = 0.  A straight stretch lets it slide on, or stop where the stretch begins,
+//! and so errs by a² / 2|c| of a force if that place is nearer than half a stretch, 1/4 of the step
 //! ```
 //!
-//! This is c / 32, a quarter of what springs make of `off`, at most. By as much a contact that sticks may have been beyond its edge for a while, and one
-//! that opens or closes may have felt the wrong way until then.
+//! This is at most c / 32, a quarter of the force that springs make of `off`. By as much a sticking contact may have been beyond its edge for a
+//! while, and an opening or closing contact may have had the wrong force until then.
 //!
-//! A contact that begins to slide bends the way, and where it does so the way is up to `2 off` from a straight one. Of that those that slide lose the
-//! part along their slips and keep the part across, as if they had stuck, so that only what they turn by on their cones makes a difference.
+//! A contact that begins to slide bends the way, which is there up to `2 off` from a straight one. Sliding contacts lose the part of that along their
+//! slips and keep the part across, as if they had stuck, so that only the rotation of their forces on the cones makes a difference.
 
 use nalgebra::SVector;
 
@@ -21,13 +21,13 @@ use super::one_step::{StepProblem, SteppedState};
 use crate::contact::{Mode, Slide, tangential, tangential_norm};
 use crate::numerics::{Size, Vector};
 
-/// Of what springs make of the way off a straight one in the middle of a step, that in the middle of its halves.
+/// Deviation from a straight way in the middle of each half, relative to that in the middle of the step.
 const IN_A_HALF: f64 = 0.25;
-/// That at a bend somewhere in a half.
+/// The same ratio at a bend somewhere in a half.
 const WHERE_IT_BENDS: f64 = 2.0;
 
 impl<D: Size, const C: usize> StepProblem<'_, D, C> {
-    /// The most that a contact force may be wrong by at the end of a step in two halves, N, without a difference to the step made at once.
+    /// Largest error of a contact force at the end of a step in two halves, N, that its difference from the step made at once does not show.
     pub(super) fn unseen(&self, at: [&SteppedState<D, C>; 3]) -> f64 {
         (0..self.problem.len()).map(|i| self.unseen_by(i, at)).fold(0.0, f64::max)
     }
@@ -57,7 +57,7 @@ impl<D: Size, const C: usize> StepProblem<'_, D, C> {
                 (off - margin / local.cone().round_weight()).max(0.0)
             }
             (Mode::Sticking, Mode::Round(slide)) => {
-                // It has slid for the part of the way by which its springs have softened.
+                // The contact has slid on the part of the way by which its springs have softened.
                 let stuck = 1.0 - site.springs.softening(1, slide.lambda);
                 bend_at(&(a.forces[i] + drawn(a, b) * stuck), slide)
             }
