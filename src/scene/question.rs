@@ -1,4 +1,4 @@
-//! What is asked of a scene: an equilibrium, an onset of sliding along a ramp or while the load turns, a load path.
+//! Questions about a scene: equilibrium, first slip under a growing or turning load, load path, and others.
 
 use std::collections::BTreeMap;
 
@@ -25,12 +25,12 @@ use crate::words::printable;
 pub enum Question<const C: usize> {
     /// Does it hold, and what happens as the load is put on? See [`Grasp::hold`](crate::ask::Grasp::hold).
     Hold {
-        /// The load at rest; none unless said otherwise.
+        /// The load that acts before and stays; zero if left out.
         #[serde(default = "no_load::<C>")]
         base: Wrench<C>,
-        /// What is put on beside it.
+        /// The load that grows from zero beside it.
         load: Wrench<C>,
-        /// Of several bodies those that have loads which grow with it; then without a base.
+        /// With several bodies: loads on other bodies, by name, that grow with the load; then without a base.
         #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
         together_with: BTreeMap<String, Wrench<C>>,
     },
@@ -40,10 +40,10 @@ pub enum Question<const C: usize> {
     Improve(Box<ImproveAsked<C>>),
     /// The equilibrium under a load; see [`Grasp::solve`](crate::ask::Grasp::solve).
     Solve {
-        /// The load; none unless said otherwise.
+        /// The load; zero if left out.
         #[serde(default = "no_load::<C>")]
         load: Wrench<C>,
-        /// Of several bodies those that have loads beside it.
+        /// With several bodies: loads on other bodies, by name.
         #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
         together_with: BTreeMap<String, Wrench<C>>,
     },
@@ -53,15 +53,15 @@ pub enum Question<const C: usize> {
     OnsetOfTurn(Turn<C>),
     /// The load path of a program; see [`Grasp::follow`](crate::ask::Grasp::follow).
     Follow {
-        /// The load at the start; none unless said otherwise.
+        /// The load at the start; zero if left out.
         #[serde(default = "no_load::<C>")]
         start: Wrench<C>,
-        /// The program.
+        /// The legs of the load program.
         legs: Vec<LegAsked<C>>,
     },
-    /// Does it survive a load that repeats? See [`Grasp::shake`](crate::ask::Grasp::shake).
+    /// Does the grasp survive a repeated load? See [`Grasp::shake`](crate::ask::Grasp::shake).
     Shake(Box<ShakeAsked<C>>),
-    /// Does it survive loads that repeat in any order? See [`Statics::shakedown`](crate::ask::Statics::shakedown).
+    /// Does the grasp survive loads that repeat in any order? See [`Statics::shakedown`](crate::ask::Statics::shakedown).
     Shakedown(Box<ShakedownAsked<C>>),
     /// What do slips that were seen tell? See [`Identify`](crate::identify::Identify).
     Identify(Box<IdentifyAsked<C>>),
@@ -70,7 +70,7 @@ pub enum Question<const C: usize> {
 /// Told to whoever writes no object, such as `"onset"` alone.
 const AN_OBJECT: &str = "a question with what it needs, such as {\"onset\": {\"direction\": {\"force\": [0, -1]}}}, with three numbers in space";
 
-/// A question that is read as an object: a bare name is refused with [`AN_OBJECT`].
+/// A question that is read from an object; a name alone is refused with [`AN_OBJECT`].
 struct Named<const C: usize>(Question<C>);
 
 impl<'de, const C: usize> Deserialize<'de> for Named<C> {
@@ -91,25 +91,24 @@ impl<const C: usize> Serialize for Question<C> {
     }
 }
 
-/// At factor τ the load is `base + τ direction`, and the commands are those of the contacts plus τ
-/// times their change; see [`Ramp`](crate::load_path::Ramp).
+/// A ramp: the load is `base + τ direction` at the factor τ, and commands change by τ times their change; see [`Ramp`](crate::load_path::Ramp).
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct RampAsked<const C: usize> {
-    /// The load at factor 0; none unless said otherwise.
+    /// The load at factor 0; zero if left out.
     #[serde(default = "no_load::<C>")]
     pub base: Wrench<C>,
-    /// What one unit of the factor adds to it; nothing unless said otherwise.
+    /// The change of the load per unit of the factor; zero if left out.
     #[serde(default = "no_load::<C>")]
     pub direction: Wrench<C>,
-    /// What one unit of the factor adds to the finger commands, if to them at all.
+    /// The change of the finger commands per unit of the factor, one row for each contact, m; zero if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub command_change: Option<Commands<C>>,
-    /// What one unit of the factor adds to the commands of a hand, if to them at all: one for each joint and then each tendon.
+    /// The change of a hand's commands per unit of the factor, one for each joint and then each tendon, rad or m; zero if left out.
     #[serde(default, with = "AsGiven::<Option<Vec<f64>>>", skip_serializing_if = "Option::is_none")]
     pub joint_change: Option<Vec<f64>>,
-    /// Of several bodies those that have loads which grow with the direction; then without a base.
+    /// With several bodies: loads on other bodies, by name, that grow with the direction; then without a base.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub together_with: BTreeMap<String, Wrench<C>>,
 }
@@ -123,7 +122,7 @@ impl<const C: usize> Question<C> {
 }
 
 impl<const C: usize> RampAsked<C> {
-    /// From no load along a direction, all commands as they are.
+    /// The ramp from zero load along a direction, with constant commands.
     #[must_use]
     pub fn along(direction: Wrench<C>) -> Self {
         Self {
@@ -140,9 +139,8 @@ pub(super) fn no_load<const C: usize>() -> Wrench<C> {
     Wrench::ZERO
 }
 
-/// Finger commands or changes of them: one for each contact of the scene in its contact frame,
-/// normal part first, m. The points of a soft fingertip have that of their contact. Another number
-/// of them is an error where the question is read or answered.
+/// Finger commands, or changes of commands, m: one row for each contact of the scene in its contact frame, normal component first. All points of a
+/// soft fingertip have the row of their contact. Any other number of rows is an error when the question is read or answered.
 ///
 /// ```
 /// use grasp_lcp::scene::Commands;
@@ -163,21 +161,21 @@ impl<U: Into<[f64; C]>, const C: usize> FromIterator<U> for Commands<C> {
     }
 }
 
-/// Where load or commands go along a leg, in a straight line.
+/// The target of a load or of commands along a leg, reached in a straight line.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Goal<T> {
-    /// By this much from where they are when the leg begins.
+    /// A change from the value at the beginning of the leg.
     By(T),
-    /// To this, wherever they are.
+    /// The value at the end of the leg.
     To(T),
 }
 
-/// What becomes of the load along a leg.
+/// The change of the load along a leg.
 #[derive(Debug, Clone, PartialEq)]
 pub enum LoadGoal<const C: usize> {
-    /// It goes straight to where it is told.
+    /// The load changes in a straight line.
     Straight(Goal<Wrench<C>>),
-    /// It changes as this one does, see [`crate::load_path::Leg::turn`].
+    /// The load changes as that of the turn does, see [`crate::load_path::Leg::turn`].
     Turn(Turn<C>),
 }
 
