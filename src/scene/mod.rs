@@ -298,9 +298,10 @@
 //! | `identify` | the sentence `says`, and as `ending` one of `converged`, `not_converged`, `not_predicted` | [`IdentifyAnswer`] |
 //! | `shakedown` | the sentence `says`, `rests` where the order does not decide, and `factor`, `slips`, `binding` where anything is known | [`ShakedownAnswer`] |
 //!
-//! The names in the text are those of the fields and variants of these types, in lower case with
-//! underscores. They consist of the answers of a grasp, with the results that a grasp computes on request. Contacts are named by their place in the scene and, for a soft fingertip, the point
-//! of its patch; joints and tendons by their number and name. Motions have the displacements of joints in `joints`. A number that is not finite is written in words: `"infinite"`, `"-infinite"`,
+//! The names in the text are those of the fields and variants of these types, in lower case with underscores. They consist of the answers of a grasp,
+//! with the results that a grasp computes on request. Contacts are named by their place in the scene and, for a soft fingertip, the point of its
+//! patch; joints and tendons by their number and name. Motions have the displacements of joints in `joints`. A number that is not finite is written
+//! in words: `"infinite"`, `"-infinite"`,
 //! `"not a number"`. Fields may be added to answers without a new version.
 //!
 //! Numbers come back to the bit if the format keeps them; `serde_json` does so with its feature

@@ -174,12 +174,10 @@ pub(crate) enum Command {
     },
     /// Identifies friction, support loads, clamping force or stiffness from observed slips.
     ///
-    /// Columns of the load under which the object slid: fx, fy, fz (N), mx, my, mz (N m; in the plane one column m), and at_x, at_y, at_z (m),
-    /// the point of the force.
-    /// Columns base_x, base_y, base_z (N) are the force that acted before, a weight for instance. Further columns: squeeze (factor on that of
-    /// the scene),
-    /// slip (first or gross), scatter_percent, and group, a name or number that is the same for slips that may share an error.
-    /// Every estimate comes with its standard error; quantities that the slips do not determine are named.
+    /// Columns of the load under which the object slid: fx, fy, fz (N), mx, my, mz (N m; in the plane one column m), and at_x, at_y, at_z (m), the
+    /// point of the force. Columns base_x, base_y, base_z (N) are the force that acted before, a weight for instance. Further columns: squeeze
+    /// (factor on that of the scene), slip (first or gross), scatter_percent, and group, a name or number that is the same for slips that may share
+    /// an error. Every estimate comes with its standard error; quantities that the slips do not determine are named.
     Identify {
         #[command(flatten)]
         ask: Ask,
@@ -207,8 +205,8 @@ pub(crate) enum Command {
     /// Draws every question as SVG; for a spatial grasp also a page with all answers, to turn with the mouse.
     ///
     /// The first picture has the name of the scene, later ones also the number of the question. A file that ends in `_friction` shows the share of
-    /// friction
-    /// that each contact uses while the load grows, turns or follows a program. A file that ends in `_cycles` shows the slips under a repeated load.
+    /// friction that each contact uses while the load grows, turns or follows a program. A file that ends in `_cycles` shows the slips under a
+    /// repeated load.
     Draw {
         /// The scene; `-` for standard input.
         scene: PathBuf,
