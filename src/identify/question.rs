@@ -139,7 +139,7 @@ impl<const C: usize> Identify<C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Identify`] naming the slip or the unknown, field, value and what is allowed; as for [`Grasp::hold`].
+    /// [`Error::Identify`] with the slip or the unknown, field, value and allowed values; as for [`Grasp::hold`].
     #[doc(alias = "calibrate")]
     #[doc(alias = "estimate")]
     #[doc(alias = "fit")]

@@ -61,7 +61,7 @@ impl<const C: usize> Setup<C> {
         self.entries().any(|entry| presses(entry.contact.normal.as_slice())) || self.links.iter().any(hangs)
     }
 
-    /// Contacts and links whose force at rest differs from the given one; of the base loads of the questions, the one with the fewest of them counts.
+    /// Contacts and links that press or pull at rest with another force than they are told to, whatever the questions have there at rest.
     pub(super) fn otherwise_at_rest(&self, grasp: &Grasp<C>) -> Result<Vec<Warning>, Error> {
         let told = |entry: &LinkSetup<C>| entry.link.tension.is_none() && entry.link.pretension != 0.0;
         if self.entries().all(|entry| entry.contact.press.is_none()) && !self.links.iter().any(told) {

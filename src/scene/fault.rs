@@ -128,7 +128,7 @@ impl Scene {
     /// ```
     ///
     /// # Errors
-    /// A [`Fault`] that names the field, its place in the text and what is allowed.
+    /// A [`Fault`] with the field, its place in the text and the allowed values.
     pub fn from_json(text: &[u8]) -> Result<Self, Fault> {
         // The path of fields costs time, and is tracked only after a fault.
         let scene: Self = serde_json::from_slice(text).or_else(|_| parse_on_track(text))?;

@@ -123,7 +123,7 @@
 //! | `pushes`, of a tendon alone | `true` for a rod or a differential, which also pushes | | pulls only |
 //!
 //! A wrench is `{"force": [0, -1], "moment": 0.2}` in the plane and `{"force": [0, 0, -1],
-//! "moment": [0, 0.1, 0]}` in space, N and N m about the origin; what is left out is zero. `"at":
+//! "moment": [0, 0.1, 0]}` in space, N and N m about the origin; a part that is left out is zero. `"at":
 //! [0.1, 0]` lets the force act there (m): its moment is added. A body that an arm carries is a load, too; see [`Payload`](crate::grasp::Payload):
 //!
 //! | field | value | unit | if left out |

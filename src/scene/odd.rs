@@ -20,7 +20,7 @@ const MANY_METRES: f64 = 10.0;
 /// Width of a patch, relative to the spread of the contacts, above which its unit is doubtful.
 const WIDE: f64 = 10.0;
 
-/// A load that acts so many times as far away as contacts are apart is in another unit, if that is more than a metre.
+/// Distance of a load, relative to the spread of the contacts, above which its unit is doubtful, if the distance is more than a metre.
 const FAR: f64 = 100.0;
 
 /// Contacts that are apart by less than this part of the size of the grasp are in one place.

@@ -63,7 +63,7 @@ pub enum Question<const C: usize> {
     Shake(Box<ShakeAsked<C>>),
     /// Does the grasp survive loads that repeat in any order? See [`Statics::shakedown`](crate::ask::Statics::shakedown).
     Shakedown(Box<ShakedownAsked<C>>),
-    /// What do slips that were seen tell? See [`Identify`](crate::identify::Identify).
+    /// Which friction, loads of supports, squeeze or stiffness follow from observed slips? See [`Identify`](crate::identify::Identify).
     Identify(Box<IdentifyAsked<C>>),
 }
 
@@ -199,11 +199,11 @@ pub enum LoadGoal<const C: usize> {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct LegAsked<const C: usize> {
-    /// What becomes of the load.
+    /// The change of the load; `None` if it is constant.
     pub load: Option<LoadGoal<C>>,
-    /// What becomes of the finger commands.
+    /// The change of the finger commands; `None` if they are constant.
     pub commands: Option<Goal<Commands<C>>>,
-    /// What becomes of the commands of a hand: one for each joint and then each tendon, rad or m.
+    /// The change of a hand's commands, one for each joint and then each tendon, rad or m; `None` if they are constant.
     pub joints: Option<Goal<Vec<f64>>>,
     /// Of several bodies those whose own loads change, by name.
     pub body_loads: BTreeMap<String, Goal<Wrench<C>>>,
@@ -241,37 +241,37 @@ impl<const C: usize> LegAsked<C> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, bound = "")]
 struct WrittenLeg<const C: usize> {
-    /// What the leg adds to the load.
+    /// The change of the load along the leg.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     load_by: Option<Wrench<C>>,
-    /// The load at its end, in place of `load_by`.
+    /// The load at the end of the leg, instead of `load_by`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     load_to: Option<Wrench<C>>,
-    /// What the leg adds to the commands: one row for each contact, m.
+    /// The change of the finger commands along the leg: one row for each contact, m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     commands_by: Option<Commands<C>>,
-    /// The commands at its end, in place of `commands_by`.
+    /// The finger commands at the end of the leg, instead of `commands_by`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     commands_to: Option<Commands<C>>,
-    /// What the leg adds to commands of joints and then tendons, rad or m.
+    /// The change of the commands of joints and then tendons along the leg, rad or m.
     #[serde(default, with = "AsGiven::<Option<Vec<f64>>>", skip_serializing_if = "Option::is_none")]
     joints_by: Option<Vec<f64>>,
-    /// These commands at its end, in place of `joints_by`.
+    /// The commands of joints and then tendons at the end of the leg, instead of `joints_by`.
     #[serde(default, with = "AsGiven::<Option<Vec<f64>>>", skip_serializing_if = "Option::is_none")]
     joints_to: Option<Vec<f64>>,
     /// What the leg adds to loads of bodies, by name.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     body_loads_by: BTreeMap<String, Wrench<C>>,
-    /// These loads at its end; a body is in one of both.
+    /// The loads of bodies, by name, at the end of the leg; a body is in one of both lists.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     body_loads_to: BTreeMap<String, Wrench<C>>,
-    /// How the load turns along the leg, in place of all others.
+    /// The turn of the load along the leg, instead of all other fields.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     turn: Option<Turn<C>>,
 }
 
 impl<const C: usize> LegAsked<C> {
-    /// The load that it goes straight to or by, if there is one.
+    /// The change of the load, or its final value, if the load changes in a straight line.
     pub(super) fn straight_load(&self) -> Option<Wrench<C>> {
         match self.load {
             Some(LoadGoal::Straight(Goal::By(load) | Goal::To(load))) => Some(load),
@@ -280,7 +280,7 @@ impl<const C: usize> LegAsked<C> {
     }
 }
 
-/// At most one of both.
+/// The goal by one of two fields; giving both is an error.
 fn goal<T>(by: Option<T>, to: Option<T>, names: [&str; 2]) -> Result<Option<Goal<T>>, String> {
     match (by, to) {
         (None, None) => Ok(None),
@@ -299,7 +299,7 @@ fn split<T: Clone>(goal: Option<&Goal<T>>) -> (Option<T>, Option<T>) {
 }
 
 impl<const C: usize> WrittenLeg<C> {
-    /// What becomes of the load, in one way alone.
+    /// The change of the load; giving it in two ways is an error.
     fn load(&self) -> Result<Option<LoadGoal<C>>, String> {
         let straight = goal(self.load_by, self.load_to, ["load_by", "load_to"])?;
         let Some(turn) = self.turn else { return Ok(straight.map(LoadGoal::Straight)) };
@@ -309,7 +309,7 @@ impl<const C: usize> WrittenLeg<C> {
         })
     }
 
-    /// What becomes of the loads of bodies, each in one way alone.
+    /// The changes of the loads of bodies; giving one in two ways is an error.
     fn body_loads(&self) -> Result<BTreeMap<String, Goal<Wrench<C>>>, String> {
         let named = |name: &String, goal| (name.clone(), goal);
         if let Some(name) = self.body_loads_by.keys().find(|name| self.body_loads_to.contains_key(*name)) {

@@ -7,7 +7,7 @@ use super::options::StreamOptions;
 use crate::error::Error;
 use crate::scene::{Answers, Brief, Fault, Id, Scene, Setup, Space, Warning};
 
-/// Characters of a line that are repeated where nothing else tells which one it was.
+/// Characters of a line that its reply repeats if nothing else identifies the line.
 const BEGINNING: usize = 60;
 
 /// See [the stream](super).

@@ -18,7 +18,7 @@ pub(crate) enum LimitEnd {
     LetsGo,
     /// Nothing resists the load from there on.
     GivesWay,
-    /// The load is held up to the largest factor that was followed.
+    /// It is held as far as was asked.
     Held,
     /// Rounding stopped the path, or the path did not begin.
     Unknown,
