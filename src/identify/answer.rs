@@ -53,16 +53,16 @@ pub struct Identified {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Estimate {
-    /// Its name, such as "friction of left".
+    /// The name of the unknown, such as "friction of left".
     pub name: String,
-    /// Its kind: a coefficient of friction, a force in N, or a factor on the given value.
+    /// The kind of the unknown: a coefficient of friction, a force in N, or a factor on the given value.
     pub kind: UnknownKind,
-    /// Its value; one of many if the slips do not determine it.
+    /// The estimate; one of many possible values if the slips do not determine the unknown.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub value: f64,
-    /// Whether the slips determine it.
+    /// Whether the slips determine the unknown.
     pub is_fixed: bool,
-    /// Its standard error; `None` if the slips do not determine it, or if their scatter is not known.
+    /// The standard error of the estimate; `None` if the slips do not determine the unknown, or if their scatter is not known.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub standard_error: Option<f64>,
     /// The confidence interval of 95 %; `None` without a standard error.
@@ -95,7 +95,7 @@ pub enum Ending {
     NotPredicted {
         /// The slip, from 0.
         slip: usize,
-        /// Why.
+        /// The reason.
         says: String,
     },
 }

@@ -31,11 +31,11 @@ pub(super) struct Grouped {
 
 /// One group of slips.
 struct Group {
-    /// Its information, Q.
+    /// The information of the group, Q.
     tells: DMatrix<f64>,
     /// The correction for its own influence on the solution, (1 - Q)^(-1/2).
     made_up: DMatrix<f64>,
-    /// Its contribution to the solution, w.
+    /// The contribution of the group to the solution, w.
     moves: DVector<f64>,
 }
 

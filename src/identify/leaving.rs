@@ -28,7 +28,7 @@ const STEPS: usize = 5;
 /// The motion at gross slip. Moments are divided by one length, and rotations multiplied by it.
 pub(super) struct GrossSlip<'a, 's, const C: usize> {
     seen: &'a SlipToPredict<'s, C>,
-    /// That length, m: the distance of the farthest contact from the origin.
+    /// The length for moments and rotations, m: the distance of the farthest contact from the origin.
     length: f64,
     /// The load factor, or the angle.
     at: f64,

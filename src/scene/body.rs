@@ -18,9 +18,9 @@ pub struct BodySetup<const C: usize> {
     pub name: Arc<str>,
     /// A comment for the reader of the file.
     pub comment: Option<String>,
-    /// Its mass, kg.
+    /// The mass of the body, kg.
     pub mass: f64,
-    /// Its centre of mass, m.
+    /// The centre of mass, m.
     pub centre_of_mass: SVector<f64, C>,
     /// A constant load on the body beside its weight and the loads of questions.
     pub load: Wrench<C>,

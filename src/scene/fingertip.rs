@@ -76,7 +76,7 @@ impl<const C: usize> Fingertip<C> {
         Self { soft: Some(tip), ..self }
     }
 
-    /// This contact with the lip and the vacuum of a suction cup, in space. Its own suction does not count.
+    /// This contact with the lip and the vacuum of a suction cup, in space. The cup replaces the contact's own suction.
     #[must_use]
     pub fn with_cup(self, cup: Cup) -> Self {
         Self { cup: Some(cup), soft: None, ..self }

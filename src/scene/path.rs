@@ -52,7 +52,7 @@ pub enum PathOutcome<const C: usize> {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         state: Option<Box<Equilibrium<C>>>,
     },
-    /// There is no equilibrium to start from.
+    /// The start of the path has no equilibrium.
     NoStart {
         /// The outcome without an equilibrium.
         start: Box<Outcome<C>>,

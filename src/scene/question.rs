@@ -23,7 +23,7 @@ use crate::words::printable;
 #[serde(remote = "Self", rename_all = "snake_case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum Question<const C: usize> {
-    /// Does it hold, and what happens as the load is put on? See [`Grasp::hold`](crate::ask::Grasp::hold).
+    /// Does the grasp hold the load, and what happens as the load is put on? See [`Grasp::hold`](crate::ask::Grasp::hold).
     Hold {
         /// The load that acts before and stays; zero if left out.
         #[serde(default = "no_load::<C>")]
@@ -34,7 +34,7 @@ pub enum Question<const C: usize> {
         #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
         together_with: BTreeMap<String, Wrench<C>>,
     },
-    /// How much does it need? See [`Grasp::need`](crate::ask::Grasp::need).
+    /// How much of a quantity does the grasp need? See [`Grasp::need`](crate::ask::Grasp::need).
     Need(Box<NeedAsked<C>>),
     /// Where should the fingers be? See [`Improve`](crate::improve::Improve).
     Improve(Box<ImproveAsked<C>>),
@@ -210,7 +210,7 @@ pub struct LegAsked<const C: usize> {
 }
 
 impl<const C: usize> LegAsked<C> {
-    /// A leg of load, of commands, or of both at once; of neither, nothing happens along it.
+    /// A leg with a change of the load, of the commands, or of both.
     #[must_use]
     pub fn new(load: Option<Goal<Wrench<C>>>, commands: Option<Goal<Commands<C>>>) -> Self {
         Self { load: load.map(LoadGoal::Straight), commands, joints: None, body_loads: BTreeMap::new() }

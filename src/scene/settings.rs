@@ -72,7 +72,7 @@ struct WrittenSettings {
     /// The largest load factor up to which `hold` seeks the loss of the load.
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     most_load: f64,
-    /// So many cycles of a load that repeats are followed.
+    /// Largest number of cycles of a repeated load that are followed.
     most_cycles: usize,
     /// Up to where motions are small.
     small_motions: SmallMotions,

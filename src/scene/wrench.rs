@@ -2,7 +2,7 @@
 //!
 //! `{"force": [0, -1], "moment": 0.2}` in the plane, `{"force": [0, 0, -1], "moment": [0, 0.1, 0]}`
 //! in space. Parts that are left out are zero. `"at": [0.1, 0]` lets the force act at a point other than the origin; its moment is added.
-//! Of a grasp by a hand, `"joints": [0.1, 0, …]` are the components of its joints; fewer of them belong to the first joints.
+//! For a grasp by a hand, `"joints": [0.1, 0, …]` are the components of its joints; a shorter list belongs to the first joints.
 
 use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};

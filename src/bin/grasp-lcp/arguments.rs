@@ -331,9 +331,9 @@ pub(crate) enum QuantityAsked {
     Friction,
     /// The factor on the load.
     Load,
-    /// How far out the load may hang.
+    /// The largest distance at which the load may hang.
     Arm,
-    /// How far the load may be tilted.
+    /// The largest angle by which the load may be tilted.
     Angle,
 }
 

@@ -244,13 +244,13 @@ impl<const C: usize> Meaning<C> {
         Ok(all)
     }
 
-    /// Does it hold?
+    /// The question whether the grasp holds a load.
     fn hold(&self, load: &LoadArguments, base: Option<&Numbers>) -> Result<Option<Question<C>>, Failure> {
         let (base, together_with) = (self.base(base, load.at.as_ref())?, self.together_with(load)?);
         Ok(self.wrench(load)?.map(|load| Question::Hold { base, load, together_with }))
     }
 
-    /// Where should the fingers be?
+    /// The question for better places of the fingers.
     fn improve(
         &self,
         load: &LoadArguments,

@@ -1,4 +1,4 @@
-//! Why the program ends without an answer, and with which exit code.
+//! Failures of the program, and their exit codes.
 
 use std::fmt;
 use std::io;
