@@ -64,7 +64,7 @@ impl<const C: usize> Setup<C> {
         Ok(depends.then_some(Warning::StiffnessLeftOut { contacts, names, stiffness, questions }))
     }
 
-    /// The questions whose answers two trials change, or which `is_known` to depend on the stiffness.
+    /// The questions whose answers change in one of two trials, or for which `is_known` holds.
     fn questions_that_depend(
         &self,
         trial: impl Fn(usize) -> Self,

@@ -112,7 +112,7 @@ pub(crate) enum Command {
     },
     /// At which angle does the first contact start to slide while a weight is tilted?
     ///
-    /// Without --mass and --weight, the scene's bodies are tilted under the scene's gravity.
+    /// Without --mass and --weight, the scene's bodies with masses are tilted under its gravity.
     Turn {
         /// The mass of the object, kg, with 9.81 m/s² down along the last axis.
         #[arg(long, allow_hyphen_values = true, value_parser = kilograms, value_name = "KG", conflicts_with = "weight")]
