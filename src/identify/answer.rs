@@ -120,7 +120,7 @@ impl Identified {
     }
 
     /// The standard errors as uncertainty of the grasp, for [`Grasp::reserve`](crate::ask::Grasp::reserve) and similar methods: the largest of all
-    /// unknowns of friction, of squeeze and of stiffness. The seed is that of the samples.
+    /// unknowns of friction, of squeeze and of stiffness. Carried forces count as squeeze. The seed is that of the samples.
     #[must_use]
     pub fn uncertainty(&self, seed: u64) -> Uncertainty {
         let sigma = |kind| {
