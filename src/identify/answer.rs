@@ -1,4 +1,4 @@
-//! What slips tell.
+//! The unknowns that slips determine, with their errors.
 
 use super::combination::FreeCombination;
 use super::unknown::UnknownKind;
@@ -7,40 +7,41 @@ use crate::prelude::*;
 use crate::serial::AsComputed;
 use crate::sweep::Uncertainty;
 
-/// What slips that were seen tell of a grasp; its [`Display`](std::fmt::Display) says it in a sentence.
+/// The unknowns that observed slips of a grasp determine; [`Display`](std::fmt::Display) states them in a sentence.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Identified {
-    /// The unknowns, in the order in which they were asked for.
+    /// The unknowns, in the order of the question.
     pub estimates: Vec<Estimate>,
-    /// How the search ended.
+    /// The end of the search.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub ending: Ending,
-    /// How many slips there were.
+    /// Number of slips.
     pub slips: usize,
-    /// How many groups of slips there were that may share errors; `None` where each slip stands for itself.
+    /// Number of groups of slips that may share errors; `None` if all slips are independent.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub groups: Option<usize>,
-    /// The scatter of loads or angles as a part of them, estimated; `None` where it was given, or where there are as many unknowns as slips.
+    /// The estimated relative scatter of loads or angles. `None` if it was given, or if there are as many unknowns as slips.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub scatter: Option<f64>,
-    /// Where the scatter was given: how many times as far off slips are. Much more than one: the model is wrong, or the scatter was.
+    /// Root mean square of the residuals over the given scatter; `None` if it was not given. If it is much more than one, the model is wrong, or
+    /// the given scatter too small.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub misfit: Option<f64>,
-    /// Slips, and what is known besides, less what they fix.
+    /// Number of slips and of known sums, less the number of combinations that they determine.
     pub degrees_of_freedom: usize,
-    /// Combinations that slips do not fix.
+    /// Combinations that slips do not determine.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub free: Vec<FreeCombination>,
-    /// Logarithm of what was seen over what is predicted, slip by slip; empty where some slip is not predicted.
+    /// Logarithm of the observed over the predicted load or angle, slip by slip; empty if some slip is not predicted.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Vec<f64>>"))]
     pub residuals: Vec<f64>,
-    /// What each slip counts: less than 1 where it is far off.
+    /// The weight of each slip: less than 1 if its residual is large.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Vec<f64>>"))]
     pub weights: Vec<f64>,
-    /// Slips whose derivatives are differences of exact answers, not exact themselves.
+    /// Number of slips whose derivatives are differences of exact answers instead of exact derivatives.
     pub by_differences: usize,
     /// Steps of the search.
     pub iterations: usize,
@@ -52,28 +53,28 @@ pub struct Identified {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Estimate {
-    /// Its name, such as "friction of left".
+    /// The name of the unknown, such as "friction of left".
     pub name: String,
-    /// What it is: a coefficient of friction, a force in N, or a multiple of what was given.
+    /// The kind of the unknown: a coefficient of friction, a force in N, or a factor on the given value.
     pub kind: UnknownKind,
-    /// Its value; where it is not fixed one of many.
+    /// The estimate; one of many possible values if the slips do not determine the unknown.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub value: f64,
-    /// Whether the slips fix it.
+    /// Whether the slips determine the unknown.
     pub is_fixed: bool,
-    /// Its standard error; `None` where it is not fixed, or the scatter of slips is not known.
+    /// The standard error of the estimate; `None` if the slips do not determine the unknown, or if their scatter is not known.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub standard_error: Option<f64>,
-    /// What holds the truth in 95 of 100 cases.
+    /// The confidence interval of 95 %; `None` without a standard error.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub interval: Option<[f64; 2]>,
-    /// The degrees of freedom of Student's distribution that the interval is from; `None` where it is normal, or there is none. Where slips share errors
-    /// they are those that groups leave to this number; few of them make the interval wide.
+    /// The degrees of freedom of Student's distribution in the interval; `None` if the distribution is normal, or if there is no interval. With
+    /// groups of slips they are those that the groups leave for this unknown; few of them make the interval wide.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub degrees_of_freedom: Option<f64>,
 }
 
-/// How the search ended.
+/// The end of the search.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -83,31 +84,31 @@ pub struct Estimate {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Ending {
-    /// Nothing nearby is better.
+    /// No point nearby has a smaller loss.
     Converged,
-    /// The limit of steps was reached before: what is told may still change.
+    /// The limit of steps was reached before convergence: the estimates may still change.
     NotConverged {
         /// The limit.
         iterations: usize,
     },
-    /// A slip is not predicted where the search begins, or where it had to stop.
+    /// The model does not predict a slip at the start of the search, or where the search had to stop.
     NotPredicted {
         /// The slip, from 0.
         slip: usize,
-        /// Why.
+        /// The reason.
         says: String,
     },
 }
 
 impl Identified {
-    /// By which part friction may be less than found, the largest of all coefficients: down to the low end of their intervals. For
-    /// [`Need::if_lower_by`](crate::need::Need::if_lower_by); 0 where none is known.
+    /// The largest relative decrease from an estimate to the low end of its interval, among all coefficients of friction; 0 if no interval is known.
+    /// It is the argument of [`Need::if_lower_by`](crate::need::Need::if_lower_by).
     #[must_use]
     pub fn friction_less(&self) -> f64 {
         self.less(UnknownKind::Friction)
     }
 
-    /// By which part the squeeze may be less than found, likewise.
+    /// The largest relative decrease of the squeeze to the low end of its interval, likewise.
     #[must_use]
     pub fn squeeze_less(&self) -> f64 {
         self.less(UnknownKind::Squeeze)
@@ -118,8 +119,8 @@ impl Identified {
         self.of(kind).filter_map(part).fold(0.0, f64::max)
     }
 
-    /// Standard errors as the standard deviations of a grasp that is not known exactly, for [`Grasp::reserve`](crate::ask::Grasp::reserve) and its kind: of
-    /// friction, squeeze and stiffness the largest of all unknowns of that kind. The seed is that of samples.
+    /// The standard errors as uncertainty of the grasp, for [`Grasp::reserve`](crate::ask::Grasp::reserve) and similar methods: the largest of all
+    /// unknowns of friction, of squeeze and of stiffness. Carried forces count as squeeze. The seed is that of the samples.
     #[must_use]
     pub fn uncertainty(&self, seed: u64) -> Uncertainty {
         let sigma = |kind| {

@@ -1,4 +1,4 @@
-//! What no search would take is refused by name.
+//! Refuses questions that no search can answer, and names their fault.
 
 use super::question::{Identify, Known};
 use super::slip::Slip;
@@ -12,7 +12,7 @@ fn wrong(what: String, field: &'static str, value: f64, allowed: &'static str) -
 }
 
 impl<const C: usize> Identify<C> {
-    /// Refuses numbers that no search would take, and what these grasps have not.
+    /// Refuses numbers out of range, and contacts that these grasps do not have.
     pub(super) fn check(&self, layouts: &[Grasp<C>]) -> Result<(), Error> {
         self.check_numbers(layouts.len())?;
         self.unknowns.iter().enumerate().try_for_each(|(k, unknown)| unknown.check(k, layouts))?;
@@ -37,7 +37,7 @@ impl<const C: usize> Identify<C> {
         Ok(())
     }
 
-    /// Refuses numbers that no search of so many layouts would take.
+    /// Refuses numbers out of range for this number of layouts.
     pub(crate) fn check_numbers(&self, layouts: usize) -> Result<(), Error> {
         for (list, given) in [("unknowns", self.unknowns.len()), ("slips", self.slips.len())] {
             if given == 0 {
@@ -98,13 +98,13 @@ impl Known {
 }
 
 impl Unknown {
-    /// Whether no contact can have both.
+    /// Whether no contact can have both unknowns.
     fn clashes_with(&self, other: &Self) -> bool {
         let presses = |kind| matches!(kind, UnknownKind::Carried | UnknownKind::Squeeze);
         self.kind == other.kind || (presses(self.kind) && presses(other.kind))
     }
 
-    /// Refuses numbers that no unknown of so many layouts has.
+    /// Refuses numbers out of range of an unknown for this number of layouts.
     fn check_numbers(&self, number: usize, layouts: usize) -> Result<(), Error> {
         let what = format!("unknown {number}");
         if let Some(layout) = self.layout.filter(|layout| *layout >= layouts) {
@@ -119,7 +119,7 @@ impl Unknown {
         Ok(())
     }
 
-    /// Refuses contacts that no grasp of these has, and contacts that are held by forces where what they carry is sought.
+    /// Refuses contacts that none of these grasps has, and, for a carried force, contacts that are held by a force.
     fn check<const C: usize>(&self, number: usize, layouts: &[Grasp<C>]) -> Result<(), Error> {
         for (layout, grasp) in layouts.iter().enumerate().filter(|(layout, _)| self.is_in(*layout)) {
             let named = self.contacts.iter().flatten();

@@ -1,36 +1,36 @@
-//! Combinations of unknowns that slips do not fix.
+//! Combinations of unknowns that slips do not determine.
 
 use nalgebra::DMatrix;
 
 use crate::prelude::*;
 use crate::words::listed;
 
-/// Powers that differ from one by less are told as a plain product or ratio.
+/// Powers that differ from one by less than this count as one, so that the sentence has a plain product or ratio.
 const ALIKE: f64 = 1e-3;
 
-/// A part of a direction below this is none.
+/// Components of a direction below this part of the largest are zero.
 const NONE: f64 = 1e-4;
 
-/// So much of a free combination is tried: far enough to tell a product from a sum.
+/// Change of the largest logarithm in a trial along a free combination: far enough to distinguish a product from a sum.
 const TRIED: f64 = 0.3;
 
-/// Unknowns that may change together without any slip being predicted elsewhere: to first order, all of them times a number to these powers.
+/// Unknowns that may change together without changing any predicted slip: to first order, each is multiplied by the same number to its power.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct FreeCombination {
-    /// The unknowns, by their names.
+    /// The names of the unknowns.
     pub unknowns: Vec<String>,
-    /// The power of each; the largest is 1.
+    /// The power of each unknown; the largest is 1.
     pub powers: Vec<f64>,
-    /// What that means, in a sentence.
+    /// The meaning of the combination in a sentence.
     pub says: String,
 }
 
 impl FreeCombination {
-    /// From directions of logarithms that span all that is not fixed, as columns: as few unknowns in each as there can be. `stays` says whether all
-    /// slips are predicted where they are here if each unknown is so many times as large.
+    /// Combinations with as few unknowns as possible, from a basis of the free directions of the logarithms, as columns. `stays` is whether all
+    /// predicted slips stay if each unknown is multiplied by its factor.
     pub(super) fn among(
         mut free: DMatrix<f64>,
         (names, values): (&[String], &[f64]),
@@ -38,7 +38,7 @@ impl FreeCombination {
     ) -> Vec<Self> {
         let mut all = Vec::new();
         for k in 0..free.ncols() {
-            // The largest entry that is left: its unknown is in this direction alone from now on.
+            // Pivoting on the largest remaining entry, as in Gauss-Jordan elimination: its unknown is in this direction alone.
             let (row, column) = free.columns_range(k..).icamax_full();
             free.swap_columns(k, k + column);
             let pivot = free[(row, k)];
@@ -79,14 +79,14 @@ impl FreeCombination {
     }
 }
 
-/// What of a combination is fixed.
+/// The function of the unknowns that slips determine in spite of the free combination.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Law {
-    /// Products and ratios, however far it is gone along.
+    /// A product or ratio, for steps of any length.
     Powers,
     /// The sum.
     Sum,
-    /// Something that looks like either close by.
+    /// Another function with the same first derivatives.
     Nearby,
 }
 

@@ -1,4 +1,4 @@
-//! First slip, and its exact derivatives.
+//! Prediction of first slip, and its exact derivatives.
 
 use core::f64::consts::TAU;
 
@@ -9,7 +9,7 @@ use crate::error::Error;
 use crate::load_path::{Onset, OnsetEvent, OnsetGradient, Ramp};
 use crate::prelude::*;
 
-/// Where the first contact slides.
+/// The load factor or angle at first slip.
 pub(super) fn predicted<const C: usize>(
     seen: &SlipToPredict<'_, C>,
 ) -> Result<Result<Predicted, NoSlip>, Error> {
@@ -35,7 +35,7 @@ pub(super) fn predicted<const C: usize>(
     })
 }
 
-/// Derivatives of the logarithm of the factor. Where several contacts leave together the mean of theirs: each is one side of an edge.
+/// Derivatives of the logarithm of the factor. If several contacts leave together, the mean of theirs: each is valid on one side of a kink.
 fn exact<const C: usize>(seen: &SlipToPredict<'_, C>, event: &OnsetEvent<C>) -> Option<Vec<f64>> {
     let gradients = seen.grasp.sensitivity().onset_gradients(event);
     if gradients.is_empty() {
@@ -51,7 +51,7 @@ fn exact<const C: usize>(seen: &SlipToPredict<'_, C>, event: &OnsetEvent<C>) -> 
             UnknownKind::Carried => {
                 let pressed = carried_by(&contacts[i], value);
                 let by_base = pressed.components().iter().zip(&gradient.base_load);
-                // A component that nothing carries is none of what presses.
+                // A zero component of the load has no effect, even where its derivative is infinite.
                 let by_base: f64 = by_base.filter(|(x, _)| **x != 0.0).map(|(x, by)| x * by).sum();
                 gradient.command[i][0] * value / springs(i)[0] + by_base
             }
@@ -63,7 +63,7 @@ fn exact<const C: usize>(seen: &SlipToPredict<'_, C>, event: &OnsetEvent<C>) -> 
         if kind == UnknownKind::Squeeze && !presses {
             return None;
         }
-        // Of some contacts normal commands alone are squeezed; others are part of the whole.
+        // The squeeze of some contacts scales only their normal commands; the exact derivative includes tangential ones.
         let along = |i: usize| contacts[i].command.iter().skip(1).any(|x| *x != 0.0);
         if kind == UnknownKind::Squeeze
             && seen.asked.unknowns[unknown].contacts.is_some()

@@ -1,4 +1,4 @@
-//! Gauss and Newton's steps in logarithms, damped.
+//! Damped Gauss-Newton steps in the logarithms of the unknowns.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -8,46 +8,46 @@ use super::unknown::UnknownKind;
 use crate::error::Error;
 use crate::prelude::*;
 
-/// A combination in which slips change by less than this part of what they do in the best one is not fixed: differences are known to 1e-8.
+/// Relative singular value below which a combination is not determined: derivatives from differences are exact to about 1e-8.
 pub(super) const NOT_FIXED: f64 = 1e-6;
-/// A step of logarithms below this is none.
+/// A step with no logarithm above this is zero, and the search has converged.
 const NO_STEP: f64 = 1e-10;
-/// No logarithm goes farther in a step: within it slips are predicted from here.
+/// Largest change of a logarithm in one step, to which predictions are extrapolated.
 const LONGEST: f64 = 1.0;
-/// Damping at first, beside the largest singular value squared; by so much less after a step that does, more after one that does not.
+/// Initial damping, relative to the largest singular value squared; times `LESS` after a successful step, times `MORE` after a failed one.
 const DAMPING: f64 = 1e-3;
 const LESS: f64 = 0.1;
 const MORE: f64 = 10.0;
-/// A step that promises no more than this part of the loss is none, either: of n slips it is √n 1e-4 of a standard error long. Sliding arcs are followed
-/// to 1e-9, so that no loss is known to its last digits.
+/// Relative decrease of the loss below which a step is too small: with n slips it is √n 1e-4 standard errors long. Sliding arcs have errors of 1e-9,
+/// so that the last digits of the loss are not known.
 const PROMISE: f64 = 1e-8;
 
-/// So many other starting values are tried: a factor of 4096 where the object holds too well or too little at all of them.
+/// Number of other starting values: they reach a factor of 4096 if the object holds too well, or too little, at all of them.
 const STARTS: usize = 12;
 
-/// Where the search has ended.
+/// The end of a search.
 pub(super) struct Fitted {
     pub(super) logs: Vec<f64>,
     pub(super) linear: Option<Linear>,
-    /// Of the slips, as a part: given, or estimated.
+    /// Relative standard deviations, given or estimated.
     pub(super) scatter: Scatter,
     pub(super) iterations: usize,
     pub(super) end: FitEnd,
 }
 
-/// How it ended.
+/// The reason of the end.
 pub(super) enum FitEnd {
     Converged,
     Limit,
-    /// A slip is not predicted where the search begins, or had to go on.
+    /// The model does not predict this slip at the start of the search, or where it had to continue.
     NoSlip(usize, NoSlip),
 }
 
 /// Standard deviations of the rows.
 pub(super) struct Scatter {
-    /// One for each slip, and behind them for what is known.
+    /// One for each slip, and behind them one for each known sum.
     pub(super) rows: Vec<f64>,
-    /// The one of all slips, where it is estimated.
+    /// The common standard deviation of all slips, if it is estimated.
     pub(super) estimated: Option<f64>,
 }
 
@@ -56,7 +56,7 @@ impl<const C: usize> Model<'_, C> {
         Huber(self.asked.outliers)
     }
 
-    /// Standard deviations: those given, or one for all slips from their residuals.
+    /// Standard deviations: the given ones, or a common one of all slips from their residuals.
     pub(super) fn scatter(&self, residuals: &[f64], rank: usize) -> Scatter {
         let (slips, known) = (&self.asked.slips, &self.asked.known);
         let given: Option<Vec<f64>> = slips.iter().map(|slip| slip.scatter).collect();
@@ -69,7 +69,7 @@ impl<const C: usize> Model<'_, C> {
         Scatter { rows, estimated }
     }
 
-    /// What a row counts: slips that are far off count less, what is known does not.
+    /// The weight of a row: Huber's weight for slips, 1 for known sums.
     fn weight(&self, row: usize, u: f64) -> f64 {
         if row < self.asked.slips.len() { self.huber().weight(u) } else { 1.0 }
     }
@@ -83,9 +83,9 @@ impl<const C: usize> Model<'_, C> {
     }
 }
 
-/// Where all slips are predicted the first time: at the values given, or with all friction so many times as large, the same logarithm for all. Where the
-/// object holds too well it is halved, where it holds too little doubled, and once both were seen the middle is tried. Without unknown friction squeezes and
-/// carried loads are changed so.
+/// The first point at which the model predicts all slips: the given values, or these with all friction times a common factor. The factor is halved
+/// if the object holds too well and doubled if it holds too little; once both occurred, bisection in the logarithm follows. Without unknown friction,
+/// squeezes and carried loads have the factor instead.
 fn begun<const C: usize>(model: &Model<'_, C>) -> Result<(Vec<f64>, Result<Linear, (usize, NoSlip)>), Error> {
     let unknowns = &model.asked.unknowns;
     let begin: Vec<f64> = unknowns.iter().map(|unknown| unknown.begins_at(model.layouts).ln()).collect();
@@ -120,7 +120,7 @@ fn begun<const C: usize>(model: &Model<'_, C>) -> Result<(Vec<f64>, Result<Linea
     Ok((begin, first))
 }
 
-/// The logarithms with the least loss, from where the search begins.
+/// The logarithms with the least loss, by a search from the given values.
 pub(super) fn fitted<const C: usize>(model: &Model<'_, C>) -> Result<Fitted, Error> {
     let (begin, linear) = begun(model)?;
     let nothing = Scatter { rows: Vec::new(), estimated: None };
@@ -159,43 +159,43 @@ pub(super) fn fitted<const C: usize>(model: &Model<'_, C>) -> Result<Fitted, Err
                 Ok(linear) if model.loss(&linear.residuals, &fit.scatter) < loss => {
                     break Some((there, linear));
                 }
-                // The shortest step decides whether slips end here, not those beyond it.
+                // The last and shortest step decides whether predictions end here, not longer ones.
                 Ok(_) => unseen = None,
                 Err(none) => unseen = Some(none),
             }
             damping *= MORE;
         };
         let Some((there, better)) = better else {
-            // Nothing nearby is better: an edge, unless slips end there.
+            // No step decreases the loss: a kink at the minimum, unless predictions end there.
             fit.end = unseen.map_or(FitEnd::Converged, |(slip, why)| FitEnd::NoSlip(slip, why));
             break;
         };
         (fit.logs, linear) = (there, better);
         damping = (damping * LESS).max(f64::EPSILON);
     }
-    // Where a slip is not predicted nothing is told.
+    // If a slip is not predicted, no errors are reported.
     fit.linear = Some(linear).filter(|_| !matches!(fit.end, FitEnd::NoSlip(..)));
     Ok(fit)
 }
 
-/// How many combinations slips fix.
+/// Number of combinations that slips determine.
 pub(super) fn rank(linear: &Linear) -> usize {
     let (values, ..) = singular(&linear.jacobian, &linear.residuals, &vec![1.0; linear.residuals.len()]);
     let most = values.iter().copied().fold(0.0, f64::max);
     values.iter().filter(|value| **value > NOT_FIXED * most).count()
 }
 
-/// Steps along the combinations that slips fix.
+/// Steps along the combinations that slips determine.
 struct Steps {
-    /// Singular values, and the directions that belong to them.
+    /// Singular values, and their right singular vectors as columns.
     values: Vec<f64>,
     directions: DMatrix<f64>,
-    /// What the residuals are along each, once weighted.
+    /// Components of the weighted residuals along the left singular vectors.
     along: Vec<f64>,
 }
 
 impl Steps {
-    /// At a place, slips weighted as their scatter has it.
+    /// Steps from a point, with slips weighted by their scatter and residual.
     fn of<const C: usize>(model: &Model<'_, C>, linear: &Linear, scatter: &Scatter) -> Self {
         let row = |(k, (r, sigma)): (usize, (&f64, &f64))| model.weight(k, r / sigma).sqrt() / sigma;
         let weights: Vec<_> = linear.residuals.iter().zip(&scatter.rows).enumerate().map(row).collect();
@@ -203,7 +203,7 @@ impl Steps {
         Self { values, directions, along }
     }
 
-    /// Damped by this part of the largest singular value squared; none along what is not fixed.
+    /// The step with this damping relative to the largest singular value squared; zero along combinations that slips do not determine.
     fn step(&self, damping: f64) -> DVector<f64> {
         let most = self.values.iter().copied().fold(0.0, f64::max);
         let mut step = DVector::zeros(self.directions.nrows());
@@ -214,7 +214,7 @@ impl Steps {
         step
     }
 
-    /// By how much the loss falls with a step, as far as it is quadratic.
+    /// The decrease of the quadratic model of the loss by a step.
     fn promise(&self, step: &DVector<f64>) -> f64 {
         let part = |(k, value): (usize, &f64)| {
             let gone = value * self.directions.column(k).dot(step);
@@ -224,14 +224,14 @@ impl Steps {
     }
 }
 
-/// Singular values of the weighted rows, their directions as columns, and the weighted residuals along each. As many as there are unknowns.
+/// Singular values of the weighted rows, the right singular vectors as columns, and the weighted residuals along the left ones; as many as unknowns.
 pub(super) fn singular(
     jacobian: &DMatrix<f64>,
     residuals: &[f64],
     weights: &[f64],
 ) -> (Vec<f64>, DMatrix<f64>, Vec<f64>) {
     let columns = jacobian.ncols();
-    // With rows of zeros where there are fewer slips than unknowns: then there are as many directions.
+    // Rows of zeros if there are fewer slips than unknowns, so that the decomposition has a vector for every unknown.
     let rows = jacobian.nrows().max(columns);
     let weighted = |i: usize, x: f64| if i < weights.len() { weights[i] * x } else { 0.0 };
     let matrix =

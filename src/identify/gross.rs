@@ -1,4 +1,4 @@
-//! Gross slip: where the object is lost.
+//! Prediction of gross slip, the loss of the object.
 
 use core::f64::consts::TAU;
 
@@ -9,7 +9,7 @@ use crate::error::Error;
 use crate::grasp::Motion;
 use crate::load_path::{Leg, PathEnd};
 
-/// Where the object is lost.
+/// The load factor or angle at gross slip.
 pub(super) fn predicted<const C: usize>(
     seen: &SlipToPredict<'_, C>,
 ) -> Result<Result<Predicted, NoSlip>, Error> {

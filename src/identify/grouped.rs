@@ -1,15 +1,15 @@
-//! Errors of what is found where slips share errors in groups: a sandwich.
+//! Errors of estimates whose slips share errors in groups, by a sandwich estimator.
 //!
-//! Rows are in standard deviations and along directions of the logarithms in which all of them together tell the same, so that `Σ U_g'U_g = 1`. With e what
-//! rows are off by and `Q_g = U_g'U_g`, a group moves the solution by what it is off by, made up for the solution's leaning on it,
+//! Rows are in standard deviations, in a basis of the logarithms with `Σ U_g'U_g = 1`. With the residuals e and `Q_g = U_g'U_g`, a group moves the
+//! solution by its residuals, corrected for the pull that the solution has followed already,
 //!
 //! ```text
 //! w_g = (1 - Q_g)^(-1/2) U_g'e_g
 //! ```
 //!
-//! the correction CR2 of Bell and McCaffrey, in the few directions in place of the many slips: `U'(1 - UU')^(-1/2) = (1 - U'U)^(-1/2) U'`. The variance of
-//! an unknown, c in these directions, is `Σ (c'w_g)²`. Were rows independent, `c'w_g` would have the covariances
-//! `Ω_gh = δ_gh a_g'Q_g a_g - (Q_g a_g)'(Q_h a_h)`, `a_g = (1 - Q_g)^(-1/2) c`, and its degrees of freedom are Satterthwaite's, `(tr Ω)² / tr Ω²`.
+//! the correction CR2 of Bell and McCaffrey, in the few unknowns instead of the many slips: `U'(1 - UU')^(-1/2) = (1 - U'U)^(-1/2) U'`. The variance
+//! of an unknown, c in this basis, is `Σ (c'w_g)²`. For independent rows, `c'w_g` would have the covariances
+//! `Ω_gh = δ_gh a_g'Q_g a_g - (Q_g a_g)'(Q_h a_h)`, `a_g = (1 - Q_g)^(-1/2) c`. The degrees of freedom are Satterthwaite's, `(tr Ω)² / tr Ω²`.
 
 use alloc::collections::BTreeMap;
 
@@ -17,38 +17,38 @@ use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
 use crate::prelude::*;
 
-/// A direction that one group tells alone, but for this part: the others do not say how far it is off.
+/// Eigenvalues of `1 - Q_g` below this are zero: one group determines the direction alone, and the others give no error for it.
 const ALONE: f64 = 1e-9;
-/// So much of a variance may be in such directions.
+/// Largest share of an unknown's variance in such directions, above which it has no error.
 const UNSEEN: f64 = 1e-2;
 
-/// What each group does.
+/// Information and influence of each group.
 pub(super) struct Grouped {
     groups: Vec<Group>,
-    /// What rows tell that are known from elsewhere, each with its own scatter.
+    /// Information of the known sums, each with its own scatter.
     known: DMatrix<f64>,
 }
 
-/// One group.
+/// One group of slips.
 struct Group {
-    /// What it tells, Q.
+    /// The information of the group, Q.
     tells: DMatrix<f64>,
-    /// What makes up for the solution's leaning on it, (1 - Q)^(-1/2).
+    /// The correction for its own influence on the solution, (1 - Q)^(-1/2).
     made_up: DMatrix<f64>,
-    /// What it moves the solution by, w.
+    /// The contribution of the group to the solution, w.
     moves: DVector<f64>,
 }
 
 /// The error of an unknown.
 pub(super) struct GroupedError {
-    /// Of its logarithm.
+    /// Variance of its logarithm.
     pub(super) variance: f64,
-    /// Of that variance.
+    /// Degrees of freedom of that variance.
     pub(super) degrees: f64,
 }
 
 impl Grouped {
-    /// From rows along the directions (one of the slips for each number of a group, and behind them what is known), and what they are off by.
+    /// From rows in the basis (one slip for each entry of `groups`, then the known sums) and their residuals.
     pub(super) fn of(rows: &DMatrix<f64>, off: &[f64], groups: &[usize]) -> Self {
         let mut members: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
         groups.iter().enumerate().for_each(|(slip, group)| members.entry(*group).or_default().push(slip));
@@ -67,13 +67,13 @@ impl Grouped {
         Self { groups: members.values().map(group).collect(), known: square(&known) }
     }
 
-    /// The error of an unknown that is this in the directions. `None` where one group tells it alone.
+    /// The error of an unknown with these components in the basis. `None` if one group determines it alone.
     pub(super) fn of_unknown(&self, unknown: &DVector<f64>) -> Option<GroupedError> {
         let sure = unknown.dot(&(&self.known * unknown));
         let variance = sure + self.groups.iter().map(|group| group.moves.dot(unknown).powi(2)).sum::<f64>();
         let made_up: Vec<_> = self.groups.iter().map(|group| &group.made_up * unknown).collect();
         let told: Vec<_> = self.groups.iter().zip(&made_up).map(|(group, a)| &group.tells * a).collect();
-        // Covariances of what the groups do, were all rows independent.
+        // Covariances of the groups' contributions, for independent rows.
         let covariance = |g: usize, h: usize| {
             let own = if g == h { made_up[g].dot(&told[g]) } else { 0.0 };
             own - told[g].dot(&told[h])
@@ -86,7 +86,7 @@ impl Grouped {
     }
 }
 
-/// (1 - Q)^(-1/2), zero along what Q tells alone.
+/// (1 - Q)^(-1/2), zero along directions that Q determines alone.
 fn inverse_root_of_rest(tells: &DMatrix<f64>) -> DMatrix<f64> {
     let parts = SymmetricEigen::new(tells.clone());
     let root = |part: f64| {
@@ -101,12 +101,12 @@ fn inverse_root_of_rest(tells: &DMatrix<f64>) -> DMatrix<f64> {
 mod tests {
     use super::*;
 
-    /// Rows of length one in all directions together.
+    /// Rows in a basis with `Σ U'U = 1`.
     fn in_directions(rows: &DMatrix<f64>) -> DMatrix<f64> {
         rows.clone().qr().q()
     }
 
-    /// Of a mean with groups of one size CR2 is the variance of the means of groups, with one degree of freedom less than there are groups.
+    /// For a mean with groups of equal size, CR2 is the variance of the group means, with one degree of freedom less than groups.
     #[test]
     fn a_mean_of_equal_groups() {
         let off = [0.3, 0.5, 0.1, -0.2, -0.4, -0.1, 0.2, -0.3, 0.4, -0.7, 0.1, 0.1];
@@ -123,7 +123,7 @@ mod tests {
         assert!((found.degrees - 3.0).abs() < 1e-12, "{}", found.degrees);
     }
 
-    /// A straight line through three uneven groups, beside the definition with matrices of all slips: `V = B X_g'A_g e e'A_g X_g B`,
+    /// A straight line through three uneven groups, compared with the definition by matrices of all slips: `V = B X_g'A_g e e'A_g X_g B`,
     /// `A_g = (1 - H)_gg^(-1/2)`, and Satterthwaite's degrees from the whole of `(1 - H)`.
     #[test]
     fn a_line_by_its_definition() {
@@ -152,7 +152,7 @@ mod tests {
         assert!((found.degrees / degrees - 1.0).abs() < 1e-9, "{} {degrees}", found.degrees);
     }
 
-    /// What one group tells alone has no error from the others.
+    /// A direction that one group determines alone gets no error from the others.
     #[test]
     fn what_one_group_tells_alone() {
         let rows = DMatrix::from_fn(4, 2, |k, j| if k / 2 == j { 0.5_f64.sqrt() } else { 0.0 });

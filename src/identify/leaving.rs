@@ -1,14 +1,14 @@
-//! How the object leaves at gross slip, and how the load of that changes with the grasp.
+//! The motion of the object at gross slip, and the derivatives of the load there.
 //!
-//! Where the last motion m opens nothing, normal forces stay while the object leaves, and what slides rubs against its velocity. So a loss is a root of
+//! If the last motion m opens no contact, normal forces stay constant while the object leaves, and friction opposes sliding. A loss is then a root of
 //!
 //! ```text
 //! W₀ + λ W + Σ (nᵢ − μᵢ Tᵢ vᵢ/|vᵢ|) Nᵢ + Σ Tⱼ fⱼ = 0,   vᵢ = Tᵢᵀ m,   nᵢᵀ m = 0,   Tⱼᵀ m = 0
 //! ```
 //!
-//! over contacts i that press and contacts j that stick, whose vⱼ is none. Unknown are λ, the direction of m, the forces fⱼ, and the displacement y by which
-//! normal springs have changed: dNᵢ = −kᵢ nᵢᵀ dy. There are as many equations. Newton's method ends on the root what the path has found, and derivatives of the
-//! root are exact. How the object came there does not matter, and so tangential springs and commands do not, either.
+//! over contacts i that press and contacts j that stick, whose velocity vⱼ is zero. The unknowns are λ, the direction of m, the forces fⱼ, and the
+//! displacement y that has changed the normal springs: dNᵢ = −kᵢ nᵢᵀ dy. The number of equations is the same. Newton's method starts from the end of
+//! the load path, and the root has exact derivatives. They do not depend on the path, and hence not on tangential springs and commands.
 
 use nalgebra::{DMatrix, DVector, Matrix, SVector};
 
@@ -18,26 +18,26 @@ use super::unknown::{UnknownKind, carried_by};
 use crate::grasp::{Twist, Wrench};
 use crate::prelude::*;
 
-/// A direction that others have but for so much is none of its own.
+/// Relative singular value below which a direction depends on the others.
 const DEPENDENT: f64 = 1e-9;
-/// A root leaves at most this part of the forces.
+/// Residual of the equations at a root, relative to the sum of the normal forces.
 const BALANCED: f64 = 1e-12;
-/// Steps of Newton's method, which begins near and doubles its digits with each.
+/// Steps of Newton's method, which starts near the root and converges quadratically.
 const STEPS: usize = 5;
 
-/// The object as it leaves. Moments count as forces at one length, and turns as displacements.
+/// The motion at gross slip. Moments are divided by one length, and rotations multiplied by it.
 pub(super) struct GrossSlip<'a, 's, const C: usize> {
     seen: &'a SlipToPredict<'s, C>,
-    /// That length, m.
+    /// The length for moments and rotations, m: the distance of the farthest contact from the origin.
     length: f64,
-    /// Factor of the load, or angle.
+    /// The load factor, or the angle.
     at: f64,
     motion: DVector<f64>,
     pressing: Vec<Pressing>,
 }
 
 impl<'a, 's, const C: usize> GrossSlip<'a, 's, C> {
-    /// From where a path has ended. `None` where something opens as the object leaves, or another law than this one holds.
+    /// From the end of a load path. `None` if a contact opens as the object leaves, or if these equations do not hold.
     pub(super) fn from_end(
         seen: &'a SlipToPredict<'s, C>,
         at: f64,
@@ -64,7 +64,7 @@ impl<'a, 's, const C: usize> GrossSlip<'a, 's, C> {
         Self { seen, length, at, motion, pressing }.at_root()
     }
 
-    /// Newton's method from here. `None` unless it ends beside where it begins.
+    /// Newton's method from this point. `None` unless it converges to a root close to its start.
     fn at_root(mut self) -> Option<Self> {
         let began_at = self.at;
         let (_, free) = spaces(&self.kept(), self.motion.len());
@@ -88,7 +88,7 @@ impl<'a, 's, const C: usize> GrossSlip<'a, 's, C> {
         self.left_over().norm() <= BALANCED * forces
     }
 
-    /// Directions in which the object does not move as it leaves.
+    /// Directions along which the object does not move as it leaves.
     fn kept(&self) -> Vec<DVector<f64>> {
         let of = |contact: &Pressing| {
             let stuck = if contact.sticks { C - 1 } else { 0 };
@@ -102,7 +102,7 @@ impl<'a, 's, const C: usize> GrossSlip<'a, 's, C> {
         self.pressing.iter_mut().filter(|contact| contact.sticks)
     }
 
-    /// What nothing balances.
+    /// The residual of equilibrium.
     fn left_over(&self) -> DVector<f64> {
         let mut sum = self.one_length(&self.seen.load_at(self.at));
         for contact in &self.pressing {
@@ -118,7 +118,7 @@ impl<'a, 's, const C: usize> GrossSlip<'a, 's, C> {
         at_length::<C>(load.components(), self.length.recip())
     }
 
-    /// A step of all unknowns.
+    /// Changes all unknowns by a step.
     fn go(&mut self, equations: &Equations, step: &DVector<f64>) {
         let (springs, turns) = (equations.springs.ncols(), equations.turns.ncols());
         let y = &equations.springs * step.rows(0, springs);
@@ -133,7 +133,7 @@ impl<'a, 's, const C: usize> GrossSlip<'a, 's, C> {
         self.at += step[step.len() - 1];
     }
 
-    /// Of the logarithm of the factor or the angle, by the logarithms of the unknowns. `None` where they are on an edge.
+    /// Derivatives of the logarithm of the factor or angle by the logarithms of the unknowns. `None` at a kink.
     pub(super) fn derivatives(&self) -> Option<Vec<f64>> {
         let equations = Equations::of(self)?;
         self.seen.by_unknowns(|kind, unknown, value| {
@@ -144,7 +144,7 @@ impl<'a, 's, const C: usize> GrossSlip<'a, 's, C> {
         })
     }
 
-    /// How what nothing balances changes with the logarithm of an unknown.
+    /// The derivative of the residual by the logarithm of an unknown.
     fn change(&self, kind: UnknownKind, unknown: usize, value: f64) -> DVector<f64> {
         let mut sum = DVector::zeros(self.motion.len());
         let contacts = self.seen.grasp.contacts();
@@ -168,19 +168,19 @@ impl<'a, 's, const C: usize> GrossSlip<'a, 's, C> {
     }
 }
 
-/// The equations to first order, by changes of y, of the motion, of the forces of what sticks, and of the load.
+/// The linearised equations in the changes of y, of the motion, of the forces of sticking contacts, and of the load.
 struct Equations {
-    /// Bases of the displacements that change normal forces, and of the motions that may be added.
+    /// Orthonormal bases: displacements that change normal forces, and changes of the motion.
     springs: DMatrix<f64>,
     turns: DMatrix<f64>,
-    /// Columns of length one, what each was multiplied by for that, and the inverse.
+    /// The matrix with columns of length one, the scale of each column, and the pseudo-inverse.
     matrix: DMatrix<f64>,
     scales: DVector<f64>,
     inverse: DMatrix<f64>,
 }
 
 impl Equations {
-    /// `None` where they do not tell the load.
+    /// `None` if the equations do not determine the load.
     fn of<const C: usize>(leaving: &GrossSlip<'_, '_, C>) -> Option<Self> {
         let (size, motion, pressing) = (leaving.motion.len(), &leaving.motion, &leaving.pressing);
         let normals: Vec<_> = pressing.iter().map(|contact| contact.normal.clone()).collect();
@@ -210,7 +210,7 @@ impl Equations {
         let scales = DVector::from_iterator(columns.len(), columns.iter().map(scale));
         let mut matrix = DMatrix::from_columns(&columns);
         matrix.column_iter_mut().zip(&scales).for_each(|(mut column, scale)| column *= *scale);
-        // A matrix that is not finite would be decomposed for ever.
+        // The decomposition of a matrix with infinite entries would not end.
         if !matrix.iter().all(|x| x.is_finite()) {
             return None;
         }
@@ -220,20 +220,20 @@ impl Equations {
         ((told - 1.0).abs() <= NONE).then_some(Self { springs, turns, matrix, scales, inverse })
     }
 
-    /// The least changes that do this.
+    /// The least-squares solution of least norm, for the scaled columns.
     fn solved(&self, change: &DVector<f64>) -> DVector<f64> {
         (&self.inverse * change).component_mul(&self.scales)
     }
 
-    /// Changes by columns of length one.
+    /// A step in units of the scaled columns.
     fn scaled(&self, step: &DVector<f64>) -> DVector<f64> {
         step.zip_map(&self.scales, |x, scale| if scale > 0.0 { x / scale } else { 0.0 })
     }
 }
 
-/// Orthonormal bases of what these directions span, and of all that is normal to them.
+/// Orthonormal bases of the span of these directions, and of its orthogonal complement.
 fn spaces(directions: &[DVector<f64>], size: usize) -> (DMatrix<f64>, DMatrix<f64>) {
-    // With rows of zeros as many as there are columns: then every direction of the space is among those of the decomposition.
+    // Rows of zeros, so that the decomposition contains a basis of the whole space.
     let rows = directions.len().max(size);
     let matrix = DMatrix::from_fn(rows, size, |i, j| directions.get(i).map_or(0.0, |row| row[j]));
     let svd = matrix.svd(false, true);

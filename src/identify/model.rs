@@ -1,4 +1,4 @@
-//! Where slips are predicted, and how that changes with the unknowns.
+//! Predicted slips, and their derivatives by the unknowns.
 
 use nalgebra::DMatrix;
 
@@ -12,27 +12,27 @@ use crate::grasp::Wrench;
 use crate::prelude::*;
 use crate::sweep::map_in_order;
 
-/// Step of a difference, in the logarithm: its error is some 1e-8 of itself, as is that of rounding.
+/// Step of a central difference in the logarithm: truncation and rounding both give relative errors of some 1e-8.
 const STEP: f64 = 1e-4;
 
-/// What is asked, with all grasps.
+/// The question with all its grasps.
 pub(super) struct Model<'a, const C: usize> {
     pub(super) layouts: &'a [Grasp<C>],
     pub(super) asked: &'a Identify<C>,
 }
 
-/// A grasp with values of the unknowns, and what acts on it then.
+/// A grasp with values of the unknowns, and the load that they add.
 pub(super) struct LayoutGuess<const C: usize> {
     pub(super) grasp: Grasp<C>,
     pub(super) base: Wrench<C>,
 }
 
-/// Why a slip is not predicted.
+/// The reason why a slip is not predicted.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum NoSlip {
-    /// The object holds however far the load goes: there is too much friction for a loss, or too much squeeze.
+    /// The object holds however far the load goes: friction, or the squeeze, is too large for a loss.
     HoldsTooWell(&'static str),
-    /// It is lost before the load grows: there is too little.
+    /// The object is lost before the load grows: friction, or the squeeze, is too small.
     HoldsTooLittle(&'static str),
 }
 
@@ -45,24 +45,24 @@ impl NoSlip {
     }
 }
 
-/// Where a slip is predicted, and the derivatives of that by the logarithms of the unknowns, where they are exact.
+/// The load factor or angle of a predicted slip, and its derivatives by the logarithms of the unknowns if they are exact.
 pub(super) struct Predicted {
     pub(super) at: f64,
     pub(super) exact: Option<Vec<f64>>,
 }
 
-/// All residuals and derivatives at one place.
+/// All residuals and derivatives at one point.
 pub(super) struct Linear {
-    /// Logarithm of what was seen over what is predicted; what is known from elsewhere behind the slips.
+    /// Logarithm of the observed over the predicted value: slips, and behind them known sums.
     pub(super) residuals: Vec<f64>,
-    /// Of the logarithm of what is predicted, a row for each of them.
+    /// Derivatives of the logarithm of the predicted value, one row for each residual.
     pub(super) jacobian: DMatrix<f64>,
-    /// Slips whose derivatives are differences.
+    /// Number of slips whose derivatives are differences.
     pub(super) by_differences: usize,
 }
 
 impl<const C: usize> Model<'_, C> {
-    /// The grasps with these logarithms of the unknowns.
+    /// The grasps for these logarithms of the unknowns.
     pub(super) fn at(&self, logs: &[f64]) -> Result<Vec<LayoutGuess<C>>, Error> {
         let with = |(layout, grasp): (usize, &Grasp<C>)| {
             let (mut contacts, mut base) = (grasp.contacts().to_vec(), Wrench::ZERO);
@@ -82,12 +82,12 @@ impl<const C: usize> Model<'_, C> {
         self.layouts.iter().enumerate().map(with).collect()
     }
 
-    /// Residuals alone. The inner error is the first slip that is not predicted, and why.
+    /// The residuals alone. The inner error is the first slip that is not predicted, and the reason.
     pub(super) fn residuals(&self, logs: &[f64]) -> Result<Result<Vec<f64>, (usize, NoSlip)>, Error> {
         Ok(self.predicted(logs, false)?.map(|all| self.off(logs, &all)))
     }
 
-    /// Residuals and derivatives.
+    /// The residuals and their derivatives.
     pub(super) fn linear(&self, logs: &[f64]) -> Result<Result<Linear, (usize, NoSlip)>, Error> {
         let all = match self.predicted(logs, true)? {
             Ok(all) => all,
@@ -112,7 +112,7 @@ impl<const C: usize> Model<'_, C> {
         Ok(Ok(Linear { residuals: self.off(logs, &all), jacobian, by_differences: unknown.len() }))
     }
 
-    /// Derivatives of some slips by one unknown, from exact answers on both sides; where there is one on one side alone, from that and the middle.
+    /// Derivatives of some slips by one unknown, as central differences of exact answers, or one-sided where an answer is missing.
     fn differences(
         &self,
         logs: &[f64],
@@ -140,7 +140,7 @@ impl<const C: usize> Model<'_, C> {
         Ok(up.into_iter().zip(down).zip(those).map(difference).collect())
     }
 
-    /// Logarithms of what was seen over what is predicted.
+    /// Logarithms of the observed over the predicted values.
     fn off(&self, logs: &[f64], all: &[Predicted]) -> Vec<f64> {
         let slips = self.asked.slips.iter().zip(all).map(|(slip, told)| (slip.seen_at() / told.at).ln());
         let knowns = self.asked.known.iter().map(|known| {
@@ -168,7 +168,7 @@ impl<const C: usize> Model<'_, C> {
         Ok(Ok(all))
     }
 
-    /// Where one slip is predicted.
+    /// Prediction of one slip.
     fn slip(
         &self,
         layouts: &[LayoutGuess<C>],
@@ -201,20 +201,20 @@ impl<const C: usize> Model<'_, C> {
     }
 }
 
-/// One slip to be predicted.
+/// A slip to predict.
 pub(super) struct SlipToPredict<'a, const C: usize> {
     pub(super) grasp: &'a Grasp<C>,
-    /// All that acts besides.
+    /// The loads that act before the slip's own load.
     pub(super) base: Wrench<C>,
     pub(super) slip: &'a Slip<C>,
     pub(super) asked: &'a Identify<C>,
     pub(super) logs: &'a [f64],
-    /// Whether derivatives are wanted.
+    /// Whether derivatives are needed.
     pub(super) derivatives: bool,
 }
 
 impl<const C: usize> SlipToPredict<'_, C> {
-    /// All loads at a factor, or an angle.
+    /// The total load at a factor, or an angle.
     pub(super) fn load_at(&self, at: f64) -> Wrench<C> {
         match &self.slip.grown {
             Grown::Load(load) => self.base + *load * at,
@@ -222,7 +222,7 @@ impl<const C: usize> SlipToPredict<'_, C> {
         }
     }
 
-    /// How they change with it.
+    /// The derivative of the total load by the factor, or the angle.
     pub(super) fn load_rate(&self, at: f64) -> Wrench<C> {
         match &self.slip.grown {
             Grown::Load(load) => *load,
@@ -233,13 +233,13 @@ impl<const C: usize> SlipToPredict<'_, C> {
         }
     }
 
-    /// Contacts that an unknown is one of.
+    /// The contacts of an unknown.
     pub(super) fn contacts_of(&self, unknown: usize) -> impl Iterator<Item = usize> {
         let (unknown, layout) = (&self.asked.unknowns[unknown], self.slip.layout);
         (0..self.grasp.len()).filter(move |i| unknown.is_of(layout, *i))
     }
 
-    /// Derivatives by the logarithm of each unknown, from those of the kinds; zero of unknowns of other layouts.
+    /// Derivatives by the logarithm of each unknown, from `by` for its kind; zero for unknowns of other layouts.
     pub(super) fn by_unknowns(
         &self,
         by: impl Fn(UnknownKind, usize, f64) -> Option<f64>,
@@ -254,7 +254,7 @@ impl<const C: usize> SlipToPredict<'_, C> {
         self.logs.iter().enumerate().map(each).collect()
     }
 
-    /// Whether the squeeze is nothing but normal commands of contacts, which the derivatives know.
+    /// Whether the squeeze consists only of commands of contacts, for which derivatives are exact.
     pub(super) fn is_pressed_by_commands(&self) -> bool {
         let grasp = self.grasp;
         grasp.joint_commands().is_empty()

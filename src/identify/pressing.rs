@@ -1,4 +1,4 @@
-//! What each contact that presses does to an object that leaves.
+//! Forces of a contact on the object as it leaves at gross slip.
 
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
@@ -6,23 +6,23 @@ use super::model::SlipToPredict;
 use crate::grasp::{Contact, Hold, Wrench};
 use crate::prelude::*;
 
-/// What is this small beside the largest, a force or a velocity, is none; a root whose load is off by more is another one.
+/// Forces and velocities below this part of the largest are zero. A root whose load differs by more than this part is another root.
 pub(super) const NONE: f64 = 1e-6;
 
 /// A contact that presses while the object leaves.
 pub(super) struct Pressing {
     pub(super) contact: usize,
-    /// What one newton along the normal and along each tangent does.
+    /// The wrenches of one newton along the normal and along each tangent.
     pub(super) normal: DVector<f64>,
     pub(super) tangents: DMatrix<f64>,
-    /// Of the normal spring, N/m.
+    /// Stiffness of the normal spring, N/m.
     pub(super) stiffness: f64,
     pub(super) friction: f64,
     pub(super) normal_force: f64,
-    /// Along the tangents, where it sticks.
+    /// Tangential force, N, if the contact sticks.
     pub(super) held: DVector<f64>,
     pub(super) sticks: bool,
-    /// Whether it is never let go, so that its normal force may pull.
+    /// Whether the contact cannot open, so that its normal force may pull.
     pub(super) may_pull: bool,
 }
 
@@ -35,17 +35,17 @@ impl Pressing {
         self.tangents.tr_mul(motion)
     }
 
-    /// What one newton of the normal force does, together with the friction of what slides.
+    /// The wrench of one newton of normal force, with the friction of a sliding contact.
     pub(super) fn by_newton(&self, motion: &DVector<f64>) -> DVector<f64> {
         if self.slides() { &self.normal + self.rubbing(motion) } else { self.normal.clone() }
     }
 
-    /// What friction of one newton of the normal force does.
+    /// The wrench of the friction of one newton of normal force.
     pub(super) fn rubbing(&self, motion: &DVector<f64>) -> DVector<f64> {
         &self.tangents * self.velocity(motion).normalize() * -self.friction
     }
 
-    /// How the force of what slides turns as the motion changes by this.
+    /// The change of a sliding contact's friction as the motion changes by `by`.
     pub(super) fn turning(&self, motion: &DVector<f64>, by: &DVector<f64>) -> DVector<f64> {
         let (v, change) = (self.velocity(motion), self.velocity(by));
         let aside = &change - &v * (v.dot(&change) / v.norm_squared());
@@ -53,7 +53,7 @@ impl Pressing {
     }
 }
 
-/// The contacts that press, by the forces there.
+/// The contacts that press with the given forces.
 pub(super) fn pressing<const C: usize>(
     seen: &SlipToPredict<'_, C>,
     forces: &[SVector<f64, C>],
@@ -84,7 +84,7 @@ pub(super) fn pressing<const C: usize>(
     all.filter(|(i, (data, _))| may_pull(data) || forces[*i][0] > NONE * largest).map(of).collect()
 }
 
-/// Components with those of moments or turns times a factor.
+/// Components with moments or rotations multiplied by a factor.
 pub(super) fn at_length<const C: usize>(components: &[f64], factor: f64) -> DVector<f64> {
     let scaled = components.iter().enumerate().map(|(k, x)| if k < C { *x } else { x * factor });
     DVector::from_iterator(components.len(), scaled)

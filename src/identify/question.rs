@@ -1,4 +1,4 @@
-//! What is sought from which slips.
+//! The unknowns, and the observed slips.
 
 use super::answer::Identified;
 use super::fit::fitted;
@@ -10,20 +10,20 @@ use crate::ask::Grasp;
 use crate::error::Error;
 use crate::prelude::*;
 
-/// Numbers that are sought, and the slips that were seen. Checked when it is asked.
+/// Unknown numbers of a grasp, and the observed slips. The question is checked when it is answered.
 #[derive(Debug, Clone)]
 pub struct Identify<const C: usize> {
     pub(super) unknowns: Vec<Unknown>,
     pub(super) slips: Vec<Slip<C>>,
-    /// What is known besides.
+    /// Sums of unknowns that are known from elsewhere.
     pub(super) known: Vec<Known>,
-    /// Grasps that slips were seen of beside the one that is asked.
+    /// Grasps of other slips, beside the one that is asked.
     pub(super) others: Vec<Grasp<C>>,
     pub(super) outliers: f64,
     pub(super) iterations: usize,
 }
 
-/// A number, or the sum of several, that is known from elsewhere.
+/// A known number, or a known sum of several.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Known {
     pub(super) unknowns: Vec<usize>,
@@ -31,14 +31,14 @@ pub(super) struct Known {
     pub(super) scatter: f64,
 }
 
-/// Residuals beyond so many standard deviations count less. Of numbers that are normally distributed one in twenty lies there, and estimates scatter 1 %
-/// more than those of least squares.
+/// Residuals, in standard deviations, beyond which slips count less. One in twenty normally distributed residuals is beyond, and estimates scatter
+/// by 1 % more than those of least squares.
 const OUTLIERS: f64 = 2.0;
-/// A search that is not done by then creeps along what is hardly fixed.
+/// Limit of steps: a longer search creeps along combinations that slips hardly determine.
 const ITERATIONS: usize = 100;
 
 impl<const C: usize> Identify<C> {
-    /// These numbers from these slips.
+    /// These unknowns from these slips.
     pub fn new(
         unknowns: impl IntoIterator<Item = Unknown>,
         slips: impl IntoIterator<Item = Slip<C>>,
@@ -53,23 +53,23 @@ impl<const C: usize> Identify<C> {
         }
     }
 
-    /// These slips where some were seen of other grasps: of the same contacts at other places, for instance. The one that is asked is layout 0.
+    /// Grasps of other layouts in which slips were observed, for instance the same contacts at other places. The grasp that is asked is layout 0.
     #[must_use]
     pub fn and_layouts(mut self, others: impl IntoIterator<Item = Grasp<C>>) -> Self {
         self.others.extend(others);
         self
     }
 
-    /// What the sum of some unknowns, by their numbers from 0, is known to be, with its standard deviation as a part of it: what all supports
-    /// carry together, by a scale; of one unknown what another measurement says.
+    /// A sum of unknowns, by their numbers from 0, that is known with a relative standard deviation. Examples are a weighed total load of all
+    /// supports, or one unknown from another measurement.
     #[must_use]
     pub fn knowing(mut self, unknowns: impl IntoIterator<Item = usize>, value: f64, scatter: f64) -> Self {
         self.known.push(Known { unknowns: unknowns.into_iter().collect(), value, scatter });
         self
     }
 
-    /// Slips that are off by more than so many standard deviations count less (default 2, Huber's loss: the square up to there, and a straight line beyond).
-    /// Infinite for least squares.
+    /// The number of standard deviations beyond which slips count less (default 2). The loss is Huber's: quadratic up to there, and linear beyond.
+    /// Infinity gives least squares.
     #[doc(alias = "Huber")]
     #[must_use]
     pub fn with_outliers_beyond(mut self, deviations: f64) -> Self {
@@ -77,15 +77,15 @@ impl<const C: usize> Identify<C> {
         self
     }
 
-    /// With at most so many steps of the search (default 100).
+    /// The limit of steps of the search (default 100).
     #[must_use]
     pub fn with_iterations(mut self, most: usize) -> Self {
         self.iterations = most;
         self
     }
 
-    /// The grasp with what was found: a coefficient of friction, a squeeze. Where a number is not fixed it has the value at which the search began, or one that
-    /// goes with the others.
+    /// The grasp with the estimates, such as a coefficient of friction or a squeeze. A number that the slips do not determine has its value at the
+    /// start of the search, or one that fits the others.
     ///
     /// # Errors
     /// As for [`Self::answered_by`].
@@ -97,7 +97,7 @@ impl<const C: usize> Identify<C> {
         Ok(model.at(&logs)?.swap_remove(0).grasp)
     }
 
-    /// With slips that a weight of their own presses on, unless what contacts carry is sought.
+    /// The question with weights at rest in slips whose own load presses, unless carried forces are sought.
     fn with_weights_at_rest(&self, layouts: &[Grasp<C>]) -> Self {
         let mut asked = self.clone();
         let is_carried =
@@ -116,7 +116,7 @@ impl<const C: usize> Identify<C> {
 }
 
 impl<const C: usize> Identify<C> {
-    /// What do the slips tell of this grasp? See [the room](crate::identify).
+    /// The unknowns of this grasp by the slips. See [the room](crate::identify).
     ///
     /// ```
     /// use grasp_lcp::identify::{Identify, Slip, Unknown};
@@ -139,7 +139,7 @@ impl<const C: usize> Identify<C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Identify`] naming the slip or the unknown, field, value and what is allowed; as for [`Grasp::hold`].
+    /// [`Error::Identify`] with the slip or the unknown, field, value and allowed values; as for [`Grasp::hold`].
     #[doc(alias = "calibrate")]
     #[doc(alias = "estimate")]
     #[doc(alias = "fit")]

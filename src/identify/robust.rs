@@ -1,32 +1,32 @@
-//! Huber's loss: the square of a residual up to some standard deviations, and a straight line beyond.
+//! Huber's loss: half the square of a residual up to some standard deviations, and linear beyond.
 
 use crate::numerics::{normal_density, normal_tail};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// A scale smaller than this is that of rounding: slips that agree to all digits.
+/// A smaller scale is rounding: slips agree to all digits.
 const ROUNDING: f64 = 1e-12;
-/// The scale is a fixed point, found to all digits that matter by then.
+/// Fixed-point iterations for the scale, after which it is exact to all digits that matter.
 const ROUNDS: usize = 60;
 
-/// The loss with its corner, in standard deviations.
+/// The loss, by its transition in standard deviations.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Huber(pub(super) f64);
 
 impl Huber {
-    /// Of a residual in standard deviations; half its square inside.
+    /// The loss of a residual in standard deviations; half its square below the transition.
     pub(super) fn loss(self, u: f64) -> f64 {
         let size = u.abs();
         if size <= self.0 { 0.5 * u * u } else { self.0 * (size - 0.5 * self.0) }
     }
 
-    /// What a residual counts, beside one of least squares.
+    /// The weight of a residual, relative to least squares.
     pub(super) fn weight(self, u: f64) -> f64 {
         let size = u.abs();
         if size <= self.0 { 1.0 } else { self.0 / size }
     }
 
-    /// The mean square of cut residuals that are normally distributed: 1 without a corner.
+    /// The mean square of normally distributed residuals after limiting; 1 for least squares.
     pub(super) fn mean_square(self) -> f64 {
         if self.0.is_infinite() {
             return 1.0;
@@ -35,12 +35,12 @@ impl Huber {
         1.0 - 2.0 * tail - 2.0 * self.0 * normal_density(self.0) + 2.0 * self.0 * self.0 * tail
     }
 
-    /// The sum of squares of residuals that are cut at the corner.
+    /// The sum of squares of limited residuals.
     pub(super) fn squares(self, residuals: impl Iterator<Item = f64>) -> f64 {
         residuals.map(|u| self.pull(u).powi(2)).sum()
     }
 
-    /// The scatter of residuals with so many degrees of freedom: Huber's second proposal, that of least squares without a corner.
+    /// The scatter of residuals with this number of degrees of freedom: Huber's second proposal; without a transition that of least squares.
     pub(super) fn scale(self, residuals: &[f64], degrees: usize) -> f64 {
         let all = residuals.iter().map(|r| r * r).sum::<f64>();
         let expected = degrees.max(1) as f64 * self.mean_square();
@@ -52,13 +52,13 @@ impl Huber {
         scale
     }
 
-    /// What a residual pulls with: itself up to the corner, and no more beyond.
+    /// The derivative of the loss: the residual, limited at the transition.
     pub(super) fn pull(self, u: f64) -> f64 {
         u.clamp(-self.0, self.0)
     }
 
-    /// How much pulls change with residuals in the mean: of so many, of which so many lie inside, with so many unknowns (Huber and Ronchetti,
-    /// Robust Statistics, 2009, 7.6).
+    /// The mean derivative of limited residuals, for `all` residuals, `inside` of them below the transition, and this number of unknowns (Huber and
+    /// Ronchetti, Robust Statistics, 2009, 7.6).
     pub(super) fn slope(all: usize, inside: usize, unknowns: usize) -> f64 {
         let part = (inside as f64 / all as f64).max(0.5);
         part / (1.0 + unknowns as f64 / all as f64 * (1.0 - part) / part)
@@ -70,7 +70,7 @@ mod tests {
     use super::*;
     use crate::numerics::Draw;
 
-    /// Numbers that are normally distributed have the scale that they were drawn with, whatever the corner; the mean square is that of their cut.
+    /// Normally distributed numbers have the scale of their distribution for every transition; the mean square is that of limited ones.
     #[test]
     fn the_scale_is_that_of_a_normal_distribution() {
         let drawn: Vec<f64> = (0..20_000).map(|k| 3.0 * Draw::new([1, 2, k]).normal()).collect();
@@ -83,7 +83,7 @@ mod tests {
         }
     }
 
-    /// A tenth of them ten times as far off hardly moves it.
+    /// A tenth of all numbers with ten times the scatter hardly changes the scale.
     #[test]
     fn a_few_far_off_hardly_count() {
         let far = |k: u64| if k.is_multiple_of(10) { 30.0 } else { 1.0 };

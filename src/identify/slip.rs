@@ -1,4 +1,4 @@
-//! A slip that was seen.
+//! An observed slip.
 
 use nalgebra::SVector;
 
@@ -9,12 +9,12 @@ use crate::load_path::Turn;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Normals whose mean is shorter than this are opposed, as those of two jaws: no load presses on all contacts.
+/// Mean length of the unit normals below which they are opposed, as those of two jaws: no load presses on all contacts.
 const OPPOSED: f64 = 1e-6;
-/// Of a load whose part along or across the normals is less than this part, that part is rounding.
+/// Parts of a load along or across the normals below this part of it are rounding.
 const ALONG: f64 = 1e-9;
 
-/// Which slip was seen.
+/// The kind of an observed slip.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -22,19 +22,19 @@ const ALONG: f64 = 1e-9;
 pub enum SlipKind {
     /// The first contact stopped sticking.
     First,
-    /// The object was lost: everything that pressed slid, or it tipped over.
+    /// The object was lost: every contact that pressed slid, or the object tipped over.
     #[default]
     Gross,
 }
 
-/// What grew until it slid.
+/// The load or the turn that grew until the slip.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Grown<const C: usize> {
     Load(Wrench<C>),
     Turn(Turn<C>),
 }
 
-/// A slip that was seen under a load, or at an angle.
+/// A slip that was observed under a load, or at an angle.
 ///
 /// ```
 /// use grasp_lcp::identify::Slip;
@@ -49,15 +49,15 @@ pub(super) enum Grown<const C: usize> {
 pub struct Slip<const C: usize> {
     pub(super) kind: SlipKind,
     pub(super) grown: Grown<C>,
-    /// What acted besides, from the first.
+    /// The load that acted before.
     pub(super) base: Wrench<C>,
-    /// How many times the squeeze of the grasp.
+    /// The factor on the squeeze of the grasp.
     pub(super) squeeze: f64,
-    /// Which grasp, where there are others.
+    /// The layout, 0 for the grasp that is asked.
     pub(super) layout: usize,
-    /// Standard deviation over the load or the angle.
+    /// The relative standard deviation of the load or the angle.
     pub(super) scatter: Option<f64>,
-    /// Which slips share errors with it.
+    /// The group of slips that share errors.
     pub(super) group: Option<usize>,
 }
 
@@ -66,69 +66,69 @@ impl<const C: usize> Slip<C> {
         Self { kind, grown, base: Wrench::ZERO, squeeze: 1.0, layout: 0, scatter: None, group: None }
     }
 
-    /// The first contact slid under this load, which had grown from nothing.
+    /// First slip under this load, which had grown from zero.
     #[must_use]
     pub fn first(load: Wrench<C>) -> Self {
         Self::of(SlipKind::First, Grown::Load(load))
     }
 
-    /// The object was lost under this load, which had grown from nothing.
+    /// Gross slip under this load, which had grown from zero.
     #[must_use]
     pub fn gross(load: Wrench<C>) -> Self {
         Self::of(SlipKind::Gross, Grown::Load(load))
     }
 
-    /// The first contact slid at the [end](Turn::up_to) of this turn.
+    /// First slip at the [end](Turn::up_to) of this turn.
     #[must_use]
     pub fn first_on_turn(turn: Turn<C>) -> Self {
         Self::of(SlipKind::First, Grown::Turn(turn))
     }
 
-    /// The object was lost at the end of this turn.
+    /// Gross slip at the end of this turn.
     #[must_use]
     pub fn gross_on_turn(turn: Turn<C>) -> Self {
         Self::of(SlipKind::Gross, Grown::Turn(turn))
     }
 
-    /// This slip beside a load that was there from the first, a weight for instance.
+    /// This slip beside a load that acted before, for instance a weight.
     #[must_use]
     pub fn on_top_of(mut self, base: Wrench<C>) -> Self {
         self.base = base;
         self
     }
 
-    /// This slip while the grasp was squeezed so many times as much: where a squeeze is loosened until the load slips, the one at which it did. Its
-    /// scatter is then counted as that of the load.
+    /// This slip with a factor on the squeeze. If the squeeze is loosened until the load slips, it is the factor at the slip. Its scatter counts as
+    /// that of the load.
     #[must_use]
     pub fn squeezed(mut self, factor: f64) -> Self {
         self.squeeze = factor;
         self
     }
 
-    /// This slip of another grasp: 1 for the first of [those beside](super::Identify::and_layouts), and so on.
+    /// This slip in another layout: 1 for the first of the [other layouts](super::Identify::and_layouts), and so on.
     #[must_use]
     pub fn in_layout(mut self, layout: usize) -> Self {
         self.layout = layout;
         self
     }
 
-    /// This slip with a standard deviation of its load or angle, as a part of it: 0.05 for five percent. Given for every slip, or for none.
+    /// This slip with a relative standard deviation of its load or angle: 0.05 for five percent. Every slip must have one, or none.
     #[must_use]
     pub fn scattering_by(mut self, part: f64) -> Self {
         self.scatter = Some(part);
         self
     }
 
-    /// This slip as one of a group that may share errors: slips in one direction, of one specimen, or of one day. Any number will do, the same for all slips of the
-    /// group; given for every slip, or for none. See [errors](crate::identify#errors).
+    /// This slip as one of a group that may share errors: slips in one direction, of one specimen, or of one day. The number of the group is
+    /// arbitrary. Every slip must have one, or none. See [errors](crate::identify#errors).
     #[must_use]
     pub fn in_group(mut self, group: usize) -> Self {
         self.group = Some(group);
         self
     }
 
-    /// This slip with what presses the object onto its contacts there at rest, where nothing else presses: the part of its load along the mean of their
-    /// normals, which is a weight as a rule. Grown together both parts would slide at once, or never.
+    /// This slip with the part of its load that presses on the contacts at rest, if nothing else presses. It is the part along the mean of the
+    /// contact normals, as a rule a weight. If both parts grew together, the object would slide at once, or never.
     pub(super) fn with_weight_at_rest(mut self, grasp: &Grasp<C>) -> Self {
         let Grown::Load(load) = self.grown else { return self };
         let is_plain = |contact: &Contact<C>| contact.hold == Hold::Unilateral;
@@ -149,7 +149,7 @@ impl<const C: usize> Slip<C> {
         {
             return self;
         }
-        // The moment about the middle of the contacts goes with the forces: in the plane both parts then act on the line of the whole.
+        // The moment about the centre of the contacts is shared like the forces: in the plane both parts then act on the line of the whole load.
         let weight = along * -pressed;
         let about = load - Wrench::force_through(&centre, &force);
         let share = weight.dot(&force) / force.norm_squared();
@@ -162,7 +162,7 @@ impl<const C: usize> Slip<C> {
         self
     }
 
-    /// Where it was seen, on the scale on which it is predicted: once the load, or the angle in rad.
+    /// The observed value on the scale of the prediction: 1 for the load, or the angle in rad.
     pub(super) fn seen_at(&self) -> f64 {
         match &self.grown {
             Grown::Load(_) => 1.0,
@@ -170,7 +170,7 @@ impl<const C: usize> Slip<C> {
         }
     }
 
-    /// Refuses numbers that cannot have been seen.
+    /// Refuses values that cannot be observed.
     pub(super) fn check(&self, number: usize, layouts: usize) -> Result<(), Error> {
         let wrong = |field, value, allowed| {
             Err(Error::Identify { what: format!("slip {number}"), field, value, allowed })

@@ -1,4 +1,4 @@
-//! How well the unknowns are known.
+//! Errors of the unknowns.
 
 use alloc::collections::BTreeSet;
 
@@ -13,14 +13,14 @@ use super::robust::Huber;
 use crate::numerics::two_sided;
 use crate::prelude::*;
 
-/// What intervals hold.
+/// Probability that an interval contains the true value.
 const HELD: f64 = 0.95;
-/// A part of an unknown in what is not fixed, squared, below which it is fixed.
+/// Largest squared component of an unknown along free directions, up to which the slips determine it.
 const FIXED: f64 = 1e-6;
-/// A number whose logarithm scatters by more is not told: its interval spans two powers of ten, and the problem is not linear over that.
+/// Standard error of a logarithm beyond which a number is not reported. Its interval spans two powers of ten, over which the problem is not linear.
 const TOO_WIDE: f64 = 1.0;
 
-/// Where slips are predicted this close to where they were, nothing has changed for them.
+/// Largest change of a residual up to which a prediction counts as unchanged.
 const STAYS: f64 = 1e-6;
 
 /// The answer at the end of a search.
@@ -90,13 +90,13 @@ struct Spread {
     rank: usize,
     degrees: usize,
     scatter: Scatter,
-    /// Mean square of residuals, where their scatter is given.
+    /// Mean square of the residuals over the given scatter.
     square: Option<f64>,
-    /// What groups of slips do that share errors, if they are told.
+    /// Contributions of groups of slips that share errors.
     grouped: Option<Grouped>,
 }
 
-/// The groups of all slips, if they have some.
+/// The groups of all slips, if every slip has one.
 fn groups<const C: usize>(model: &Model<'_, C>) -> Option<Vec<usize>> {
     model.asked.slips.iter().map(|slip| slip.group).collect()
 }
@@ -113,7 +113,7 @@ impl Spread {
         let inside = off().filter(|u| u.abs() <= huber.0).count();
         let slope = Huber::slope(slips, inside, unknowns);
         let groups = groups(model);
-        // Pulls of groups are seen; those of slips that stand for themselves have the mean square of a normal distribution.
+        // The contributions of groups are computed from the slips; for independent slips they have the mean square of a normal distribution.
         let counts = if groups.is_some() { slope.sqrt() } else { slope / huber.mean_square().sqrt() };
         let weight = |(k, sigma): (usize, &f64)| if k < slips { counts / sigma } else { sigma.recip() };
         let weights: Vec<_> = scatter.rows.iter().enumerate().map(weight).collect();
@@ -133,7 +133,7 @@ impl Spread {
         spread
     }
 
-    /// Directions that are fixed, as columns, each as long as its standard error were all slips independent.
+    /// A basis of the determined directions, as columns, whose lengths are the standard errors for independent slips.
     fn told_directions(&self) -> DMatrix<f64> {
         let mut told = self.directions.select_columns(&self.in_order()[..self.rank]);
         for (mut column, k) in told.column_iter_mut().zip(self.in_order()) {
@@ -142,14 +142,14 @@ impl Spread {
         told
     }
 
-    /// Directions from the best fixed on.
+    /// Directions in the order of decreasing singular values.
     fn in_order(&self) -> Vec<usize> {
         let mut order: Vec<_> = (0..self.values.len()).collect();
         order.sort_by(|a, b| self.values[*b].total_cmp(&self.values[*a]));
         order
     }
 
-    /// Directions that are not fixed, as columns.
+    /// Directions that the slips do not determine, as columns.
     fn free(&self) -> DMatrix<f64> {
         self.directions.select_columns(&self.in_order()[self.rank..])
     }
@@ -158,7 +158,8 @@ impl Spread {
         self.free().row(unknown).norm_squared() <= FIXED
     }
 
-    /// The standard error of a logarithm, and the degrees of freedom of Student's interval. `None` where it is not fixed, or its error is not known.
+    /// The standard error of a logarithm, and the degrees of freedom of Student's interval. `None` if the slips do not determine it,
+    /// or its error is unknown.
     fn of_unknown(&self, unknown: usize) -> Option<(f64, Option<f64>)> {
         let degrees = self.scatter.estimated.is_some().then_some(self.degrees as f64);
         if !self.fixes(unknown) || degrees == Some(0.0) {
@@ -170,7 +171,7 @@ impl Spread {
         Some((error.variance.sqrt(), Some(error.degrees)))
     }
 
-    /// How many times the scatter that was given residuals have.
+    /// The root mean square of the residuals over the given scatter.
     fn misfit(&self) -> Option<f64> {
         self.square.map(f64::sqrt)
     }

@@ -1,11 +1,11 @@
-//! A number of the grasp that is sought.
+//! An unknown number of the grasp.
 
 use crate::ask::Grasp;
 use crate::grasp::{Contact, Wrench};
 use crate::prelude::*;
 use crate::words::listed;
 
-/// What kind of number is sought.
+/// The kind of an unknown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -15,24 +15,24 @@ pub enum UnknownKind {
     Friction,
     /// The normal force that each contact carries at rest, N.
     Carried,
-    /// How many times the squeeze given.
+    /// The factor on the given squeeze.
     Squeeze,
-    /// How many times the tangential stiffness given.
+    /// The factor on the given tangential stiffness.
     Stiffness,
 }
 
-/// A number of the grasp that is sought: one for all contacts that are meant, in all layouts or in one.
+/// An unknown number of the grasp, the same for all its contacts, in all layouts or in one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Unknown {
     pub(super) kind: UnknownKind,
-    /// All if not said.
+    /// The contacts; `None` for all.
     pub(super) contacts: Option<Vec<usize>>,
     pub(super) layout: Option<usize>,
     pub(super) name: Option<String>,
     pub(super) start: Option<f64>,
 }
 
-/// Where the search begins at a load of a support that nothing is known of, N.
+/// Start of the search for the load of a support without a given one, N.
 const SOME_LOAD: f64 = 1.0;
 
 impl Unknown {
@@ -46,33 +46,33 @@ impl Unknown {
         Self::of(UnknownKind::Friction)
     }
 
-    /// The normal force that a contact carries at rest, N: its support's share of a weight. The contact presses with it, and the object is pressed onto the
-    /// contact with as much, so that it rests where it is; no base load has to say the weight once more.
+    /// The normal force that a contact carries at rest, N: the share of its support in a weight. The contact presses with this force, and an equal
+    /// force presses the object onto the contact, so that the object rests where it is. The weight must not be given again as a base load.
     #[must_use]
     pub fn carried() -> Self {
         Self::of(UnknownKind::Carried)
     }
 
-    /// How many times the squeeze given: normal commands, forces and vacuums of these contacts; of all, commands of joints, too.
+    /// The factor on the given squeeze: on normal commands, forces and vacuums of its contacts; for all contacts, on commands of joints, too.
     #[must_use]
     pub fn squeeze() -> Self {
         Self::of(UnknownKind::Squeeze)
     }
 
-    /// How many times the tangential stiffness given. Gross slip of a load does not depend on it as a rule, first slip on ratios alone.
+    /// The factor on the given tangential stiffness. As a rule, gross slip under a load does not depend on it, and first slip only on ratios.
     #[must_use]
     pub fn stiffness() -> Self {
         Self::of(UnknownKind::Stiffness)
     }
 
-    /// This unknown of some contacts of the grasp, from 0, in place of all.
+    /// This unknown for some contacts of the grasp, from 0, instead of all.
     #[must_use]
     pub fn of_contacts(mut self, contacts: impl IntoIterator<Item = usize>) -> Self {
         self.contacts = Some(contacts.into_iter().collect());
         self
     }
 
-    /// This unknown of one layout alone, from 0.
+    /// This unknown for one layout alone, from 0.
     #[must_use]
     pub fn in_layout(mut self, layout: usize) -> Self {
         self.layout = Some(layout);
@@ -86,14 +86,14 @@ impl Unknown {
         self
     }
 
-    /// This unknown with another value to begin the search at than the one that the grasp has, more than zero.
+    /// This unknown with another start of the search than the value of the grasp; more than zero.
     #[must_use]
     pub fn starting_at(mut self, value: f64) -> Self {
         self.start = Some(value);
         self
     }
 
-    /// Whether it is one of this contact in this layout.
+    /// Whether this contact in this layout belongs to the unknown.
     pub(super) fn is_of(&self, layout: usize, contact: usize) -> bool {
         self.is_in(layout) && self.contacts.as_ref().is_none_or(|those| those.contains(&contact))
     }
@@ -102,7 +102,7 @@ impl Unknown {
         self.layout.is_none_or(|own| own == layout)
     }
 
-    /// How answers call it: its name, or "friction of left and right".
+    /// The name of the unknown in answers: its own, or "friction of left and right".
     pub(super) fn called<const C: usize>(&self, grasp: &Grasp<C>) -> String {
         if let Some(name) = &self.name {
             return crate::words::printable(name).into_owned();
@@ -122,7 +122,7 @@ impl Unknown {
         format!("{kind}{whose}{at}")
     }
 
-    /// Where the search begins.
+    /// The value at the start of the search.
     pub(super) fn begins_at<const C: usize>(&self, layouts: &[Grasp<C>]) -> f64 {
         if let Some(start) = self.start {
             return start;
@@ -142,7 +142,7 @@ impl Unknown {
         }
     }
 
-    /// Puts a value in the contacts of a layout, whose normals are along `normals`, and in what acts besides.
+    /// Sets the value in the contacts of a layout, and adds a carried force to the load at rest.
     pub(super) fn put<const C: usize>(
         &self,
         layout: usize,
@@ -169,12 +169,12 @@ impl Unknown {
     }
 }
 
-/// What a contact presses with on an object that stays where it is, N.
+/// The force with which a contact presses on an object that does not move, N.
 fn pressed<const C: usize>(contact: &Contact<C>) -> f64 {
     contact.stiffness.series()[0] * (contact.command[0] - contact.clearance)
 }
 
-/// What presses the object onto a contact with so many newtons.
+/// The load that presses the object onto a contact with this force.
 pub(super) fn carried_by<const C: usize>(contact: &Contact<C>, newtons: f64) -> Wrench<C> {
     Wrench::force_through(&contact.point, &(contact.normal.normalize() * -newtons))
 }

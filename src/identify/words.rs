@@ -1,4 +1,4 @@
-//! What slips tell, in a sentence.
+//! The unknowns and their errors in a sentence.
 
 use core::fmt;
 
@@ -7,9 +7,9 @@ use super::unknown::UnknownKind;
 use crate::prelude::*;
 use crate::words::{Words, listed};
 
-/// Slips that count less than this lie far off.
+/// Weight below which the sentence names a slip as far off.
 const FAR_OFF: f64 = 0.5;
-/// Slips that are so many times as far off as said are told of.
+/// Ratio of actual to given scatter above which the sentence mentions it.
 const MISFIT: f64 = 1.5;
 
 impl fmt::Display for Identified {
@@ -102,10 +102,10 @@ impl Estimate {
     }
 }
 
-/// To two digits of its error, but no more digits than asked for.
+/// A number to two digits of its error, with at most the digits of `words`.
 fn to_error(x: f64, error: f64, words: Words) -> String {
     let decimals = 1.0 - error.log10().floor();
-    // Of a number that is known better than that the digits say enough.
+    // If the error is smaller than the digits show, they suffice.
     let most = words.digits() as f64 - 1.0 - x.abs().log10().floor();
     if !(0.0..=12.0).contains(&decimals) || decimals > most {
         return words.number(x);

@@ -1,4 +1,4 @@
-//! Questions of a scene, put to its grasp.
+//! Translates the questions of a scene for its grasp, and answers them.
 
 use std::sync::Arc;
 
@@ -20,8 +20,7 @@ use crate::load_path::{self, Ramp};
 use crate::words::Words;
 
 impl<const C: usize> Setup<C> {
-    /// The ramp of a question as the grasp has it. Every point of a soft fingertip has the command changes of its
-    /// contact.
+    /// The ramp of a question for the grasp. Every point of a soft fingertip has the command change of its contact.
     ///
     /// # Errors
     /// [`Error::Size`] unless there is one command change for each contact of the scene.
@@ -37,8 +36,7 @@ impl<const C: usize> Setup<C> {
         if ramp.stands_still() { Err(Error::NothingChanges) } else { Ok(ramp) }
     }
 
-    /// The legs of a load program as the grasp has them. Every point of a soft fingertip has the commands of its
-    /// contact.
+    /// The legs of a load program for the grasp. Every point of a soft fingertip has the command of its contact.
     ///
     /// # Errors
     /// [`Error::Size`] unless a leg has one command for each contact of the scene.
@@ -81,7 +79,7 @@ impl<const C: usize> Setup<C> {
         Ok(out)
     }
 
-    /// Whether the lists of a question that have one entry a contact are as long as that.
+    /// Checks that lists of a question with one entry for each contact have that length.
     pub(super) fn check(&self, question: &Question<C>) -> Result<(), Error> {
         self.check_growing(question)?;
         match &*self.meant(question)? {
@@ -96,7 +94,7 @@ impl<const C: usize> Setup<C> {
         }
     }
 
-    /// Commands of every point from those of the contacts.
+    /// Commands of all points from those of the contacts.
     fn spread(&self, commands: &Commands<C>, what: &'static str) -> Result<Vec<SVector<f64, C>>, Error> {
         let (given, expected) = (commands.0.len(), self.entries().count());
         if given != expected {
@@ -110,7 +108,7 @@ impl<const C: usize> Setup<C> {
         Ok(all)
     }
 
-    /// Commands of joints and tendons, if there are as many.
+    /// Commands of joints and tendons, if their number is right.
     fn of_joints(&self, commands: &[f64], what: &'static str) -> Result<Vec<f64>, Error> {
         let (given, expected) = (commands.len(), self.joints() + self.tendons.len());
         if given == expected {
@@ -120,13 +118,13 @@ impl<const C: usize> Setup<C> {
         }
     }
 
-    /// Number of all joints, behind them the slides of contacts that are held by a force.
+    /// Number of all joints, with the slides of contacts that are held by a force behind them.
     fn joints(&self) -> usize {
         let slides = self.entries().filter(|entry| entry.contact.force.is_some()).count();
         self.fingers.iter().map(|finger| finger.joints.len()).sum::<usize>() + slides
     }
 
-    /// What the scene calls the contacts of its grasp.
+    /// The scene's names of the contacts of its grasp.
     pub(super) fn labels(&self) -> Result<SceneNames, Error> {
         let mut labels = Vec::new();
         for (index, entry) in self.entries().enumerate() {
@@ -155,7 +153,7 @@ impl<const C: usize> Setup<C> {
         self.answers_in(Words::default())
     }
 
-    /// The answer to every question, in order, whose sentences have numbers with so many digits.
+    /// The answer to every question, in order, with this number of digits in its sentences.
     ///
     /// # Errors
     /// As for [`Self::answers`].

@@ -1,4 +1,4 @@
-//! What presses at rest: nothing, or other forces than those that the scene says.
+//! Contacts and links that at rest press or pull with no force, or with another force than the scene states.
 
 use super::link::LinkSetup;
 use super::odd::put_on;
@@ -11,17 +11,17 @@ use crate::error::Error;
 use crate::grasp::{Hold, Wrench};
 use crate::load_path::Ramp;
 
-/// Of a force that is said to press on a contact this part does.
+/// A force presses on a contact if its component along the normal is more than this part of it.
 const ALONG: f64 = 1e-6;
 
-/// Forces that differ by less than this part are what was meant.
+/// Relative difference up to which a force at rest counts as the one that was meant.
 const OTHERWISE: f64 = 0.02;
 
-/// Friction with which a load is tried that may jam the object: what presses then presses with any.
+/// Friction of the trial whether a load jams the object; a load that presses then, presses with any friction.
 const MUCH_FRICTION: f64 = 3.0;
 
 impl<const C: usize> Setup<C> {
-    /// Whether a question begins without load, no command presses, and no load presses contacts on by itself: a weight does, and a load that jams.
+    /// Whether for some question no load is at rest, no command presses, and no load of it presses contacts on, as a weight or a jamming load does.
     pub(super) fn nothing_presses(&self, grasp: &Grasp<C>) -> Result<bool, Error> {
         if grasp.presses() {
             return Ok(false);
@@ -43,7 +43,7 @@ impl<const C: usize> Setup<C> {
         Ok(self.questions.is_empty())
     }
 
-    /// Whether a load presses a contact on by itself, as a weight does the table: it needs no finger for that.
+    /// Whether a load presses an object onto a contact without a squeeze, as a weight presses it onto a table.
     fn lies_on_a_contact(&self, load: &Wrench<C>) -> bool {
         let force = &load.components()[..C];
         let size = force.iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -103,7 +103,7 @@ impl<const C: usize> Setup<C> {
             }
         }
         if pressed > 0 && warnings.len() == pressed {
-            // None does as it is told: it is told once why, if that is known.
+            // If no contact presses with its force, one common reason is stated instead, if known.
             warnings = self.same_side().map_or(warnings, |why| vec![why]);
         }
         for (number, LinkSetup { link, .. }) in self.links.iter().enumerate() {
@@ -123,7 +123,7 @@ impl<const C: usize> Setup<C> {
     }
 }
 
-/// Whether a load is held for a while if there is more friction, since it presses contacts on.
+/// Whether a load would be held for a while with more friction, because it presses contacts on.
 fn jams<const C: usize>(grasp: &Grasp<C>, load: Wrench<C>) -> Result<bool, Error> {
     if load == Wrench::ZERO {
         return Ok(false);
@@ -133,7 +133,7 @@ fn jams<const C: usize>(grasp: &Grasp<C>, load: Wrench<C>) -> Result<bool, Error
     Ok(verdict.lost.map_or(verdict.held_to > 0.0, |lost| lost.factor > 0.0))
 }
 
-/// What acts before the loads of a question are put on; nothing where it is one equilibrium that is asked for.
+/// The load before the loads of a question are put on; zero for a single equilibrium.
 fn at_rest<const C: usize>(question: &Question<C>) -> Wrench<C> {
     match question {
         Question::Hold { base, .. } => *base,

@@ -1,4 +1,4 @@
-//! One body of several, as a scene has it.
+//! One body of a scene with several bodies.
 
 use std::sync::Arc;
 
@@ -10,44 +10,44 @@ use super::object;
 use crate::grasp::{Body, Wrench};
 use crate::serial::{AsGiven, AxisRow, Given};
 
-/// A body of a scene: its name, what acts on it beside the loads of questions, and what is drawn of it; see [`Bodies`](crate::grasp::Bodies).
+/// A body of a scene: its name, its mass and constant load, and its outline for pictures; see [`Bodies`](crate::grasp::Bodies).
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct BodySetup<const C: usize> {
-    /// What contacts and answers call it.
+    /// The name of the body for contacts and answers.
     pub name: Arc<str>,
-    /// For the reader of the file.
+    /// A comment for the reader of the file.
     pub comment: Option<String>,
-    /// Its mass, kg.
+    /// The mass of the body, kg.
     pub mass: f64,
-    /// Its centre of mass, m.
+    /// The centre of mass, m.
     pub centre_of_mass: SVector<f64, C>,
-    /// What acts on it beside its weight and the loads of questions.
+    /// A constant load on the body beside its weight and the loads of questions.
     pub load: Wrench<C>,
-    /// Its corners in order, m; only drawn.
+    /// The corners of the body in order, m; only drawn.
     pub outline: Vec<SVector<f64, C>>,
 }
 
-/// A body as it stands in a file.
+/// A body in the file.
 #[derive(serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 struct Written<const C: usize> {
-    /// What contacts and answers call it.
+    /// The name of the body for contacts and answers.
     name: Arc<str>,
-    /// For the reader of the file.
+    /// A comment for the reader of the file.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     comment: Option<String>,
-    /// Its mass, kg; 0 if left out.
+    /// The mass of the body, kg; 0 if left out.
     #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     mass: Option<f64>,
-    /// Its centre of mass, m; the origin if left out.
+    /// The centre of mass, m; the origin if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     centre_of_mass: Option<AxisRow<Given, C>>,
-    /// What acts on it beside its weight and the loads of questions; nothing if left out.
+    /// A constant load on the body beside its weight and the loads of questions; zero if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     load: Option<Wrench<C>>,
-    /// Its corners in order, m; only drawn.
+    /// The corners of the body in order, m; only drawn.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     outline: Vec<AxisRow<Given, C>>,
 }
@@ -95,7 +95,7 @@ impl<const C: usize> BodySetup<C> {
         }
     }
 
-    /// The body.
+    /// The body for the grasp.
     pub(super) fn body(&self) -> Body<C> {
         Body::new(&*self.name).mass(self.mass, self.centre_of_mass).load(self.load)
     }

@@ -1,4 +1,4 @@
-//! Answers in a hundred bytes: what came out, at which load, and who was first.
+//! Answers in about a hundred bytes: outcome, load factor, and the first contact.
 
 use serde::Serialize;
 
@@ -17,7 +17,7 @@ use crate::load_path::{DriveChange, Onset, PathEnd, Ramp};
 use crate::need::{Amount, Needed, Quantity};
 use crate::shake::{Repeats, Shakedown, Shaken};
 
-/// An answer in short. Little is computed beside it: not what lies beyond an onset or the end of a path, which a full answer has.
+/// A short answer. It omits the behaviour beyond an onset or the end of a path, which a full answer computes.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Wrench};
@@ -35,39 +35,39 @@ use crate::shake::{Repeats, Shakedown, Shaken};
 pub struct Brief {
     /// The name of the question in [the format](crate::scene).
     pub question: &'static str,
-    /// The name of the outcome there.
+    /// The name of the outcome in the format.
     pub outcome: &'static str,
-    /// The load factor of an onset, or where a load that is put on is lost; of an amount that is needed the amount, of slips that were seen the first unknown.
+    /// The load factor at first slip, or at the loss of a load that is put on. For `need` the amount, for `identify` the first unknown.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub factor: Option<f64>,
-    /// The angle of an onset while the load turns, rad.
+    /// The angle at first slip under a turning load, rad.
     #[serde(rename = "angle_rad", skip_serializing_if = "Option::is_none")]
     pub angle: Option<f64>,
     /// The leg on which a path ends, from 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub leg: Option<usize>,
-    /// How much of that leg was gone.
+    /// The fraction of that leg that was followed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fraction: Option<f64>,
-    /// Of an equilibrium the least margin `μ F_n - |F_t|` among contacts that have one, N.
+    /// The least margin `μ F_n - |F_t|` of an equilibrium, among contacts that have one, N.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub margin: Option<f64>,
-    /// The first contact, joint or tendon that stops sticking, or the contact of the least margin: its name, or what it is and its number.
+    /// The first contact, joint or tendon that stops sticking, or the contact with the least margin: its name, or its kind and number.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub first: Option<String>,
-    /// What that does.
+    /// The state change or state of that contact.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub does: Option<&'static str>,
-    /// Whether the object turns [too far](Equilibrium::is_beyond_small_motions) for the answer to say much about it. Not written where it does not.
+    /// Whether the object turns [too far](Equilibrium::is_beyond_small_motions) for the answer to say much about it. Left out if false.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub beyond_small_motions: bool,
-    /// Whether a suction cup is [open all around](Equilibrium::open_cups) in an equilibrium, so that it is none. Not written where no cup is.
+    /// Whether a suction cup is [open all around](Equilibrium::open_cups), so that the equilibrium does not hold. Left out if false.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub vacuum_gone: bool,
 }
 
 impl<const C: usize> Setup<C> {
-    /// The answer to every question in short, in order.
+    /// Short answers to all questions, in order.
     ///
     /// # Errors
     /// As for [`Self::answers`].
@@ -76,7 +76,7 @@ impl<const C: usize> Setup<C> {
         self.questions.iter().map(|question| self.brief(&grasp, &labels, question)).collect()
     }
 
-    /// The answer of a grasp to one question in short.
+    /// The short answer to one question.
     pub(super) fn brief_answer(&self, grasp: &Grasp<C>, question: &Question<C>) -> Result<Brief, Error> {
         self.brief(grasp, &self.labels()?, question)
     }
@@ -137,7 +137,7 @@ impl SceneNames {
         }
     }
 
-    /// With the contact of the least margin.
+    /// Adds the contact with the least margin.
     fn tightest<const C: usize>(&self, brief: Brief, state: &Equilibrium<C>) -> Brief {
         let vacuum_gone = !state.open_cups.is_empty();
         let brief = Brief { beyond_small_motions: is_far(Some(state)), vacuum_gone, ..brief };
@@ -198,7 +198,7 @@ fn is_far<const C: usize>(state: Option<&Equilibrium<C>>) -> bool {
     state.is_some_and(Equilibrium::is_beyond_small_motions)
 }
 
-/// What holds, and when it is lost.
+/// Whether the load is held, and the load factor at its loss.
 fn held_briefly<const C: usize>(verdict: &Verdict<C>) -> Brief {
     let outcome = match verdict.holding {
         Holding::Sticks => "sticks",
@@ -219,7 +219,7 @@ fn held_briefly<const C: usize>(verdict: &Verdict<C>) -> Brief {
     Brief { factor, first: who, beyond_small_motions, ..Brief::new("hold", outcome) }
 }
 
-/// The amount that does.
+/// The amount that is needed.
 fn needed_briefly(needed: &Needed) -> Brief {
     let outcome = match needed.amount {
         Amount::Bound { .. } => "bound",
@@ -232,7 +232,7 @@ fn needed_briefly(needed: &Needed) -> Brief {
     Brief { factor, angle, ..Brief::new("need", outcome) }
 }
 
-/// The first slip or the reserve of the best grasp, and who slides first there, or has least.
+/// First slip or the reserve of the best grasp, with the contact that slides first or has the least reserve.
 fn improved_briefly<const C: usize>(improved: &Improved<C>) -> Brief {
     let outcome = match improved.search {
         SearchEnd::Optimum => "optimum",
@@ -248,7 +248,7 @@ fn improved_briefly<const C: usize>(improved: &Improved<C>) -> Brief {
     Brief { factor: improved.after, first, ..Brief::new("improve", outcome) }
 }
 
-/// What becomes of a load that repeats, with the contact that slides.
+/// The fate of a repeated load, with the contact that slides.
 fn shaken_briefly<const C: usize>(shaken: &Shaken<C>) -> Brief {
     let first = |contacts: &[WholeContact]| contacts.first().map(|part| part.label.clone());
     let (outcome, slides, on) = match &shaken.repeats {
@@ -264,7 +264,7 @@ fn shaken_briefly<const C: usize>(shaken: &Shaken<C>) -> Brief {
     Brief { leg: on, first: slides, beyond_small_motions, ..Brief::new("shake", outcome) }
 }
 
-/// Whether it rests in any order, with the factor and who would slide with more.
+/// Whether the grasp comes to rest in any order, with the factor and the contact that would slide beyond it.
 fn shakedown_briefly<const C: usize>(found: Option<&Shakedown<C>>) -> Brief {
     let Some(found) = found else { return Brief::new("shakedown", "undecided") };
     let outcome = match found.rests(1.0) {
@@ -276,7 +276,7 @@ fn shakedown_briefly<const C: usize>(found: Option<&Shakedown<C>>) -> Brief {
     Brief { factor: Some(found.factor), first, ..Brief::new("shakedown", outcome) }
 }
 
-/// How the search ended, with the first unknown where it is fixed.
+/// The end of the search, with the value of the first unknown if the slips determine it.
 fn identified_briefly(found: &Identified) -> Brief {
     let first = found.estimates.first().filter(|estimate| estimate.is_fixed);
     Brief { factor: first.map(|estimate| estimate.value), ..Brief::new("identify", ended(&found.ending)) }

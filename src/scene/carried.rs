@@ -1,26 +1,26 @@
-//! Masses of loads as they are written: a body that an arm carries, `{"mass": 0.5, "at": [0.5, 0], "turning": {"velocity_deg": 90}}`.
+//! A load by its mass: a body that an arm carries, `{"mass": 0.5, "at": [0.5, 0], "turning": {"velocity_deg": 90}}`.
 
 use super::wrench::part;
 use crate::grasp::{ArmMotion, Payload, Wrench, of_the_object};
 use crate::serial::{Few, Given, Number};
 
-/// How the arm turns.
+/// The rotation of the arm.
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct WrittenTurning {
-    /// A point of the axis, m; the origin if left out.
+    /// A point on the axis, m; the origin if left out.
     about: Option<Few<Given, 3>>,
-    /// Angular velocity, degrees a second: one number in the plane, in space three along the axis.
+    /// The angular velocity, degrees a second: one number in the plane, three along the axis in space.
     velocity_deg: Option<Few<Given, 3>>,
-    /// The same in rad/s, in place of it.
+    /// The angular velocity in rad/s, instead of `velocity_deg`.
     velocity_rad: Option<Few<Given, 3>>,
-    /// Angular acceleration, degrees a second squared.
+    /// The angular acceleration, degrees a second squared.
     acceleration_deg: Option<Few<Given, 3>>,
-    /// The same in rad/s², in place of it.
+    /// The angular acceleration in rad/s², instead of `acceleration_deg`.
     acceleration_rad: Option<Few<Given, 3>>,
 }
 
-/// What a wrench may have besides force and moment.
+/// Fields of a wrench beside force and moment.
 pub(super) struct WrittenMass<'w> {
     pub(super) mass: Option<&'w Number<Given>>,
     pub(super) at: Option<&'w Few<Given, 3>>,
@@ -31,7 +31,7 @@ pub(super) struct WrittenMass<'w> {
 }
 
 impl WrittenMass<'_> {
-    /// What the mass pulls with, if there is one.
+    /// The force of the mass on the grasp, if there is a mass.
     pub(super) fn load<const C: usize>(&self) -> Result<Option<Wrench<C>>, String> {
         let Some(mass) = self.mass else {
             let others = [
@@ -46,7 +46,7 @@ impl WrittenMass<'_> {
             };
         };
         let along = |given: Option<&Few<Given, 3>>, name: &str| part(given, C, name);
-        // The plane turns about z, the last axis of space.
+        // The rotation in the plane is about z, the last axis of space.
         let planes = of_the_object::<C>() - C;
         let about_axes = |given: Option<&Few<Given, 3>>, name: &str| {
             let listed = part(given, planes, name)?;

@@ -1,4 +1,4 @@
-//! Suction as it is written: a force, or a cup.
+//! Suction in the file: a force, or a suction cup.
 
 use std::fmt;
 
@@ -17,13 +17,13 @@ use crate::grasp::SuctionCup;
 pub struct Cup {
     /// Radius of the lip, m.
     pub radius: f64,
-    /// Points on the lip; 12 unless said otherwise.
+    /// Points on the lip; 12 if left out.
     #[serde(default = "twelve")]
     pub points: usize,
     /// Pressure below that of the air around, Pa.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pressure: Option<f64>,
-    /// What the vacuum pulls with, in place of the pressure, N.
+    /// The force of the vacuum, N, instead of the pressure.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub force: Option<f64>,
 }
@@ -45,7 +45,7 @@ impl Cup {
         Self { radius, points: twelve(), pressure: None, force: Some(force) }
     }
 
-    /// The cup.
+    /// The cup for the grasp.
     ///
     /// # Errors
     /// [`Error::Fingertip`] if a number is out of range, and unless there are axes of space and one of pressure and force.
@@ -66,7 +66,7 @@ impl Cup {
     }
 }
 
-/// What stands in the field: a force of a contact that has a lip already, or a cup with its lip.
+/// The field `suction`: the force of a vacuum, or a cup with its lip.
 pub(super) enum WrittenSuction {
     /// N.
     Force(f64),

@@ -1,4 +1,4 @@
-//! Scenes in JSON; of bad ones it is said where and why (feature `json`).
+//! Scenes in JSON; a faulty one is refused with the place and the reason (feature `json`).
 
 use std::fmt;
 
@@ -10,24 +10,24 @@ use super::written::{FORMAT, Id, Scene};
 use crate::error::Error;
 use crate::words::printable;
 
-/// What is wrong with the text of a scene, or with what it asks.
+/// The fault of a scene's text, or of its questions.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Fault {
-    /// No JSON at all, JSON that is no scene, or a scene that asks what cannot be asked.
+    /// Whether the text is no JSON, the JSON no scene, or a question impossible.
     pub kind: FaultKind,
-    /// Why, and what is allowed.
+    /// The reason, and the allowed values.
     pub message: String,
-    /// The field, `planar.contacts[1].friction`; `None` for the scene as a whole.
+    /// The path of the field, `planar.contacts[1].friction`; `None` for the scene as a whole.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub field: Option<String>,
-    /// Where reading had come to when it was noticed.
+    /// The position of the reader when it noticed the fault.
     #[serde(flatten)]
     pub at: Option<TextPosition>,
 }
 
-/// What kind of fault it is.
+/// The kind of a fault.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
@@ -45,10 +45,10 @@ pub enum FaultKind {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct TextPosition {
-    /// From 1. It is not written: a scene of a stream stands on one line.
+    /// The line, from 1. It is not written, since a scene of a stream is on one line.
     #[serde(skip)]
     pub line: usize,
-    /// From 1.
+    /// The column, from 1.
     pub column: usize,
 }
 
@@ -62,12 +62,12 @@ impl fmt::Display for Fault {
         if let Some(field) = &self.field {
             write!(f, "{}: ", printable(field))?;
         }
-        // What is repeated of the text may be anything.
+        // The message may repeat any text of the input.
         f.write_str(&printable(&self.message))
     }
 }
 
-/// What can be read of a scene that cannot be read as a whole.
+/// The part of a faulty scene that can still be read.
 #[derive(Deserialize)]
 struct Outside {
     format: Option<String>,
@@ -79,7 +79,7 @@ impl Fault {
         let inner = error.inner();
         let (line, column) = (inner.line(), inner.column());
         let at = (line > 0).then_some(TextPosition { line, column });
-        // Whatever a scene of another version has in it, the version comes first.
+        // A wrong version is reported before all other faults, since another version may have any fields.
         let format = serde_json::from_slice::<Outside>(text).ok().and_then(|outside| outside.format);
         if let Some(format) = format.filter(|format| format != FORMAT) {
             let message = format!("\"{format}\" is not a format that is read here, must be \"{FORMAT}\"");
@@ -91,19 +91,19 @@ impl Fault {
         let here = here.and_then(|line| line.get(column.saturating_sub(1))).copied();
         let message = in_plain_words(message.strip_suffix(&position).unwrap_or(&message), here);
         let path = error.path().to_string();
-        // The name of the field in question was not yet read.
+        // The path ends in `.?` if the name of the faulty field was not read yet.
         let path = path.strip_suffix(".?").unwrap_or(&path);
         let field = Some(path.to_owned()).filter(|path| path != "." && path != "?");
         let kind = if inner.is_data() { FaultKind::Scene } else { FaultKind::Syntax };
         Self { kind, message, field, at }
     }
 
-    /// The id of a scene that cannot be read as a whole, if that much can be read.
+    /// The id of a faulty scene, if it can be read.
     pub(crate) fn id_of(text: &[u8]) -> Option<Id> {
         serde_json::from_slice::<Outside>(text).ok().and_then(|outside| outside.id)
     }
 
-    /// Of a scene as a whole.
+    /// A fault of the scene as a whole.
     pub(crate) fn of_scene(message: String) -> Self {
         Self { kind: FaultKind::Scene, message, field: None, at: None }
     }
@@ -114,7 +114,7 @@ impl Fault {
     }
 }
 
-/// Three bytes with which some editors begin a file.
+/// The byte order mark, three bytes with which some editors begin a file.
 const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
 impl Scene {
@@ -128,9 +128,9 @@ impl Scene {
     /// ```
     ///
     /// # Errors
-    /// A [`Fault`] that names the field, its place in the text and what is allowed.
+    /// A [`Fault`] with the field, its place in the text and the allowed values.
     pub fn from_json(text: &[u8]) -> Result<Self, Fault> {
-        // Which field is read is kept track of only where it matters.
+        // The path of fields costs time, and is tracked only after a fault.
         let scene: Self = serde_json::from_slice(text).or_else(|_| parse_on_track(text))?;
         scene.refuse_weights_twice(text)?;
         Ok(scene)

@@ -1,4 +1,4 @@
-//! A finger with joints, and the contacts that they move.
+//! A finger with joints, and the contacts on its links.
 
 use nalgebra::DMatrix;
 use serde::de::{Deserialize, Deserializer};
@@ -32,15 +32,15 @@ use crate::serial::AsGiven;
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct FingerSetup<const C: usize> {
-    /// For the reader of the file.
+    /// A comment for the reader of the file.
     pub comment: Option<String>,
-    /// From the palm on; none for a finger that only gives way.
+    /// The joints from the palm on; none for a finger that only has a compliance.
     pub joints: Vec<Joint<C>>,
-    /// A stiffness matrix among its joints beside their own springs; see [`grasp::Finger::coupled`].
+    /// The stiffness matrix of the joints, N m/rad, added to their own springs; see [`grasp::Finger::coupled`].
     pub stiffness_matrix: Option<DMatrix<f64>>,
-    /// A compliance matrix over its contacts; see [`grasp::Finger::compliant`].
+    /// The compliance matrix of the contacts, m/N; see [`grasp::Finger::compliant`].
     pub compliance: Option<DMatrix<f64>>,
-    /// At least one.
+    /// The contacts, at least one.
     pub contacts: Vec<Fingertip<C>>,
 }
 
@@ -56,7 +56,7 @@ impl<const C: usize> FingerSetup<C> {
         }
     }
 
-    /// This finger with one more contact: a [`Contact`](grasp::Contact), or a [`Fingertip`] that says which link it is on.
+    /// This finger with one more contact: a [`Contact`](grasp::Contact), or a [`Fingertip`] with the link it is on.
     #[must_use]
     pub fn contact(mut self, contact: impl Into<Fingertip<C>>) -> Self {
         self.contacts.push(contact.into());
@@ -89,7 +89,7 @@ impl<const C: usize> FingerSetup<C> {
         Ok(finger)
     }
 
-    /// Refuses what would be left out without a word.
+    /// Refuses a finger without contacts, which would be ignored silently.
     fn checked(self) -> Result<Self, String> {
         if self.contacts.is_empty() {
             return Err("contacts: none given, must be at least one a finger".to_owned());
@@ -102,9 +102,9 @@ impl<const C: usize> FingerSetup<C> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 struct Written<const C: usize> {
-    /// For the reader of the file.
+    /// A comment for the reader of the file.
     comment: Option<String>,
-    /// From the palm on.
+    /// The joints from the palm on; none if left out.
     #[serde(default)]
     joints: Vec<Joint<C>>,
     /// Rows of a symmetric matrix among its joints beside their own springs, N m/rad.

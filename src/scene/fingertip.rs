@@ -1,4 +1,4 @@
-//! One entry of a list of contacts: a contact, or a soft fingertip in its place.
+//! One entry of a list of contacts: a point contact, a soft fingertip or a suction cup.
 
 use nalgebra::DMatrix;
 
@@ -26,31 +26,31 @@ use crate::improve::Surface;
 pub struct Fingertip<const C: usize> {
     /// The contact.
     pub contact: Contact<C>,
-    /// How it is spread, if it is not a point.
+    /// The patch over which the contact is spread; `None` for a point.
     pub soft: Option<Tip>,
-    /// The suction cup that it is, in place of a soft fingertip.
+    /// The suction cup, instead of a soft fingertip.
     pub cup: Option<Cup>,
-    /// What it may move along where fingers are [improved](crate::improve).
+    /// The curve or surface along which the contact may move where fingers are [improved](crate::improve).
     pub surface: Option<Surface<C>>,
-    /// No stiffness was given: a default takes its place, see [`Setup::stiffness_left_out`](super::Setup::stiffness_left_out).
+    /// Whether no stiffness was given and a default takes its place, see [`Setup::stiffness_left_out`](super::Setup::stiffness_left_out).
     pub no_stiffness: bool,
-    /// For the reader of the file.
+    /// A comment for the reader of the file.
     pub comment: Option<String>,
-    /// Which joints of its finger move it, and how.
+    /// The joints of its finger that move the contact.
     pub moved_by: MovedBy,
 }
 
-/// What moves a contact of a [finger](super::FingerSetup). A contact that belongs to no finger says nothing.
+/// The joints that move a contact of a [finger](super::FingerSetup). It has no meaning for a contact without a finger.
 #[derive(Debug, Clone, PartialEq, Default)]
 #[non_exhaustive]
 pub enum MovedBy {
-    /// All joints of its finger: it sits on the last link.
+    /// All joints of the finger: the contact is on the last link.
     #[default]
     LastLink,
-    /// So many of its finger's joints, counted from the palm; written as `"moved_by": {"link": 1}`.
+    /// The first joints of the finger, as many as this number, counted from the palm; written as `"moved_by": {"link": 1}`.
     Link(usize),
-    /// All of them, by this Jacobian: motion of the contact along the coordinate axes for a unit of each joint. Written as
-    /// `"moved_by": {"jacobian": [[…], …]}`, one row an axis.
+    /// All joints of the finger, by a Jacobian: the motion of the contact along the coordinate axes per unit of each joint. Written as
+    /// `"moved_by": {"jacobian": [[…], …]}`, one row for each axis.
     Jacobian(DMatrix<f64>),
 }
 
@@ -76,7 +76,7 @@ impl<const C: usize> Fingertip<C> {
         Self { soft: Some(tip), ..self }
     }
 
-    /// This contact with the lip and the vacuum of a suction cup, in space. Its own suction does not count.
+    /// This contact with the lip and the vacuum of a suction cup, in space. The cup replaces the contact's own suction.
     #[must_use]
     pub fn with_cup(self, cup: Cup) -> Self {
         Self { cup: Some(cup), soft: None, ..self }
@@ -94,7 +94,7 @@ impl<const C: usize> Fingertip<C> {
         Self { moved_by, ..self }
     }
 
-    /// The point contacts that it stands for.
+    /// The point contacts of the patch, or the contact itself.
     ///
     /// # Errors
     /// [`Error::Contact`] with this index, or [`Error::Fingertip`].
@@ -105,7 +105,7 @@ impl<const C: usize> Fingertip<C> {
         patch.contacts(&self.contact.clone().suction(suction))
     }
 
-    /// What it is spread over, and the force of its vacuum.
+    /// The patch, and the force of its vacuum, N; `None` for a point.
     pub(super) fn patch(&self) -> Result<Option<(SoftFingertip<C>, f64)>, Error> {
         if let Some(cup) = &self.cup {
             let cup = cup.made::<C>()?;
@@ -115,12 +115,12 @@ impl<const C: usize> Fingertip<C> {
         Ok(soft.map(|patch| (patch, self.contact.suction)))
     }
 
-    /// Whether it is more than a point.
+    /// Whether the contact is spread over a patch.
     pub(super) fn is_spread(&self) -> bool {
         self.soft.is_some() || self.cup.is_some()
     }
 
-    /// Number of point contacts that it stands for.
+    /// Number of point contacts of the patch; 1 for a point.
     pub(super) fn count(&self) -> Result<usize, Error> {
         self.patch().map(|patch| patch.map_or(1, |(patch, _)| patch.points().len()))
     }

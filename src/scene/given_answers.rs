@@ -1,4 +1,4 @@
-//! Answers that a grasp has given already, as a scene writes them.
+//! Answers that a grasp has already given, in the form in which a scene writes them.
 
 use super::onset::{Factor, OnsetAnswer, TurnAnswer};
 use super::setup::Setup;
@@ -11,8 +11,8 @@ use crate::load_path as path;
 use crate::words::Words;
 
 impl<const C: usize> Setup<C> {
-    /// An answer of this setup's grasp to [`Grasp::solve`], as [`Self::answers`] writes it: for whoever asks the grasp, and writes
-    /// only what someone wants to read.
+    /// The answer of this setup's grasp to [`Grasp::solve`] in the form of [`Self::answers`], for a caller that asks the grasp itself and writes
+    /// only some answers.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Wrench};
@@ -38,8 +38,8 @@ impl<const C: usize> Setup<C> {
         self.labels()?.solve(grasp, load, outcome.clone(), Words::default())
     }
 
-    /// An answer of this setup's grasp to [`Grasp::onset`], with the settings of the setup. What comes beyond the onset and the
-    /// equilibrium there are found now.
+    /// The answer of this setup's grasp to [`Grasp::onset`], with the settings of the setup. The behaviour beyond first slip and the
+    /// equilibrium there are computed now.
     ///
     /// # Errors
     /// As for [`Self::points`].
@@ -47,7 +47,7 @@ impl<const C: usize> Setup<C> {
         Ok(self.labels()?.onset(grasp, onset, |factor| Factor { factor }))
     }
 
-    /// An answer of this setup's grasp to [`Grasp::onset_of_turn`]; otherwise as [`Self::tell_onset`].
+    /// The answer of this setup's grasp to [`Grasp::onset_of_turn`]; otherwise like [`Self::tell_onset`].
     ///
     /// # Errors
     /// As for [`Self::points`].

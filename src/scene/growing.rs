@@ -8,18 +8,18 @@ use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::Wrench;
 
-/// What grows in a question.
+/// The load of a question and the loads that grow with it.
 struct Growing<'q, const C: usize> {
     question: &'static str,
-    /// What is there besides.
+    /// The load that acts before.
     base: Wrench<C>,
-    /// With which others grow; `None` where there is not one load alone.
+    /// The load with which the others grow; `None` if the question has several loads or none.
     load: Option<Wrench<C>>,
     others: &'q BTreeMap<String, Wrench<C>>,
 }
 
 impl<'q, const C: usize> Growing<'q, C> {
-    /// `None` where nothing grows with anything.
+    /// `None` if no other load grows in the question.
     fn of(asked: &'q Question<C>) -> Option<Self> {
         let (question, base, load, others) = match asked {
             Question::Hold { base, load, together_with } => ("hold", *base, Some(*load), together_with),
@@ -42,7 +42,7 @@ impl<'q, const C: usize> Growing<'q, C> {
 }
 
 impl<const C: usize> Setup<C> {
-    /// The grasp of a question, with the loads that grow together in it; where gravity turns, without it beside the load.
+    /// The grasp of a question, with the loads that grow together. If gravity turns, the grasp has none beside the turning load.
     ///
     /// # Errors
     /// [`Error::Question`] where nothing can grow together, and as for [`Grasp::growing_together`].
@@ -59,7 +59,7 @@ impl<const C: usize> Setup<C> {
         }
     }
 
-    /// Refuses what cannot grow together.
+    /// Refuses loads that cannot grow together.
     pub(super) fn check_growing(&self, question: &Question<C>) -> Result<(), Error> {
         let Some(Growing { question, base, load, others }) = Growing::of(question) else { return Ok(()) };
         others.keys().try_for_each(|name| self.has_body(name))?;
@@ -78,7 +78,7 @@ impl<const C: usize> Setup<C> {
         }
     }
 
-    /// Refuses the name of a body that is to be loaded, and is none of the scene.
+    /// Refuses the name of a loaded body that the scene does not have.
     pub(super) fn has_body(&self, name: &str) -> Result<(), Error> {
         if self.bodies.iter().any(|body| &*body.name == name) {
             return Ok(());

@@ -1,4 +1,4 @@
-//! Answers to "does it hold?" and "how much does it need?"
+//! Answers to `hold` and `need`.
 
 use std::fmt;
 
@@ -9,7 +9,7 @@ use crate::hold::Verdict;
 use crate::need::Needed;
 use crate::words::Words;
 
-/// What becomes of a load that is put on from rest; see [`Verdict`].
+/// The fate of a load that is put on from rest; see [`Verdict`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
@@ -21,7 +21,7 @@ pub struct HoldAnswer<const C: usize> {
     pub verdict: Verdict<C>,
 }
 
-/// How much of a quantity it takes; see [`Needed`].
+/// The amount of a quantity that the grasp needs; see [`Needed`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]

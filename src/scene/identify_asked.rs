@@ -1,4 +1,4 @@
-//! Slips that were seen, as a scene tells of them, and what is sought from them.
+//! Observed slips as a scene gives them, and the unknowns that are sought from them.
 
 use nalgebra::SVector;
 use serde::{Deserialize, Serialize};
@@ -13,7 +13,7 @@ use crate::load_path::Turn;
 use crate::serial::AsGiven;
 use crate::words::Words;
 
-/// Friction, loads of supports, squeeze or stiffness from slips that were seen. See [`Identify`].
+/// Friction, loads of supports, squeeze or stiffness from observed slips. See [`Identify`].
 ///
 /// ```
 /// use grasp_lcp::scene::Scene;
@@ -41,75 +41,75 @@ use crate::words::Words;
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct IdentifyAsked<const C: usize> {
-    /// What is sought.
+    /// The unknowns.
     pub unknowns: Vec<UnknownAsked>,
-    /// What was seen.
+    /// The observed slips.
     pub slips: Vec<SlipAsked<C>>,
-    /// Other places of the contacts of the scene, which slips were seen with: layout 1, and so on.
+    /// Other places of the scene's contacts at which slips were observed: layout 1, and so on.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub layouts: Vec<ContactPoints<C>>,
     /// Sums of unknowns that are known from elsewhere.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub known: Vec<KnownSum>,
-    /// Slips that are off by more standard deviations than this count less; 2 if left out.
+    /// Slips that are off by more than this number of standard deviations count less; 2 if left out.
     #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     #[cfg_attr(feature = "schema", schemars(!default))]
     pub outliers: Option<f64>,
-    /// At most so many steps of the search; 100 if left out.
+    /// Largest number of steps of the search; 100 if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub iterations: Option<usize>,
 }
 
-/// A number that is sought, one for all contacts that are meant.
+/// One unknown number, the same for all its contacts.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct UnknownAsked {
-    /// What kind of number.
+    /// The kind of the unknown.
     pub quantity: UnknownKind,
-    /// The contacts, from 0; all if left out.
+    /// The contacts of the unknown, from 0; all if left out.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub contacts: Vec<usize>,
-    /// The layout that it is of, 0 for the scene as it is; all if left out.
+    /// The layout of the unknown, 0 for the scene itself; all if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub layout: Option<usize>,
-    /// What answers call it.
+    /// The name of the unknown in answers.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
-    /// Where the search begins; at what the scene says if left out.
+    /// Start of the search; the value of the scene if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub start: Option<f64>,
 }
 
-/// A slip that was seen under a load, or at the angle of a turn.
+/// A slip that was observed under a load, or at the angle of a turn.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct SlipAsked<const C: usize> {
-    /// Which slip: gross unless said otherwise.
+    /// First or gross slip; gross if left out.
     #[serde(default)]
     pub slip: SlipKind,
-    /// The load under which it was seen, grown from nothing.
+    /// The load at the slip, grown from zero.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub load: Option<Wrench<C>>,
-    /// In place of a load a turn up to the angle at which it was seen.
+    /// A turn up to the angle at the slip, instead of a load.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub turn: Option<Turn<C>>,
-    /// What acted besides.
+    /// The constant load beside it; zero if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub base: Option<Wrench<C>>,
-    /// How many times the squeeze of the scene; 1 if left out.
+    /// Factor on the squeeze of the scene; 1 if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub squeeze: Option<f64>,
-    /// Which layout; the scene as it is if left out.
+    /// The layout in which the slip was observed; 0, the scene itself, if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub layout: Option<usize>,
-    /// Standard deviation of load or angle, as a part of it: of every slip, or of none.
+    /// Relative standard deviation of load or angle; for every slip, or for none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub scatter: Option<f64>,
-    /// A number that slips have in common that may share errors, of one direction or one specimen: of every slip, or of none.
+    /// A number that is the same for slips that may share an error, of one direction or one specimen; for every slip, or for none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub group: Option<usize>,
 }
@@ -122,21 +122,21 @@ pub struct ContactPoints<const C: usize>(
     #[serde(with = "AsGiven::<Vec<SVector<f64, C>>>")] pub Vec<SVector<f64, C>>,
 );
 
-/// What the sum of some unknowns is known to be.
+/// A sum of unknowns that is known from elsewhere.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct KnownSum {
-    /// The unknowns, from 0.
+    /// The unknowns of the sum, from 0.
     pub unknowns: Vec<usize>,
-    /// Their sum.
+    /// The value of the sum.
     pub value: f64,
-    /// Its standard deviation, as a part of it.
+    /// The relative standard deviation of the sum.
     pub scatter: f64,
 }
 
-/// What slips tell; see [`Identified`].
+/// The unknowns with their errors; see [`Identified`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
@@ -159,7 +159,7 @@ fn wrong<T>(field: &'static str, fault: &'static str) -> Result<T, Error> {
 }
 
 impl UnknownAsked {
-    /// One number of this kind for all contacts.
+    /// One unknown of this kind for all contacts.
     #[must_use]
     pub fn of(quantity: UnknownKind) -> Self {
         Self { quantity, contacts: Vec::new(), layout: None, name: None, start: None }
@@ -167,7 +167,7 @@ impl UnknownAsked {
 }
 
 impl KnownSum {
-    /// The sum of these unknowns, with its standard deviation as a part of it.
+    /// A known sum of these unknowns, with its relative standard deviation.
     #[must_use]
     pub fn new(unknowns: impl IntoIterator<Item = usize>, value: f64, scatter: f64) -> Self {
         Self { unknowns: unknowns.into_iter().collect(), value, scatter }
@@ -175,7 +175,7 @@ impl KnownSum {
 }
 
 impl<const C: usize> SlipAsked<C> {
-    /// Gross slip under a load that has grown from nothing.
+    /// Gross slip under a load that has grown from zero.
     #[must_use]
     pub fn gross(load: Wrench<C>) -> Self {
         let (slip, load) = (SlipKind::Gross, Some(load));
@@ -205,13 +205,14 @@ impl<const C: usize> SlipAsked<C> {
 }
 
 impl<const C: usize> IdentifyAsked<C> {
-    /// These numbers from these slips.
+    /// These unknowns from these slips.
     #[must_use]
     pub fn new(unknowns: Vec<UnknownAsked>, slips: Vec<SlipAsked<C>>) -> Self {
         Self { unknowns, slips, layouts: Vec::new(), known: Vec::new(), outliers: None, iterations: None }
     }
 
-    /// What acts before the load of the first slip that nothing but the grasp's own squeeze acts before, else that of the first.
+    /// The load before a slip's own load, for the check of contacts at rest: zero if some slip has none and no carried force is sought, else that of
+    /// the first slip.
     pub(super) fn at_rest(&self) -> Wrench<C> {
         let acts = |slip: &SlipAsked<C>| {
             slip.base.unwrap_or(Wrench::ZERO) + slip.turn.map_or(Wrench::ZERO, |turn| turn.load_at(0.0))
@@ -224,7 +225,7 @@ impl<const C: usize> IdentifyAsked<C> {
 }
 
 impl<const C: usize> Setup<C> {
-    /// The question as the grasp has it, without its layouts. An unknown of a soft fingertip is that of all its points.
+    /// The question for the grasp, without its layouts. An unknown of a soft fingertip belongs to all its points.
     fn sought(&self, asked: &IdentifyAsked<C>) -> Result<Identify<C>, Error> {
         let unknown = |given: &UnknownAsked| {
             let mut unknown = match given.quantity {
@@ -251,7 +252,7 @@ impl<const C: usize> Setup<C> {
         Ok(asked.iterations.into_iter().fold(sought, Identify::with_iterations))
     }
 
-    /// Refuses what can be told from the question alone.
+    /// Refuses faults that show without building the layouts.
     pub(super) fn check_identify(&self, asked: &IdentifyAsked<C>) -> Result<(), Error> {
         if !asked.layouts.is_empty() && (self.is_held_by_a_hand() || !self.bodies.is_empty()) {
             return wrong(
@@ -268,7 +269,7 @@ impl<const C: usize> Setup<C> {
         self.sought(asked)?.check_numbers(1 + asked.layouts.len())
     }
 
-    /// The question as the grasp has it.
+    /// The question for the grasp.
     ///
     /// # Errors
     /// [`Error::Question`] unless every slip has a load or a turn; [`Error::Size`] unless every layout has a point for each contact; as for
@@ -286,7 +287,7 @@ impl<const C: usize> Setup<C> {
     }
 }
 
-/// The name of how a search ended, in the words of the format.
+/// The name of the search's end in the format.
 pub(super) fn ended(ending: &Ending) -> &'static str {
     match ending {
         Ending::Converged => "converged",

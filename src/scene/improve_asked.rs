@@ -1,4 +1,4 @@
-//! The question where fingers should be, as a scene asks it.
+//! The question for better places and forces of the fingers.
 
 use nalgebra::SVector;
 
@@ -11,7 +11,7 @@ use crate::improve::{Improve, ImproveGoal, Improved};
 use crate::serial::AsGiven;
 use crate::words::Words;
 
-/// Where should the fingers be, and how hard should they press? Contacts that may move have a `surface`. See [`Improve`].
+/// Where should the fingers be, and how hard should they press? Contacts with a `surface` may move. See [`Improve`].
 ///
 /// ```
 /// use grasp_lcp::scene::Scene;
@@ -36,7 +36,7 @@ use crate::words::Words;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct ImproveAsked<const C: usize> {
-    /// What acts besides, however large the loads are.
+    /// The load that acts before the other loads and stays.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub base: Option<Wrench<C>>,
     /// A load that grows.
@@ -45,32 +45,32 @@ pub struct ImproveAsked<const C: usize> {
     /// Loads that grow, one at a time.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub loads: Vec<Wrench<C>>,
-    /// A force of any direction, of which this size counts as one, N, beside the load; it acts at `at`.
+    /// A force of any direction beside the load, N, that acts at `at`; this size counts as load factor 1.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub any_force: Option<f64>,
-    /// Where a force of any direction acts, m; the origin if left out.
+    /// The point where the force of any direction acts, m; the origin if left out.
     #[serde(default, with = "AsGiven::<Option<SVector<f64, C>>>", skip_serializing_if = "Option::is_none")]
     #[cfg_attr(feature = "schema", schemars(!default))]
     pub at: Option<SVector<f64, C>>,
-    /// Contacts may press with up to this force, N; as they are commanded if left out.
+    /// The largest force with which a contact may press, N; if left out, commands stay.
     #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     #[cfg_attr(feature = "schema", schemars(!default))]
     pub at_most: Option<f64>,
-    /// What is to be as large as possible; the first slip if left out.
+    /// The quantity to maximise; the load at first slip if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub goal: Option<ImproveGoal>,
-    /// Starts beside the grasp of the scene; 8 if left out.
+    /// Number of random starts beside the grasp of the scene; 8 if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub starts: Option<usize>,
-    /// Steps from each start at most; 200 if left out.
+    /// Largest number of steps from each start; 200 if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub steps: Option<usize>,
-    /// Another one gives other starts; 0 if left out.
+    /// The seed of the random starts; 0 if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub seed: Option<u64>,
 }
 
-/// Where the fingers should be; see [`Improved`].
+/// The improved places of the fingers; see [`Improved`].
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
@@ -89,7 +89,7 @@ impl<const C: usize> ImproveAnswer<C> {
 }
 
 impl<const C: usize> ImproveAsked<C> {
-    /// A question for no loads yet.
+    /// A question with these loads and default values.
     #[must_use]
     pub fn of(base: Option<Wrench<C>>, load: Option<Wrench<C>>) -> Self {
         let (any_force, at, at_most, goal) = (None, None, None, None);
@@ -99,7 +99,7 @@ impl<const C: usize> ImproveAsked<C> {
 }
 
 impl<const C: usize> Setup<C> {
-    /// The question where fingers should be as the grasp has it.
+    /// The question for the grasp.
     ///
     /// # Errors
     /// [`Error::Question`] unless loads are given in one way.

@@ -1,4 +1,4 @@
-//! Joints and tendons as they are written.
+//! Joints and tendons in the file.
 
 use std::sync::Arc;
 
@@ -14,30 +14,30 @@ use crate::serial::{AsGiven, AxisRow, Given};
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 struct WrittenJoint<const C: usize> {
-    /// What answers call it.
+    /// The name of the joint in answers.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     name: Option<Arc<str>>,
-    /// Where it turns.
+    /// The axis of a revolute joint.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     revolute: Option<Hinge<C>>,
-    /// Along which direction it slides.
+    /// The direction of a prismatic joint.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     prismatic: Option<AxisRow<Given, C>>,
-    /// Of its drive, N m/rad or N/m; without one what is given alone acts.
+    /// Stiffness of the drive, N m/rad or N/m; without one only `torque` acts.
     #[serde(default, with = "AsGiven::<f64>", skip_serializing_if = "is_absent")]
     stiffness: f64,
-    /// Where its drive is told to go, rad or m; 0 if left out.
+    /// Commanded position of the drive, rad or m; 0 if left out.
     #[serde(default, with = "AsGiven::<f64>", skip_serializing_if = "is_absent")]
     command: f64,
-    /// What acts besides, whatever the joint does, N m or N; 0 if left out.
+    /// Constant torque or force beside the drive, whatever the joint does, N m or N; 0 if left out.
     #[serde(default, with = "AsGiven::<f64>", skip_serializing_if = "is_absent")]
     torque: f64,
-    /// What its drive exerts at most, N m or N; no limit if left out.
+    /// The largest torque or force of the drive, N m or N; no limit if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     limit: Option<Limit>,
 }
 
-/// Where a revolute joint turns.
+/// The axis of a revolute joint.
 #[derive(serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
@@ -45,7 +45,7 @@ struct Hinge<const C: usize> {
     /// A point on its axis, m.
     #[serde(with = "AsGiven::<SVector<f64, C>>")]
     point: SVector<f64, C>,
-    /// In space the direction of its axis, right-handed; none in the plane.
+    /// The direction of the axis, right-handed; in space only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     axis: Option<AxisRow<Given, C>>,
 }
@@ -54,30 +54,30 @@ struct Hinge<const C: usize> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 struct WrittenTendon {
-    /// What answers call it.
+    /// The name of the tendon in answers.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     name: Option<Arc<str>>,
-    /// One for each joint of all fingers, m/rad or none.
+    /// Lever arms, one for each joint of all fingers: m/rad for revolute joints, no unit for prismatic ones.
     #[serde(with = "AsGiven::<Vec<f64>>")]
     arms: Vec<f64>,
-    /// Of its drive, N/m; without one what is given alone acts.
+    /// Stiffness of the drive, N/m; without one only `tension` acts.
     #[serde(default, with = "AsGiven::<f64>", skip_serializing_if = "is_absent")]
     stiffness: f64,
-    /// Where its drive is told to go, m; 0 if left out.
+    /// Commanded pull of the drive, m; 0 if left out.
     #[serde(default, with = "AsGiven::<f64>", skip_serializing_if = "is_absent")]
     pull: f64,
-    /// What acts besides, N; 0 if left out.
+    /// Constant tension beside the drive, N; 0 if left out.
     #[serde(default, with = "AsGiven::<f64>", skip_serializing_if = "is_absent")]
     tension: f64,
-    /// What its drive exerts at most, N; no limit if left out.
+    /// The largest tension of the drive, N; no limit if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     limit: Option<Limit>,
-    /// True for a rod or a differential, which pushes, too; else it pulls only.
+    /// `true` for a rod or a differential, which also pushes; a tendon only pulls.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pushes: bool,
 }
 
-/// Positive zero; a negative one is said.
+/// Whether a number is positive zero and may be left out; a negative zero is written.
 #[allow(
     clippy::trivially_copy_pass_by_ref,
     reason = "serde passes fields by reference; what is small depends on the processor"

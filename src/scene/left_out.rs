@@ -1,4 +1,4 @@
-//! Stiffness that a scene leaves out: a default takes its place, and whether answers depend on that is tried.
+//! Stiffness that a scene leaves out: the default in its place, and trials whether answers depend on it.
 
 use super::fingertip::Fingertip;
 use super::link::LinkSetup;
@@ -11,24 +11,24 @@ use crate::error::Error;
 use crate::grasp::Link;
 use crate::load_path::Ramp;
 
-/// What a contact without a stiffness has, N/m, in all directions.
+/// Default stiffness of a contact in all directions, N/m.
 pub(super) const DEFAULT_STIFFNESS: f64 = 1e4;
 
-/// Answers that differ by less than this part are the same.
+/// Relative difference below which two answers are the same.
 const SAME: f64 = 1e-6;
 
-/// A link is stiff beside what is gripped, or it is said how stiff: answers that differ by less than this part are the same whatever stiffness it has.
+/// Relative difference below which two answers are the same for different stiffnesses of links: links are usually stiff beside the grasped object.
 const SAME_BY_LINKS: f64 = 1e-3;
 
-/// Beside the largest figure of an answer this part is rounding.
+/// Differences below this part of the largest number of an answer are rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// Each stiffness that was left out is tried this many times as large or as small, one and all of its directions differently.
+/// Largest factor, up or down, on a stiffness that was left out; every direction of a trial has a factor of its own.
 const RANGE: f64 = 10.0;
 
 impl<const C: usize> Setup<C> {
-    /// Tells of contacts without a stiffness if an answer depends on it: springs between a tenth and ten times the default, different for each contact and
-    /// direction, are tried in their place. Motions always depend on it, and are told of where they are asked for.
+    /// A warning about contacts without a stiffness if an answer depends on it. Springs between a tenth and ten times the default, different for each
+    /// contact and direction, are tried in their place. Motions always depend on the stiffness, so that every `solve` is listed.
     ///
     /// # Errors
     /// As for [`Self::answers`].
@@ -46,7 +46,7 @@ impl<const C: usize> Setup<C> {
         Ok(depends.then_some(Warning::StiffnessLeftOut { contacts, names, stiffness, questions }))
     }
 
-    /// Tells of links without a stiffness if an answer depends on it by more than a thousandth, in the same way.
+    /// A warning about links without a stiffness if an answer depends on it by more than a thousandth, found in the same way.
     ///
     /// # Errors
     /// As for [`Self::answers`].
@@ -64,7 +64,7 @@ impl<const C: usize> Setup<C> {
         Ok(depends.then_some(Warning::StiffnessLeftOut { contacts, names, stiffness, questions }))
     }
 
-    /// The questions whose answers two trials change, or that are known to depend.
+    /// The questions whose answers change in one of two trials, or for which `is_known` holds.
     fn questions_that_depend(
         &self,
         trial: impl Fn(usize) -> Self,
@@ -88,7 +88,7 @@ impl<const C: usize> Setup<C> {
         Ok(questions)
     }
 
-    /// With other stiffnesses of links where they were left out.
+    /// This setup with trial stiffnesses of links in place of those left out.
     fn with_links(&self, trial: usize) -> Self {
         let mut setup = self.clone();
         for (number, LinkSetup { link, .. }) in setup.links.iter_mut().enumerate() {
@@ -99,7 +99,7 @@ impl<const C: usize> Setup<C> {
         setup
     }
 
-    /// With other springs where they were left out.
+    /// This setup with trial springs of contacts in place of those left out.
     fn with_springs(&self, trial: usize) -> Self {
         let mut setup = self.clone();
         let fingers = setup.fingers.iter_mut().flat_map(|finger| &mut finger.contacts);
@@ -114,7 +114,7 @@ impl<const C: usize> Setup<C> {
         setup
     }
 
-    /// What is told of an answer, in numbers.
+    /// The numbers of an answer that are compared.
     fn figures(&self, grasp: &Grasp<C>, question: &Question<C>) -> Result<Vec<f64>, Error> {
         let known = |answer: Option<bool>| answer.map_or(2.0, f64::from);
         let (whole, grasp) = (grasp, &self.grasp_of(grasp, question)?);
@@ -122,7 +122,7 @@ impl<const C: usize> Setup<C> {
             Question::Hold { base, load, .. } => {
                 let verdict = grasp.hold(Ramp::load(*base, *load))?;
                 let (first, lost) = (verdict.first_slip.as_ref(), verdict.lost.as_ref());
-                // Of a load that is lost the first slip is not told.
+                // First slip is not reported of a load that is lost.
                 let first = first.filter(|_| verdict.holds() == Some(true));
                 let factors = [first.map(|first| first.factor), lost.map(|lost| lost.factor)];
                 let factors = factors.map(|factor| factor.unwrap_or(f64::INFINITY));
@@ -158,7 +158,7 @@ impl<const C: usize> Setup<C> {
 }
 
 impl<const C: usize> Fingertip<C> {
-    /// This contact with the default in place of a stiffness.
+    /// This contact with the default stiffness.
     pub(super) fn without_stiffness(mut self) -> Self {
         self.contact = self.contact.series_stiffness_axes([DEFAULT_STIFFNESS; C]);
         self.no_stiffness = true;
@@ -166,7 +166,7 @@ impl<const C: usize> Fingertip<C> {
     }
 }
 
-/// Parts of the golden ratio fall everywhere, and nowhere twice.
+/// Fractional parts of multiples of the golden ratio fill the interval from 0 to 1 evenly, without repeating.
 fn part(number: usize) -> f64 {
     (0.618_033_988_749_895 * number as f64).fract()
 }

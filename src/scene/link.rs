@@ -1,4 +1,4 @@
-//! A link between bodies, as a scene has it.
+//! A link between bodies in a scene.
 
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ use crate::error::Error;
 use crate::grasp::{Contact, Link, LinkPlace};
 use crate::serial::{AsGiven, AxisRow, Given};
 
-/// A link of a scene, and a word for the reader of the file; see [`Link`].
+/// A link of a scene with its comment; see [`Link`].
 ///
 /// ```
 /// use grasp_lcp::planar::Link;
@@ -28,7 +28,7 @@ use crate::serial::{AsGiven, AxisRow, Given};
 pub struct LinkSetup<const C: usize> {
     /// The link.
     pub link: Link<C>,
-    /// For the reader of the file.
+    /// A comment for the reader of the file.
     pub comment: Option<String>,
 }
 
@@ -38,51 +38,51 @@ impl<const C: usize> From<Link<C>> for LinkSetup<C> {
     }
 }
 
-/// A link as it stands in a file: one of hinge, ball, slide, rigid, spring and cable.
+/// A link in the file: exactly one of hinge, ball, slide, rigid, spring and cable.
 #[derive(serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 struct Written<const C: usize> {
-    /// What messages and answers call it.
+    /// The name of the link in messages and answers.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     name: Option<Arc<str>>,
-    /// For the reader of the file.
+    /// A comment for the reader of the file.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     comment: Option<String>,
-    /// Bodies turn about a point, in space about an axis.
+    /// A hinge: bodies turn about a point, in space about an axis.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     hinge: Option<Hinge<C>>,
-    /// In space bodies turn about a point any way.
+    /// A ball joint: bodies turn about a point in any direction; in space only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     ball: Option<Point<C>>,
-    /// Bodies move past each other along a direction alone.
+    /// A slide: bodies move past each other only along a direction.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     slide: Option<Slide<C>>,
-    /// Bodies move as one.
+    /// A rigid link: bodies move as one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     rigid: Option<Rigid<C>>,
-    /// A spring pulls and pushes along a line.
+    /// A spring that pulls and pushes along a line.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     spring: Option<Line<C>>,
-    /// A cable pulls along a line.
+    /// A cable that pulls along a line.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     cable: Option<Line<C>>,
-    /// The two bodies that it joins: a line begins on the first and ends on the second.
+    /// The two bodies that the link joins: a line begins on the first and ends on the second.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     between: Option<[Arc<str>; 2]>,
-    /// The body that it joins to the ground, in place of `between`.
+    /// The body that the link joins to the ground, instead of `between`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     on: Option<Arc<str>>,
-    /// N/m along each direction that it holds; 1e9 if left out.
+    /// Stiffness along each direction that the link holds, N/m; 1e9 if left out.
     #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     stiffness: Option<f64>,
-    /// What a spring or a cable pulls with before anything moves, N; 0 if left out.
+    /// The pull of a spring or cable before anything moves, N; 0 if left out.
     #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     pretension: Option<f64>,
-    /// In place of the pretension what it pulls with once it is installed, at rest, while all else gives way, N.
+    /// The pull of a spring or cable once it is installed, at rest, while all else gives way, N; instead of the pretension.
     #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     tension: Option<f64>,
-    /// How much longer a cable is than its way, m; 0 if left out.
+    /// The length of a cable beyond the distance of its ends, m; 0 if left out.
     #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     slack: Option<f64>,
 }
@@ -91,12 +91,12 @@ struct Written<const C: usize> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 struct Hinge<const C: usize> {
-    /// Where it is, m.
+    /// The point of the hinge, m.
     point: AxisRow<Given, C>,
-    /// In space its axis, of any length.
+    /// The axis, of any length; in space only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     axis: Option<AxisRow<Given, C>>,
-    /// In space how far its two bearings are apart, m.
+    /// The distance of the two bearings along the axis, m; in space only.
     #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     length: Option<f64>,
 }
@@ -106,7 +106,7 @@ struct Hinge<const C: usize> {
 #[cfg_attr(feature = "schema", schemars(rename = "BallJoint"))]
 #[serde(deny_unknown_fields)]
 struct Point<const C: usize> {
-    /// Where it is, m.
+    /// The centre of the ball, m.
     point: AxisRow<Given, C>,
 }
 
@@ -114,11 +114,11 @@ struct Point<const C: usize> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 struct Slide<const C: usize> {
-    /// The middle of its bearings, m.
+    /// The middle between the bearings, m.
     point: AxisRow<Given, C>,
-    /// Where it moves, of any length.
+    /// The direction of the slide, of any length.
     direction: AxisRow<Given, C>,
-    /// How far its bearings are apart, m.
+    /// The distance of the bearings, m.
     #[serde(with = "AsGiven::<f64>")]
     length: f64,
 }
@@ -127,9 +127,9 @@ struct Slide<const C: usize> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 struct Rigid<const C: usize> {
-    /// The middle of it, m.
+    /// The centre of the rigid link, m.
     point: AxisRow<Given, C>,
-    /// How wide it is, m.
+    /// The width of the rigid link, m.
     #[serde(with = "AsGiven::<f64>")]
     size: f64,
 }
@@ -139,9 +139,9 @@ struct Rigid<const C: usize> {
 #[cfg_attr(feature = "schema", schemars(rename = "Between"))]
 #[serde(deny_unknown_fields)]
 struct Line<const C: usize> {
-    /// Where it begins, on the body or on the first of two, m.
+    /// The beginning of the line, on the body or on the first of two, m.
     from: AxisRow<Given, C>,
-    /// Where it ends, on the ground or on the second body, m.
+    /// The end of the line, on the ground or on the second body, m.
     to: AxisRow<Given, C>,
 }
 
@@ -241,7 +241,7 @@ impl<const C: usize> LinkSetup<C> {
             );
         }
         link.slack = written.slack.unwrap_or(0.0);
-        // Its name is said by whoever reads it.
+        // The caller adds the name of the link to the message.
         link.contacts().map_err(|error| match error {
             Error::Link { kind, field, value, allowed, .. } => {
                 format!("{field} of the {kind} is {value}, must be {allowed}")
@@ -268,7 +268,7 @@ impl<const C: usize> Hinge<C> {
 }
 
 impl<const C: usize> Setup<C> {
-    /// What links are made of, behind all contacts of the grasp.
+    /// The point contacts of all links, behind all contacts of the grasp.
     pub(super) fn points_of_links(&self) -> Result<Vec<Contact<C>>, Error> {
         let mut points = Vec::new();
         for (number, LinkSetup { link, .. }) in self.links.iter().enumerate() {

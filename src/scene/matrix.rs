@@ -17,7 +17,7 @@ impl Rows {
         Self((0..matrix.nrows()).map(row).collect())
     }
 
-    /// The matrix, `field` in messages.
+    /// The matrix; `field` names it in messages.
     pub(super) fn matrix(&self, field: &str) -> Result<DMatrix<f64>, String> {
         let columns = self.0.first().map_or(0, Vec::len);
         if let Some((i, row)) = self.0.iter().enumerate().find(|(_, row)| row.len() != columns) {

@@ -1,7 +1,7 @@
-//! Scenes: grasps, and what is asked of them, as text (feature `serde`).
+//! Scenes: grasps, and questions about them, as text (feature `serde`).
 //!
 //! A [`Scene`] is read and written by serde, from JSON or from any other format that describes
-//! itself; its [answers](Scene::answers) are written the same way. What cannot be read
+//! itself; its [answers](Scene::answers) are written the same way. Input that cannot be read
 //! unambiguously is refused: unknown fields, unknown versions, lists of the wrong length, numbers
 //! out of range. Units are those of the crate: SI, or any consistent ones.
 //!
@@ -12,8 +12,8 @@
 //! | field | value | if left out |
 //! |---|---|---|
 //! | `format` | `"grasp-lcp/1"` | an error |
-//! | `$schema` | where an editor finds the JSON Schema (feature `schema`); nothing here looks at it | none |
-//! | `id` | a text or a whole number; whoever answers repeats it | none |
+//! | `$schema` | the place where an editor finds the JSON Schema (feature `schema`); the crate ignores it | none |
+//! | `id` | a text or a whole number that answers repeat | none |
 //! | `comment` | a text for the reader | none |
 //! | `planar` | a setup in the plane: points, normals and commands have 2 numbers | a spatial one |
 //! | `spatial` | a setup in space: they have 3 | a planar one |
@@ -25,7 +25,7 @@
 //! | `contacts` | a list of contacts whose fingers have no joints | none; an error if no finger has one either |
 //! | `fingers` | a list of fingers with joints, see below | none |
 //! | `tendons` | a list of tendons over their joints, see below | none |
-//! | `bodies` | a list of bodies where there are several, see below | one object |
+//! | `bodies` | a list of several bodies, see below | one object |
 //! | `links` | a list of hinges, slides, springs, cables between bodies or to the ground, see below | none |
 //! | `gravity` | acceleration on the masses of bodies, m/s², beside the loads of questions | none |
 //! | `loaded` | the name of the body that loads of questions act on | the first |
@@ -40,24 +40,24 @@
 //! | field | value | unit | if left out |
 //! |---|---|---|---|
 //! | `name`, `comment` | texts | | none |
-//! | `on`, `against` | names of bodies: the one that the normal points into, and the one on the other side | | `on` must be said where there are bodies; the ground or a finger is `against` it |
-//! | `point` | where it touches | m | an error |
+//! | `on`, `against` | names of bodies: the normal points into `on`, and `against` is on the other side | | `on` is needed where there are bodies; `against` is the ground or a finger |
+//! | `point` | point of contact | m | an error |
 //! | `normal` | direction into the object, of any length | | an error |
 //! | `tangent` | direction of the first tangent | | chosen from the normal |
 //! | `body_stiffness` | the object's springs: `[normal, tangential]`, in space also `[normal, first tangent, second tangent]`; `"rigid"` for one of them or for all | N/m | rigid, if the finger is not |
 //! | `finger_stiffness` | the finger's springs, in the same ways | N/m | rigid, if the body is not |
 //! | `series_stiffness` or `stiffness` | both in series, in place of the two; one number for all directions | N/m | 1e4 in all directions if there is none at all; [`Setup::stiffness_left_out`] says whether an answer depends on that |
 //! | `friction` | coefficient μ, or `"infinite"` | | 0 |
-//! | `kinetic_friction` | coefficient while it slides, at most that at rest; see [`Contact::kinetic`](crate::grasp::Contact::kinetic) | | that at rest |
+//! | `kinetic_friction` | coefficient while the contact slides, at most that at rest; see [`Contact::kinetic`](crate::grasp::Contact::kinetic) | | that at rest |
 //! | `command` | displacement of the finger's core in the contact frame, normal part first | m | 0 |
 //! | `command_world` | the same displacement along the coordinate axes, in place of `command` | m | not used |
-//! | `pressed_with` | force of the squeeze, in place of the normal command; see [`Contact::pressed_with`](crate::grasp::Contact::pressed_with) | N | |
+//! | `pressed_with` | clamping force, in place of the normal command; see [`Contact::pressed_with`](crate::grasp::Contact::pressed_with) | N | |
 //! | `force` | normal force that stays wherever the object goes, in place of a position; see [`Contact::force`](crate::grasp::Contact::force) | N | not used |
 //! | `clearance` | gap before anything moves, negative for an overlap | m | 0 |
 //! | `hold` | `"unilateral"`, `"kept_closed"` or `"bonded"`, see [`Hold`](crate::grasp::Hold) | | unilateral |
-//! | `suction` | a suction cup in place of the point: `{"radius": …, "pressure": …}` with m and Pa, or a `force`, N, in place of the pressure, and `points`, 12 if left out; see [`SuctionCup`](crate::grasp::SuctionCup). Or a number: what a vacuum within a soft fingertip pulls with | N | none |
+//! | `suction` | a suction cup in place of the point: `{"radius": …, "pressure": …}` with m and Pa, or a `force`, N, in place of the pressure, and `points`, 12 if left out; see [`SuctionCup`](crate::grasp::SuctionCup). Or a number: the force of a vacuum within a soft fingertip | N | none |
 //! | `soft` | the patch of a soft fingertip in place of the point, see below | | a point |
-//! | `surface` | what it may move along where fingers are improved, the normal following: in the plane `segment`, `polyline`, `spline`, `closed_spline` (points), `circle` (`centre`, `radius`), `arc` (also `from_deg`, `over_deg`); in space `rectangle` (`corner`, `sides`), `cylinder` (`axis` from end to end, `radius`), `sphere` (`centre`, `radius`), `triangles` (corners of each) | m, degrees | it stays |
+//! | `surface` | the curve or surface along which the contact may move where fingers are improved, with its normal: in the plane `segment`, `polyline`, `spline`, `closed_spline` (points), `circle` (`centre`, `radius`), `arc` (also `from_deg`, `over_deg`); in space `rectangle` (`corner`, `sides`), `cylinder` (`axis` from end to end, `radius`), `sphere` (`centre`, `radius`), `triangles` (corners of each) | m, degrees | the contact stays |
 //!
 //! The patch shares stiffness and has friction, command, clearance and hold of the contact (see
 //! [`SoftFingertip`](crate::grasp::SoftFingertip)). In space `{"ring": {"radius": …, "points": …}}`,
@@ -70,30 +70,30 @@
 //!
 //! | field | value | unit | if left out |
 //! |---|---|---|---|
-//! | `name` | what contacts and answers call it | | an error |
+//! | `name` | the name for contacts and answers | | an error |
 //! | `comment` | a text | | none |
-//! | `mass`, `centre_of_mass` | what `gravity` pulls at | kg, m | 0, the origin |
-//! | `load` | a wrench that is always there | N, N m | none |
+//! | `mass`, `centre_of_mass` | the mass on which `gravity` acts, and its centre | kg, m | 0, the origin |
+//! | `load` | a constant wrench on the body | N, N m | none |
 //! | `outline` | corners in order; only drawn | m | none |
 //!
-//! A link (see [`Link`](crate::grasp::Link)) is one of these, with what it joins:
+//! A link (see [`Link`](crate::grasp::Link)) is one of these, with the bodies that it joins:
 //!
 //! | field | value | unit | if left out |
 //! |---|---|---|---|
-//! | `name`, `comment` | texts | | what it is, and its number |
+//! | `name`, `comment` | texts | | the kind of link and its number |
 //! | `hinge` | `{"point": …}`, in space with its `axis` and the `length` between its bearings | m | |
 //! | `ball` | in space `{"point": …}` | m | |
 //! | `slide` | `{"point": …, "direction": …, "length": …}` with the length between its bearings | m | |
 //! | `rigid` | `{"point": …, "size": …}` | m | |
 //! | `spring`, `cable` | `{"from": …, "to": …}` | m | |
 //! | `between` | names of two bodies; `from` is on the first, `to` on the second | | to the ground |
-//! | `on` | the body that it joins to the ground | | must be said of several bodies without `between` |
-//! | `stiffness` | along each direction that it holds | N/m | 1e9; of a spring an error |
-//! | `pretension` | what a spring or a cable pulls with before anything moves | N | 0 |
-//! | `tension` | in its place what it pulls with once it is installed, at rest without load, while all else gives way | N | not used |
-//! | `slack` | how much longer a cable is than its way | m | 0 |
+//! | `on` | the body that the link joins to the ground | | an error with several bodies and no `between` |
+//! | `stiffness` | stiffness along each direction that the link holds | N/m | 1e9; of a spring an error |
+//! | `pretension` | pull of a spring or a cable before anything moves | N | 0 |
+//! | `tension` | in its place the pull once the link is installed, at rest without load, while all else gives way | N | not used |
+//! | `slack` | the length of a cable beyond the distance of its ends | m | 0 |
 //!
-//! Lists with an entry for each contact have none for links.
+//! Lists with an entry for each contact have no entries for links.
 //!
 //! A finger (see [`FingerSetup`](crate::grasp::Finger) for signs):
 //!
@@ -106,9 +106,9 @@
 //! | `presses_with` | the `force` of its only contact | N | not used |
 //! | `contacts` | a list of contacts, at least one; stiffness may be left out where there is a `compliance` | | an error |
 //!
-//! Its contacts may say which joints move them: `"moved_by": {"link": 1}`, so many of the finger's joints counted from the palm, or
-//! `"moved_by": {"jacobian": [[…], …]}`, one row a coordinate axis and one column a joint. Else all joints of the finger move them. Contacts of
-//! fingers are counted on behind those of the list `contacts`. Every contact with a `force` has a slide, a joint behind all joints of fingers.
+//! Its contacts may name the joints that move them: `"moved_by": {"link": 1}`, the number of the finger's joints counted from the palm, or
+//! `"moved_by": {"jacobian": [[…], …]}`, one row a coordinate axis and one column a joint. Otherwise all joints of the finger move them. Contacts of
+//! fingers have the numbers behind those of the list `contacts`. Every contact with a `force` has a slide, a joint behind all joints of fingers.
 //!
 //! A joint is `"revolute"` – `{"point": [x, y]}` in the plane, `{"point": …, "axis": …}` in space –, `"prismatic"` (a direction), or neither,
 //! and then known by the Jacobians of its contacts alone. A tendon has `arms`, one for each joint of all fingers, m/rad or none:
@@ -116,21 +116,21 @@
 //! | field | value | unit | if left out |
 //! |---|---|---|---|
 //! | `name` | a text | | none |
-//! | `stiffness` | of its drive | N m/rad or N/m, of a tendon N/m | none: what is given alone acts |
-//! | `command`, of a tendon `pull` | where its drive is told to go | rad or m | 0 |
-//! | `torque`, of a tendon `tension` | what acts besides, whatever it does | N m or N | 0 |
+//! | `stiffness` | of its drive | N m/rad or N/m, of a tendon N/m | none: only `torque` or `tension` acts |
+//! | `command`, of a tendon `pull` | commanded position of its drive | rad or m | 0 |
+//! | `torque`, of a tendon `tension` | constant torque or force beside the drive | N m or N | 0 |
 //! | `limit` | `{"saturates": …}` or `{"slips": …}`, see [`Limit`](crate::grasp::Limit) | N m or N | none |
-//! | `pushes`, of a tendon alone | `true` for a rod or a differential, which pushes, too | | pulls only |
+//! | `pushes`, of a tendon alone | `true` for a rod or a differential, which also pushes | | pulls only |
 //!
 //! A wrench is `{"force": [0, -1], "moment": 0.2}` in the plane and `{"force": [0, 0, -1],
-//! "moment": [0, 0.1, 0]}` in space, N and N m about the origin; what is left out is zero. `"at":
+//! "moment": [0, 0.1, 0]}` in space, N and N m about the origin; a part that is left out is zero. `"at":
 //! [0.1, 0]` lets the force act there (m): its moment is added. A body that an arm carries is a load, too; see [`Payload`](crate::grasp::Payload):
 //!
 //! | field | value | unit | if left out |
 //! |---|---|---|---|
 //! | `mass` | its mass, centred `at` | kg | no body |
 //! | `gravity` | of all axes | m/s² | 9.81 down the last axis |
-//! | `accelerated` | acceleration of the arm; if it turns of the point that it turns about | m/s² | none |
+//! | `accelerated` | acceleration of the arm; of a turning arm, that of the point about which it turns | m/s² | none |
 //! | `turning` | `about` a point (m) with `velocity_deg` and `acceleration_deg` or `…_rad`: a number in the plane, in space three along the axis | degrees or rad a second, and a second squared | none |
 //! | `inertia` | about its centre: a number in the plane, in space three about axes along the coordinates | kg m² | an error where it counts |
 //!
@@ -138,18 +138,18 @@
 //!
 //! | field | with | asks for |
 //! |---|---|---|
-//! | `hold` | `base`, `load` (wrenches), `together_with` | what becomes of the load as it is put on from rest |
-//! | `need` | `quantity`, loads, `together_with` | the amount that it takes, see [`NeedAsked`] |
-//! | `improve` | `base`, loads, `at_most`; a `surface` of contacts | where fingers should be, and how hard they should press, see [`ImproveAsked`] |
+//! | `hold` | `base`, `load` (wrenches), `together_with` | whether the grasp holds the load as it grows from zero, and its first slip and loss |
+//! | `need` | `quantity`, loads, `together_with` | the amount that the grasp needs, see [`NeedAsked`] |
+//! | `improve` | `base`, loads, `at_most`; a `surface` of contacts | better places of the fingers, and their clamping forces, see [`ImproveAsked`] |
 //! | `solve` | `load` (a wrench), `together_with` | the equilibrium under it |
 //! | `onset` | `base`, `direction` (wrenches), `command_change`, `joint_change`, `together_with` | the onset of sliding under `base + τ direction`, commands changing by τ times their change |
 //! | `onset_of_turn` | a turn | the onset of sliding while the load turns |
 //! | `follow` | `start` (a wrench), `legs` | the load path of a program |
-//! | `shake` | `base` (a wrench), `loads` or `legs` | what becomes of loads that are put on and taken off again and again, or of a cycle of legs, see [`ShakeAsked`] |
-//! | `identify` | `unknowns`, `slips` (with a `group` where they share errors), `layouts`, `known` | friction, loads of supports, squeeze or stiffness from slips that were seen, see [`IdentifyAsked`] |
-//! | `shakedown` | `base` (a wrench), `loads` | up to how many times such loads, in whichever order they come, it could come to rest |
+//! | `shake` | `base` (a wrench), `loads` or `legs` | whether the grasp survives loads that are repeatedly put on and taken off, or a repeated cycle of legs, see [`ShakeAsked`] |
+//! | `identify` | `unknowns`, `slips` (with a `group` where they share errors), `layouts`, `known` | friction, loads of supports, squeeze or stiffness from observed slips, see [`IdentifyAsked`] |
+//! | `shakedown` | `base` (a wrench), `loads` | the multiple of the loads up to which the grasp could come to rest, in any order of them |
 //!
-//! Of several bodies `together_with` has loads by name, `{"upper": {"force": [-5, 0]}}`, which grow as the load does; a `base` is then none.
+//! With several bodies `together_with` has loads by name, `{"upper": {"force": [-5, 0]}}`, which grow with the load; then without a `base`.
 //!
 //! Wrenches that are left out are zero. `command_change` and all other commands are one row for
 //! each contact of the scene (m, in its contact frame); all points of a soft fingertip follow it. A
@@ -163,12 +163,12 @@
 //! | field | value | unit | if left out |
 //! |---|---|---|---|
 //! | `weight` or `force` | a row of components | N | a turn of three wrenches |
-//! | `at` | where it acts | m | at the origin |
-//! | `axis` | in space about which it turns, of any length but zero | | an error; in the plane there is none |
-//! | `beside` | a wrench that stays | N, N m | none |
+//! | `at` | the point where the load acts | m | the origin |
+//! | `axis` | the axis of the turn in space, of any length but zero | | an error; in the plane there is none |
+//! | `beside` | a constant wrench | N, N m | none |
 //! | `constant`, `cosine`, `sine` | wrenches, in place of all these: `constant + cosine cos θ + sine sin θ` | N, N m | zero; one of the last two is needed |
 //! | none of these | the scene's own `gravity` turns, with the weights of all its bodies: of `onset_of_turn` and `need` | | |
-//! | `angle_deg` or `angle_rad` | how far it turns, more than 0 and at most 1e6 rad | degrees or rad | a full turn |
+//! | `angle_deg` or `angle_rad` | the angle of the turn, more than 0 and at most 1e6 rad | degrees or rad | a full turn |
 //! | `reversed` | `true` for the other way round | | `false` |
 //!
 //! The settings (see [`Settings`](crate::Settings)):
@@ -290,7 +290,7 @@
 //! | `hold` | the sentence `says`, and as `holding` one of `sticks`, `slides`, `loose`, `lost`, `no_rest`, `undecided` | [`HoldAnswer`] |
 //! | `need` | the sentence `says`, and as `amount` one of `bound`, `any`, `none`, `undecided` | [`NeedAnswer`] |
 //! | `improve` | the sentence `says`, and as `search` one of `optimum`, `stalled`, `out_of_steps`, `unbalanced`, `nothing_slides`, `no_start` | [`ImproveAnswer`] |
-//! | `solve` | `equilibrium`, `no_equilibrium`, `undecided` ; where that does not tell whether it is held, `from_rest` what `hold` says | [`SolveAnswer`] |
+//! | `solve` | `equilibrium`, `no_equilibrium`, `undecided` ; if that does not decide whether the load is held, `from_rest` has the answer of `hold` | [`SolveAnswer`] |
 //! | `onset` | `at`, `never`, `already_sliding`, `no_base`, `gives_way`, `undecided` | [`OnsetAnswer`] |
 //! | `onset_of_turn` | the same, with `angle_rad` for the factor, and the edges that are touched | [`TurnAnswer`] |
 //! | `follow` | `completed`, `lost`, `no_start`, `undecided` | [`PathAnswer`] |
@@ -298,9 +298,10 @@
 //! | `identify` | the sentence `says`, and as `ending` one of `converged`, `not_converged`, `not_predicted` | [`IdentifyAnswer`] |
 //! | `shakedown` | the sentence `says`, `rests` where the order does not decide, and `factor`, `slips`, `binding` where anything is known | [`ShakedownAnswer`] |
 //!
-//! The names in the text are those of the fields and variants of these types, in lower case with
-//! underscores. They consist of the answers of a grasp as those are declared, with what is computed on request beside them. Contacts are named by their place in the scene and, for a soft fingertip, the point
-//! of its patch; joints and tendons by their number and name. Motions have the displacements of joints in `joints`. A number that is not finite is written in words: `"infinite"`, `"-infinite"`,
+//! The names in the text are those of the fields and variants of these types, in lower case with underscores. They consist of the answers of a grasp,
+//! with the results that a grasp computes on request. Contacts are named by their place in the scene and, for a soft fingertip, the point of its
+//! patch; joints and tendons by their number and name. Motions have the displacements of joints in `joints`. A number that is not finite is written
+//! in words: `"infinite"`, `"-infinite"`,
 //! `"not a number"`. Fields may be added to answers without a new version.
 //!
 //! Numbers come back to the bit if the format keeps them; `serde_json` does so with its feature
@@ -309,8 +310,8 @@
 //! # Errors
 //!
 //! A scene that can be read has numbers in range and lists of matching length. Messages name the
-//! contact's data, the value and what is allowed. `Scene::from_json` (feature `json`) adds line and column and the
-//! path of the field, `planar.contacts[1].friction`. What can be asked but is seldom meant is a [`Warning`].
+//! contact's data, the value and the allowed values. `Scene::from_json` (feature `json`) adds line and column and the
+//! path of the field, `planar.contacts[1].friction`. A probable mistake that can still be answered gives a [`Warning`].
 
 #[cfg(feature = "schema")]
 #[macro_use]

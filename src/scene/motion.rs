@@ -5,17 +5,17 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use crate::grasp::{BodyMotion, Motion, Twist};
 use crate::serial::AsComputed;
 
-/// As it is written.
+/// A motion in its written form.
 #[derive(Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct WrittenMotion<const C: usize> {
-    /// Of the object: translation of the origin (m) and rotation (rad).
+    /// The motion of the object: translation of the origin (m) and rotation (rad).
     #[serde(flatten)]
     object: Twist<C>,
-    /// Of the joints of a hand, finger by finger, rad or m; left out without a hand.
+    /// The displacements of a hand's joints, finger by finger, rad or m; left out without a hand.
     #[serde(default, with = "AsComputed::<Vec<f64>>", skip_serializing_if = "Vec::is_empty")]
     joints: Vec<f64>,
-    /// Of several bodies, each; left out where there is one.
+    /// The motion of each of several bodies; left out if there is one object.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     bodies: Vec<BodyMotion<C>>,
 }

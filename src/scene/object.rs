@@ -1,4 +1,4 @@
-//! Objects that are checked as a whole once they are read.
+//! Objects that are checked as a whole after they are read.
 
 use std::fmt;
 use std::marker::PhantomData;
@@ -6,9 +6,8 @@ use std::marker::PhantomData;
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
 
-/// Reads an object as `W` and makes a `T` of it. What is wrong is said before the object is left: a
-/// format that knows lines and columns adds those of its end. Said later, they would be those of
-/// whatever comes next.
+/// Reads an object as `W` and makes a `T` of it. A fault is reported before the object is left, so that a format with lines and columns adds
+/// those of the object's end. Reported later, it would get those of the text behind the object.
 pub(super) fn read<'de, W, T, D>(
     deserializer: D,
     what: &'static str,
@@ -35,7 +34,7 @@ where
     type Value = T;
 
     fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        // A name says no more of what is written there than an example does.
+        // An example already shows that an object is expected; a name alone does not.
         let brackets = if self.what.contains('{') { "" } else { ", an object in { }" };
         write!(f, "{}{brackets}", self.what)
     }

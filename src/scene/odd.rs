@@ -1,4 +1,4 @@
-//! Numbers of a scene that are hardly meant: friction in percent, lengths in mm, normals the wrong way round, contacts that stand there twice.
+//! Suspicious numbers in a scene: friction in percent, lengths in mm, normals that point outwards, and contacts that are given twice.
 
 use nalgebra::SVector;
 
@@ -11,16 +11,16 @@ use crate::error::Error;
 use crate::grasp::{Hold, Wrench};
 use crate::statics::Closure;
 
-/// Coefficients of friction above this are hardly found: soft rubber on dry concrete has about 1.2, tyres of racing cars have less than 2.
+/// Friction coefficient above which a scene gets a warning: soft rubber on dry concrete has about 1.2, tyres of racing cars have less than 2.
 const MUCH_FRICTION: f64 = 2.0;
 
-/// What is gripped is hardly larger, m.
+/// Size of a grasp, m, above which a scene gets a warning: gripped objects are hardly larger.
 const MANY_METRES: f64 = 10.0;
 
-/// A patch that is so many times as wide as contacts are apart is in another unit.
+/// Width of a patch, relative to the spread of the contacts, above which its unit is doubtful.
 const WIDE: f64 = 10.0;
 
-/// A load that acts so many times as far away as contacts are apart is in another unit, if that is more than a metre.
+/// Distance of a load, relative to the spread of the contacts, above which its unit is doubtful, if the distance is more than a metre.
 const FAR: f64 = 100.0;
 
 /// A load of so many times what all contacts press with is in another unit: friction does not carry it by far.
@@ -86,7 +86,7 @@ impl<const C: usize> Setup<C> {
         Ok(warnings)
     }
 
-    /// The outline of what a contact's normal points into.
+    /// The outline of the body that a contact's normal points into.
     fn outline_around(&self, entry: &Fingertip<C>) -> &[SVector<f64, C>] {
         let Some(on) = &entry.contact.on else { return &self.outline };
         self.bodies.iter().find(|body| body.name == *on).map_or(&[], |body| &body.outline)
@@ -154,7 +154,7 @@ impl<const C: usize> Setup<C> {
         self.links.is_empty() && self.bodies.is_empty() && entries.iter().all(is_bare)
     }
 
-    /// Contacts that are told to press, if all normals point the same way so that these cannot.
+    /// A warning about contacts that are to press if all normals point the same way, so that they cannot.
     pub(super) fn same_side(&self) -> Option<Warning> {
         let entries: Vec<_> = self.entries().collect();
         if entries.len() < 2 || !self.links.is_empty() || !self.bodies.is_empty() {
@@ -183,7 +183,7 @@ pub(super) fn put_on<const C: usize>(question: &Question<C>) -> Vec<Wrench<C>> {
     }
 }
 
-/// How far apart the farthest of these points are, to a factor of two.
+/// The largest distance from the first point; the largest of all distances is at most twice as large.
 fn spread<const C: usize>(points: &[SVector<f64, C>]) -> f64 {
     points.iter().map(|point| (point - points[0]).norm()).fold(0.0, f64::max)
 }
@@ -196,10 +196,10 @@ fn is_in_place_of<const C: usize>(one: &Fingertip<C>, other: &Fingertip<C>, size
     (&a.on, &a.against) == (&b.on, &b.against) && near && parallel
 }
 
-/// A step from a contact into the object or out of it, in parts of the size of its outline.
+/// The step from a contact into the object or out of it, relative to the size of the outline.
 const STEP: f64 = 1e-3;
 
-/// Whether a step along the normal leads out of the outline and one against it leads in. In space the outline is no surface, and nothing is said.
+/// Whether a step along the normal leads out of the outline and a step against it leads in. Always false in space, where an outline is no surface.
 fn points_out<const C: usize>(
     outline: &[SVector<f64, C>],
     point: &SVector<f64, C>,

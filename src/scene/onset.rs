@@ -1,4 +1,4 @@
-//! Answers to "at which load does the first contact stop sticking?", and at which angle of a load that turns.
+//! Answers about first slip, at a load factor or at an angle of a turning load.
 
 use serde::{Deserialize, Serialize};
 
@@ -12,36 +12,36 @@ use crate::load_path::{
 };
 use crate::serial::AsComputed;
 
-/// When the first contact stops sticking, at a [`Factor`] or an [`Angle`]; see [`path::Onset`].
+/// First slip, at a [`Factor`] or an [`Angle`]; see [`path::Onset`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(tag = "outcome", rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum OnsetAnswer<const C: usize, At = Factor> {
-    /// There.
+    /// The first contact stops sticking at this place.
     At(Box<OnsetAt<C, At>>),
-    /// However far the load goes along this direction, everything keeps sticking; of a turn, up to its last angle.
+    /// All contacts keep sticking however large the load, or up to the last angle of a turn.
     Never,
-    /// Where the load begins something slides already.
+    /// A contact slides already where the load begins.
     AlreadySliding {
-        /// The equilibrium there.
+        /// The equilibrium where the load begins.
         state: Box<Equilibrium<C>>,
     },
     /// No equilibrium exists where the load begins.
     NoBase(NoEquilibrium<C>),
     /// No contact stops sticking, but from here on nothing resists the load's direction.
     GivesWay {
-        /// Up to where the grasp holds.
+        /// The place up to which the grasp holds.
         #[serde(flatten)]
         at: At,
-        /// Why it does not hold beyond.
+        /// The reason why the grasp does not hold beyond.
         reason: NoEquilibrium<C>,
     },
-    /// Nothing can be said about the equilibrium where the load begins.
+    /// The equilibrium where the load begins is undecided.
     Undecided(Undecided),
 }
 
-/// Where an onset is while a load grows.
+/// The place of an onset under a growing load.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Factor {
@@ -50,11 +50,11 @@ pub struct Factor {
     pub factor: f64,
 }
 
-/// Where an onset is while a load turns.
+/// The place of an onset under a turning load.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Angle {
-    /// How far the load has turned, rad.
+    /// The angle by which the load has turned, rad.
     #[serde(rename = "angle_rad", with = "AsComputed::<f64>")]
     pub angle: f64,
 }
@@ -64,24 +64,24 @@ pub struct Angle {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct OnsetAt<const C: usize, At = Factor> {
-    /// Where.
+    /// The place of first slip.
     #[serde(flatten)]
     pub at: At,
-    /// The load there.
+    /// The load at first slip.
     pub load: Wrench<C>,
-    /// Which contacts leave, all at once.
+    /// The contacts that leave, all at once.
     pub leaving: Vec<Leaving<C>>,
-    /// Which joints and tendons give way there.
+    /// The joints and tendons that give way.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub drives: Vec<PartChange>,
-    /// What comes next; rates are for one unit of the factor, or one radian.
+    /// The behaviour beyond; rates are per unit of the factor, or per radian.
     pub beyond: Beyond<C>,
-    /// The equilibrium there.
+    /// The equilibrium at first slip.
     pub state: Equilibrium<C>,
 }
 
 impl<const C: usize, At> OnsetAt<C, At> {
-    /// Who stops sticking, points of one soft fingertip together.
+    /// The contacts that stop sticking; points of one soft fingertip count together.
     #[must_use]
     pub fn whole_changes(&self) -> Vec<WholeChange<C>> {
         let change = |leaving: &Leaving<C>| {
@@ -103,7 +103,7 @@ impl<const C: usize, At> OnsetAt<C, At> {
     }
 }
 
-/// The onset of sliding while a load turns, and what comes near to one; see [`path::TurnOnset`].
+/// First slip under a turning load, with the edges that are touched before it; see [`path::TurnOnset`].
 ///
 /// A tray of 4 N between two palms that press with 10 N each, tilted from x to y until it slides:
 ///
@@ -130,10 +130,10 @@ impl<const C: usize, At> OnsetAt<C, At> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct TurnAnswer<const C: usize> {
-    /// When the first contact stops sticking.
+    /// The first slip.
     #[serde(flatten)]
     pub onset: OnsetAnswer<C, Angle>,
-    /// Where contacts and drives come as near to their edge as rounding without crossing it, up to the onset.
+    /// Contacts and drives that touch their edge up to rounding without crossing it, before the onset.
     pub touches: Vec<Touch>,
 }
 
@@ -147,7 +147,7 @@ impl SceneNames {
         let undecided = |doubt| OnsetAnswer::Undecided(Undecided { doubt, work: WorkDone::default() });
         match onset {
             path::Onset::At(event) => {
-                // Both are there: the event is one of this grasp.
+                // Both exist, since the event belongs to this grasp.
                 let (Some(beyond), Some(state)) = (grasp.beyond(event), grasp.state_at_onset(event)) else {
                     return undecided(Doubt::Inaccurate);
                 };

@@ -1,4 +1,4 @@
-//! The weight that bodies have by their masses and the scene's gravity: questions may tilt it, and no load counts it twice.
+//! The weight of bodies with masses under the scene's gravity: questions may tilt it, and no load counts it twice.
 
 use std::borrow::Cow;
 
@@ -13,7 +13,7 @@ use crate::grasp::Wrench;
 use crate::load_path::Turn;
 
 impl<const C: usize> Setup<C> {
-    /// The mass of all bodies together, kg, and its centre, m, where the scene's gravity pulls at them.
+    /// The total mass of all bodies, kg, and their centre of mass, m; `None` without a mass or without gravity.
     ///
     /// ```
     /// use grasp_lcp::scene::Scene;
@@ -42,7 +42,7 @@ impl<const C: usize> Setup<C> {
         (mass > 0.0).then(|| (mass, (moment / mass).into()))
     }
 
-    /// The body of a load that has a mass of its own: the one that is named, else the one that loads act on, or any where all share them.
+    /// The body with a mass on which a load acts: the named body, else the loaded one, or any body if all share loads.
     #[must_use]
     pub fn weighty_body(&self, named: Option<&str>) -> Option<&str> {
         self.own_mass()?;
@@ -55,16 +55,16 @@ impl<const C: usize> Setup<C> {
         body.filter(|body| body.mass > 0.0).map(|body| &*body.name)
     }
 
-    /// This setup where gravity is left to the loads of questions, which act on every body with the share of its mass.
+    /// This setup without gravity, for loads that contain it: loads act on every body with the share of its mass.
     #[must_use]
     pub fn with_gravity_as_load(&self) -> Self {
         Self { gravity: None, loaded: None, shared_by_mass: true, ..self.clone() }
     }
 
-    /// The question with the weight of the bodies in it, where their gravity turns; the grasp of it is that of [`Self::grasp_of`].
+    /// The question with the weight of the bodies in it, if their gravity turns; its grasp is that of [`Self::grasp_of`].
     ///
     /// # Errors
-    /// [`Error::Question`] where the bodies have no weight, and where another load acts beside it.
+    /// [`Error::Question`] if gravity should turn but the bodies have no weight, or if a base load acts beside it.
     pub fn meant<'q>(&self, question: &'q Question<C>) -> Result<Cow<'q, Question<C>>, Error> {
         Ok(match question {
             Question::OnsetOfTurn(turn) => match self.own_turn(turn)? {
@@ -86,7 +86,7 @@ impl<const C: usize> Setup<C> {
         })
     }
 
-    /// The weight of all bodies while they are tilted, if that is what turns.
+    /// The weight of all bodies while they are tilted, if the turn has no load of its own.
     fn own_turn(&self, turn: &Turn<C>) -> Result<Option<Turn<C>>, Error> {
         let Some(axis) = turn.tilts_bodies_about else { return Ok(None) };
         let (Some(gravity), Some((mass, centre))) = (self.gravity, self.own_mass()) else {
@@ -101,7 +101,7 @@ impl<const C: usize> Setup<C> {
         Ok(Some(Turn::new(constant, cosine, sine).up_to(turn.angle())))
     }
 
-    /// The grasp of a question in which gravity turns.
+    /// The grasp of a question in which gravity turns: without gravity, which is its load.
     pub(super) fn tilted_grasp(&self, question: &Question<C>) -> Result<Option<Grasp<C>>, Error> {
         let turn = match question {
             Question::OnsetOfTurn(turn) => Some(turn),

@@ -1,12 +1,12 @@
-//! Soft fingertips as they are written: which patch, how large, how fine.
+//! Soft fingertips in the file: kind, size and resolution of their patch.
 
 use serde::{Deserialize, Serialize};
 
 use crate::error::Error;
 use crate::grasp::{Pressure, SoftFingertip};
 
-/// The patch of a [`SoftFingertip`]: rings, discs and rectangles in space, pairs and pads in the plane.
-/// `{"disc": {"radius": 0.006, …}}`. Which numbers are allowed say the functions named.
+/// The patch of a [`SoftFingertip`]: rings, discs and rectangles in space, pairs and pads in the plane. It is written as
+/// `{"disc": {"radius": 0.006, …}}`. The functions named below state the allowed numbers.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
@@ -16,18 +16,18 @@ pub enum Tip {
     Ring {
         /// Radius of the ring, m.
         radius: f64,
-        /// Points on it.
+        /// Number of points on the ring.
         points: usize,
     },
     /// [`SoftFingertip::disc`].
     Disc {
         /// Radius of the disc, m.
         radius: f64,
-        /// Annuli of equal width, two rings of points each.
+        /// Number of annuli of equal width, two rings of points each.
         annuli: usize,
-        /// Points on a ring.
+        /// Number of points on each ring.
         points: usize,
-        /// Its profile; uniform unless said otherwise.
+        /// The pressure profile; uniform if left out.
         #[serde(default)]
         pressure: Pressure,
     },
@@ -35,22 +35,22 @@ pub enum Tip {
     Rectangle {
         /// Sides along the first and the second tangent, m.
         sides: [f64; 2],
-        /// Strips in half of each side, two points each; one of each unless said otherwise.
+        /// Number of strips in half of each side, two points each; one for each side if left out.
         #[serde(default = "one_each")]
         strips: [usize; 2],
     },
     /// [`SoftFingertip::pair`].
     Pair {
-        /// Width of the pad at whose edges the two points are, m.
+        /// Width of the pad, m; its two points are at the edges.
         width: f64,
     },
     /// [`SoftFingertip::pad`].
     Pad {
         /// Width of the pad from edge to edge, m.
         width: f64,
-        /// Strips of equal width on either side of the middle, two points each.
+        /// Number of strips of equal width on either side of the middle, two points each.
         strips: usize,
-        /// Its profile; uniform unless said otherwise.
+        /// The pressure profile; uniform if left out.
         #[serde(default)]
         pressure: Pressure,
     },
@@ -61,11 +61,10 @@ const fn one_each() -> [usize; 2] {
 }
 
 impl Tip {
-    /// The patch.
+    /// The patch for the grasp.
     ///
     /// # Errors
-    /// [`Error::Fingertip`] if a number is out of range, or if the patch is not one for this many
-    /// axes.
+    /// [`Error::Fingertip`] for a number out of range, and for a patch of the plane in space or the reverse.
     pub(super) fn spread<const C: usize>(&self) -> Result<SoftFingertip<C>, Error> {
         let patch = match *self {
             Self::Ring { radius, points } => SoftFingertip::ring(radius, points)?.of_axes(),

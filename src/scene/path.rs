@@ -1,4 +1,4 @@
-//! Answers to "what happens along this load program?"
+//! Answers about the events of a load program.
 
 use serde::{Deserialize, Serialize};
 
@@ -12,15 +12,15 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct PathAnswer<const C: usize> {
-    /// How it ended.
+    /// The end of the path.
     #[serde(flatten)]
     pub end: PathOutcome<C>,
-    /// What happened on the way, in order.
+    /// The events on the path, in order.
     pub events: Vec<Event<C>>,
-    /// Where its motions cease to be small, if they do: what it tells beyond is for the undeformed geometry, and says little.
+    /// The place where motions cease to be small, if they do. The answer beyond it belongs to the undeformed geometry, and says little.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub small_motions_end: Option<EndOfSmallMotions>,
-    /// Of every leg that was entered, up to where the path was followed.
+    /// Energies of every leg that was entered, up to the end of the path.
     pub energies: Vec<BalancedEnergy>,
     /// Sum of the estimated errors of the steps along sliding arcs, each relative as in
     /// [`Settings::step_error`](crate::Settings::step_error); 0 where every piece is straight.
@@ -28,7 +28,7 @@ pub struct PathAnswer<const C: usize> {
     pub step_error: f64,
 }
 
-/// How a load path ends, with what is found there; see [`PathEnd`].
+/// The end of a load path, with the state there; see [`PathEnd`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[allow(clippy::large_enum_variant)] // one is made for a question
@@ -37,49 +37,47 @@ pub struct PathAnswer<const C: usize> {
 pub enum PathOutcome<const C: usize> {
     /// All legs were followed to their end.
     Completed {
-        /// The equilibrium there; left out where rounding does not allow it to be written down, and
-        /// where there was no way to go.
+        /// The equilibrium at the end. It is left out if rounding forbids it, or if no leg was given.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         state: Option<Box<Equilibrium<C>>>,
     },
-    /// This equilibrium ends.
+    /// The path loses its equilibrium.
     Lost {
-        /// Where and how.
+        /// The place and the kind of the loss.
         #[serde(flatten)]
         loss: Loss<C>,
-        /// Whether another exists just beyond.
+        /// Whether another equilibrium exists just beyond.
         beyond: Beyond<C>,
-        /// The equilibrium there; left out where rounding does not allow it to be written down.
+        /// The equilibrium at the loss; left out if rounding forbids it.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         state: Option<Box<Equilibrium<C>>>,
     },
-    /// There is no equilibrium to start from.
+    /// The start of the path has no equilibrium.
     NoStart {
-        /// What there is.
+        /// The outcome without an equilibrium.
         start: Box<Outcome<C>>,
     },
-    /// The path could not be followed further; it holds up to there.
+    /// The path could not be followed further; it holds up to the given place.
     Undecided {
         /// The leg, from 0.
         leg: usize,
-        /// How much of the leg has been gone.
+        /// Fraction of the leg that was followed.
         #[serde(with = "AsComputed::<f64>")]
         fraction: f64,
-        /// Why.
+        /// The reason of the doubt.
         doubt: Doubt,
     },
 }
 
-/// Energies of one leg, and how well they balance.
+/// The energies of one leg, and the error of their balance.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct BalancedEnergy {
-    /// The energies, J; their turnover is not told.
+    /// The energies, J, without their turnover.
     #[serde(flatten)]
     pub energy: LegEnergy,
-    /// What does not balance, over the sum of the sizes of all contributions: zero in exact
-    /// arithmetic.
+    /// The error of the energy balance over the sum of the sizes of all contributions; zero in exact arithmetic.
     #[serde(with = "AsComputed::<f64>")]
     pub residual: f64,
 }

@@ -1,4 +1,4 @@
-//! What a reader of JSON says of a text, in the words of somebody who writes a scene.
+//! Messages of the JSON reader in words for the author of a scene.
 
 /// A message of serde or of its JSON. `here` is the byte at the place of the fault, if it is known.
 pub(super) fn in_plain_words(message: &str, here: Option<u8>) -> String {
@@ -58,7 +58,7 @@ pub(super) fn in_plain_words(message: &str, here: Option<u8>) -> String {
     .to_owned()
 }
 
-/// What stands in the text.
+/// A found value, in plain words.
 fn given(what: &str) -> &str {
     match what {
         "map" => "an object",
@@ -73,7 +73,7 @@ fn given(what: &str) -> &str {
     }
 }
 
-/// What should stand there.
+/// An expected value, in plain words.
 fn wanted(what: &str) -> &str {
     match what {
         "a sequence" => "a list, in [ ]",
@@ -89,14 +89,14 @@ fn wanted(what: &str) -> &str {
     }
 }
 
-/// The one of the allowed names, which stand in backquotes, that differs from the given one by a slip of the pen or two.
+/// The allowed name, of those in backquotes, that is nearest to the given one, if it is within one or two typing errors.
 fn alike<'a>(name: &str, allowed: &'a str) -> Option<&'a str> {
     let names = allowed.split('`').skip(1).step_by(2);
     let near = names.map(|known| (slips(name, known), known)).min()?;
     (near.0 <= 1 + name.len() / 5).then_some(near.1)
 }
 
-/// So many letters have to be put in, left out or changed.
+/// The edit distance of two names: letters inserted, left out or changed.
 fn slips(a: &str, b: &str) -> usize {
     let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
     let mut row: Vec<usize> = (0..=b.len()).collect();

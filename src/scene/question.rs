@@ -1,4 +1,4 @@
-//! What is asked of a scene: an equilibrium, an onset of sliding along a ramp or while the load turns, a load path.
+//! Questions about a scene: equilibrium, first slip under a growing or turning load, load path, and others.
 
 use std::collections::BTreeMap;
 
@@ -23,27 +23,27 @@ use crate::words::printable;
 #[serde(remote = "Self", rename_all = "snake_case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum Question<const C: usize> {
-    /// Does it hold, and what happens as the load is put on? See [`Grasp::hold`](crate::ask::Grasp::hold).
+    /// Does the grasp hold the load, and what happens as the load is put on? See [`Grasp::hold`](crate::ask::Grasp::hold).
     Hold {
-        /// The load at rest; none unless said otherwise.
+        /// The load that acts before and stays; zero if left out.
         #[serde(default = "no_load::<C>")]
         base: Wrench<C>,
-        /// What is put on beside it.
+        /// The load that grows from zero beside it.
         load: Wrench<C>,
-        /// Of several bodies those that have loads which grow with it; then without a base.
+        /// With several bodies: loads on other bodies, by name, that grow with the load; then without a base.
         #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
         together_with: BTreeMap<String, Wrench<C>>,
     },
-    /// How much does it need? See [`Grasp::need`](crate::ask::Grasp::need).
+    /// How much of a quantity does the grasp need? See [`Grasp::need`](crate::ask::Grasp::need).
     Need(Box<NeedAsked<C>>),
     /// Where should the fingers be? See [`Improve`](crate::improve::Improve).
     Improve(Box<ImproveAsked<C>>),
     /// The equilibrium under a load; see [`Grasp::solve`](crate::ask::Grasp::solve).
     Solve {
-        /// The load; none unless said otherwise.
+        /// The load; zero if left out.
         #[serde(default = "no_load::<C>")]
         load: Wrench<C>,
-        /// Of several bodies those that have loads beside it.
+        /// With several bodies: loads on other bodies, by name.
         #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
         together_with: BTreeMap<String, Wrench<C>>,
     },
@@ -53,24 +53,24 @@ pub enum Question<const C: usize> {
     OnsetOfTurn(Turn<C>),
     /// The load path of a program; see [`Grasp::follow`](crate::ask::Grasp::follow).
     Follow {
-        /// The load at the start; none unless said otherwise.
+        /// The load at the start; zero if left out.
         #[serde(default = "no_load::<C>")]
         start: Wrench<C>,
-        /// The program.
+        /// The legs of the load program.
         legs: Vec<LegAsked<C>>,
     },
-    /// Does it survive a load that repeats? See [`Grasp::shake`](crate::ask::Grasp::shake).
+    /// Does the grasp survive a repeated load? See [`Grasp::shake`](crate::ask::Grasp::shake).
     Shake(Box<ShakeAsked<C>>),
-    /// Does it survive loads that repeat in any order? See [`Statics::shakedown`](crate::ask::Statics::shakedown).
+    /// Does the grasp survive loads that repeat in any order? See [`Statics::shakedown`](crate::ask::Statics::shakedown).
     Shakedown(Box<ShakedownAsked<C>>),
-    /// What do slips that were seen tell? See [`Identify`](crate::identify::Identify).
+    /// Which friction, loads of supports, squeeze or stiffness follow from observed slips? See [`Identify`](crate::identify::Identify).
     Identify(Box<IdentifyAsked<C>>),
 }
 
 /// Told to whoever writes no object, such as `"onset"` alone.
 const AN_OBJECT: &str = "a question with what it needs, such as {\"hold\": {\"load\": {\"force\": [0, -1]}}}, with three numbers in space";
 
-/// A question that is read as an object: a bare name is refused with [`AN_OBJECT`].
+/// A question that is read from an object; a name alone is refused with [`AN_OBJECT`].
 struct Named<const C: usize>(Question<C>);
 
 impl<'de, const C: usize> Deserialize<'de> for Named<C> {
@@ -91,25 +91,24 @@ impl<const C: usize> Serialize for Question<C> {
     }
 }
 
-/// At factor τ the load is `base + τ direction`, and the commands are those of the contacts plus τ
-/// times their change; see [`Ramp`](crate::load_path::Ramp).
+/// A ramp: the load is `base + τ direction` at the factor τ, and commands change by τ times their change; see [`Ramp`](crate::load_path::Ramp).
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct RampAsked<const C: usize> {
-    /// The load at factor 0; none unless said otherwise.
+    /// The load at factor 0; zero if left out.
     #[serde(default = "no_load::<C>")]
     pub base: Wrench<C>,
-    /// What one unit of the factor adds to it; nothing unless said otherwise.
+    /// The change of the load per unit of the factor; zero if left out.
     #[serde(default = "no_load::<C>")]
     pub direction: Wrench<C>,
-    /// What one unit of the factor adds to the finger commands, if to them at all.
+    /// The change of the finger commands per unit of the factor, one row for each contact, m; zero if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub command_change: Option<Commands<C>>,
-    /// What one unit of the factor adds to the commands of a hand, if to them at all: one for each joint and then each tendon.
+    /// The change of a hand's commands per unit of the factor, one for each joint and then each tendon, rad or m; zero if left out.
     #[serde(default, with = "AsGiven::<Option<Vec<f64>>>", skip_serializing_if = "Option::is_none")]
     pub joint_change: Option<Vec<f64>>,
-    /// Of several bodies those that have loads which grow with the direction; then without a base.
+    /// With several bodies: loads on other bodies, by name, that grow with the direction; then without a base.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub together_with: BTreeMap<String, Wrench<C>>,
 }
@@ -123,7 +122,7 @@ impl<const C: usize> Question<C> {
 }
 
 impl<const C: usize> RampAsked<C> {
-    /// From no load along a direction, all commands as they are.
+    /// The ramp from zero load along a direction, with constant commands.
     #[must_use]
     pub fn along(direction: Wrench<C>) -> Self {
         Self {
@@ -140,9 +139,8 @@ pub(super) fn no_load<const C: usize>() -> Wrench<C> {
     Wrench::ZERO
 }
 
-/// Finger commands or changes of them: one for each contact of the scene in its contact frame,
-/// normal part first, m. The points of a soft fingertip have that of their contact. Another number
-/// of them is an error where the question is read or answered.
+/// Finger commands, or changes of commands, m: one row for each contact of the scene in its contact frame, normal component first. All points of a
+/// soft fingertip have the row of their contact. Any other number of rows is an error when the question is read or answered.
 ///
 /// ```
 /// use grasp_lcp::scene::Commands;
@@ -163,21 +161,21 @@ impl<U: Into<[f64; C]>, const C: usize> FromIterator<U> for Commands<C> {
     }
 }
 
-/// Where load or commands go along a leg, in a straight line.
+/// The target of a load or of commands along a leg, reached in a straight line.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Goal<T> {
-    /// By this much from where they are when the leg begins.
+    /// A change from the value at the beginning of the leg.
     By(T),
-    /// To this, wherever they are.
+    /// The value at the end of the leg.
     To(T),
 }
 
-/// What becomes of the load along a leg.
+/// The change of the load along a leg.
 #[derive(Debug, Clone, PartialEq)]
 pub enum LoadGoal<const C: usize> {
-    /// It goes straight to where it is told.
+    /// The load changes in a straight line.
     Straight(Goal<Wrench<C>>),
-    /// It changes as this one does, see [`crate::load_path::Leg::turn`].
+    /// The load changes as that of the turn does, see [`crate::load_path::Leg::turn`].
     Turn(Turn<C>),
 }
 
@@ -201,18 +199,18 @@ pub enum LoadGoal<const C: usize> {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct LegAsked<const C: usize> {
-    /// What becomes of the load.
+    /// The change of the load; `None` if it is constant.
     pub load: Option<LoadGoal<C>>,
-    /// What becomes of the finger commands.
+    /// The change of the finger commands; `None` if they are constant.
     pub commands: Option<Goal<Commands<C>>>,
-    /// What becomes of the commands of a hand: one for each joint and then each tendon, rad or m.
+    /// The change of a hand's commands, one for each joint and then each tendon, rad or m; `None` if they are constant.
     pub joints: Option<Goal<Vec<f64>>>,
     /// Of several bodies those whose own loads change, by name.
     pub body_loads: BTreeMap<String, Goal<Wrench<C>>>,
 }
 
 impl<const C: usize> LegAsked<C> {
-    /// A leg of load, of commands, or of both at once; of neither, nothing happens along it.
+    /// A leg with a change of the load, of the commands, or of both.
     #[must_use]
     pub fn new(load: Option<Goal<Wrench<C>>>, commands: Option<Goal<Commands<C>>>) -> Self {
         Self { load: load.map(LoadGoal::Straight), commands, joints: None, body_loads: BTreeMap::new() }
@@ -243,37 +241,37 @@ impl<const C: usize> LegAsked<C> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, bound = "")]
 struct WrittenLeg<const C: usize> {
-    /// What the leg adds to the load.
+    /// The change of the load along the leg.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     load_by: Option<Wrench<C>>,
-    /// The load at its end, in place of `load_by`.
+    /// The load at the end of the leg, instead of `load_by`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     load_to: Option<Wrench<C>>,
-    /// What the leg adds to the commands: one row for each contact, m.
+    /// The change of the finger commands along the leg: one row for each contact, m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     commands_by: Option<Commands<C>>,
-    /// The commands at its end, in place of `commands_by`.
+    /// The finger commands at the end of the leg, instead of `commands_by`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     commands_to: Option<Commands<C>>,
-    /// What the leg adds to commands of joints and then tendons, rad or m.
+    /// The change of the commands of joints and then tendons along the leg, rad or m.
     #[serde(default, with = "AsGiven::<Option<Vec<f64>>>", skip_serializing_if = "Option::is_none")]
     joints_by: Option<Vec<f64>>,
-    /// These commands at its end, in place of `joints_by`.
+    /// The commands of joints and then tendons at the end of the leg, instead of `joints_by`.
     #[serde(default, with = "AsGiven::<Option<Vec<f64>>>", skip_serializing_if = "Option::is_none")]
     joints_to: Option<Vec<f64>>,
     /// What the leg adds to loads of bodies, by name.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     body_loads_by: BTreeMap<String, Wrench<C>>,
-    /// These loads at its end; a body is in one of both.
+    /// The loads of bodies, by name, at the end of the leg; a body is in one of both lists.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     body_loads_to: BTreeMap<String, Wrench<C>>,
-    /// How the load turns along the leg, in place of all others.
+    /// The turn of the load along the leg, instead of all other fields.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     turn: Option<Turn<C>>,
 }
 
 impl<const C: usize> LegAsked<C> {
-    /// The load that it goes straight to or by, if there is one.
+    /// The change of the load, or its final value, if the load changes in a straight line.
     pub(super) fn straight_load(&self) -> Option<Wrench<C>> {
         match self.load {
             Some(LoadGoal::Straight(Goal::By(load) | Goal::To(load))) => Some(load),
@@ -282,7 +280,7 @@ impl<const C: usize> LegAsked<C> {
     }
 }
 
-/// At most one of both.
+/// The goal by one of two fields; giving both is an error.
 fn goal<T>(by: Option<T>, to: Option<T>, names: [&str; 2]) -> Result<Option<Goal<T>>, String> {
     match (by, to) {
         (None, None) => Ok(None),
@@ -301,7 +299,7 @@ fn split<T: Clone>(goal: Option<&Goal<T>>) -> (Option<T>, Option<T>) {
 }
 
 impl<const C: usize> WrittenLeg<C> {
-    /// What becomes of the load, in one way alone.
+    /// The change of the load; giving it in two ways is an error.
     fn load(&self) -> Result<Option<LoadGoal<C>>, String> {
         let straight = goal(self.load_by, self.load_to, ["load_by", "load_to"])?;
         let Some(turn) = self.turn else { return Ok(straight.map(LoadGoal::Straight)) };
@@ -311,7 +309,7 @@ impl<const C: usize> WrittenLeg<C> {
         })
     }
 
-    /// What becomes of the loads of bodies, each in one way alone.
+    /// The changes of the loads of bodies; giving one in two ways is an error.
     fn body_loads(&self) -> Result<BTreeMap<String, Goal<Wrench<C>>>, String> {
         let named = |name: &String, goal| (name.clone(), goal);
         if let Some(name) = self.body_loads_by.keys().find(|name| self.body_loads_to.contains_key(*name)) {

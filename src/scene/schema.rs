@@ -1,4 +1,4 @@
-//! The JSON Schema of what derives none: numbers with their words, rows, wrenches, and what is checked as a whole once it is read.
+//! The JSON Schema of types without a derived one: numbers with their words, rows, wrenches, and objects that are checked after they are read.
 
 use std::borrow::Cow;
 
@@ -76,7 +76,7 @@ impl<K: Bounded> JsonSchema for Number<K> {
     }
 }
 
-/// A number within its bounds, or a word for one.
+/// A number within its bounds, or a word for a number.
 fn number<K: Bounded>() -> Schema {
     let mut number = K::bounds();
     number.insert("type".to_owned(), "number".into());
@@ -127,13 +127,13 @@ where
     }
 }
 
-/// A number, or a list of one: the moment in the plane. In space a list of three.
+/// A number or a list of one number, such as the moment in the plane; in space a list of three.
 fn angular<K: Bounded>(axes: usize) -> Schema {
     let listed = list::<K>(axes, axes);
     if axes == 1 { json_schema!({ "anyOf": [number::<K>(), listed] }) } else { listed }
 }
 
-/// A wrench or a twist: its linear part, its angular part and that of joints, which are all optional where they are read.
+/// A wrench or twist: linear part, angular part and that of joints, all optional in input.
 fn by_parts<K: Bounded, const C: usize>(
     generator: &SchemaGenerator,
     [linear, turning]: [(&str, &str); 2],
@@ -151,7 +151,7 @@ fn by_parts<K: Bounded, const C: usize>(
     })
 }
 
-/// A part with its description; where it is read it may be `null`.
+/// A part with its description; in input it may be `null`.
 fn told(generator: &SchemaGenerator, part: Schema, description: &str) -> Schema {
     let mut part = if generator.contract().is_serialize() {
         part
@@ -162,7 +162,7 @@ fn told(generator: &SchemaGenerator, part: Schema, description: &str) -> Schema 
     part
 }
 
-/// How the arm turns that carries a body.
+/// The rotation of the arm that carries a body.
 fn turning<const C: usize>(generator: &SchemaGenerator) -> Schema {
     let rate = || angular::<Given>(of_the_object::<C>() - C);
     let about = told(generator, list::<Given>(C, C), "A point of the axis, m; the origin if left out.");
@@ -238,7 +238,7 @@ impl<const C: usize> JsonSchema for Springs<C> {
     }
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        // One alone is all of them; two numbers are normal and tangential.
+        // One number holds for all directions; two numbers are normal and tangential.
         json_schema!({ "anyOf": [number::<SpringStiffness>(), list::<SpringStiffness>(1, C)] })
     }
 }

@@ -1,4 +1,4 @@
-//! Settings as they are written; those that are left out have the crate's defaults.
+//! Settings in the file; those that are left out have the crate's defaults.
 
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
@@ -31,7 +31,7 @@ impl<'de> Deserialize<'de> for PolygonCone {
 struct WrittenPolygon {
     /// Number of facets.
     facets: usize,
-    /// How it lies at the round cone.
+    /// How the polygon lies at the round cone: inside, around, or between.
     fit: Fit,
 }
 
@@ -42,7 +42,7 @@ impl Default for WrittenPolygon {
     }
 }
 
-/// The cone that answers in space are for.
+/// The friction cone of answers in space.
 #[derive(Clone, Copy, serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
@@ -55,24 +55,24 @@ enum Cone {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, default)]
 struct WrittenSettings {
-    /// In space the friction cone that answers are for.
+    /// The friction cone of answers; in space only.
     cone: Cone,
-    /// The polygon in place of the round cone.
+    /// The polygon in place of the round cone, where one is needed.
     polygon: PolygonCone,
-    /// Limit of pivots; by size if left out.
+    /// Largest number of pivots; set by the size of the problem if left out.
     #[serde(skip_serializing_if = "Option::is_none")]
     max_pivots: Option<usize>,
-    /// Most combinations of contact states to try.
+    /// Largest number of combinations of contact states to try.
     most_states: usize,
-    /// Error of one step along a sliding arc, relative.
+    /// Relative error of one step along a sliding arc.
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 1)))]
     step_error: f64,
-    /// Most steps along sliding arcs within a leg.
+    /// Largest number of steps along sliding arcs within a leg.
     most_steps: usize,
-    /// So many times the load `hold` looks for where it is lost.
+    /// The largest load factor up to which `hold` seeks the loss of the load.
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     most_load: f64,
-    /// So many cycles of a load that repeats are followed.
+    /// Largest number of cycles of a repeated load that are followed.
     most_cycles: usize,
     /// Up to where motions are small.
     small_motions: SmallMotions,

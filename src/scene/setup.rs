@@ -1,4 +1,4 @@
-//! A grasp with what is asked of it, in the plane or in space.
+//! A grasp with its questions, in the plane or in space.
 
 use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
@@ -15,8 +15,7 @@ use crate::error::{ContactLabel, Error};
 use crate::grasp::{self, Bodies, Hand, Tendon};
 use crate::serial::{AsComputed, AxisRow, Given};
 
-/// Contacts, questions and settings: `D` degrees of freedom of the object and `C` axes a contact, 3 and 2 in
-/// the plane, 6 and 3 in space.
+/// Contacts, questions and settings: 3 degrees of freedom of the object and `C` = 2 axes of a contact in the plane, 6 and 3 in space.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Wrench};
@@ -42,39 +41,37 @@ use crate::serial::{AsComputed, AxisRow, Given};
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 #[non_exhaustive]
 pub struct Setup<const C: usize> {
-    /// Contacts whose fingers have no joints. With those of the fingers at least one; without any
-    /// [`Setup::grasp`] is an error.
+    /// Contacts whose fingers have no joints. Together with those of fingers there must be at least one, else [`Setup::grasp`] is an error.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub contacts: Vec<Fingertip<C>>,
-    /// Fingers with joints; their contacts are counted on behind those above.
+    /// Fingers with joints; their contacts have the numbers behind those above.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub fingers: Vec<FingerSetup<C>>,
     /// Tendons over the joints of all fingers.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub tendons: Vec<Tendon>,
-    /// Of several bodies, each; contacts then say which ones they touch. None where there is one object.
+    /// Several bodies; contacts then name the bodies they touch. Empty for one object.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub bodies: Vec<BodySetup<C>>,
-    /// What joins bodies to each other and to the ground; one object may be joined to the ground.
+    /// Links between bodies, or between a body and the ground; one object may be linked to the ground.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub links: Vec<LinkSetup<C>>,
-    /// Gravity on bodies, m/s², beside the loads of questions.
+    /// Acceleration of gravity on the masses of bodies, m/s², beside the loads of questions.
     #[serde(with = "AsComputed::<Option<SVector<f64, C>>>", skip_serializing_if = "Option::is_none")]
     pub gravity: Option<SVector<f64, C>>,
-    /// The body that loads of questions act on; the first if it is not said.
+    /// The body on which the loads of questions act; the first if left out.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub loaded: Option<String>,
-    /// Loads of questions act on all bodies, on each with the share of its mass.
+    /// Whether loads of questions act on all bodies, on each with the share of its mass.
     #[serde(skip_serializing_if = "is_false")]
     pub shared_by_mass: bool,
-    /// Corners of the object in order, m. They are only drawn, by the caller.
+    /// Corners of the object in order, m, for pictures by the caller.
     #[serde(with = "AsComputed::<Vec<SVector<f64, C>>>", skip_serializing_if = "Vec::is_empty")]
     pub outline: Vec<SVector<f64, C>>,
-    /// Answered in this order.
+    /// The questions, in the order of their answers.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub questions: Vec<Question<C>>,
-    /// For all questions. Where they are for the polygon, so are onsets
-    /// ([`Grasp::onset`]).
+    /// The settings for all questions. With the polygonal cone, onsets are those of the polygon ([`Grasp::onset`]).
     #[serde(skip_serializing_if = "is_default")]
     pub settings: Settings,
 }
@@ -95,22 +92,22 @@ struct Written<const C: usize> {
     /// Contacts whose fingers have no joints.
     #[serde(default)]
     contacts: Vec<Fingertip<C>>,
-    /// Fingers with joints; their contacts are counted on behind those above.
+    /// Fingers with joints; their contacts have the numbers behind those above.
     #[serde(default)]
     fingers: Vec<FingerSetup<C>>,
     /// Tendons over the joints of all fingers.
     #[serde(default)]
     tendons: Vec<Tendon>,
-    /// Of several bodies, each.
+    /// Several bodies; empty for one object.
     #[serde(default)]
     bodies: Vec<BodySetup<C>>,
-    /// What joins bodies to each other and to the ground.
+    /// Links between bodies, or between a body and the ground.
     #[serde(default)]
     links: Vec<LinkSetup<C>>,
-    /// Gravity on bodies, m/s².
+    /// Acceleration of gravity on the masses of bodies, m/s².
     #[serde(default)]
     gravity: Option<AxisRow<Given, C>>,
-    /// The body that loads of questions act on; the first if left out.
+    /// The body on which the loads of questions act; the first if left out.
     #[serde(default)]
     loaded: Option<String>,
     /// Whether loads of questions act on all bodies, on each with the share of its mass.
@@ -119,10 +116,10 @@ struct Written<const C: usize> {
     /// Corners of the object in order, m; only drawn.
     #[serde(default)]
     outline: Vec<AxisRow<Given, C>>,
-    /// What is asked, in order.
+    /// The questions, in order.
     #[serde(default)]
     questions: Vec<Question<C>>,
-    /// For all questions.
+    /// The settings for all questions.
     #[serde(default)]
     settings: Settings,
 }
@@ -149,7 +146,7 @@ impl<'de, const C: usize> Deserialize<'de> for Setup<C> {
                 return Err(Error::EmptyGrasp.to_string());
             }
             if setup.is_held_by_a_hand() || !setup.bodies.is_empty() {
-                // Numbers of joints are judged together with what they move.
+                // The numbers of joints depend on their contacts, and are checked with the grasp.
                 setup.grasp().map(drop).map_err(|error| error.to_string())?;
             }
             for (index, question) in setup.questions.iter().enumerate() {
@@ -161,15 +158,14 @@ impl<'de, const C: usize> Deserialize<'de> for Setup<C> {
 }
 
 impl<const C: usize> From<&Grasp<C>> for Setup<C> {
-    /// Every contact as a point; nothing is asked yet.
+    /// A setup with every contact as a point, and without questions.
     fn from(grasp: &Grasp<C>) -> Self {
         Self::new(grasp.contacts().iter().cloned().map(Fingertip::from))
     }
 }
 
 impl<const C: usize> Setup<C> {
-    /// Contacts of which nothing is asked yet, without an outline, with default settings. A
-    /// [`Contact`](crate::grasp::Contact) is turned `into` a [`Fingertip`].
+    /// A setup without questions and outline, with default settings. A [`Contact`](crate::grasp::Contact) is turned `into` a [`Fingertip`].
     pub fn new(contacts: impl IntoIterator<Item = Fingertip<C>>) -> Self {
         Self {
             contacts: contacts.into_iter().collect(),
@@ -214,12 +210,12 @@ impl<const C: usize> Setup<C> {
         self
     }
 
-    /// All contacts, those of the fingers behind the others: the index of an entry is that of the contact in questions and answers.
+    /// All contacts, those of fingers behind the others. The index of an entry is that of the contact in questions and answers.
     pub fn entries(&self) -> impl Iterator<Item = &Fingertip<C>> {
         self.contacts.iter().chain(self.fingers.iter().flat_map(|finger| &finger.contacts))
     }
 
-    /// Number of contacts that its grasp has: soft fingertips and links count as many as they have points.
+    /// Number of point contacts of the grasp: soft fingertips and links count with all their points.
     ///
     /// # Errors
     /// [`Error::Fingertip`] for a patch that cannot be built.
@@ -228,14 +224,14 @@ impl<const C: usize> Setup<C> {
         Ok(points + self.points_of_links()?.len())
     }
 
-    /// Whether there are fingers or tendons, or forces that hold contacts: the grasp is then that of a [`Hand`], see [`Self::hand`].
+    /// Whether there are fingers, tendons or contacts held by a force; the grasp is then that of a [`Hand`], see [`Self::hand`].
     #[must_use]
     pub fn is_held_by_a_hand(&self) -> bool {
         let by_force = self.contacts.iter().any(|entry| entry.contact.force.is_some());
         by_force || !self.fingers.is_empty() || !self.tendons.is_empty()
     }
 
-    /// The grasp, asked with the settings of the setup. Soft fingertips are spread, so that it may have more contacts than the scene.
+    /// The grasp with the settings of the setup. Soft fingertips become several contacts, so that it may have more contacts than the scene.
     ///
     /// # Errors
     /// As for [`Grasp::new`], [`Hand::grasp`] and [`SoftFingertip`](crate::grasp::SoftFingertip), with the index
@@ -256,7 +252,7 @@ impl<const C: usize> Setup<C> {
         Ok(grasp.map_err(|error| self.in_the_scene(error))?.with(&self.settings))
     }
 
-    /// The hand that holds the object: fingers that are nothing but a contact first.
+    /// The hand that holds the object: fingers without joints first, one for each contact.
     ///
     /// # Errors
     /// [`Error::Contact`], [`Error::Fingertip`] and [`Error::Hand`] for what cannot be built.
@@ -274,7 +270,7 @@ impl<const C: usize> Setup<C> {
         Ok(self.tendons.iter().cloned().fold(Hand::new(fingers), Hand::tendon))
     }
 
-    /// The bodies, and the hand that holds them.
+    /// The bodies with the hand that holds them.
     fn several_bodies(&self) -> Result<Bodies<C>, Error> {
         let mut bodies = Bodies::new(self.bodies.iter().map(BodySetup::body)).held_by(self.hand()?);
         if let Some(gravity) = self.gravity {
@@ -286,7 +282,7 @@ impl<const C: usize> Setup<C> {
         Ok(if self.shared_by_mass { bodies.shared_by_mass() } else { bodies })
     }
 
-    /// Refuses what is said of bodies where there are none, and two ways to share a load.
+    /// Refuses fields about bodies in a scene without bodies, and two ways of sharing a load.
     fn check_bodies(&self) -> Result<(), String> {
         let said = [("gravity", self.gravity.is_some()), ("loaded", self.loaded.is_some())];
         let mut said = said.into_iter().chain([("shared_by_mass", self.shared_by_mass)]);
@@ -309,7 +305,7 @@ impl<const C: usize> Setup<C> {
         Ok(())
     }
 
-    /// The index of a contact in a message is that of the scene, whatever number of points come before it.
+    /// An error with the index of the contact in the scene instead of the grasp's.
     fn in_the_scene(&self, error: Error) -> Error {
         let Error::Contact { contact: ContactLabel { index, name, link, .. }, field, value, allowed } = error
         else {

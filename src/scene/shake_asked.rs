@@ -1,4 +1,4 @@
-//! A load that repeats, as a scene asks about it.
+//! The question about a repeated load.
 
 use serde::{Deserialize, Serialize};
 
@@ -13,7 +13,8 @@ use crate::load_path::Leg;
 use crate::shake::{Shakedown, Shaken};
 use crate::words::Words;
 
-/// Does it survive a load that repeats? The cycle is a list of loads that are put on and taken off in turn, or of legs. See [`Grasp::shake`](crate::ask::Grasp::shake).
+/// Does the grasp survive a repeated load? The cycle is a list of loads that are put on and taken off in turn, or a list of legs.
+/// See [`Grasp::shake`](crate::ask::Grasp::shake).
 ///
 /// ```
 /// use grasp_lcp::scene::Scene;
@@ -37,18 +38,18 @@ use crate::words::Words;
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct ShakeAsked<const C: usize> {
-    /// The load at rest, where every cycle begins and ends; none unless said otherwise.
+    /// The load at rest, where every cycle begins and ends; zero if left out.
     #[serde(default = "no_load::<C>")]
     pub base: Wrench<C>,
-    /// Loads beside it, each put on and taken off again in turn.
+    /// The loads beside it, each put on and taken off in turn.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub loads: Vec<Wrench<C>>,
-    /// In place of loads the legs of a cycle, which lead back to where they begin.
+    /// The legs of a cycle, instead of loads; they must lead back to their beginning.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub legs: Vec<LegAsked<C>>,
 }
 
-/// What becomes of a load that repeats; see [`Shaken`].
+/// The fate of a repeated load; see [`Shaken`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
@@ -60,7 +61,7 @@ pub struct ShakeAnswer<const C: usize> {
     pub shaken: Shaken<C>,
 }
 
-/// Does it survive loads that repeat, in whichever order they come? See [`Statics::shakedown`](crate::ask::Statics::shakedown).
+/// Does the grasp survive loads that repeat in any order? See [`Statics::shakedown`](crate::ask::Statics::shakedown).
 ///
 /// ```
 /// use grasp_lcp::scene::Scene;
@@ -85,21 +86,21 @@ pub struct ShakeAnswer<const C: usize> {
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct ShakedownAsked<const C: usize> {
-    /// The load at rest; none unless said otherwise.
+    /// The load at rest; zero if left out.
     #[serde(default = "no_load::<C>")]
     pub base: Wrench<C>,
-    /// Loads beside it that come in any order, and whatever lies between them.
+    /// The loads beside it. They come in any order, with any load between two of them.
     pub loads: Vec<Wrench<C>>,
 }
 
-/// Whether it comes to rest in any order; see [`Shakedown`].
+/// Whether the grasp comes to rest in any order of the loads; see [`Shakedown`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct ShakedownAnswer<const C: usize> {
     /// The answer in a sentence.
     pub says: String,
-    /// Whether it comes to rest under these loads; left out where the order decides, or nothing is known.
+    /// Whether the grasp comes to rest under these loads; left out if the order decides, or if it is unknown.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rests: Option<bool>,
     /// The answer, if there is one.
@@ -107,11 +108,11 @@ pub struct ShakedownAnswer<const C: usize> {
     pub found: Option<Shakedown<C>>,
 }
 
-/// Said where there is no answer.
+/// The sentence without an answer.
 const NO_SHAKEDOWN: &str = "UNDECIDED: with all contacts closed no slips keep what is there at rest, or nothing resists one of the loads";
 
 impl<const C: usize> ShakedownAsked<C> {
-    /// These loads beside what is there at rest, in any order.
+    /// These loads in any order beside the base load.
     #[must_use]
     pub fn in_any_order(base: Wrench<C>, loads: impl IntoIterator<Item = Wrench<C>>) -> Self {
         Self { base, loads: loads.into_iter().collect() }
@@ -140,7 +141,7 @@ impl<const C: usize> ShakedownAnswer<C> {
 }
 
 impl<const C: usize> ShakeAsked<C> {
-    /// These loads beside what is there at rest, each put on and taken off in turn.
+    /// These loads beside the base load, each put on and taken off in turn.
     #[must_use]
     pub fn in_turn(base: Wrench<C>, loads: impl IntoIterator<Item = Wrench<C>>) -> Self {
         Self { base, loads: loads.into_iter().collect(), legs: Vec::new() }
@@ -148,7 +149,7 @@ impl<const C: usize> ShakeAsked<C> {
 }
 
 impl<const C: usize> Setup<C> {
-    /// The legs of a cycle as the grasp has them.
+    /// The legs of a cycle for the grasp.
     ///
     /// # Errors
     /// As for [`Self::legs`]; [`Error::Question`] unless there are loads or legs.

@@ -1,4 +1,4 @@
-//! Answers to "where does the object go, and what do contacts carry?"
+//! Answers about the equilibrium under a load: motion of the object and contact forces.
 
 use serde::{Deserialize, Serialize};
 
@@ -15,16 +15,16 @@ use crate::words::Words;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct SolveAnswer<const C: usize> {
-    /// How the question ends.
+    /// The outcome.
     #[serde(flatten)]
     pub outcome: Outcome<C>,
-    /// What becomes of the load where it is put on from rest: of an outcome that is undecided, and of an equilibrium that has lost a vacuum.
+    /// The answer of `hold` for the same load from rest. It is given for an undecided outcome, and for an equilibrium that has lost a vacuum.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub from_rest: Option<HoldAnswer<C>>,
 }
 
 impl SceneNames {
-    /// The answer to a question, and what a path says where the search does not tell whether the load is held.
+    /// The answer to a question; if the search does not decide whether the load is held, with the answer of a path from rest.
     pub(super) fn solve<const C: usize>(
         &self,
         grasp: &Grasp<C>,

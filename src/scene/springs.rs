@@ -1,4 +1,4 @@
-//! Stiffness as it is written.
+//! Stiffness in the file.
 
 use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer, Error as _};
@@ -6,7 +6,7 @@ use serde::ser::{Serialize, Serializer};
 
 use crate::serial::{Few, SpringStiffness};
 
-/// Stiffness: one for all directions, normal and tangential, or one for each axis.
+/// Stiffness, N/m: one number for all directions, normal and tangential, or one for each axis.
 pub(super) struct Springs<const C: usize>(pub(super) SVector<f64, C>);
 
 impl<const C: usize> Serialize for Springs<C> {

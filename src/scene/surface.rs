@@ -1,4 +1,4 @@
-//! Curves and surfaces that contacts may move along, as they are written.
+//! Curves and surfaces in the file, along which contacts may move.
 
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};
@@ -14,13 +14,13 @@ use crate::serial::{AsGiven, AxisRow, Given};
 enum WrittenSurface<const C: usize> {
     /// In the plane: the ends of a straight edge.
     Segment([AxisRow<Given, C>; 2]),
-    /// In the plane: straight edges from point to point.
+    /// In the plane: straight edges that join the points in order.
     Polyline(Vec<AxisRow<Given, C>>),
-    /// In the plane.
+    /// In the plane: a circle.
     Circle {
-        /// Its centre, m.
+        /// The centre, m.
         centre: AxisRow<Given, C>,
-        /// m.
+        /// The radius, m.
         #[serde(with = "AsGiven::<f64>")]
         radius: f64,
     },
@@ -28,49 +28,49 @@ enum WrittenSurface<const C: usize> {
     Arc {
         /// The centre, m.
         centre: AxisRow<Given, C>,
-        /// m.
+        /// The radius, m.
         #[serde(with = "AsGiven::<f64>")]
         radius: f64,
-        /// Where it begins, degrees from x to y.
+        /// The angle of its beginning, degrees from x to y.
         #[serde(with = "AsGiven::<f64>")]
         from_deg: f64,
-        /// Over so many degrees from there.
+        /// The angle that it spans from there, degrees.
         #[serde(with = "AsGiven::<f64>")]
         over_deg: f64,
     },
     /// In the plane: a cubic spline through points.
     Spline(Vec<AxisRow<Given, C>>),
-    /// In the plane: one that comes back to the first.
+    /// In the plane: a closed cubic spline through points, from the last back to the first.
     ClosedSpline(Vec<AxisRow<Given, C>>),
-    /// In space: a corner, and the sides from there.
+    /// In space: a rectangle.
     Rectangle {
-        /// m.
+        /// One corner, m.
         corner: AxisRow<Given, C>,
-        /// At a right angle, m.
+        /// The two sides from the corner, at a right angle, m.
         sides: [AxisRow<Given, C>; 2],
     },
-    /// In space, all around.
+    /// In space: the curved surface of a cylinder.
     Cylinder {
-        /// Its ends, m.
+        /// The two ends of the axis, m.
         axis: [AxisRow<Given, C>; 2],
-        /// m.
+        /// The radius, m.
         #[serde(with = "AsGiven::<f64>")]
         radius: f64,
     },
-    /// In space.
+    /// In space: a sphere.
     Sphere {
-        /// Its centre, m.
+        /// The centre, m.
         centre: AxisRow<Given, C>,
-        /// m.
+        /// The radius, m.
         #[serde(with = "AsGiven::<f64>")]
         radius: f64,
     },
-    /// In space: the corners of each.
+    /// In space: triangles, each by its three corners, m.
     Triangles(Vec<[AxisRow<Given, C>; 3]>),
 }
 
 impl<const C: usize> WrittenSurface<C> {
-    /// The surface, if it is one for so many axes.
+    /// The surface, if it has the given number of axes.
     fn surface(self) -> Result<Surface<C>, String> {
         let (name, axes) = match &self {
             Self::Segment(_) => ("segment", 2),
@@ -158,7 +158,7 @@ impl<const C: usize> Serialize for Surface<C> {
     }
 }
 
-/// Told to whoever writes no object.
+/// The expected form of a surface, for the message about any other value.
 const AN_OBJECT: &str = "a surface with its numbers, such as {\"circle\": {\"centre\": [0, 0], \"radius\": 0.05}}, with three numbers in space";
 
 impl<'de, const C: usize> Deserialize<'de> for Surface<C> {

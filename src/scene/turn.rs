@@ -1,8 +1,8 @@
-//! Loads that turn as they are written: a weight while the object is tilted, a force that turns, or three wrenches.
+//! Turning loads as written: the weight of a tilted object, a force that turns, or three wrenches.
 //!
-//! `{"weight": [0, -2], "at": [0, 0.1]}` in the plane, in space with an `"axis"`; `"force"` in place of the weight, or the wrenches
-//! `"constant"`, `"cosine"` and `"sine"`. What is written again are the three wrenches. Where none of them is given the gravity of
-//! the scene's bodies turns.
+//! The weight is `{"weight": [0, -2], "at": [0, 0.1]}` in the plane; in space it has an `"axis"`. A force that turns has `"force"` instead, and three
+//! wrenches are `"constant"`, `"cosine"` and `"sine"`. If none of them is given, the gravity of the scene's bodies turns. A turn is written back as
+//! the three wrenches, or with its axis alone if the bodies' gravity turns.
 
 use std::f64::consts::TAU;
 
@@ -17,46 +17,46 @@ use crate::load_path::Turn;
 use crate::serial::AxisRow;
 use crate::serial::{Computed, Few, Given, Number};
 
-/// Just below the most radians that a turn has.
+/// Largest angle of a turn, degrees: just below its limit of 1e6 rad.
 const MOST_DEGREES: f64 = 5.7e7;
 
 #[derive(serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, bound = "")]
 struct WrittenTurn<const C: usize> {
-    /// A weight, N, while the object is tilted with its grasp; left out, like all other loads, where the scene's own `gravity` turns.
+    /// The weight, N, of an object that is tilted with its grasp. Without any load here, the scene's own `gravity` turns.
     #[cfg_attr(feature = "schema", schemars(with = "Option<AxisRow<Given, C>>"))]
     weight: Option<Few<Given, 3>>,
-    /// A force that turns, N, in place of the weight.
+    /// A force that turns, N, instead of a weight.
     #[cfg_attr(feature = "schema", schemars(with = "Option<AxisRow<Given, C>>"))]
     force: Option<Few<Given, 3>>,
-    /// Where it acts, m; at the origin if left out.
+    /// The point where the weight or force acts, m; the origin if left out.
     #[cfg_attr(feature = "schema", schemars(with = "Option<AxisRow<Given, C>>"))]
     at: Option<Few<Given, 3>>,
-    /// In space about which it turns, right-handed, of any length but zero; none in the plane.
+    /// The axis of the turn by the right-hand rule, of any length but zero; in space only.
     #[cfg_attr(feature = "schema", schemars(with = "Option<AxisRow<Given, 3>>"))]
     axis: Option<Few<Given, 3>>,
-    /// A wrench that stays.
+    /// A constant wrench beside the weight or force.
     beside: Option<Wrench<C>>,
-    /// What stays of `constant + cosine cos θ + sine sin θ`, in place of weight and force.
+    /// The constant part of `constant + cosine cos θ + sine sin θ`, instead of a weight or force.
     constant: Option<Wrench<C>>,
-    /// What goes with cos θ.
+    /// The wrench that is multiplied by cos θ.
     cosine: Option<Wrench<C>>,
-    /// What goes with sin θ.
+    /// The wrench that is multiplied by sin θ.
     sine: Option<Wrench<C>>,
-    /// How far it turns, degrees; a full turn if left out.
+    /// The angle of the turn, degrees; a full turn if left out.
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     angle_deg: Option<Number<Given>>,
-    /// The same in rad, in place of it.
+    /// The angle of the turn, rad, instead of `angle_deg`.
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     angle_rad: Option<Number<Given>>,
-    /// The other way round.
+    /// Whether the load turns the other way round.
     #[serde(default)]
     reversed: bool,
 }
 
 impl<const C: usize> WrittenTurn<C> {
-    /// The turn, whichever way it is said.
+    /// The turn from the fields that are given.
     fn turn(&self) -> Result<Turn<C>, String> {
         let turn = match (&self.weight, &self.force) {
             (None, None) if self.turns_nothing() => Turn::of_bodies(self.axis()?.into()),
@@ -81,24 +81,24 @@ impl<const C: usize> WrittenTurn<C> {
         Ok(turn)
     }
 
-    /// Whether no load is given that could turn, so that gravity does.
+    /// Whether no load is given, so that the scene's gravity turns.
     fn turns_nothing(&self) -> bool {
         let wrenches = [&self.beside, &self.constant, &self.cosine, &self.sine];
         self.at.is_none() && wrenches.iter().all(|given| given.is_none())
     }
 
-    /// The axis, which is that from x to y in the plane.
+    /// The axis; in the plane z, which turns x to y.
     fn axis(&self) -> Result<[f64; 3], String> {
         match (C, &self.axis) {
             (3, Some(axis)) => part(Some(axis), C, "axis"),
             (3, None) => Err("missing field `axis` of a turn in space".to_owned()),
             (_, Some(_)) => Err("axis: a turn of the plane has none, it goes from x to y".to_owned()),
-            // From x to y is about z.
+            // A turn from x to y is about z.
             (_, None) => Ok([0.0, 0.0, 1.0]),
         }
     }
 
-    /// A force through a point that turns, from x to y or by the right-hand rule.
+    /// The turn of a force through a point, from x to y or by the right-hand rule.
     fn of_force(&self, name: &str, force: &Few<Given, 3>) -> Result<Turn<C>, String> {
         let wrenches = [("constant", &self.constant), ("cosine", &self.cosine), ("sine", &self.sine)];
         if let Some((other, _)) = wrenches.iter().find(|(_, given)| given.is_some()) {
@@ -125,7 +125,7 @@ impl<const C: usize> WrittenTurn<C> {
     }
 }
 
-/// What the plane has of a wrench in space: it turns about z, the last axis. In space all of it.
+/// The part of a wrench in space that the plane has: forces along x and y, and the moment about z. In space the whole wrench.
 pub(super) fn of_space<const C: usize>(wrench: &Wrench<3>) -> Wrench<C> {
     let (force, moment) = wrench.components().split_at(3);
     let planes = of_the_object::<C>() - C;

@@ -1,4 +1,4 @@
-//! What a scene says that is seldom meant: it is answered, with a word of warning.
+//! Warnings about a scene that is answered, but is probably not what its author means.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -10,7 +10,7 @@ use super::written::{Scene, Space};
 use crate::error::Error;
 use crate::words::{Words, listed, printable};
 
-/// Something that a scene says and hardly means.
+/// A probable mistake in a scene.
 ///
 /// ```
 /// use grasp_lcp::planar::Contact;
@@ -28,72 +28,72 @@ use crate::words::{Words, listed, printable};
 pub enum Warning {
     /// A question begins without load, and no command, clearance or drive presses a contact on.
     NothingPresses,
-    /// At rest a contact that is `pressed_with` a force presses with another one: that force moves a spring, and the object gives way.
+    /// At rest a contact presses with another force than its `pressed_with`. That force sets the stretch of its spring, and the object gives way.
     PressesOtherwise {
         /// The contact of the scene, from 0.
         contact: usize,
-        /// How messages call it.
+        /// The name of the contact in messages.
         name: String,
-        /// What it is pressed with, N.
+        /// The force `pressed_with`, N.
         told: f64,
-        /// What it presses with, N.
+        /// The force at rest, N.
         force: f64,
     },
-    /// Several contacts have one name, so that answers do not tell which is meant.
+    /// Several contacts have the same name, so that answers are ambiguous.
     SameName {
         /// The contacts of the scene, from 0.
         contacts: Vec<usize>,
-        /// The name.
+        /// The common name.
         name: String,
     },
-    /// Contacts have no stiffness, and answers depend on what was taken in its place.
+    /// Contacts have no stiffness, and answers depend on the default.
     StiffnessLeftOut {
         /// The contacts of the scene, from 0.
         contacts: Vec<usize>,
-        /// How messages call them.
+        /// The names of the contacts in messages.
         names: Vec<String>,
-        /// What was taken for all directions, N/m.
+        /// The default stiffness in all directions, N/m.
         stiffness: f64,
         /// The questions whose answers depend on it, from 0.
         questions: Vec<usize>,
     },
-    /// At rest a spring or cable pulls with another force than its pretension, since what it pulls at gives way.
+    /// At rest a spring or cable pulls with another force than its pretension, since the bodies at its ends give way.
     PullsOtherwise {
         /// The link of the scene, from 0.
         link: usize,
-        /// How messages call it.
+        /// The name of the link in messages.
         name: String,
-        /// Its pretension, N.
+        /// The pretension, N.
         told: f64,
-        /// What it pulls with, N.
+        /// The pull at rest, N.
         force: f64,
     },
-    /// Friction is more than contacts have; perhaps it is given in percent.
+    /// A friction coefficient is implausibly large; it may be given in percent.
     MuchFriction {
         /// The contacts of the scene, from 0.
         contacts: Vec<usize>,
-        /// How messages call them.
+        /// The names of the contacts in messages.
         names: Vec<String>,
-        /// The coefficient of the first.
+        /// The friction coefficient of the first of them.
         friction: f64,
     },
-    /// No contact has friction, and contacts do not hold the object against every load without.
+    /// No contact has friction, and without it the contacts do not hold the object against every load.
     NoFriction,
-    /// A length is too large; perhaps it is given in mm.
+    /// A length is implausibly large; it may be given in mm.
     ManyMetres {
-        /// What it is, with a verb.
+        /// The length in words, with a verb.
         what: String,
-        /// How large it is, m.
+        /// The length, m.
         length: f64,
-        /// How far contacts are apart, if that is what it is too large beside, m.
+        /// The distance of the contacts, m, if the length is too large beside it.
         #[serde(skip_serializing_if = "Option::is_none")]
         beside: Option<f64>,
     },
-    /// All normals point the same way, so that contacts cannot press as they are told.
+    /// All normals point the same way, so that contacts cannot press with their given forces.
     SameSide {
         /// The contacts of the scene, from 0.
         contacts: Vec<usize>,
-        /// How messages call them.
+        /// The names of the contacts in messages.
         names: Vec<String>,
     },
     /// All normals point away from the middle of the contacts, as those of fingers in a hole.
@@ -114,14 +114,14 @@ pub enum Warning {
     OnePlace {
         /// The contacts of the scene, from 0.
         contacts: Vec<usize>,
-        /// How messages call them.
+        /// The names of the contacts in messages.
         names: Vec<String>,
     },
-    /// The outline says that a normal points out of the object.
+    /// A normal points out of the object's outline.
     PointsOut {
         /// The contact of the scene, from 0.
         contact: usize,
-        /// How messages call it.
+        /// The name of the contact in messages.
         name: String,
     },
 }
@@ -209,13 +209,13 @@ impl fmt::Display for Warning {
     }
 }
 
-/// Names of contacts in a row.
+/// A list of the names of contacts.
 fn all(names: &[String]) -> String {
     listed(&names.iter().map(|name| printable(name)).collect::<Vec<_>>())
 }
 
 impl Scene {
-    /// What it says and hardly means.
+    /// Probable mistakes in the scene.
     ///
     /// # Errors
     /// As for [`Setup::warnings`].
@@ -228,7 +228,7 @@ impl Scene {
 }
 
 impl<const C: usize> Setup<C> {
-    /// What it says and hardly means.
+    /// Probable mistakes in the setup.
     ///
     /// # Errors
     /// As for [`Self::grasp`].

@@ -1,4 +1,4 @@
-//! Weights in the text of a question that the scene's gravity already counts (feature `json`).
+//! Weights in the text of a question that the scene's gravity counts already (feature `json`).
 
 use serde_json::Value;
 
@@ -8,7 +8,7 @@ use super::written::{Scene, Space};
 use crate::words::printable;
 
 impl Scene {
-    /// Refuses questions that count a weight twice. Their text alone still tells a mass from a force.
+    /// Refuses questions that count a weight twice. Only their text still distinguishes a mass from a force.
     pub(super) fn refuse_weights_twice(&self, text: &[u8]) -> Result<(), Fault> {
         match &self.space {
             Space::Planar(setup) => setup.refuse_in_scene(text, "planar"),
@@ -27,11 +27,11 @@ impl<const C: usize> Setup<C> {
         self.refuse_weight_twice(&scene[space]["questions"], &format!("{space}.questions"))
     }
 
-    /// Refuses a question, as JSON, in which a mass or a weight that turns acts on bodies that have a weight by their own masses; `path` is the field
-    /// that the question stands in.
+    /// Refuses a question, as JSON, with a mass or a turning weight on bodies that have a weight by their own masses; `path` is the field
+    /// that holds the question.
     ///
     /// # Errors
-    /// A [`Fault`] that names the field, and how the same is said with the weight counted once.
+    /// A [`Fault`] that names the field, and how to count the weight once.
     pub fn refuse_weight_twice(&self, question: &Value, path: &str) -> Result<(), Fault> {
         match self.own_mass().and_then(|_| self.weight_twice(question, path, None)) {
             Some((field, message)) => {
@@ -41,7 +41,7 @@ impl<const C: usize> Setup<C> {
         }
     }
 
-    /// The first such field, and the message.
+    /// The first field that counts a weight twice, with the message.
     fn weight_twice(&self, value: &Value, path: &str, body: Option<&str>) -> Option<(String, String)> {
         let fields = match value {
             Value::Array(list) => {

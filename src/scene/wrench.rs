@@ -1,9 +1,8 @@
-//! Wrenches and twists as they are written: linear and angular part by name.
+//! Wrenches and twists in the file: linear and angular part by name.
 //!
 //! `{"force": [0, -1], "moment": 0.2}` in the plane, `{"force": [0, 0, -1], "moment": [0, 0.1, 0]}`
-//! in space. What is left out is zero. A force that acts elsewhere than at the origin may say
-//! where, `"at": [0.1, 0]`; its moment is added. Of a grasp by a hand what belongs to its joints comes
-//! behind, `"joints": [0.1, 0, …]`; fewer than there are stand for the first.
+//! in space. Parts that are left out are zero. `"at": [0.1, 0]` lets the force act at a point other than the origin; its moment is added.
+//! For a grasp by a hand, `"joints": [0.1, 0, …]` are the components of its joints; a shorter list belongs to the first joints.
 
 use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
@@ -44,7 +43,7 @@ pub(super) fn part<K>(given: Option<&Few<K, 3>>, expected: usize, name: &str) ->
     Ok(part)
 }
 
-/// Both parts in one row.
+/// The linear and the angular part in one row.
 fn join<K, const C: usize>(parts: [Option<&Few<K, 3>>; 2], names: [&str; 2]) -> Result<Vec<f64>, String> {
     let turns = of_the_object::<C>() - C;
     let (linear, angular) = (part(parts[0], C, names[0])?, part(parts[1], turns, names[1])?);
@@ -71,7 +70,7 @@ struct WrittenTwist {
     rotation: Option<Few<Computed, 3>>,
 }
 
-/// Told to whoever writes something else.
+/// The expected form of a wrench, for the message about any other value.
 const WRENCH: &str = "a wrench, such as {\"force\": [0, -1]}, with three numbers in space";
 
 /// `{"force": …, "moment": …}` (feature `serde`), see [`crate::scene`].
@@ -82,7 +81,7 @@ impl<const C: usize> Serialize for Wrench<C> {
 }
 
 /// `{"force": …, "moment": …, "at": …}` or with a `"mass"`, all optional (feature `serde`), see [`crate::scene`].
-/// Refuses numbers that a grasp would refuse.
+/// Refuses the numbers that a grasp refuses.
 impl<'de, const C: usize> Deserialize<'de> for Wrench<C> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
         object::read(deserializer, WRENCH, |written: WrittenWrench| {
@@ -94,7 +93,7 @@ impl<'de, const C: usize> Deserialize<'de> for Wrench<C> {
                 let force = |a: usize| if a < C { wrench[a] } else { 0.0 };
                 let through =
                     wrench_of::<crate::numerics::Fixed<6>, 3>(&at.into(), &SVector::from_fn(|a, _| force(a)));
-                // The plane turns about z, the last axis of space.
+                // The rotation in the plane is about z, the last axis of space.
                 let object = of_the_object::<C>();
                 for k in C..object {
                     wrench[k] += through[6 + k - object];
@@ -109,7 +108,7 @@ impl<'de, const C: usize> Deserialize<'de> for Wrench<C> {
                 turning: turning.as_ref(),
             };
             let wrench = Self::from_components(&wrench);
-            // A sum with nothing would lose the sign of a zero.
+            // Adding a zero wrench would lose the sign of a zero.
             Ok(carried.load()?.map_or(wrench, |pull| wrench + pull))
         })
     }

@@ -1,4 +1,4 @@
-//! The whole of a scene: its version, its name, its space.
+//! The whole of a scene: its version, its id, and its plane or space.
 
 use serde::de::{Deserialize, Deserializer, Error as _};
 use serde::ser::{Serialize, Serializer};
@@ -13,15 +13,14 @@ use crate::{planar, spatial};
 /// The version of the format that is written and read.
 pub const FORMAT: &str = "grasp-lcp/1";
 
-/// A grasp in the plane or in space, with what is asked of it; see [the format](crate::scene). It
-/// is read from JSON or another format that describes itself, or made `from` a grasp or a
-/// [`Setup`].
+/// A grasp in the plane or in space, with its questions; see [the format](crate::scene). It is read from JSON or another self-describing
+/// format, or made `from` a grasp or a [`Setup`].
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Scene {
-    /// Whatever the caller wants to know the answers by; nothing here looks at it.
+    /// An identifier for the caller, which answers repeat; the crate does not interpret it.
     pub id: Option<Id>,
-    /// For the reader of the file.
+    /// A comment for the reader of the file.
     pub comment: Option<String>,
     /// Contacts, questions and settings.
     pub space: Space,
@@ -31,13 +30,13 @@ pub struct Scene {
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Space {
-    /// 3 degrees of freedom, 2 axes a contact.
+    /// 3 degrees of freedom, 2 axes of a contact.
     Planar(Setup<2>),
-    /// 6 degrees of freedom, 3 axes a contact.
+    /// 6 degrees of freedom, 3 axes of a contact.
     Spatial(Setup<3>),
 }
 
-/// What a caller knows a scene by; answers repeat it.
+/// The caller's identifier of a scene; answers repeat it.
 #[derive(Debug, Clone, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(untagged, expecting = "an id is a text or a whole number")]
@@ -53,9 +52,9 @@ pub enum Id {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(untagged)]
 pub enum Answers {
-    /// Of a scene in the plane.
+    /// Answers of a scene in the plane.
     Planar(Vec<Answer<2>>),
-    /// Of a scene in space.
+    /// Answers of a scene in space.
     Spatial(Vec<Answer<3>>),
 }
 
@@ -69,7 +68,7 @@ impl Answers {
         }
     }
 
-    /// Whether nothing was asked.
+    /// Whether the scene has no questions.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
@@ -85,7 +84,7 @@ impl Scene {
         self.answers_in(Words::default())
     }
 
-    /// The answer to every question, in order, whose sentences have numbers with so many digits.
+    /// The answer to every question, in order, with this number of digits in its sentences.
     ///
     /// # Errors
     /// As for [`Setup::answers`].
@@ -127,7 +126,7 @@ impl From<&spatial::Grasp> for Scene {
     }
 }
 
-/// The version, which is the only one there is.
+/// The version of the format.
 pub(super) struct Format;
 
 impl Serialize for Format {
@@ -164,19 +163,19 @@ struct Out<'a> {
 #[cfg_attr(feature = "schema", schemars(extend("oneOf" = [{ "required": ["planar"] }, { "required": ["spatial"] }])))]
 #[serde(deny_unknown_fields)]
 struct In {
-    /// Where an editor finds the schema; nothing here looks at it.
+    /// The place where an editor finds the schema; the crate ignores it.
     #[serde(default, rename = "$schema")]
     _schema: Option<String>,
-    /// The version.
+    /// The version of the format.
     #[cfg_attr(feature = "schema", schemars(required))]
     format: Option<Format>,
-    /// What the answer repeats.
+    /// An identifier that the answer repeats.
     id: Option<Id>,
-    /// For the reader of the file.
+    /// A comment for the reader of the file.
     comment: Option<String>,
-    /// The grasp, if it is in the plane.
+    /// The grasp in the plane.
     planar: Option<Setup<2>>,
-    /// The grasp, if it is in space.
+    /// The grasp in space.
     spatial: Option<Setup<3>>,
 }
 

@@ -1,4 +1,4 @@
-//! A contact as it is written, and what of it is refused.
+//! A contact in the file, and its checks.
 
 use std::sync::Arc;
 
@@ -17,80 +17,80 @@ use crate::grasp::{Axes, Contact, Hold, Stiffness};
 use crate::improve::Surface;
 use crate::serial::{AsGiven, AxisRow, Friction, Given, Number};
 
-/// A contact as it stands in a file.
+/// A contact in the file.
 #[derive(serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 struct Written<const C: usize> {
-    /// What messages and answers call it.
+    /// The name of the contact in messages and answers.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     name: Option<Arc<str>>,
-    /// For the reader of the file.
+    /// A comment for the reader of the file.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     comment: Option<String>,
-    /// Of several bodies the one that the normal points into.
+    /// With several bodies: the body that the normal points into.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     on: Option<Arc<str>>,
-    /// Of several bodies the one on the other side; the ground or a finger if left out.
+    /// With several bodies: the body on the other side; the ground or a finger if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     against: Option<Arc<str>>,
-    /// Where it touches, m.
+    /// The point of contact, m.
     #[serde(with = "AsGiven::<SVector<f64, C>>")]
     point: SVector<f64, C>,
-    /// Direction into the object, of any length.
+    /// The direction of the normal into the object, of any length.
     #[serde(with = "AsGiven::<SVector<f64, C>>")]
     normal: SVector<f64, C>,
-    /// Direction of the first tangent; chosen from the normal if left out.
+    /// The direction of the first tangent; chosen from the normal if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     tangent: Option<AxisRow<Given, C>>,
-    /// The object's springs, N/m: normal and tangential; rigid if left out and the finger is not.
+    /// The object's normal and tangential stiffness, N/m; rigid if left out and the finger is not.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     body_stiffness: Option<Springs<C>>,
-    /// The finger's springs, N/m: normal and tangential; rigid if left out and the body is not.
+    /// The finger's normal and tangential stiffness, N/m; rigid if left out and the object is not.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     finger_stiffness: Option<Springs<C>>,
-    /// Both in series, N/m, in place of the two.
+    /// The stiffness of object and finger in series, N/m, instead of the two.
     #[serde(default, alias = "stiffness", skip_serializing_if = "Option::is_none")]
     series_stiffness: Option<Springs<C>>,
-    /// Coefficient of friction; 0 if left out.
+    /// The coefficient of friction; 0 if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     friction: Option<Number<Friction>>,
-    /// Coefficient of friction while it slides, at most that at rest; the same if left out.
+    /// The coefficient of friction while the contact slides, at most that at rest; the same if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     kinetic_friction: Option<Number<Friction>>,
     /// Displacement of the finger's core in the contact frame, normal part first, m; 0 if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     command: Option<AxisRow<Given, C>>,
-    /// The command along the coordinate axes, in place of `command`, m.
+    /// The displacement along the coordinate axes, m, instead of `command`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     command_world: Option<AxisRow<Given, C>>,
-    /// Force of the squeeze in place of the normal command, N.
+    /// The clamping force, N, instead of the normal command.
     #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     pressed_with: Option<f64>,
-    /// Normal force that stays wherever the object goes, in place of a position, N.
+    /// A normal force that stays constant wherever the object goes, N, instead of a position.
     #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     force: Option<f64>,
     /// Gap before anything moves, negative for an overlap, m; 0 if left out.
     #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     clearance: Option<f64>,
-    /// What the contact can do; unilateral if left out.
+    /// Whether the contact may open, is kept closed, or is bonded; it may open if left out.
     #[serde(default, skip_serializing_if = "is_unilateral")]
     hold: Hold,
-    /// The patch of a soft fingertip in place of the point.
+    /// The patch of a soft fingertip instead of the point.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     soft: Option<Tip>,
-    /// A suction cup in place of the point; or what a vacuum within a soft fingertip pulls with, N.
+    /// A suction cup instead of the point, or the force of a vacuum within a soft fingertip, N.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     suction: Option<WrittenSuction>,
-    /// The curve or surface that it may move along where fingers are improved.
+    /// The curve or surface along which the contact may move where fingers are improved.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     surface: Option<Surface<C>>,
-    /// Which joints of its finger move it; all if left out.
+    /// The joints of its finger that move the contact; all if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     moved_by: Option<WrittenMover>,
 }
 
-/// What moves a contact of a finger, if not all joints by what they are.
+/// The joints that move a contact of a finger.
 #[derive(serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "schema", schemars(rename = "MovedBy"))]
@@ -169,7 +169,7 @@ impl<'de, const C: usize> Deserialize<'de> for Fingertip<C> {
     }
 }
 
-/// A contact of a finger: it may say what moves it, and a compliance of the finger may stand for its springs.
+/// A contact of a finger: it may name the joints that move it, and the finger's compliance may replace its springs.
 pub(super) struct LinkedContact<const C: usize>(pub(super) Fingertip<C>);
 
 impl<'de, const C: usize> Deserialize<'de> for LinkedContact<C> {
@@ -241,10 +241,10 @@ impl<const C: usize> Fingertip<C> {
         Ok(Self { contact, soft, cup, surface, no_stiffness: false, comment, moved_by })
     }
 
-    /// Refuses what no grasp would take. Springs that a finger's compliance stands for are judged with the finger.
+    /// Refuses data that no grasp accepts. If the finger's compliance replaces the springs, the finger checks them.
     fn checked(self, springs: bool) -> Result<Self, String> {
         let contact = &self.contact;
-        // Where it stands in the list is known to the list only.
+        // Only the list knows the number of the contact.
         let fault = |error| match error {
             Error::Contact { contact: ContactLabel { name, .. }, field, value, allowed } => {
                 format!("{}{field} is {value}, must be {allowed}", named(name.as_deref()))
@@ -260,7 +260,7 @@ impl<const C: usize> Fingertip<C> {
     }
 }
 
-/// How a message of a contact begins.
+/// The beginning of a message about a contact.
 fn named(name: Option<&str>) -> String {
     name.map_or(String::new(), |name| format!("{name}: "))
 }

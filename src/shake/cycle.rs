@@ -1,4 +1,4 @@
-//! One cycle: where it begins and ends, and what happens in it.
+//! One cycle of loads: its beginning, its end, and the slips in it.
 
 use nalgebra::{DVector, SVector};
 
@@ -9,25 +9,25 @@ use crate::numerics::Size;
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// Forces and gaps that differ by less than this part of the largest at both ends of a cycle are the same: rounding.
+/// Relative difference of forces and gaps at both ends of a cycle, up to which the cycle repeats itself: rounding.
 const SAME: f64 = 1e-11;
-/// Slips below this part of what springs are stretched by are none.
+/// Slips below this part of the largest stretch of springs are zero.
 const NO_SLIP: f64 = 1e-9;
-/// Along sliding arcs the error of a cycle may be so many times the estimated errors of its steps, in what they lead to.
+/// Along sliding arcs, the error of a cycle may reach this multiple of the estimated errors of its steps.
 const WAYS: f64 = 100.0;
-/// Most steps along sliding arcs of a leg where a cycle is only tried: where nothing leads to directions may turn ever faster.
+/// Most steps along sliding arcs in a leg of a trial cycle: without a limit cycle nearby, sliding directions may turn ever faster.
 const MOST_TRIED: usize = 1000;
-/// Nobody waits for so many cycles.
+/// Number of cycles that counts as never.
 const FOR_EVER: f64 = 1e9;
 
-/// What forces and gaps are measured by: the largest force (N), and what it stretches springs by (m).
+/// The unit of forces, N, and of gaps and slips, m: the largest force of a cycle, and the stretch of the softest springs under it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Scale {
     pub(super) force: f64,
     pub(super) stretch: f64,
 }
 
-/// What is known after a cycle.
+/// One cycle, with the states at its beginning and end.
 #[derive(Debug, Clone)]
 pub(super) struct Cycle<D: Size, const C: usize> {
     pub(super) from: CycleState<D, C>,
@@ -37,7 +37,7 @@ pub(super) struct Cycle<D: Size, const C: usize> {
 }
 
 impl<D: Size, const C: usize> Cycle<D, C> {
-    /// The next cycle; `None` where it is not gone to its end.
+    /// The next cycle; `None` if it is not followed to its end.
     pub(super) fn next(engine: &Engine<D, C>, cycles: &mut Cycles<'_, D, C>) -> Option<Self> {
         let from = cycles.standing()?;
         let record = cycles.go()?;
@@ -45,7 +45,7 @@ impl<D: Size, const C: usize> Cycle<D, C> {
         Some(Self { scale: scale_of(engine, &record, &to), from, to, record })
     }
 
-    /// The one that begins somewhere else, with who goes it.
+    /// A cycle from another state, with the follower of the cycles after it.
     pub(super) fn beginning_at<'g>(
         engine: &'g Engine<D, C>,
         cycles: &Cycles<'g, D, C>,
@@ -59,7 +59,7 @@ impl<D: Size, const C: usize> Cycle<D, C> {
         Some((cycle, others))
     }
 
-    /// The two in a row as one.
+    /// Appends the next cycle, so that both count as one.
     pub(super) fn append(&mut self, next: &Self) {
         self.record.append(&next.record);
         self.scale = Scale {
@@ -69,27 +69,27 @@ impl<D: Size, const C: usize> Cycle<D, C> {
         self.to = next.to.clone();
     }
 
-    /// Forces and gaps somewhere, as numbers without unit; gaps left out of what was open all the way.
+    /// Forces and gaps of a state as numbers without unit; gaps that stayed open during the whole cycle are zero.
     pub(super) fn numbers(&self, place: &CycleState<D, C>) -> DVector<f64> {
         place.numbers(&self.scale, &|i| self.record.open[i].is_some())
     }
 
-    /// By what they differ at its end.
+    /// The change of these numbers from the beginning of the cycle to its end.
     pub(super) fn difference(&self) -> DVector<f64> {
         self.numbers(&self.to) - self.numbers(&self.from)
     }
 
-    /// By how much forces and gaps differ at both ends, over the largest.
+    /// The largest change of forces and gaps in the cycle, in units of the scale.
     pub(super) fn change(&self) -> f64 {
         self.difference().amax()
     }
 
-    /// What is no change.
+    /// The largest change of a cycle that repeats itself.
     pub(super) fn same(&self) -> f64 {
         SAME.max(self.record.step_error)
     }
 
-    /// How many more cycles like this one there can be: until what is open would close. `None` where nothing comes nearer.
+    /// The number of further cycles like this one until an open contact would close. `None` if no gap shrinks.
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -104,12 +104,12 @@ impl<D: Size, const C: usize> Cycle<D, C> {
         first.map(|cycles| cycles.max(0.0) as usize)
     }
 
-    /// Whether a site slides.
+    /// Whether a site slides in the cycle.
     pub(super) fn slides(&self, site: usize) -> bool {
         self.record.slid[site] > NO_SLIP * self.scale.stretch
     }
 
-    /// Whether the object has moved on.
+    /// Whether the object has moved during the cycle.
     pub(super) fn walks(&self) -> bool {
         let still = NO_SLIP.max(WAYS * self.record.step_error) * self.scale.stretch;
         let slips = self.to.slips.iter().zip(&self.from.slips);
@@ -118,7 +118,7 @@ impl<D: Size, const C: usize> Cycle<D, C> {
     }
 }
 
-/// The largest force of a cycle, and what it stretches springs by.
+/// The largest force of a cycle, and the stretch of the softest springs under it.
 fn scale_of<D: Size, const C: usize>(
     engine: &Engine<D, C>,
     record: &CycleRecord<C>,

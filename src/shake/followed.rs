@@ -1,4 +1,4 @@
-//! Cycle after cycle from rest, until they repeat.
+//! Follows cycle after cycle from rest until they repeat.
 
 use super::cycle::Cycle;
 use super::recurrence::Recurrence;
@@ -11,22 +11,22 @@ use crate::numerics::Size;
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// So many places between the last cycles are kept for what they lead to.
+/// Number of states between the last cycles that are kept for extrapolation.
 const KEPT: usize = 12;
-/// After as many cycles with the same events what comes is looked at, and again after this many more.
+/// Number of cycles with the same events after which the limit is extrapolated, and extrapolated again.
 const BETWEEN_LOOKS: usize = 3;
-/// Changes of this size are near to what they lead to: events there are those of all cycles on the way.
+/// Change per cycle that is close to the limit: from there on, all cycles have the same events.
 const NEAR: f64 = 1e-6;
-/// The same where something slides along arcs, which are known to the error of steps.
+/// The same if contacts slide along arcs, which are exact up to the error of their steps.
 const NEAR_ON_ARCS: f64 = 1e-5;
-/// From a change that is near already the next place is nearer by this part of it.
+/// Factor on a change that is close to the limit already, for the next state to try.
 const NEARER: f64 = 1e-3;
-/// A change is the one that was foretold but for this part.
+/// Relative error up to which the change of a trial cycle confirms its prediction.
 const FORETOLD: f64 = 1e-3;
-/// Nearer places are tried by this factor, and none that is nearer than so many cycles.
+/// Factor by which a trial comes nearer after a failure, and the least number of cycles ahead that is tried.
 const SHORTER: usize = 4;
 const SHORTEST: usize = 4;
-/// An object that has walked farther than it is large is followed for as many cycles more: its steady walk is the answer where one begins by then.
+/// Number of further cycles of an object that has walked farther than its size. If a steady walk begins by then, it is the answer.
 const WALKED_OUT: usize = 2 * KEPT;
 
 impl<D: Size, const C: usize> Engine<D, C> {
@@ -73,25 +73,25 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 }
 
-/// A grasp that is shaken.
+/// The state of a grasp that is shaken.
 struct Shaking<'g, 's, D: Size, const C: usize> {
     engine: &'g Engine<D, C>,
     settings: &'s Settings,
     base: Wrench<C>,
     rest: CycleState<D, C>,
     cycles: Cycles<'g, D, C>,
-    /// Where it stood between the last cycles with the same events.
+    /// The states between the last cycles with the same events.
     places: Vec<CycleState<D, C>>,
-    /// Which sites have slid so far.
+    /// Whether each site has slid so far.
     slid: Vec<bool>,
     round: Round<D, C>,
-    /// After how many cycles everything repeats.
+    /// The period in cycles.
     every: usize,
-    /// How many cycles had the same events as the one before.
+    /// Number of cycles with the same events as the one before.
     alike: usize,
-    /// How many cycles were followed, those that were tried elsewhere included.
+    /// Number of cycles that were followed, with those of trials.
     followed: usize,
-    /// How many have passed, those that were passed over included.
+    /// Number of cycles that have passed, with those that were skipped.
     cycles_gone: usize,
 }
 
@@ -115,7 +115,7 @@ impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
                     self.every = many;
                     return self.shaken(repeats, (change, 0.0), Some(&cycle.to));
                 };
-                // Until then every cycle is like this one, or every so many are like these.
+                // Until a contact closes, every cycle is like this one, or every `many` cycles are like these.
                 let there = closed.to.moved_on(&closed.from, more as f64);
                 if more > 0
                     && let Some(further) = self.cycles.beginning_at(&there, self.settings)
@@ -160,7 +160,7 @@ impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
         walked_out.unwrap_or_else(|| self.shaken(Repeats::Undecided { doubt: None }, (change, 0.0), None))
     }
 
-    /// Goes on from elsewhere, so many cycles later.
+    /// Continues from another state, `passed` cycles later.
     fn begin_at(&mut self, there: CycleState<D, C>, passed: usize) {
         self.places = vec![there];
         self.round = Round::new();
@@ -168,10 +168,11 @@ impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
         self.cycles_gone += passed;
     }
 
-    /// What comes after cycles with the same events.
+    /// The cycles after some cycles with the same events.
     ///
-    /// The places from which these events happen are convex, and changes die out along a way between the first and the last place: if the events are the
-    /// same at both ends, they are on all of it. Two events that change their order there, and nothing else, leave the map as it is.
+    /// The states from which these events happen form a convex set, and states between the first and the last are on a way along which changes die
+    /// out. If the events are the same at both ends, they are the same on all of it. Two events that merely change their order leave the map as it
+    /// is.
     fn ahead(&mut self, last: &Cycle<D, C>) -> Ahead<'g, D, C> {
         let places = self.places.clone();
         let numbers: Vec<_> = places.iter().map(|place| last.numbers(place)).collect();
@@ -179,7 +180,7 @@ impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
             return Ahead::NotKnown;
         };
         let near = if last.record.step_error > 0.0 { NEAR_ON_ARCS } else { NEAR };
-        // Where the limit could not be told from so near, nearer.
+        // If the trial so close to the limit gave none, the next one is closer.
         let near = near.min(NEARER * last.change()).max(last.same());
         let farthest = recurrence.until(near);
         let mut passed = farthest;
@@ -209,18 +210,18 @@ impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
         }
     }
 
-    /// The cycle that others lead to.
+    /// The limit of the cycles, if it repeats itself.
     fn limit(&mut self, recurrence: &Recurrence<'_, D, C>, last: &Cycle<D, C>) -> Option<Cycle<D, C>> {
         self.followed += 1;
         let there = recurrence.fixed_point().filter(|_| recurrence.ratio() < 1.0)?;
         let (limit, _) = Cycle::beginning_at(self.engine, &self.cycles, &there, self.settings)?;
-        // Where friction falls what happens at the limit may be another thing than just before it.
+        // If friction falls, events at the limit may differ from those just before it.
         let happens_there = limit.from.weaker.is_empty() || limit.record.is_like(&last.record);
         let is_one = limit.change() <= last.same() && limit.cycles_until_closing().is_none();
         (happens_there && is_one).then_some(limit)
     }
 
-    /// Whether the object has walked farther than it is large: small motions say nothing there.
+    /// Whether the object has walked farther than its size, where small motions say nothing.
     fn has_walked_out(&self, cycle: &Cycle<D, C>) -> bool {
         let is_out = |moved: &BodyMotion<C>| moved.speed() > moved.reach && moved.reach > 0.0;
         cycle.walks() && self.moves(&self.rest, &cycle.to).iter().any(is_out)
@@ -230,7 +231,7 @@ impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
         self.slid.iter_mut().enumerate().for_each(|(i, slid)| *slid |= cycle.slides(i));
     }
 
-    /// How the path has ended within a cycle.
+    /// The verdict where the path ends within a cycle.
     fn ended(&self, cycle: usize) -> Repeats<C> {
         match self.cycles.end() {
             Some(PathEnd::Lost(loss)) => {
@@ -247,7 +248,7 @@ impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
         WholeContacts::of(self.engine.contacts()).with(is_meant)
     }
 
-    /// What all cycles to come are like, from one that repeats itself: from rest that with this number, else one that cycles lead to.
+    /// The verdict from a cycle that repeats itself: with its number if it was followed from rest, without if it is the limit of others.
     fn told(&self, cycle: &Cycle<D, C>, number: Option<usize>) -> Repeats<C> {
         let (slides, dissipated) = (self.parts(&|i| cycle.slides(i)), cycle.record.dissipated);
         if !(0..self.slid.len()).any(|i| cycle.slides(i)) {
@@ -268,7 +269,7 @@ impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
         self.engine.each_moves(&(&to.twist - &from.twist))
     }
 
-    /// The answer, with where the grasp then stands: where the path does unless said otherwise.
+    /// The answer, with the motion at the state `at`, or at the end of the path.
     fn shaken(
         &self,
         repeats: Repeats<C>,
@@ -292,15 +293,15 @@ impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
     }
 }
 
-/// What comes after cycles with the same events.
+/// The extrapolation of cycles with the same events.
 enum Ahead<'g, D: Size, const C: usize> {
-    /// They lead to one that repeats itself.
+    /// The cycles converge to one that repeats itself.
     To {
         limit: Box<Cycle<D, C>>,
         ratio: f64,
         error: f64,
     },
-    /// They are the same for so many cycles, and one more that is gone.
+    /// The events stay the same for `passed` cycles and in `cycle`, the one after them.
     Further {
         cycle: Box<Cycle<D, C>>,
         cycles: Box<Cycles<'g, D, C>>,

@@ -1,8 +1,9 @@
-//! How places between cycles go on while the same events happen: each change is a combination of those before it.
+//! Extrapolation of states between cycles with the same events: each change is a linear combination of those before it.
 //!
-//! From place to place leads an affine map, `e_{n+1} = A e_n + b`, so that changes `d_n = e_{n+1} - e_n` obey `d_{n+1} = A d_n`. Of as many of them as there are modes
-//! in them the next one is a combination, `d_{n+m} = Σ c_j d_{n+j}`, and so are all to come. Where they die out, they lead to `(e_{n+m+1} - Σ c_j e_{n+j+1}) / (1 - Σ c_j)`
-//! (minimal polynomial extrapolation).
+//! An affine map leads from state to state, `e_{n+1} = A e_n + b`, so that changes `d_n = e_{n+1} - e_n` obey `d_{n+1} = A d_n`. If m modes
+//! contribute, the next change is a combination of m others, `d_{n+m} = Σ c_j d_{n+j}`, and so are all later ones. If they die out, the states
+//! converge to
+//! `(e_{n+m+1} - Σ c_j e_{n+j+1}) / (1 - Σ c_j)` (minimal polynomial extrapolation).
 
 use nalgebra::{DMatrix, DVector};
 
@@ -11,26 +12,26 @@ use crate::load_path::CycleState;
 use crate::numerics::Size;
 use crate::prelude::*;
 
-/// So many modes are told apart at most: cycles that have more go on until fewer are left.
+/// Largest number of modes; with more of them, cycles are followed until some have died out.
 const MOST_MODES: usize = 8;
 /// Singular values below this part of the largest are rounding.
 const RANK: f64 = 1e-12;
-/// Coefficients whose sum is this near to one lead nowhere.
+/// A sum of coefficients this close to one has no limit.
 const NOWHERE: f64 = 1e-12;
-/// So many cycles ahead are looked at most.
+/// Largest number of cycles to extrapolate.
 const FARTHEST: usize = 1 << 20;
 
-/// Places between the last cycles, and what each change is of those before it.
+/// The states between the last cycles, and the last change as a combination of those before it.
 pub(super) struct Recurrence<'p, D: Size, const C: usize> {
-    /// The last ones: one more than there are changes.
+    /// The last states, one more than changes.
     places: &'p [CycleState<D, C>],
     changes: Vec<DVector<f64>>,
-    /// Of the changes but the last, what makes the last.
+    /// Coefficients of the changes before the last that combine to the last.
     coefficients: Vec<f64>,
 }
 
 impl<'p, D: Size, const C: usize> Recurrence<'p, D, C> {
-    /// Of as few modes as tell the last change but for an error; `None` where these cycles do not tell.
+    /// The recurrence with the fewest modes that gives the last change up to `error`; `None` if these cycles do not determine one.
     pub(super) fn of(places: &'p [CycleState<D, C>], numbers: &[DVector<f64>], error: f64) -> Option<Self> {
         let n = places.len();
         (1..=MOST_MODES.min(n.saturating_sub(2))).find_map(|modes| {
@@ -47,13 +48,13 @@ impl<'p, D: Size, const C: usize> Recurrence<'p, D, C> {
         })
     }
 
-    /// How much of a change is left in the next one.
+    /// The ratio of the last change to the one before.
     pub(super) fn ratio(&self) -> f64 {
         let last = self.changes.len() - 1;
         self.changes[last].norm() / self.changes[last - 1].norm()
     }
 
-    /// After so many cycles changes are as small as that; fewer where they do not get smaller.
+    /// The number of cycles until changes are this small, by their ratio; limited to `FARTHEST`, also if changes do not shrink.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to a million")]
     pub(super) fn until(&self, small: f64) -> usize {
         let last = self.changes[self.changes.len() - 1].amax();
@@ -61,22 +62,22 @@ impl<'p, D: Size, const C: usize> Recurrence<'p, D, C> {
         if self.ratio() < 1.0 { cycles.clamp(0.0, FARTHEST as f64).ceil() as usize } else { FARTHEST }
     }
 
-    /// Where they lead to.
+    /// The limit of the states.
     pub(super) fn fixed_point(&self) -> Option<CycleState<D, C>> {
         let rest = 1.0 - self.coefficients.iter().sum::<f64>();
         if rest.abs() <= NOWHERE {
             return None;
         }
         let others = self.coefficients.iter().map(|c| -c / rest);
-        // Each change leads from its place to the next.
+        // A change leads from its state to the next one, so that weights belong to the later state.
         let weights: Vec<f64> = core::iter::once(0.0).chain(others).chain([1.0 / rest]).collect();
         Some(self.combination(&weights))
     }
 
-    /// Where the grasp stands after so many more cycles, and what changes in the one after them.
+    /// The state after this number of cycles, and the change in the cycle after them.
     pub(super) fn after(&self, cycles: usize) -> (CycleState<D, C>, DVector<f64>) {
         let modes = self.coefficients.len();
-        // Changes to come as combinations of the last ones but the first, which is spent: each moves up, and the last becomes the next.
+        // The companion matrix of the recurrence: in each cycle, changes move up by one, and the last row gives the new one.
         let next = DMatrix::from_fn(modes, modes, |i, j| {
             if i + 1 == modes { self.coefficients[j] } else { f64::from(u8::from(j == i + 1)) }
         });
@@ -93,12 +94,12 @@ impl<'p, D: Size, const C: usize> Recurrence<'p, D, C> {
         (self.combination(&weights), change)
     }
 
-    /// An affine combination of the places: of one load all of them are balanced, and so is it.
+    /// An affine combination of the states, which is balanced as they are, since all have the same load.
     fn combination(&self, weights: &[f64]) -> CycleState<D, C> {
         let from = &self.places[self.places.len() - 1];
         let mut sum = from.clone();
         for (place, weight) in self.places.iter().zip(weights) {
-            // Differences keep what all of them have in common free of rounding.
+            // Differences from the last state avoid rounding in the parts that all states share.
             let add = |a: &mut f64, b: f64, base: f64| *a += weight * (b - base);
             for i in 0..sum.forces.len() {
                 for axis in 0..C {
@@ -113,7 +114,7 @@ impl<'p, D: Size, const C: usize> Recurrence<'p, D, C> {
     }
 }
 
-/// `Aⁿ` and `A + A² + … + Aⁿ`, by as many products as n has binary digits.
+/// `Aⁿ` and `A + A² + … + Aⁿ`, by repeated squaring, with one step for each binary digit of n.
 fn power_and_sum(a: &DMatrix<f64>, n: usize) -> (DMatrix<f64>, DMatrix<f64>) {
     let size = a.nrows();
     let (mut power, mut sum) = (DMatrix::identity(size, size), DMatrix::zeros(size, size));
@@ -129,7 +130,7 @@ fn power_and_sum(a: &DMatrix<f64>, n: usize) -> (DMatrix<f64>, DMatrix<f64>) {
 }
 
 impl<D: Size, const C: usize> CycleState<D, C> {
-    /// Forces and gaps, as numbers without unit, and who slides with less friction than at rest; gaps of what is `aside` left out.
+    /// Forces and gaps as numbers without unit, and which sites slide with less friction than at rest; gaps of sites `aside` are zero.
     pub(super) fn numbers(&self, scale: &Scale, aside: &dyn Fn(usize) -> bool) -> DVector<f64> {
         let forces = self.forces.iter().flat_map(|force| force.iter().map(|x| x / scale.force));
         let gap = |(i, gap): (usize, &f64)| if aside(i) { 0.0 } else { gap / scale.stretch };
@@ -137,7 +138,7 @@ impl<D: Size, const C: usize> CycleState<D, C> {
         DVector::from_vec(forces.chain(self.gaps.iter().enumerate().map(gap)).chain(weaker).collect())
     }
 
-    /// This place moved on as often as said by what leads from another one here.
+    /// This state moved on by `times` the step that leads here from another state; forces stay.
     pub(super) fn moved_on(&self, from: &Self, times: f64) -> Self {
         let mut there = self.clone();
         there.slips.iter_mut().zip(&from.slips).for_each(|(slip, before)| *slip += (*slip - before) * times);
@@ -151,7 +152,7 @@ impl<D: Size, const C: usize> CycleState<D, C> {
 mod tests {
     use super::*;
 
-    /// Of `(a, b) → (b, a + b)` they are Fibonacci's numbers, and their sums are two further on, less one: whole, and without rounding.
+    /// The powers of `(a, b) → (b, a + b)` have Fibonacci's numbers, whose sums are the number two further on, less one: exact, without rounding.
     #[test]
     fn powers_and_their_sums_are_the_numbers_of_fibonacci() {
         let step = DMatrix::from_row_slice(2, 2, &[0.0, 1.0, 1.0, 1.0]);

@@ -1,28 +1,28 @@
-//! Cycles that repeat after several of them: where friction falls as contacts begin to slide, what is slipped in one may be missing in the next.
+//! Detection of periods of several cycles: if friction falls as contacts begin to slide, a slip in one cycle may be absent in the next.
 //!
-//! Each place is compared with one of those before, which is moved up after 1, 2, 4, ... cycles (R. P. Brent, *An improved Monte Carlo factorization algorithm*, 1980): so any
-//! number of cycles after which everything repeats is found, with one place that is kept.
+//! Each state is compared with one earlier state, which is replaced after 1, 2, 4, ... cycles (R. P. Brent, *An improved Monte Carlo factorization
+//! algorithm*, 1980). Thus every period is found, with a single state in store.
 
 use super::cycle::Cycle;
 use crate::numerics::Size;
 
-/// Cycles since the place with which others are compared.
+/// The cycles since the state of comparison.
 #[derive(Debug)]
 pub(super) struct Round<D: Size, const C: usize> {
-    /// All of them as one.
+    /// These cycles as one.
     all: Option<Cycle<D, C>>,
     many: usize,
-    /// After so many the place is moved up.
+    /// Number of cycles after which the state of comparison is replaced.
     most: usize,
 }
 
 impl<D: Size, const C: usize> Round<D, C> {
-    /// Of no cycle yet.
+    /// Without any cycle yet.
     pub(super) fn new() -> Self {
         Self { all: None, many: 0, most: 1 }
     }
 
-    /// Goes on with a cycle. Where that ends at the place with which others are compared: all of them since as one, and how many.
+    /// Adds a cycle. If it ends at the state of comparison: all cycles since as one, and their number.
     pub(super) fn closed_by(&mut self, cycle: &Cycle<D, C>) -> Option<(&Cycle<D, C>, usize)> {
         if self.many == self.most {
             (self.all, self.many, self.most) = (None, 0, 2 * self.most);

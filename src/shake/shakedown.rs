@@ -1,9 +1,10 @@
-//! Up to which size of loads that repeat some slips could keep everything from sliding: the static theorem of shakedown.
+//! Size of repeated loads up to which some slips could keep all contacts from sliding: the static theorem of shakedown.
 //!
-//! While all contacts are closed and stick, with slips s that stay as they are, forces under `W₀ + λ W_k` are `F(W₀) + λ F(W_k) - P s`, with F the elastic answer and P what slips
-//! do to forces. If the grasp comes to rest under all loads of a cycle, then its slips keep all of them inside their cones. So the greatest λ for which there are any such s,
-//! a linear program, is a bound on rest; its multipliers prove that no slips do better. Where slips change no normal force it is no bound alone: the
-//! grasp does come to rest (Melan's theorem for friction), unless friction is lower once contacts slide. Elsewhere the path decides, which [`shake`](super) follows.
+//! While all contacts are closed and stick with constant slips s, forces under `W₀ + λ W_k` are `F(W₀) + λ F(W_k) - P s`. F is the elastic answer,
+//! and P the forces of slips. If the grasp comes to rest under all loads of a cycle, its slips keep all contact forces inside their cones. Thus the
+//! greatest λ with such s, by a linear program, is an upper bound for rest; its multipliers prove that no slips do better. If slips change no normal
+//! force, the bound is reached: the grasp does come to rest (Melan's theorem for friction), unless friction falls as contacts slide. Elsewhere the
+//! path decides, which [`shake`](super) follows.
 
 use nalgebra::{DMatrix, DVector, Matrix, SVector};
 
@@ -18,34 +19,35 @@ use crate::search::Settings;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// Slips that change normal forces by less than this part of all that they change leave them as they are.
+/// Relative change of normal forces by slips below which slips leave them as they are.
 const CHANGES: f64 = 1e-12;
 
-/// Beyond so many times the loads nobody asks: what is kept there is kept for any factor.
+/// Multiple of the loads beyond which no factor is of interest; loads held up to there count as held at any factor.
 const FARTHEST: f64 = 1e6;
-/// Conditions and multipliers that are off by less, of numbers near one, are met.
+/// Error up to which conditions and multipliers, which are near one, are met.
 const MET: f64 = 1e-9;
 
-/// Up to which size of loads that repeat any slips could keep everything from sliding; see [`Statics::shakedown`](crate::ask::Statics::shakedown).
+/// Size of repeated loads up to which some slips could keep all contacts from sliding; see [`Statics::shakedown`](crate::ask::Statics::shakedown).
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Shakedown<const C: usize> {
-    /// So many times the loads; infinite where nothing slides however large they are. With more the grasp never comes to rest, in whichever order they come,
-    /// as long as no contact opens: a proof, by linear programming, up to 1e-9.
+    /// The factor on the loads; infinite if nothing slides however large they are. With a larger factor the grasp never comes to rest, in any order
+    /// of the loads, as long as no contact opens. This is a proof, by linear programming, up to 1e-9.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub factor: f64,
-    /// Slips with which nothing slides at that factor, m in contact frames; zero normal components.
+    /// Slips with which nothing slides at that factor, m, in contact frames; their normal components are zero.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Vec<SVector<f64, C>>>"))]
     pub slips: Vec<SVector<f64, C>>,
-    /// Who would slide first with more, and under which of the loads.
+    /// The contacts that would slide first with a larger factor, and the load under which.
     pub binding: Vec<BindingContact>,
-    /// Whether slips change normal forces. Where they do not, the grasp comes to rest up to that factor; where they do, it may not.
+    /// Whether slips change normal forces. If not, the grasp comes to rest up to the factor; otherwise it may not.
     pub slips_change_normal_forces: bool,
-    /// Whether some contacts have [less friction](crate::grasp::Contact::kinetic) once they slide. Slips that would keep everything still may be slid past then.
+    /// Whether some contacts have [less friction](crate::grasp::Contact::kinetic) once they slide. They may then slide past the slips that would keep
+    /// them at rest.
     pub friction_falls: bool,
-    /// Whether friction was taken with a polygon around its round cone: the factor is a bound then, no matter what slips change.
+    /// Whether friction is that of a polygon around its round cone. The factor is then only an upper bound, even if slips change no normal force.
     pub around_the_round_cone: bool,
 }
 
@@ -55,16 +57,16 @@ pub struct Shakedown<const C: usize> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct BindingContact {
-    /// Under which of the loads, from 0; `None` for that at rest.
+    /// The number of the load, from 0; `None` for the load at rest.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub load: Option<usize>,
-    /// Which contact.
+    /// The contact.
     pub contact: WholeContact,
 }
 
 impl<const C: usize> Shakedown<C> {
-    /// Whether the grasp comes to rest under so many times the loads, in whichever order they come: false is a proof as long as no contact opens, and
-    /// `None` where the order decides, which [`Grasp::shake`](crate::ask::Grasp::shake) follows.
+    /// Whether the grasp comes to rest under this multiple of the loads, in any order. `false` is a proof as long as no contact opens. `None`: the
+    /// order decides, which [`Grasp::shake`](crate::ask::Grasp::shake) follows.
     #[must_use]
     pub fn rests(&self, times: f64) -> Option<bool> {
         if times > self.factor {
@@ -86,7 +88,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let at_rest = self.load_alone(base, "base load")?;
         let loads: Vec<_> =
             loads.iter().map(|load| self.inside(load, "load that repeats")).collect::<Result<_, _>>()?;
-        // A bound on rest has to lie outside the round cone.
+        // An upper bound for rest needs a polygon outside the round cone.
         let around = PolygonCone::new(settings.cone.facets(), Fit::Circumscribed)?;
         let cone = if settings.is_round::<C>() { around } else { settings.cone };
         let problem = self.problem(Polygon::shared(&cone), false, self.drives(), &Load::from(&at_rest));
@@ -145,14 +147,14 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 }
 
-/// The greatest λ >= 0 with `b + λ a + S s >= 0`, in numbers near one.
+/// The linear program: the greatest λ >= 0 with `b + λ a + S s >= 0`, scaled to numbers near one.
 struct Program {
-    /// Of each row the load, zero for that at rest, and the site.
+    /// The load, 0 for that at rest, and the site of each row.
     of: Vec<(usize, usize)>,
     b: Vec<f64>,
     a: Vec<f64>,
     s: DMatrix<f64>,
-    /// What one unit of the factor and of each slip is.
+    /// Units of the factor, and of each slip.
     units: (f64, Vec<f64>),
 }
 
@@ -185,12 +187,13 @@ impl Program {
         Self { of, b, a, s, units: (unit, units) }
     }
 
-    /// The factor, the slips and the multipliers of the rows; `None` where no slips keep what is there at rest, or rounding is in the way.
+    /// The factor, the slips and the multipliers of the rows; `None` if no slips hold the load at rest, or because of rounding.
     ///
-    /// The conditions of an optimum are a complementarity problem, solved by Lemke's method: its matrix is skew-symmetric, and so it ends at a solution if there is one.
+    /// The conditions of an optimum form a complementarity problem with a skew-symmetric matrix. Lemke's method therefore ends at a solution if there
+    /// is one.
     fn solved(&self) -> Option<(f64, Vec<f64>, Vec<f64>)> {
         let (rows, slips) = self.s.shape();
-        // λ, slips to either side, then the rows, and behind them the bound on λ.
+        // Order of the unknowns: λ, slips in either direction, multipliers of the rows, and that of the bound on λ.
         let (first, n) = (1 + 2 * slips, 2 + 2 * slips + rows);
         let mut m = DMatrix::zeros(n, n);
         let mut q = DVector::zeros(n);

@@ -1,4 +1,4 @@
-//! What becomes of a load that repeats.
+//! The verdict about a repeated load.
 
 use crate::equilibrium::Equilibrium;
 use crate::grasp::{BodyMotion, Motion, WholeContact, Wrench};
@@ -8,7 +8,7 @@ use crate::search::Doubt;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// The answer to "does it survive being shaken?"; its [`Display`](std::fmt::Display) says it in a sentence.
+/// The answer whether a grasp survives being shaken; [`Display`](std::fmt::Display) states it in a sentence.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -16,33 +16,33 @@ use crate::serial::AsComputed;
 pub struct Shaken<const C: usize> {
     /// The load at rest, where every cycle begins and ends.
     pub base: Wrench<C>,
-    /// What becomes of it.
+    /// The verdict.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub repeats: Repeats<C>,
-    /// After how many cycles everything repeats, to which amounts belong that are told of a cycle. One, but where [friction
-    /// falls](crate::grasp::Contact::kinetic) as contacts begin to slide.
+    /// The period in cycles; amounts per cycle refer to it. It is 1 unless [friction falls](crate::grasp::Contact::kinetic) as contacts begin to
+    /// slide.
     #[cfg_attr(feature = "serde", serde(default = "once", skip_serializing_if = "is_once"))]
     pub every: usize,
-    /// How many cycles have passed until then, the last of them to its end or to where it is lost.
+    /// Number of cycles until then, the last one up to its end or to the loss.
     pub cycles: usize,
-    /// How many were followed for that. Of many in a row with the same events a few are enough.
+    /// Number of cycles that were followed. Of many with the same events, a few are enough.
     pub followed: usize,
-    /// By how much forces and gaps differed at both ends of the last cycle, or of so many after which everything repeats, over the largest force and what it stretches springs by. Zero but for rounding, along sliding
-    /// arcs of the round cone below the error of their steps, unless it is undecided, lost or walks on changing.
+    /// Change of forces over the largest force, and of gaps over the springs' stretch under it, in the last cycle or period. It is zero up to
+    /// rounding, or along sliding arcs up to the error of their steps, unless the verdict is undecided, lost, or a walk with changing forces.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub change: f64,
-    /// Zero where the last cycle repeats itself. Else the verdict is that of the cycle which they lead to, and so much of what they differ by from it is left from
-    /// one to the next.
+    /// Zero if the last cycle repeats itself. Otherwise the verdict is that of the limit of the cycles, and this is the ratio of their distances from
+    /// it, from one cycle to the next.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub ratio: f64,
-    /// What the object, or each of several bodies, has moved by from rest until then. Of slips that die out, in the limit.
+    /// The motion of the object, or of each body, from rest until then; for slips that die out, in the limit.
     pub moved: Vec<BodyMotion<C>>,
-    /// The equilibrium between two cycles, after the last that was followed from rest; `None` where there is none.
+    /// The equilibrium between two cycles, after the last one that was followed from rest; `None` without one.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub state: Option<Box<Equilibrium<C>>>,
 }
 
-/// What becomes of a grasp whose load repeats.
+/// The fate of a grasp under a repeated load.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -52,59 +52,59 @@ pub struct Shaken<const C: usize> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Repeats<const C: usize> {
-    /// Nothing slides any more.
+    /// No contact slides any more.
     Rests {
-        /// After so many cycles: 0 where nothing ever slides.
+        /// Number of cycles until then; 0 if nothing ever slides.
         after: usize,
-        /// Contacts that have slid until then.
+        /// The contacts that have slid until then.
         slid: Vec<WholeContact>,
     },
-    /// Slips become smaller from cycle to cycle, and die out: it comes to rest in the limit.
+    /// Slips shrink from cycle to cycle and die out: the grasp comes to rest in the limit.
     DiesOut {
-        /// Contacts that slide.
+        /// The contacts that slide.
         slid: Vec<WholeContact>,
     },
-    /// Contacts slide to and fro for ever; the object does not leave.
+    /// Contacts slide to and fro for ever, and the object stays.
     Alternates {
-        /// Contacts that slide.
+        /// The contacts that slide.
         slides: Vec<WholeContact>,
-        /// The longest way that one of them slides in a cycle, m.
+        /// The longest path that a contact slides in a cycle, m.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         way: f64,
         /// Heat from friction in a cycle, J.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         dissipated: f64,
     },
-    /// The object moves on by as much in every cycle. Or it has walked farther than its contacts are apart while forces still
+    /// The object moves by the same amount in every cycle. Or it has walked farther than the distance of its contacts while forces still
     /// [change](Shaken::change): small motions say nothing there.
     Walks {
-        /// By this, or each of several bodies by its own.
+        /// The motion per period, of the object or of each body.
         by: Vec<BodyMotion<C>>,
-        /// Contacts that slide.
+        /// The contacts that slide.
         slides: Vec<WholeContact>,
         /// Heat from friction in a cycle, J.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         dissipated: f64,
     },
-    /// It is lost.
+    /// The object is lost.
     Lost {
-        /// In this cycle, from 1.
+        /// The cycle of the loss, from 1.
         cycle: usize,
-        /// On this leg of it, from 0.
+        /// The leg of the loss, from 0.
         leg: usize,
-        /// The load there.
+        /// The load at the loss.
         load: Wrench<C>,
-        /// How; its factor is how much of the leg has been gone.
+        /// The loss; its factor is the fraction of the leg.
         lost: Box<Lost<C>>,
     },
-    /// It does not even hold the load at rest.
+    /// The grasp does not hold even the load at rest.
     NoRest {
-        /// What [`hold`](crate::ask::Grasp::hold) says about it.
+        /// The answer of [`hold`](crate::ask::Grasp::hold) for the load at rest.
         rest: Box<Verdict<C>>,
     },
-    /// Not known.
+    /// The verdict is not known.
     Undecided {
-        /// Why the path ends in the last cycle; `None` where as many cycles as [allowed](crate::Settings::most_cycles) have passed, and
+        /// The reason why the path ends in the last cycle; `None` if the [allowed](crate::Settings::most_cycles) number of cycles has passed, and
         /// they still change.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         doubt: Option<Doubt>,
@@ -123,7 +123,7 @@ fn is_once(every: &usize) -> bool {
 }
 
 impl<const C: usize> Shaken<C> {
-    /// What the object moves by in every cycle, where it walks.
+    /// The motion of a walking object per period.
     #[must_use]
     pub fn drift(&self) -> Option<Motion<C>> {
         let Repeats::Walks { by, .. } = &self.repeats else { return None };
@@ -131,7 +131,7 @@ impl<const C: usize> Shaken<C> {
         by.first().map(|first| Motion { object: first.twist, joints: Vec::new(), bodies })
     }
 
-    /// Whether the grasp comes to rest; `None` where that is not known.
+    /// Whether the grasp comes to rest; `None` if it is not known.
     #[must_use]
     pub fn rests(&self) -> Option<bool> {
         match self.repeats {
@@ -144,7 +144,7 @@ impl<const C: usize> Shaken<C> {
         }
     }
 
-    /// Whether the object stays: it rests, or contacts slide to and fro under it for ever; `None` where that is not known.
+    /// Whether the object stays: the grasp rests, or contacts slide to and fro under it for ever; `None` if it is not known.
     #[must_use]
     pub fn stays(&self) -> Option<bool> {
         match self.repeats {

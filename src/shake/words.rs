@@ -1,4 +1,4 @@
-//! What becomes of a load that repeats, in a sentence.
+//! The verdict about a repeated load in a sentence.
 
 use core::fmt;
 
@@ -9,10 +9,10 @@ use crate::hold::does;
 use crate::prelude::*;
 use crate::words::{TOO_FAR, Words, listed};
 
-/// Forces that change by less than this part of the largest stay as they are, up to the error of steps along arcs. Slowly they may still go far.
+/// Relative change of forces below which they count as constant, up to the error of steps along arcs. Even small changes may add up.
 const SAME: f64 = 1e-8;
 
-/// A path has no frequency: a sentence about a motion in every cycle says so.
+/// Inertia is not part of a path; sentences about a walk or about sliding to and fro say so.
 const SLOWLY: &str = "Good for slow shaking: inertia acts only as far as the loads contain it";
 
 impl<const C: usize> fmt::Display for Shaken<C> {
@@ -101,7 +101,7 @@ fn cycles(many: usize) -> String {
     if many == 1 { "a cycle".to_owned() } else { format!("{many} cycles") }
 }
 
-/// "the object moves 3 mm along +x", or what each of several bodies does.
+/// "the object moves 3 mm along +x", or the motion of each body.
 fn moves<const C: usize>(words: Words, by: &[BodyMotion<C>]) -> String {
     listed(&by.iter().map(|body| words.body_motion(body)).collect::<Vec<_>>())
 }

@@ -1,13 +1,13 @@
 //! One line of the stream.
 
-/// A longer line is not kept; it is answered by an error.
+/// Longest line, bytes. A longer one is not kept, and its answer is an error.
 pub const LONGEST_LINE: usize = 1 << 26;
 
-/// One line.
+/// One line of input.
 pub(super) struct InputLine {
-    /// From 1.
+    /// The number of the line, from 1.
     pub(super) number: usize,
-    /// What is kept of it: of a line that is too long, its beginning.
+    /// The text; of a line that is too long, only its beginning.
     pub(super) text: Vec<u8>,
     pub(super) too_long: bool,
 }

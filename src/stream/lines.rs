@@ -1,8 +1,8 @@
-//! Lines in, answers out: in order, on all cores, in bounded memory.
+//! Answers lines of input in order, on all cores, in bounded memory.
 //!
 //! One thread reads lines and hands them out in blocks, workers answer blocks, and the caller's thread writes them in order. A queue of
 //! bounded length carries, for each block, the place where its answer will be put; the reader waits while it is full. A block is closed
-//! when it is full or when no further line has arrived yet, and output is flushed before waiting: who types gets an answer to each line.
+//! when it is full or when no further line has arrived yet. Output is flushed before waiting, so that a user who types gets an answer to each line.
 
 use std::io::{self, BufReader, Read, Write};
 use std::sync::Mutex;
@@ -13,34 +13,33 @@ use super::line::{InputLine, LONGEST_LINE};
 use super::options::StreamOptions;
 use super::reply::Reply;
 
-/// Lines of a block.
+/// Largest number of lines in a block.
 const BLOCK: usize = 64;
-/// A block with this many bytes is full.
+/// Size at which a block is full, bytes.
 pub const BLOCK_BYTES: usize = 1 << 16;
 
-/// Bytes that are kept of a line that is too long.
+/// Kept beginning of a line that is too long, bytes.
 const KEPT: usize = 1 << 10;
 
-/// What was done.
+/// Number of lines read and answered.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Tally {
     /// Lines read, empty ones included.
     pub lines: usize,
-    /// Lines answered by answers.
+    /// Lines with answers.
     pub answered: usize,
-    /// Lines answered by an error.
+    /// Lines with an error.
     pub errors: usize,
 }
 
-/// Never more lines than this have been read of which the answers are not yet written, but for those in the buffer of [`BLOCK_BYTES`]
-/// that input is read into.
+/// Largest number of lines that have been read and whose answers are not yet written, except those in the input buffer of [`BLOCK_BYTES`].
 #[must_use]
 pub const fn most_ahead(threads: usize) -> usize {
-    // In the queue; at the reader that waits to put one there; at the writer.
+    // Blocks in the queue, one block of the reader that waits for a place in it, and one of the writer.
     (queue(threads) + 2) * BLOCK
 }
 
-/// Blocks that may be under way or done before the oldest one.
+/// Largest number of blocks in the queue, in work or done, behind the one that is written.
 const fn queue(threads: usize) -> usize {
     4 * threads
 }
@@ -58,14 +57,14 @@ struct Answered {
 /// Answers every line of `input` by one line of `output`, in order. See [the stream](super) and [`StreamOptions`].
 ///
 /// # Errors
-/// What reading or writing fails with; lines that are no scenes are answered by an error in their place.
+/// The error of reading or writing. A line that is no scene has an error in place of its answer.
 pub fn answer_lines(
     input: impl Read + Send,
     mut output: impl Write,
     options: &StreamOptions,
 ) -> io::Result<Tally> {
     let threads = options.threads.max(1);
-    // No more jobs than places.
+    // The channel of jobs needs no bound: every job has a place in the bounded queue.
     let (put_job, take_job) = channel::<Job>();
     let (put_place, take_place) = sync_channel::<Receiver<io::Result<Answered>>>(queue(threads));
     let take_job = &Mutex::new(take_job);
@@ -74,13 +73,13 @@ pub fn answer_lines(
         for _ in 0..threads {
             scope.spawn(move || {
                 while let Some(Job { lines, answer }) = next(take_job) {
-                    // Nobody waits for it if writing failed.
+                    // The receiver is gone if writing failed.
                     let _ = answer.send(answer_block(&lines, options));
                 }
             });
         }
         let written = write_blocks(&take_place, &mut output);
-        // The reader stops when there is nobody to read for.
+        // The reader stops when its queue has no receiver.
         drop(take_place);
         let read = reader.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic));
         written.and_then(|tally| read.map(|lines| Tally { lines, ..tally }))
@@ -91,7 +90,7 @@ fn next(jobs: &Mutex<Receiver<Job>>) -> Option<Job> {
     jobs.lock().ok()?.recv().ok()
 }
 
-/// Returns the number of lines.
+/// Reads lines into blocks, and returns their number.
 fn read_blocks(
     input: impl Read,
     jobs: &Sender<Job>,
@@ -131,7 +130,7 @@ fn read_blocks(
     }
 }
 
-/// The next line without its end; of one that is too long, its beginning.
+/// The next line without its end; of a line that is too long, the beginning.
 fn read_line(input: &mut BufReader<impl Read>, number: usize) -> io::Result<Option<InputLine>> {
     use io::BufRead;
     let mut line = InputLine { number, text: Vec::new(), too_long: false };
@@ -168,7 +167,7 @@ fn write_blocks(
 ) -> io::Result<Tally> {
     let mut tally = Tally::default();
     while let Some(place) = receive(places, output)? {
-        // A worker that is gone has panicked; the scope says so.
+        // If a worker has panicked, its sender is gone, and the thread scope reports the panic.
         let Some(block) = receive(&place, output)?.transpose()? else { break };
         output.write_all(&block.text)?;
         tally.answered += block.tally.answered;
@@ -178,7 +177,7 @@ fn write_blocks(
     Ok(tally)
 }
 
-/// The next item; what was written is flushed before waiting for it.
+/// The next item. Output is flushed before waiting for it.
 fn receive<T>(from: &Receiver<T>, output: &mut impl Write) -> io::Result<Option<T>> {
     match from.try_recv() {
         Ok(item) => Ok(Some(item)),

@@ -4,8 +4,8 @@
 //!
 //! | field | value |
 //! |---|---|
-//! | `line` | its number, from 1, in this input |
-//! | `id` | that of the scene, if it has one |
+//! | `line` | number of the line in this input, from 1 |
+//! | `id` | the `id` of the scene, if it has one |
 //! | `hash` | where there is no id: 64 bits of FNV-1a over the bytes of the line, without white space at its ends, in 16 hexadecimal digits |
 //! | `answers` | one answer for each question, in order |
 //! | `brief` | the same in short ([`Brief`](crate::scene::Brief)), where [`StreamOptions::brief`] asks for it |
@@ -14,10 +14,10 @@
 //! | `begins` | of a line that is no scene and has no id: its first characters |
 //! | `blank` | `true` for a line of white space, with nothing else |
 //!
-//! So a line is found again behind a pipe that splits its input, where numbers start anew in every part.
+//! The `id` or `hash` identifies a line behind a pipe that splits its input, where numbers start anew in every part.
 //!
 //! [`answer_line`] answers a single line where there are no threads, as in a web page.
-//! Of [`answer_lines`] one thread reads lines and hands them out in blocks, workers answer blocks, and the caller's thread writes them in order.
+//! In [`answer_lines`], one thread reads lines into blocks, workers answer blocks, and the caller's thread writes the answers in order.
 
 mod line;
 mod lines;

@@ -1,6 +1,6 @@
-//! How a stream is answered.
+//! Options of a stream.
 
-/// How a stream is answered.
+/// Options of a stream.
 ///
 /// ```
 /// use grasp_lcp::stream::{StreamOptions, answer_lines};
@@ -18,11 +18,11 @@
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct StreamOptions {
-    /// Workers; the output does not depend on them. All cores unless said otherwise.
+    /// Number of worker threads; the output does not depend on it. All cores by default.
     pub threads: usize,
-    /// Whether answers come in short.
+    /// Whether answers are [short](crate::scene::Brief).
     pub brief: bool,
-    /// A scene with more points of contact is refused, for it would hold up all lines behind it. 2 000 unless said otherwise.
+    /// Largest number of points of contact. A scene with more is refused, because all later lines would wait for it. 2 000 by default.
     pub most_points: usize,
     /// No scene tries more combinations of contact states than this, whatever its settings say. 20 000 unless said otherwise.
     pub most_states: usize,
@@ -38,13 +38,13 @@ impl Default for StreamOptions {
 }
 
 impl StreamOptions {
-    /// With so many workers, at least one.
+    /// These options with this number of workers, at least one.
     #[must_use]
     pub fn on_threads(self, threads: usize) -> Self {
         Self { threads, ..self }
     }
 
-    /// With answers in short.
+    /// These options with short answers.
     #[must_use]
     pub fn in_brief(self) -> Self {
         Self { brief: true, ..self }

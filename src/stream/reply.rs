@@ -1,4 +1,4 @@
-//! What a line of the stream becomes.
+//! The reply to one line of the stream.
 
 use serde::Serialize;
 
@@ -7,7 +7,7 @@ use super::options::StreamOptions;
 use crate::error::Error;
 use crate::scene::{Answers, Brief, Fault, Id, Scene, Setup, Space, Warning};
 
-/// Characters of a line that are repeated where nothing else tells which one it was.
+/// Characters of a line that its reply repeats if nothing else identifies the line.
 const BEGINNING: usize = 60;
 
 /// See [the stream](super).
@@ -120,7 +120,7 @@ fn beginning(text: &[u8]) -> String {
     String::from_utf8_lossy(&text[..text.len().min(4 * BEGINNING)]).chars().take(BEGINNING).collect()
 }
 
-/// G. Fowler, L. C. Noll and K.-P. Vo, *The FNV Non-Cryptographic Hash Algorithm*: short in any language.
+/// The hash of G. Fowler, L. C. Noll and K.-P. Vo, *The FNV Non-Cryptographic Hash Algorithm*: short in any language.
 fn fnv1a(text: &[u8]) -> u64 {
     text.iter()
         .fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3))

@@ -1,11 +1,11 @@
-//! One line by itself, for callers that have no threads or no stream.
+//! Answers one line for callers without threads or without a stream.
 
 use super::line::{InputLine, LONGEST_LINE};
 use super::options::StreamOptions;
 use super::reply::Reply;
 
-/// The line of output for one line of input, with number 1 and without its end: what [`answer_lines`](super::answer_lines) writes,
-/// on the thread of the caller. [`StreamOptions::threads`] means nothing here.
+/// The line of output for one line of input, with the number 1 and without its end, as [`answer_lines`](super::answer_lines) writes it. It is
+/// computed on the caller's thread; [`StreamOptions::threads`] has no effect.
 ///
 /// ```
 /// use grasp_lcp::stream::{StreamOptions, answer_line};
@@ -16,7 +16,7 @@ use super::reply::Reply;
 /// ```
 ///
 /// # Errors
-/// What writing the answer in JSON fails with; a line that is no scene is answered by an error in it.
+/// The error of writing the answer in JSON. A line that is no scene is answered by an error in it.
 pub fn answer_line(text: &[u8], options: &StreamOptions) -> serde_json::Result<String> {
     let line = InputLine { number: 1, text: text.to_vec(), too_long: text.len() > LONGEST_LINE };
     serde_json::to_string(&Reply::to(&line, options))

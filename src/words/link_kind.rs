@@ -1,30 +1,30 @@
-//! Links as people speak of them: hinges carry, cables pull and go slack.
+//! Verbs for links in sentences: hinges carry, cables pull and go slack.
 
 use super::Words;
 use crate::prelude::*;
 
-/// What kind of link two bodies, or a body and the ground, are joined by; see [`Link`](crate::grasp::Link).
+/// The kind of a link between two bodies, or between a body and the ground; see [`Link`](crate::grasp::Link).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum LinkKind {
-    /// Bodies turn about a point, in space about an axis.
+    /// A hinge: bodies turn about a point, in space about an axis.
     Hinge,
-    /// In space bodies turn about a point any way.
+    /// A ball joint: bodies turn about a point in any direction; in space only.
     Ball,
-    /// A body moves along a line and does not turn.
+    /// A slide: a body moves along a line and does not turn.
     Slide,
-    /// Bodies move as one.
+    /// A rigid joint: bodies move as one.
     Rigid,
-    /// A spring between two points pulls and pushes.
+    /// A spring between two points, which pulls and pushes.
     Spring,
-    /// A cable between two points pulls, and goes slack.
+    /// A cable between two points, which pulls and goes slack.
     Cable,
 }
 
 impl LinkKind {
-    /// What people call it: "hinge".
+    /// The name in sentences: "hinge".
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -37,8 +37,8 @@ impl LinkKind {
         }
     }
 
-    /// What a link does that has this force, N, along its line where it has one, and where it can carry it this moment, N m: "carries 12 N",
-    /// "pulls with 3 N", "is slack".
+    /// The load of a link in a sentence: "carries 12 N", "pulls with 3 N", "is slack". `along` is the force of a spring or cable along its line, N,
+    /// and `moment` that of other links that can carry one, N m.
     pub(crate) fn carries(self, words: Words, along: f64, force: f64, moment: Option<f64>) -> String {
         let newtons = |x: f64| format!("{} N", words.number(x));
         match self {
@@ -53,12 +53,12 @@ impl LinkKind {
     }
 }
 
-/// What somebody does who opens: a contact, or a cable that goes slack.
+/// The verb for a contact that opens, or a link that goes slack.
 pub(crate) fn opens(link: Option<LinkKind>) -> &'static str {
     if link.is_some() { "goes slack" } else { "opens" }
 }
 
-/// The same of several.
+/// The same verb in the plural.
 pub(crate) fn open(link: Option<LinkKind>) -> &'static str {
     if link.is_some() { "go slack" } else { "open" }
 }

@@ -1,7 +1,7 @@
-//! Numbers, loads, motions and names as people read them.
+//! Numbers, loads, motions and names in sentences.
 //!
-//! Every number has its unit, and six digits unless more are asked for: [`Words::with_digits`], or a precision where a whole answer is written,
-//! `format!("{verdict:.12}")`.
+//! Every number has its unit. It has six significant digits unless [`Words::with_digits`], or the precision of a formatted answer,
+//! `format!("{verdict:.12}")`, asks for others.
 //!
 //! ```
 //! use grasp_lcp::planar::Wrench;
@@ -15,7 +15,7 @@
 //! assert_eq!(printable("left\u{1b}[2J\n"), "left\\u{1b}[2J\\n");
 //! ```
 
-/// What a sentence adds where its answer lies beyond small motions.
+/// The end of a sentence whose answer lies beyond small motions.
 pub(crate) const TOO_FAR: &str = "The object turns too far for that: all this is good for small motions";
 
 mod link_kind;

@@ -1,12 +1,12 @@
-//! Names that users give, and lists of them.
+//! Names given by users, and lists of them.
 
 use alloc::borrow::Cow;
 use core::fmt;
 
 use crate::prelude::*;
 
-/// A text of somebody else as it may be printed: control characters, and those that turn the direction of writing or break lines, are written
-/// as Rust writes them. A name cannot clear a screen, or pass for an answer.
+/// A user's text in a form that is safe to print. Control characters, marks of writing direction and line separators are escaped as in Rust, so that
+/// a name can neither clear a screen nor look like an answer.
 #[must_use]
 pub fn printable(text: &str) -> Cow<'_, str> {
     if !text.contains(is_control) {
@@ -16,18 +16,18 @@ pub fn printable(text: &str) -> Cow<'_, str> {
     Cow::Owned(text.chars().map(written).collect())
 }
 
-/// Control characters, marks of direction, separators of lines, and what XML has no place for.
+/// Control characters, marks of writing direction, line separators, and characters that XML forbids.
 fn is_control(c: char) -> bool {
     let directs =
         matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
     c.is_control() || directs || matches!(c, '\u{2028}' | '\u{2029}' | '\u{feff}' | '\u{fffe}' | '\u{ffff}')
 }
 
-/// So many names are read; of more, the first ones and how many there are besides.
+/// Longest list that is written in full; of a longer one, the first names and the number of the others are written.
 const MOST_NAMES: usize = 8;
 const FIRST_NAMES: usize = 6;
 
-/// Names in a row: "left, right and thumb"; of many, "a, b, c, d, e, f and 7 more".
+/// Names in a list: "left, right and thumb"; of a long one, "a, b, c, d, e, f and 7 more".
 pub(crate) fn listed<T: fmt::Display>(names: &[T]) -> String {
     match names {
         [] => "nothing".to_owned(),

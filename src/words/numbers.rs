@@ -6,18 +6,18 @@ use nalgebra::SVector;
 
 use crate::prelude::*;
 
-/// Digits that a person reads.
+/// Default number of significant digits.
 const DIGITS: usize = 6;
-/// More digits a number does not have.
+/// Largest number of significant digits: a double has no more.
 const MOST_DIGITS: usize = 17;
-/// A direction this close to an axis is called by its name.
+/// Relative distance from an axis up to which a direction has the name of the axis.
 const ALONG_AN_AXIS: f64 = 1e-6;
-/// What is this small beside the largest of some numbers is rounding, for whoever reads six digits of them.
+/// Relative size up to which a number beside a larger one is rounding and is written as 0, with up to six digits.
 const ROUNDING: f64 = 1e-9;
-/// The same where more digits are wanted.
+/// The same with more than six digits.
 const LITTLE_ROUNDING: f64 = 1e-13;
 
-/// How numbers are written: with so many digits, without zeros behind them, and never with a minus before zero.
+/// The form of numbers: significant digits, without trailing zeros, and without a minus before zero.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Words {
     digits: usize,
@@ -30,18 +30,18 @@ impl Default for Words {
 }
 
 impl Words {
-    /// With so many digits, from 1 to 17.
+    /// Numbers with this many significant digits, from 1 to 17.
     #[must_use]
     pub fn with_digits(digits: usize) -> Self {
         Self { digits: digits.clamp(1, MOST_DIGITS) }
     }
 
-    /// With the digits that whoever formats asks for.
+    /// Numbers with the precision of a formatter as significant digits.
     pub(crate) fn of(f: &fmt::Formatter<'_>) -> Self {
         f.precision().map_or_else(Self::default, Self::with_digits)
     }
 
-    /// How many digits: the precision for a part that is formatted, too.
+    /// Number of significant digits; also the precision for formatting a part of an answer.
     #[must_use]
     pub fn digits(self) -> usize {
         self.digits
@@ -71,7 +71,7 @@ impl Words {
         trimmed(&text).to_owned()
     }
 
-    /// Numbers in brackets; what is rounding beside the largest is zero.
+    /// Numbers in brackets; those that are rounding beside the largest are zero.
     #[must_use]
     pub fn numbers(self, components: &[f64]) -> String {
         let largest = components.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
@@ -79,7 +79,7 @@ impl Words {
         format!("({})", components.iter().map(clean).collect::<Vec<_>>().join(", "))
     }
 
-    /// This number, or zero where it is rounding beside a larger one.
+    /// The number, or zero if it is rounding beside `largest`.
     #[must_use]
     pub fn beside(self, x: f64, largest: f64) -> f64 {
         let rounding = if self.digits > DIGITS { LITTLE_ROUNDING } else { ROUNDING };

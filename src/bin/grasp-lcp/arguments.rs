@@ -14,7 +14,7 @@ use crate::numbers::{acceleration, count, kilograms, newtons, percent};
 
 /// Does the grasp hold? At which load does a contact start to slide, and what comes after?
 ///
-/// A scene is a JSON file: contacts with points, normals, stiffness, friction and squeeze, and questions. The format is described in the
+/// A scene is a JSON file with contacts (points, normals, stiffness, friction, clamping force) and questions. The format is described in the
 /// documentation of the module `scene`; examples are in `examples/scenes`. Lengths are in m, forces in N, angles in degrees.
 #[derive(Debug, Parser)]
 #[command(name = "grasp-lcp", version, max_term_width = 100, after_help = AFTER)]
@@ -42,30 +42,30 @@ Exit codes:
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    /// Writes an ordinary scene to begin with.
+    /// Writes an example scene as a starting point.
     ///
-    /// It goes to standard output, with questions in it, so that `ask` answers at once.
+    /// The scene goes to standard output and contains questions, so that `ask` answers it at once.
     #[command(arg_required_else_help = true, after_long_help = FIELDS)]
     New {
-        /// Of what.
+        /// The kind of grasp.
         #[arg(value_enum)]
         of: Template,
     },
-    /// Ordinary coefficients of friction and stiffnesses, with their sources.
+    /// Typical coefficients of friction and stiffnesses, with their sources.
     Values,
     /// Answers every question of a scene.
     Ask(Ask),
-    /// Does it hold? The load is put on from rest, and the answer is a sentence.
+    /// Does the grasp hold the load? The load grows from zero beside the base load; the answer is a sentence.
     Hold {
         #[command(flatten)]
         load: LoadArguments,
-        /// A force that is there at rest, N, where the load acts.
+        /// A force that acts before the load and stays, N, at the same point.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         base: Option<Numbers>,
         #[command(flatten)]
         ask: Ask,
     },
-    /// How much squeeze, friction, load, arm or angle does it need, or allow?
+    /// How much clamping force, friction, load, lever arm or tilt angle does the grasp need, or allow?
     Need {
         #[command(flatten)]
         ask: Ask,
@@ -74,26 +74,27 @@ pub(crate) enum Command {
     },
     /// Where should the fingers be, and how hard should they press, so that the first slip comes as late as possible, or most friction is left?
     ///
-    /// Contacts that may move have a `surface` in the scene. The answer says what stands in the way of more, and `draw` shows the grasp before and after.
+    /// Only contacts with a `surface` in the scene may move. The answer names the limits of further improvement,
+    /// and `draw` shows the grasp before and after.
     Improve {
         #[command(flatten)]
         load: LoadArguments,
-        /// A force that is there at rest, N, where the load acts.
+        /// A force that acts before the load and stays, N, at the same point.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         base: Option<Numbers>,
-        /// A force of any direction, of which this size counts as one, N, beside the load.
+        /// A force of any direction beside the load, N; this size counts as load factor 1.
         #[arg(long, allow_hyphen_values = true, value_parser = newtons, value_name = "N")]
         any_force: Option<f64>,
-        /// Contacts may press with up to this force, N; as they are commanded if left out.
+        /// Contacts may press with up to this force, N; if left out, the commands of the scene stay.
         #[arg(long, allow_hyphen_values = true, value_parser = newtons, value_name = "N")]
         at_most: Option<f64>,
-        /// Keeps most friction in reserve while the load acts in full, in place of a late first slip.
+        /// Maximises the friction reserve under the full load, instead of the load at first slip.
         #[arg(long)]
         reserve: bool,
         #[command(flatten)]
         ask: Ask,
     },
-    /// Where does the object go, and what do the contacts carry, under a load?
+    /// How does the object move under a load, and which forces do the contacts carry?
     Solve {
         #[command(flatten)]
         load: LoadArguments,
@@ -102,7 +103,7 @@ pub(crate) enum Command {
     },
     /// At which load does the first contact start to slide?
     ///
-    /// The load grows from nothing along a force and a moment; the factor of the answer counts them.
+    /// The load grows from zero in proportion to a force and a moment; the answer is the load factor at first slip.
     Onset {
         #[command(flatten)]
         load: LoadArguments,
@@ -111,85 +112,86 @@ pub(crate) enum Command {
     },
     /// At which angle does the first contact start to slide while a weight is tilted?
     ///
-    /// Bodies with masses under the scene's gravity are tilted with it, without --mass and --weight.
+    /// Without --mass and --weight, the scene's bodies with masses are tilted under its gravity.
     Turn {
         /// The mass of the object, kg, with 9.81 m/s² down along the last axis.
         #[arg(long, allow_hyphen_values = true, value_parser = kilograms, value_name = "KG", conflicts_with = "weight")]
         mass: Option<f64>,
-        /// The weight in place of the mass, N: components between commas.
+        /// The weight, N, instead of the mass: components separated by commas.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         weight: Option<Numbers>,
         /// The centre of mass, m; the origin if left out.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         at: Option<Numbers>,
-        /// A force that does not turn, N, where the weight acts.
+        /// A force of constant direction beside the weight, N, at the same point.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         base: Option<Numbers>,
-        /// In space the axis about which the grasp is tilted.
+        /// The axis about which the grasp is tilted; in space only.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y,Z")]
         axis: Option<Numbers>,
         #[command(flatten)]
         ask: Ask,
     },
-    /// What happens on the way as the load goes from one force to the next?
+    /// Which events occur while the load goes from one force to the next?
     Follow {
-        /// A force that the load goes to, N, one for each leg.
+        /// The force at the end of a leg, N; give one for each leg.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         to: Vec<Numbers>,
         /// The force at the start, N; none if left out.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         from: Option<Numbers>,
-        /// Where the forces act, m; the origin if left out.
+        /// The point where the forces act, m; the origin if left out.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         at: Option<Numbers>,
         #[command(flatten)]
         ask: Ask,
     },
-    /// Does it survive a load that repeats, or does the object walk out?
+    /// Does the grasp survive a repeated load, or does the object walk out?
     ///
-    /// Forces are put on and taken off again in turn, cycle after cycle, beside what is there at rest. The answer holds for all time.
+    /// Each force is applied and removed in turn, cycle after cycle, beside the constant load. The answer holds for any number of cycles.
     Shake {
-        /// A force that is put on and taken off again, N; several are put on one after the other.
+        /// A force that is applied and removed again, N; several forces are applied one after the other.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         force: Vec<Numbers>,
-        /// The mass of the object, kg, with 9.81 m/s² down along the last axis, there at rest.
+        /// The mass of the object, kg; its weight (9.81 m/s² down along the last axis) acts all the time.
         #[arg(long, allow_hyphen_values = true, value_parser = kilograms, value_name = "KG")]
         mass: Option<f64>,
-        /// Accelerations of this size, m/s², to and fro along every axis in turn: the mass pulls the other way, or bodies with masses under gravity do.
+        /// Accelerations of this size, m/s², to and fro along every axis in turn.
+        /// The inertia of the mass, or of the scene's bodies under gravity, is the load.
         #[arg(long, allow_hyphen_values = true, value_parser = acceleration, value_name = "A")]
         acceleration: Option<f64>,
-        /// The forces come in any order, and again and again: up to how many times these could it come to rest?
+        /// The forces repeat in any order: up to which multiple of them could the grasp come to rest (shakedown)?
         #[arg(long)]
         any_order: bool,
-        /// A force that is there at rest, N.
+        /// A force that acts all the time, N.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         base: Option<Numbers>,
-        /// Where forces and weight act, m; the origin if left out.
+        /// The point where forces and weight act, m; the origin if left out.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         at: Option<Numbers>,
         #[command(flatten)]
         ask: Ask,
     },
-    /// What do slips that were seen tell of friction, loads of supports, squeeze or stiffness?
+    /// Identifies friction, support loads, clamping force or stiffness from observed slips.
     ///
-    /// Columns of the table are fx, fy, fz (N) of the load under which it slid, mx, my, mz (in the plane m, N m), at_x, at_y, at_z (m) where the force acted,
-    /// base_x, base_y, base_z (N) what acted there at rest, a weight for instance,
-    /// squeeze (times that of the scene), slip (first or gross) and scatter_percent. Slips that may share an error have the same name or number in the column
-    /// group. Numbers come with their errors; what slips do not fix is named.
+    /// Columns of the load under which the object slid: fx, fy, fz (N), mx, my, mz (N m; in the plane one column m), and at_x, at_y, at_z (m), the
+    /// point of the force. Columns base_x, base_y, base_z (N) are the force that acted before, a weight for instance. Further columns: squeeze
+    /// (factor on that of the scene), slip (first or gross), scatter_percent, and group, a name or number that is the same for slips that may share
+    /// an error. Every estimate comes with its standard error; quantities that the slips do not determine are named.
     Identify {
         #[command(flatten)]
         ask: Ask,
         #[command(flatten)]
         slips: Identifies,
     },
-    /// How much is held in every direction, and which is the weakest? A table and pictures.
+    /// Maps the force that the grasp holds in every direction, and finds the weakest direction: a table and pictures.
     ///
-    /// Beside the force at first slip stands the one below which so few grasps slide as the standard deviations in reserve say, where friction, stiffness
-    /// and squeeze of every contact are not known exactly.
+    /// Friction, stiffness and clamping force of every contact may be uncertain. Beside the force at first slip, the table then has a smaller force
+    /// that keeps the given number of standard deviations in reserve.
     Map {
         /// The scene; `-` for standard input.
         scene: PathBuf,
-        /// Where the force acts, m; the origin if left out.
+        /// The point where the force acts, m; the origin if left out.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         at: Option<Numbers>,
         #[command(flatten)]
@@ -200,11 +202,11 @@ pub(crate) enum Command {
         #[command(flatten)]
         output: Output,
     },
-    /// Draws every question: SVG, and a page with all answers, of a spatial grasp to turn with the mouse.
+    /// Draws every question as SVG; for a spatial grasp also a page with all answers, to turn with the mouse.
     ///
-    /// The first question is drawn in a file with the name of the scene, those after it in files with their number besides. A file that ends in `_friction`
-    /// shows what each contact uses of its friction as the load is put on, turns or follows a program. One that ends in `_cycles` shows what slips while a
-    /// load repeats.
+    /// The first picture has the name of the scene, later ones also the number of the question. A file that ends in `_friction` shows the share of
+    /// friction that each contact uses while the load grows, turns or follows a program. A file that ends in `_cycles` shows the slips under a
+    /// repeated load.
     Draw {
         /// The scene; `-` for standard input.
         scene: PathBuf,
@@ -213,13 +215,13 @@ pub(crate) enum Command {
     },
     /// Answers scenes in JSON, one a line, on all cores, in order.
     ///
-    /// Every line of standard input is a scene; every line of standard output is its answer, with the number of the line and the scene's `id`, or
-    /// a hash of the line. A line that cannot be answered gives an error in its place, and the rest goes on.
+    /// Every line of standard input is a scene. Every line of standard output is its answer, with the number of the line and the scene's `id`, or
+    /// a hash of the line. A line that cannot be answered gives an error in its place; later lines are still answered.
     Stream {
-        /// Workers; the output does not depend on them. All cores if left out.
+        /// Number of worker threads; the output does not depend on it. All cores if left out.
         #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024))]
         threads: Option<u16>,
-        /// Answers in a hundred bytes: outcome, factor and the first contact.
+        /// Short answers of about a hundred bytes: outcome, factor and the first contact.
         #[arg(long)]
         brief: bool,
         /// A scene with more points of contact is refused.
@@ -232,16 +234,16 @@ pub(crate) enum Command {
         #[arg(long, allow_hyphen_values = true, value_parser = count, default_value_t = 20_000)]
         most_steps: usize,
     },
-    /// The JSON Schema of scenes or of answers, for editors and for programs that write them.
+    /// The JSON Schema of scenes or of answers, for editors and for programs.
     ///
-    /// An editor completes a scene that begins with `"$schema": "scene.schema.json"`, the file that this writes.
+    /// An editor completes a scene that begins with `"$schema": "scene.schema.json"`, the file name under which to save this schema.
     #[cfg(feature = "cli-full")]
     Schema {
-        /// Of what.
+        /// The subject of the schema.
         #[arg(value_enum, default_value_t = SchemaOf::Scene)]
         of: SchemaOf,
     },
-    /// Completions for a shell, to be put where it looks for them.
+    /// Completions for a shell, to be saved in its folder of completions.
     #[cfg(feature = "cli-full")]
     Completions {
         /// The shell.
@@ -252,19 +254,19 @@ pub(crate) enum Command {
     Man,
 }
 
-/// What a schema is of.
+/// The subject of a schema.
 #[cfg(feature = "cli-full")]
 #[derive(Debug, Clone, Copy, ValueEnum)]
 pub(crate) enum SchemaOf {
-    /// Of a scene.
+    /// A scene.
     Scene,
-    /// Of what `--json` prints: a list of answers.
+    /// The list of answers that `--json` prints.
     Answers,
-    /// Of a line of `stream`.
+    /// A line of `stream`.
     Line,
 }
 
-/// Which scene, and how the answer is written.
+/// The scene, and the form of the answer.
 #[derive(Debug, Args)]
 pub(crate) struct Ask {
     /// The scene; `-` for standard input.
@@ -275,29 +277,29 @@ pub(crate) struct Ask {
     /// Points of soft fingertips one by one, each with its own margin.
     #[arg(long)]
     pub(crate) points: bool,
-    /// How many digits numbers have.
+    /// Number of significant digits.
     #[arg(long, default_value_t = 6, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=17))]
     pub(crate) digits: u8,
 }
 
-/// An amount that is sought.
+/// The question of `need`.
 #[derive(Debug, Args)]
 pub(crate) struct Wanted {
-    /// What is sought; without it the scene's own questions are asked.
+    /// The quantity that is sought; if left out, the scene's own questions are asked.
     #[arg(value_enum)]
     pub(crate) quantity: Option<QuantityAsked>,
     #[command(flatten)]
     pub(crate) load: LoadArguments,
-    /// A force that is there whatever the amount, N, where the load acts.
+    /// A force that acts beside the load whatever the amount, N, at the same point.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
     pub(crate) base: Option<Numbers>,
     /// A force of this size and any direction beside the load, N.
     #[arg(long, allow_hyphen_values = true, value_parser = newtons, value_name = "N")]
     pub(crate) any_force: Option<f64>,
-    /// Of an arm: the direction in which the force is moved out.
+    /// For an arm: the direction in which the force is moved outwards.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
     pub(crate) along: Option<Numbers>,
-    /// Of an angle in space: the axis about which the grasp is tilted.
+    /// For an angle in space: the axis about which the grasp is tilted.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y,Z")]
     pub(crate) axis: Option<Numbers>,
     /// Of friction: the contact that it is sought of, by name.
@@ -320,66 +322,66 @@ pub(crate) struct Wanted {
     pub(crate) squeeze_less: f64,
 }
 
-/// What is sought.
+/// A quantity that `need` seeks.
 #[derive(Debug, Clone, Copy, PartialEq, ValueEnum)]
 pub(crate) enum QuantityAsked {
-    /// What each contact has to press with.
+    /// The clamping force of each contact.
     Squeeze,
     /// The least coefficient of friction.
     Friction,
-    /// How many times the load.
+    /// The factor on the load.
     Load,
-    /// How far out the load may hang.
+    /// The largest distance at which the load may hang.
     Arm,
-    /// How far the load may be tilted.
+    /// The largest angle by which the load may be tilted.
     Angle,
 }
 
-/// A load in place of those that the scene asks for.
+/// A load that replaces those of the scene.
 #[derive(Debug, Clone, Args)]
 pub(crate) struct LoadArguments {
-    /// The force, N: components between commas. Without force and moment the scene's own questions are asked.
+    /// The force, N: components separated by commas. Without force and moment, the scene's own questions are asked.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
     pub(crate) force: Option<Numbers>,
     /// The moment, N m: one number in the plane, three in space.
     #[arg(long, allow_hyphen_values = true, value_name = "M")]
     pub(crate) moment: Option<Numbers>,
-    /// Where force and weight act, m; the origin if left out.
+    /// The point where force and weight act, m; the origin if left out.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
     pub(crate) at: Option<Numbers>,
-    /// Of several bodies a force on one of them that grows together with the load, and where it acts; once for each.
+    /// With several bodies: a force on one of them that grows with the load, and its point; give one for each body.
     #[arg(long, allow_hyphen_values = true, value_name = "BODY=X,Y[,Z][@X,Y[,Z]]")]
     pub(crate) together_with: Vec<BodyPush>,
-    /// A mass, kg, whose weight is put on.
+    /// A mass, kg, whose weight is added to the load.
     #[arg(long, allow_hyphen_values = true, value_parser = kilograms, value_name = "KG")]
     pub(crate) mass: Option<f64>,
-    /// Gravity, m/s²; down along the last axis with 9.81 if left out.
+    /// The acceleration of gravity, m/s²; 9.81 down along the last axis if left out.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]", requires = "mass")]
     pub(crate) gravity: Option<Numbers>,
-    /// The acceleration of the arm, m/s²: the mass pulls the other way. Without --mass bodies with masses under the scene's gravity do.
+    /// The acceleration of the arm, m/s²; the inertia of the mass is added to the load. Without --mass, the scene's bodies under gravity count.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
     pub(crate) accelerated: Option<Numbers>,
-    /// A point of the axis about which the arm turns, m; the origin if left out.
+    /// A point on the axis about which the arm turns, m; the origin if left out.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]", requires = "mass")]
     pub(crate) about: Option<Numbers>,
-    /// How fast the arm turns, degrees/s: one number in the plane, in space three along the axis.
+    /// The angular velocity of the arm, degrees/s: one number in the plane, three along the axis in space.
     #[arg(long, allow_hyphen_values = true, value_name = "W", requires = "mass")]
     pub(crate) angular_velocity: Option<Numbers>,
-    /// How its turning speeds up, degrees/s²: as many numbers.
+    /// The angular acceleration of the arm, degrees/s²: as many numbers.
     #[arg(long, allow_hyphen_values = true, value_name = "A", requires = "mass")]
     pub(crate) angular_acceleration: Option<Numbers>,
-    /// The moment of inertia about the centre of mass, kg m²: one number in the plane, in space three, about axes along the coordinates.
+    /// The moment of inertia about the centre of mass, kg m²: one number in the plane; three in space, about axes along the coordinates.
     #[arg(long, allow_hyphen_values = true, value_name = "I", requires = "mass")]
     pub(crate) inertia: Option<Numbers>,
 }
 
-/// Where pictures go.
+/// The place and the names of pictures.
 #[derive(Debug, Args)]
 pub(crate) struct Output {
-    /// The folder that pictures are written to; it is made if it is not there.
+    /// The folder for pictures; it is created if missing.
     #[arg(long, short, default_value = "output")]
     pub(crate) output: PathBuf,
-    /// What the names of pictures begin with; the name of the scene's file if left out.
+    /// The beginning of the names of pictures; the name of the scene's file if left out.
     #[arg(long)]
     pub(crate) name: Option<String>,
 }

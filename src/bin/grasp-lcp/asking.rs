@@ -1,4 +1,4 @@
-//! Questions of a scene, or of the command line in their place.
+//! Questions of a scene, or questions of the command line that replace them.
 
 use std::collections::BTreeMap;
 use std::io::{self, Write};
@@ -28,7 +28,7 @@ use crate::shakes::Shakes;
 use crate::words::Style;
 use crate::{files, report};
 
-/// What is asked.
+/// A question of the command line.
 pub(crate) enum Asked {
     Everything,
     Hold {
@@ -61,7 +61,7 @@ pub(crate) enum Asked {
     Identify(Identifies),
 }
 
-/// Asks and prints. The code says whether everything is decided.
+/// Answers the question and prints the answer. The exit code says whether every answer is decided.
 pub(crate) fn ask(ask: &Ask, asked: &Asked) -> Result<ExitCode, Failure> {
     let mut scene = files::read(&ask.scene)?;
     match &mut scene.space {
@@ -102,18 +102,18 @@ pub(crate) fn ask(ask: &Ask, asked: &Asked) -> Result<ExitCode, Failure> {
     Ok(if undecided { ExitCode::from(UNDECIDED) } else { ExitCode::SUCCESS })
 }
 
-/// A weight, where it acts and the axis, as a question about a load that turns.
+/// Makes the question about a turning load from a weight, the point where it acts and the axis.
 type TurnOf<const C: usize> = fn([f64; C], Option<&Numbers>, Option<&Numbers>) -> Result<Turn<C>, Failure>;
 
-/// What the numbers of the command line mean in the plane, or in space.
+/// The meaning of the command line's numbers in the plane, or in space.
 pub(crate) struct Meaning<const C: usize> {
     pub(crate) force_at: fn([f64; C], [f64; C]) -> Wrench<C>,
-    /// Of as many components as there are planes to turn in.
+    /// A moment: one component in the plane, three in space.
     pub(crate) moment: fn(&[f64]) -> Wrench<C>,
     pub(crate) turn: TurnOf<C>,
 }
 
-/// Puts the question of the command line in place of the scene's; without one, those of its kind stay.
+/// Replaces the scene's questions by that of the command line; without a load there, only the scene's questions of the same kind stay.
 fn put<const C: usize>(setup: &mut Setup<C>, asked: &Asked, words: &Meaning<C>) -> Result<(), Failure> {
     let question = match asked {
         Asked::Hold { load, base } => {
@@ -244,13 +244,13 @@ impl<const C: usize> Meaning<C> {
         Ok(all)
     }
 
-    /// Does it hold?
+    /// The question whether the grasp holds a load.
     fn hold(&self, load: &LoadArguments, base: Option<&Numbers>) -> Result<Option<Question<C>>, Failure> {
         let (base, together_with) = (self.base(base, load.at.as_ref())?, self.together_with(load)?);
         Ok(self.wrench(load)?.map(|load| Question::Hold { base, load, together_with }))
     }
 
-    /// Where should the fingers be?
+    /// The question for better places of the fingers.
     fn improve(
         &self,
         load: &LoadArguments,
@@ -281,7 +281,7 @@ impl<const C: usize> Meaning<C> {
         }))))
     }
 
-    /// A force at a point.
+    /// A force that acts at a point.
     pub(crate) fn push(
         &self,
         force: &Numbers,
@@ -292,7 +292,7 @@ impl<const C: usize> Meaning<C> {
         Ok((self.force_at)(force, point(at)?))
     }
 
-    /// What acts besides, nothing if left out.
+    /// The constant load; zero if left out.
     pub(crate) fn base(&self, base: Option<&Numbers>, at: Option<&Numbers>) -> Result<Wrench<C>, Failure> {
         base.map_or(Ok(Wrench::ZERO), |base| self.push(base, "base", at))
     }

@@ -1,4 +1,4 @@
-//! What an installed program has beside its answers: schemas, completions for shells, the manual.
+//! Other output of an installed program: schemas, shell completions and the manual.
 
 use std::io::{self, Write};
 
@@ -19,13 +19,13 @@ pub(crate) fn schema(of: SchemaOf) -> Result<(), Failure> {
 }
 
 pub(crate) fn completions(shell: Shell, out: &mut impl Write) -> Result<(), Failure> {
-    // What generates them panics where it cannot write.
+    // The generator panics on a write error, so that it writes to memory.
     let mut text = Vec::new();
     clap_complete::generate(shell, &mut Arguments::command(), "grasp-lcp", &mut text);
     Ok(out.write_all(&text)?)
 }
 
-/// The page of the program, then those of its commands.
+/// The manual page of the program, then those of its commands.
 pub(crate) fn manual(out: &mut impl Write) -> Result<(), Failure> {
     let command = Arguments::command();
     clap_mangen::Man::new(command.clone()).render(out)?;

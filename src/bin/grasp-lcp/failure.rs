@@ -1,18 +1,18 @@
-//! Why the program ends without an answer, and with which exit code.
+//! Failures of the program, and their exit codes.
 
 use std::fmt;
 use std::io;
 
-/// What went wrong.
+/// The reason why the program fails.
 #[derive(Debug)]
 pub(crate) enum Failure {
     /// A file could not be read or written, or a picture not drawn.
     Files(String),
-    /// The command line asks what the scene does not have.
+    /// The command line asks for something that the scene does not have.
     Usage(String),
     /// The scene is refused.
     Scene(String),
-    /// Nobody reads on.
+    /// The reader of standard output has closed it.
     Closed,
 }
 
@@ -26,7 +26,7 @@ impl Failure {
         }
     }
 
-    /// In one line, unless nobody reads at all.
+    /// Prints the reason in one line; nothing if standard output was closed.
     pub(crate) fn tell(&self) {
         if !matches!(self, Self::Closed) {
             eprintln!("{self}");
@@ -34,7 +34,7 @@ impl Failure {
     }
 }
 
-/// The answers are all there, and one of them is "undecided".
+/// Exit code if all answers are there and one of them is "undecided".
 pub(crate) const UNDECIDED: u8 = 4;
 
 impl fmt::Display for Failure {
@@ -46,7 +46,7 @@ impl fmt::Display for Failure {
     }
 }
 
-/// Of standard output: whoever opens another file says which.
+/// An error of standard output; errors of other files are made with the name of the file.
 impl From<io::Error> for Failure {
     fn from(error: io::Error) -> Self {
         if error.kind() == io::ErrorKind::BrokenPipe {

@@ -23,7 +23,7 @@ pub(crate) fn read(path: &Path) -> Result<Scene, Failure> {
     Scene::from_json(&text).map_err(|fault| Failure::Scene(format!("{name}: {fault}")))
 }
 
-/// What messages call a scene.
+/// The name of a scene in messages.
 fn name(path: &Path) -> String {
     if path == Path::new("-") {
         "standard input".to_owned()
@@ -32,19 +32,19 @@ fn name(path: &Path) -> String {
     }
 }
 
-/// Words of warning about a scene and what is asked of it, on standard error.
+/// Prints warnings about a scene and its questions on standard error.
 pub(crate) fn warn(path: &Path, scene: &Scene) -> Result<(), Failure> {
     let warnings = scene.warnings().map_err(|error| refused(path, &error))?;
     warnings.iter().for_each(|warning| eprintln!("warning: {}: {warning}", name(path)));
     Ok(())
 }
 
-/// A scene that is refused as it is asked.
+/// The error of a scene whose question is refused.
 pub(crate) fn refused(path: &Path, error: &grasp_lcp::Error) -> Failure {
     Failure::Scene(format!("{}: {error}", name(path)))
 }
 
-/// Where pictures of a scene go.
+/// The place and the names of a scene's pictures.
 pub(crate) struct Pictures<'a> {
     output: &'a Output,
     scene: &'a Path,
@@ -62,12 +62,12 @@ impl<'a> Pictures<'a> {
         self.output.name.clone().or_else(stem).unwrap_or_else(|| "scene".to_owned())
     }
 
-    /// What pictures call the scene.
+    /// The title of the scene's pictures.
     pub(crate) fn title(&self) -> String {
         printable(&self.stem().replace('_', " ")).into_owned()
     }
 
-    /// Writes one, whose name ends like this.
+    /// Writes the picture whose name has this end.
     pub(crate) fn save(&self, end: &str, text: &str) -> Result<(), Failure> {
         let path = self.output.output.join(format!("{}{end}", self.stem()));
         let written = fs::create_dir_all(&self.output.output).and_then(|()| fs::write(&path, text));

@@ -1,4 +1,4 @@
-//! A load path in words: its events, how it ends, and who slides everywhere there.
+//! A load path in words: its events, its end, and the contacts that slide with all their points there.
 
 use std::io;
 
@@ -10,7 +10,7 @@ use grasp_lcp::scene::{PathAnswer, PathOutcome};
 use crate::report::Report;
 use crate::words::NO_WORDS;
 
-/// Who carries less than this part of the largest force opens, where others would say that it slides.
+/// A patch opens, and does not slide, if it carries less than this part of the largest force.
 const WEIGHTLESS: f64 = 1e-9;
 
 impl Report<'_> {
@@ -55,7 +55,7 @@ impl Report<'_> {
         ))
     }
 
-    /// The load there, and those of bodies that go their own way.
+    /// The load at a place of the path, with those of bodies that have loads of their own.
     fn load_of<const C: usize>(&self, load: &Wrench<C>, state: Option<&Equilibrium<C>>) -> String {
         let loads = state.into_iter().flat_map(|state| &state.body_loads);
         self.load(load) + &self.and_on_bodies(loads.map(|load| (&*load.body, &load.load)))
@@ -100,7 +100,7 @@ impl Report<'_> {
         }
     }
 
-    /// Who slides or opens with all that touches where an equilibrium is lost: the last points come to their edge just there.
+    /// The patches all of whose closed points slide or open where an equilibrium is lost: their last points reach their edge just there.
     fn on_their_edge<const C: usize>(&mut self, loss: &Loss<C>, state: &Equilibrium<C>) -> io::Result<()> {
         let is_closed = |contact: &&ContactAnswer<C>| contact.state != ContactState::Separated;
         let slides = |contact: &ContactAnswer<C>| {

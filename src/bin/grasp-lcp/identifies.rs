@@ -1,4 +1,4 @@
-//! Slips that were seen, from a table, and what the command line seeks from them.
+//! Observed slips from a table, and the unknowns that the command line seeks from them.
 
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
@@ -12,30 +12,31 @@ use crate::asking::Meaning;
 use crate::failure::Failure;
 use crate::needs::named;
 
-/// What is sought, and the table of what was seen.
+/// The unknowns, and the table of observed slips.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Identifies {
-    /// A table of slips: lines of numbers between commas, under a line with the names of the columns. Without it the scene's own questions are asked.
+    /// A table of slips: rows of numbers separated by commas, below a row with the names of the columns. If left out, the scene's own questions
+    /// are asked.
     pub(crate) table: Option<PathBuf>,
-    /// What is sought, one number for all contacts or for those that are named: friction, carried (the load of a support, N), squeeze or stiffness;
-    /// friction of all if left out.
+    /// An unknown, one number for all contacts or for the named ones: friction, carried (the load of a support, N), squeeze or stiffness.
+    /// If left out, one coefficient of friction of all contacts is sought.
     #[arg(long, value_name = "WHAT[=CONTACT,CONTACT]")]
     pub(crate) unknown: Vec<UnknownGiven>,
-    /// What the sum of some unknowns, by their numbers from 0, is known to be, with its standard deviation in percent.
+    /// A known sum of unknowns, given by their numbers from 0, with its standard deviation in percent.
     #[arg(long, value_name = "0+1=VALUE,PERCENT")]
     pub(crate) known: Vec<Sum>,
-    /// The slips are those of the first contact, where the table does not say.
+    /// The slips are first slips, unless the table has a column `slip`; gross slips if left out.
     #[arg(long)]
     pub(crate) first: bool,
-    /// The standard deviation of loads in percent, where the table does not say; estimated if left out.
+    /// The standard deviation of loads in percent, unless the table has a column for it; estimated if left out.
     #[arg(long, allow_hyphen_values = true, value_parser = crate::numbers::percent, value_name = "PERCENT")]
     pub(crate) scatter: Option<f64>,
-    /// A force that acted besides, N.
+    /// A force that acted before the load, N.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
     pub(crate) base: Option<Numbers>,
 }
 
-/// One number that is sought.
+/// One unknown.
 #[derive(Debug, Clone)]
 pub(crate) struct UnknownGiven {
     kind: UnknownKind,
@@ -63,7 +64,7 @@ impl FromStr for UnknownGiven {
     }
 }
 
-/// A sum that is known.
+/// A known sum of unknowns.
 #[derive(Debug, Clone)]
 pub(crate) struct Sum {
     unknowns: Vec<usize>,
@@ -92,7 +93,7 @@ impl FromStr for Sum {
 }
 
 impl<const C: usize> Meaning<C> {
-    /// What do slips tell?
+    /// The question about observed slips.
     pub(crate) fn identify(
         &self,
         given: &Identifies,
@@ -161,7 +162,7 @@ impl<const C: usize> Meaning<C> {
         Ok(slips)
     }
 
-    /// A row under its names of columns. Groups are numbered in the order in which they come first.
+    /// The slip of a row under the names of the columns. Groups are numbered in their order in the table.
     fn slip<'a>(
         &self,
         (heads, cells): (&[&str], &[&'a str]),
@@ -226,13 +227,13 @@ impl<const C: usize> Meaning<C> {
     }
 }
 
-/// What is wrong with a line.
+/// The error of a row.
 enum Fault {
     Cell(String),
     Usage(Failure),
 }
 
-/// The names that columns may have.
+/// The allowed names of columns.
 fn columns<const C: usize>() -> Vec<&'static str> {
     let of_space: &[_] = if C == 3 {
         &["fx", "fy", "fz", "mx", "my", "mz", "at_x", "at_y", "at_z", "base_x", "base_y", "base_z"]

@@ -1,4 +1,4 @@
-//! Loads of the command line, as forces.
+//! Forces and moments from the loads of the command line.
 
 use grasp_lcp::Error;
 use grasp_lcp::grasp::{ArmMotion, Payload, Wrench};
@@ -6,11 +6,11 @@ use grasp_lcp::grasp::{ArmMotion, Payload, Wrench};
 use crate::arguments::{LoadArguments, Numbers};
 use crate::failure::Failure;
 
-/// Where the arm turns a body of which only the mass is known.
+/// The error of an arm that turns a body with a mass but without an inertia.
 const INERTIA_IS_MISSING: &str =
     "--inertia is missing: about the centre of mass, kg m², zero for a body that is small beside its arm";
 
-/// Where a force acts: the origin unless said otherwise.
+/// The point where a force acts; the origin if left out.
 pub(crate) fn point<const C: usize>(at: Option<&Numbers>) -> Result<[f64; C], Failure> {
     at.map_or(Ok([0.0; C]), |at| at.array("at")).map_err(Failure::Usage)
 }
@@ -21,7 +21,7 @@ pub(crate) fn weight_of<const C: usize>(mass: f64) -> Result<[f64; C], Failure> 
     Ok(std::array::from_fn(|a| load.components()[a]))
 }
 
-/// With what a mass pulls: its weight, less what accelerates it.
+/// The force of a mass on the grasp: its weight less mass times acceleration.
 pub(crate) fn pull_of_mass<const C: usize>(load: &LoadArguments) -> Result<Wrench<C>, Failure> {
     let given = |numbers: &Numbers, option: &str| numbers.array(option).map_err(Failure::Usage);
     let mut arm = ArmMotion::<C>::still();
@@ -47,7 +47,7 @@ pub(crate) fn pull_of_mass<const C: usize>(load: &LoadArguments) -> Result<Wrenc
     })
 }
 
-/// A number about the one axis of the plane, or three.
+/// One number about the axis of the plane, or three in space.
 fn about_axes<const C: usize>(numbers: &Numbers, option: &str) -> Result<[f64; 3], Failure> {
     match (C, &numbers.0[..]) {
         (2, [z]) => Ok([0.0, 0.0, *z]),

@@ -1,4 +1,4 @@
-//! Scenes in files: asked, drawn, mapped and streamed.
+//! The program: answers, draws, maps and streams scenes.
 
 #[macro_use]
 mod printing;
@@ -47,7 +47,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// Does what the command line asks, or says how it is used.
+/// Does what the command line asks, or prints its usage.
 fn asked() -> Result<ExitCode, Failure> {
     match Arguments::try_parse() {
         Ok(arguments) => run(arguments.command),

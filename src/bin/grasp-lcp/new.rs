@@ -1,8 +1,8 @@
-//! Scenes to begin with.
+//! Example scenes as starting points.
 
 use clap::ValueEnum;
 
-/// An ordinary scene, to be changed where one's own differs.
+/// An example scene, to be adapted.
 #[derive(Debug, Clone, Copy, ValueEnum)]
 pub(crate) enum Template {
     /// Two soft jaws on a box.
@@ -33,7 +33,7 @@ impl Template {
     }
 }
 
-/// What the fields of these scenes are, for the help and the manual: JSON has no comments.
+/// The meaning of the fields in these scenes, for the help and the manual: JSON has no comments.
 pub(crate) const FIELDS: &str = "\
 What stands in the scenes:
   format             the version, always \"grasp-lcp/1\"

@@ -1,11 +1,11 @@
-//! Numbers of the command line: each kind says what it takes, in its unit.
+//! Numbers of the command line: the parser of each kind states its unit and its range in its error.
 
 use std::ops::RangeInclusive;
 
-/// Larger numbers are no lengths, forces or masses of anything that is held.
+/// Largest size of a number, in SI units; larger ones are no lengths, forces or masses of real objects.
 const LARGEST: f64 = 1e50;
 
-/// Numbers between commas.
+/// Numbers separated by commas.
 #[derive(Debug, Clone)]
 pub(crate) struct Numbers(pub(crate) Vec<f64>);
 
@@ -24,7 +24,7 @@ impl std::str::FromStr for Numbers {
 }
 
 impl Numbers {
-    /// As many as the axes of the scene.
+    /// Exactly `N` numbers, one for each axis of the scene.
     pub(crate) fn array<const N: usize>(&self, option: &str) -> Result<[f64; N], String> {
         let space = if N == 3 { "three numbers in space" } else { "two numbers in the plane" };
         self.0
@@ -34,7 +34,7 @@ impl Numbers {
     }
 }
 
-/// A force on one of several bodies, and where it acts.
+/// A force on one of several bodies, and the point where it acts.
 #[derive(Debug, Clone)]
 pub(crate) struct BodyPush {
     pub(crate) body: String,
@@ -46,7 +46,7 @@ impl std::str::FromStr for BodyPush {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        // Names may have a sign of equality in them, forces have none.
+        // The name of a body may contain an equals sign, a force may not: the last one separates them.
         let Some((body, push)) = text.rsplit_once('=') else {
             return Err(format!("`{text}` names no body; write it with its force, such as upper=-5,0@0,0.2"));
         };
@@ -85,7 +85,7 @@ fn within(text: &str, range: RangeInclusive<f64>, allowed: &str) -> Result<f64, 
     number.ok_or_else(|| format!("must be {allowed}"))
 }
 
-/// So many.
+/// A whole number.
 pub(crate) fn count(text: &str) -> Result<usize, String> {
     text.trim().parse().map_err(|_| "must be a whole number, from 0 on".to_owned())
 }

@@ -1,4 +1,4 @@
-//! Bodies with masses under the scene's gravity: the command line tilts and accelerates these, and counts no weight twice.
+//! Bodies with masses under the scene's gravity. The command line tilts and accelerates them, and never counts a weight twice.
 
 use std::borrow::Cow;
 
@@ -8,13 +8,13 @@ use grasp_lcp::words::printable;
 use crate::arguments::{LoadArguments, Numbers};
 use crate::failure::Failure;
 
-/// The weight of all bodies and where it acts, for a turn.
+/// The weight of all bodies and its point, for a turn.
 pub(crate) struct TurnedWeight<const C: usize> {
     pub(crate) weight: [f64; C],
     pub(crate) at: Numbers,
 }
 
-/// Leaves gravity to a load that turns, if bodies have masses.
+/// Replaces the scene's gravity by a load that turns, if bodies have masses; returns their weight for it.
 pub(crate) fn tilted<const C: usize>(setup: &mut Setup<C>) -> Option<TurnedWeight<C>> {
     let (mass, centre) = setup.own_mass()?;
     let gravity = setup.gravity?;
@@ -22,7 +22,7 @@ pub(crate) fn tilted<const C: usize>(setup: &mut Setup<C>) -> Option<TurnedWeigh
     Some(TurnedWeight { weight: std::array::from_fn(|a| mass * gravity[a]), at: Numbers(centre.to_vec()) })
 }
 
-/// The mass of all bodies, of which every load has its share from now on, and its centre; `option` says what needs it.
+/// Shares every load among the bodies by mass and returns their total mass and its centre; `option` is the option named in an error.
 pub(crate) fn accelerated<const C: usize>(
     setup: &mut Setup<C>,
     option: &str,
@@ -35,7 +35,7 @@ pub(crate) fn accelerated<const C: usize>(
     Ok(own)
 }
 
-/// Refuses a mass on a body that has one.
+/// Refuses `--mass` for a body that has a mass in the scene.
 pub(crate) fn refuse_mass<const C: usize>(setup: &Setup<C>, mass: Option<f64>) -> Result<(), Failure> {
     match mass.and_then(|_| setup.weighty_body(None)) {
         None => Ok(()),
@@ -46,7 +46,7 @@ pub(crate) fn refuse_mass<const C: usize>(setup: &Setup<C>, mass: Option<f64>) -
     }
 }
 
-/// The load where it accelerates the bodies of the scene, as that of one mass without weight.
+/// The load with the scene's bodies as one accelerated mass without weight.
 pub(crate) fn of_own_masses<'l, const C: usize>(
     load: &'l LoadArguments,
     beside: bool,

@@ -1,6 +1,6 @@
-//! What the program prints. Where nobody reads on it ends quietly, where a disk is full in one line; nothing panics.
+//! Output of the program. A closed output ends it quietly, a full disk with one line; nothing panics.
 //!
-//! The macros take the names of those in the standard library, which panic: nobody can print past them by mistake.
+//! The macros shadow those of the standard library, which panic on such errors.
 
 use std::fmt;
 use std::io::{self, Write};
@@ -25,7 +25,7 @@ pub(crate) fn line(words: fmt::Arguments<'_>) {
     }
 }
 
-/// A line beside the answers; nobody need read it.
+/// A line beside the answers, on standard error; failing to write it is no error.
 pub(crate) fn remark(words: fmt::Arguments<'_>) {
     let _ = writeln!(io::stderr(), "{words}");
 }

@@ -34,9 +34,9 @@ pub(crate) fn print<const C: usize>(
                 | Answer::Identify(_)
         )
     };
-    // A sentence is what was asked for, and comes first.
+    // An answer that is a sentence comes first; only tables need this head.
     if !answers.iter().all(is_a_sentence) {
-        // In one line: none of its lines passes for an answer.
+        // The comment is put on one line, so that none of its lines looks like an answer.
         if let Some(comment) = comment {
             writeln!(out, "{}", printable(&comment.lines().collect::<Vec<_>>().join(" ")))?;
         }
@@ -61,12 +61,12 @@ pub(crate) fn print<const C: usize>(
     Ok(())
 }
 
-/// Loads by name.
+/// Loads by the name of their body.
 fn named<const C: usize>(loads: &BTreeMap<String, Wrench<C>>) -> impl Iterator<Item = (&str, &Wrench<C>)> {
     loads.iter().map(|(body, load)| (body.as_str(), load))
 }
 
-/// Where to, and how.
+/// The output, and the form of the answers.
 pub(crate) struct Report<'o> {
     out: &'o mut dyn Write,
     pub(crate) style: Style,
@@ -81,7 +81,7 @@ impl Report<'_> {
         self.style.words.load(load)
     }
 
-    /// Loads of several bodies that go with it.
+    /// The loads of other bodies that act together with a load, in words.
     pub(crate) fn and_on_bodies<'l, const C: usize>(
         &self,
         loads: impl IntoIterator<Item = (&'l str, &'l Wrench<C>)>,
@@ -98,7 +98,7 @@ impl Report<'_> {
         table(self.out, self.style, state)
     }
 
-    /// The sentence, and where each contact that may change is then.
+    /// The sentence, and the new place of each contact that may move.
     fn improved<const C: usize>(&mut self, improved: &Improved<C>) -> io::Result<()> {
         let (digits, words) = (self.style.digits(), self.style.words);
         writeln!(self.out, "{improved:.digits$}")?;
@@ -133,7 +133,7 @@ impl Report<'_> {
                     self.load(load),
                     self.and_on_bodies(named(together_with))
                 )?;
-                // Nothing was found by a search; what happens from rest is known all the same.
+                // If the search found nothing, the path from rest may still decide.
                 match (&answer.from_rest, &answer.outcome) {
                     (Some(told), Outcome::Undecided(undecided)) if told.verdict.holds() == Some(false) => {
                         self.lost_from_rest(&told.verdict, undecided)
@@ -185,14 +185,14 @@ impl Report<'_> {
         }
     }
 
-    /// Put on from rest it is lost, which is what counts; the search has found no equilibrium elsewhere, and has not excluded one.
+    /// The load is lost from rest, which counts. The search has found no other equilibrium, and has not excluded one.
     fn lost_from_rest<const C: usize>(&mut self, verdict: &Verdict<C>, doubt: &Undecided) -> io::Result<()> {
         let digits = self.style.digits();
         self.line(&format!("put on from rest: {verdict:.digits$}"))?;
         self.line(&format!("whether another equilibrium exists elsewhere is undecided: {doubt}"))
     }
 
-    /// An onset at a place that is called so, where the load changes or commands alone.
+    /// An onset at `called`, such as a factor; `changes` is false if only commands change, not the load.
     fn onset<const C: usize, At>(
         &mut self,
         onset: &OnsetAnswer<C, At>,
@@ -203,7 +203,7 @@ impl Report<'_> {
         match onset {
             OnsetAnswer::At(event) => {
                 let (at, load) = (place(self, &event.at), self.load(&event.load));
-                // A load that does not change says nothing of where that is.
+                // A constant load does not help to locate the onset.
                 let load = if changes { format!(", that is {load}") } else { String::new() };
                 self.line(&format!("at {called} {at}{load}"))?;
                 self.leaving(event)?;
@@ -229,7 +229,7 @@ impl Report<'_> {
         }
     }
 
-    /// Contacts that come to their edge while a load turns and do not leave, each once.
+    /// Contacts and drives that reach their edge while a load turns and do not leave, each once.
     fn touches<const C: usize>(&mut self, answer: &TurnAnswer<C>) -> io::Result<()> {
         let mut told = Vec::new();
         for touch in &answer.touches {
@@ -248,7 +248,7 @@ impl Report<'_> {
         Ok(())
     }
 
-    /// Who stops sticking, and how.
+    /// The contacts that stop sticking, and their motion.
     fn leaving<const C: usize, At>(&mut self, event: &OnsetAt<C, At>) -> io::Result<()> {
         let digits = self.style.digits();
         if self.style.points {
@@ -272,7 +272,7 @@ impl Report<'_> {
         Ok(())
     }
 
-    /// What comes after an onset.
+    /// The behaviour beyond an onset.
     fn beyond_onset<const C: usize>(&mut self, next: &Beyond<C>, state: &Equilibrium<C>) -> io::Result<()> {
         let Beyond::Continues(next) = next else { return self.beyond(next) };
         let slides = |i: &usize| matches!(next.states.get(*i), Some(ContactState::Sliding { .. }));
@@ -296,7 +296,7 @@ impl Report<'_> {
         self.line(&format!("beyond: the grasp holds on; {who}"))
     }
 
-    /// What lies beyond an onset where the equilibrium ends, or beyond the end of a path.
+    /// The behaviour beyond an onset where the equilibrium ends, or beyond the end of a path.
     pub(crate) fn beyond<const C: usize>(&mut self, beyond: &Beyond<C>) -> io::Result<()> {
         let digits = self.style.digits();
         self.line(&format!("beyond: {beyond:.digits$}"))

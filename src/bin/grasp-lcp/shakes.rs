@@ -1,4 +1,4 @@
-//! Loads of the command line that repeat.
+//! Repeated loads of the command line.
 
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::scene::{Question, Setup, ShakeAsked, ShakedownAsked};
@@ -9,7 +9,7 @@ use crate::failure::Failure;
 use crate::loads::{point, weight_of};
 use crate::own_masses::{accelerated, refuse_mass};
 
-/// What is put on and taken off again in turn, and what is there at rest.
+/// The loads that are applied and removed in turn, and the constant load.
 pub(crate) struct Shakes {
     pub(crate) force: Vec<Numbers>,
     pub(crate) mass: Option<f64>,
@@ -20,7 +20,7 @@ pub(crate) struct Shakes {
 }
 
 impl<const C: usize> Meaning<C> {
-    /// Does it survive?
+    /// The question whether the grasp survives the loads.
     pub(crate) fn shake(
         &self,
         shakes: &Shakes,
@@ -58,7 +58,7 @@ impl<const C: usize> Meaning<C> {
         }))
     }
 
-    /// With what a mass pulls that is accelerated to and fro along every axis in turn.
+    /// The inertial loads of a mass that is accelerated to and fro along every axis in turn.
     pub(crate) fn accelerated(&self, mass: f64, acceleration: f64, at: [f64; C]) -> Vec<Wrench<C>> {
         let pull = |axis: usize, sign: f64| {
             let pull = std::array::from_fn(|a| if a == axis { sign * mass * acceleration } else { 0.0 });

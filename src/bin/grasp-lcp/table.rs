@@ -1,4 +1,4 @@
-//! An equilibrium as a table: one row a contact, points of a soft fingertip together unless they are asked for.
+//! An equilibrium as a table: one row a contact. Points of a soft fingertip share a row, unless `--points` asks for each.
 
 use std::io::{self, Write};
 
@@ -51,11 +51,11 @@ fn heads<const C: usize>(pads: bool) -> Vec<String> {
     first.iter().chain(moments).chain(last).map(|head| (*head).to_owned()).collect()
 }
 
-/// Numbers of one table.
+/// Numbers of one table, free of rounding.
 #[derive(Clone, Copy)]
 struct Cleaned {
     words: Words,
-    /// The largest force, beside which others are rounding.
+    /// The largest force, N; much smaller forces are rounding.
     largest: f64,
 }
 
@@ -81,7 +81,7 @@ fn cells<const C: usize>(row: &WholeAnswer<'_, C>, numbers: Cleaned, columns: us
     cells
 }
 
-/// The moment of a pad about its middle; in space about the normal, and across it.
+/// The moment of a pad about its centre; in space about the normal and across it.
 fn moments<const C: usize>(pad: &PadAnswer<C>, words: Words) -> Vec<String> {
     match *pad.moment() {
         [about_n, first, second] => vec![words.number(about_n), words.number(f64::hypot(first, second))],
@@ -89,7 +89,7 @@ fn moments<const C: usize>(pad: &PadAnswer<C>, words: Words) -> Vec<String> {
     }
 }
 
-/// Columns of even width: names to the left, numbers to the right.
+/// Prints columns of even width, names left-aligned, numbers right-aligned.
 fn print(out: &mut dyn Write, lines: &[Vec<String>]) -> io::Result<()> {
     let width = |column: usize| lines.iter().map(|line| line[column].chars().count()).max().unwrap_or(0);
     let widths: Vec<_> = (0..lines[0].len()).map(width).collect();

@@ -1,8 +1,8 @@
-//! Ordinary values of friction and stiffness, each with its source.
+//! Typical values of friction and stiffness, each with its source.
 
 use std::io::{self, Write};
 
-/// One value or source a line, its columns between tabs.
+/// Values and sources, one a line, with columns separated by tabs.
 const TABLE: &str = include_str!("values.tsv");
 
 const HEAD: &str = "\
@@ -13,7 +13,7 @@ const STIFFNESS: &str = "\
 Springs in series add their compliances, 1/k: of pad, finger and mechanism the softest counts. Of a bellows or a clamp it is force over stroke
 in its data sheet.";
 
-/// The table in words: what, from where to where, and the number of its source in the list at its end.
+/// Prints every value as a range with its unit, its material or part, and the number of its source in the list at the end.
 pub(crate) fn print(out: &mut dyn Write) -> io::Result<()> {
     let lines = || {
         TABLE.lines().filter(|line| !line.starts_with('#')).map(|line| line.split('\t').collect::<Vec<_>>())

@@ -1,11 +1,11 @@
-//! How answers are told: with how many digits, and whether point by point.
+//! The form of answers: number of digits, and whether points of soft fingertips are printed one by one.
 
 use grasp_lcp::words::Words;
 
-/// Of what the library may come to say some day.
+/// Printed for answers that later versions of the library may add.
 pub(crate) const NO_WORDS: &str = "an answer for which this program has no words yet; --json prints it";
 
-/// How answers are told.
+/// The form of answers.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Style {
     pub(crate) words: Words,
@@ -14,7 +14,7 @@ pub(crate) struct Style {
 }
 
 impl Style {
-    /// Digits of a whole answer.
+    /// Significant digits of a whole answer.
     pub(crate) fn digits(self) -> usize {
         self.words.digits()
     }

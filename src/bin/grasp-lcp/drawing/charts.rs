@@ -1,4 +1,4 @@
-//! How much friction is used on the way of a question.
+//! Charts of the friction that is used along a load path.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::load_path::{Onset, Ramp};
@@ -7,15 +7,15 @@ use grasp_lcp::scene::{Question, Setup};
 
 use crate::failure::Failure;
 
-/// So much farther than what is looked for a chart goes.
+/// The end of a chart, as a multiple of the farthest load factor of interest: the load itself, first slip or loss.
 const BEYOND: f64 = 1.25;
-/// What comes after so many times the load is not drawn: the way there would fill the chart.
+/// Load factor beyond which nothing is drawn: the path there would fill the chart.
 const FAR: f64 = 5.0;
-/// Cycles of a load that repeats that are drawn.
+/// Bounds of the number of cycles that are drawn of a repeated load.
 const FEWEST_CYCLES: usize = 4;
 const MOST_CYCLES: usize = 12;
 
-/// The chart of a question, if it has one.
+/// The chart of a question, if it has a load path.
 pub(super) fn chart<const C: usize>(
     setup: &Setup<C>,
     grasp: &Grasp<C>,
@@ -54,7 +54,7 @@ pub(super) fn chart<const C: usize>(
     })
 }
 
-/// Slips of a load that repeats, cycle by cycle from rest, and the loop that remains.
+/// Slips under a repeated load, cycle by cycle from rest, and the loop that remains.
 pub(super) fn cycles<const C: usize>(
     setup: &Setup<C>,
     grasp: &Grasp<C>,

@@ -1,4 +1,4 @@
-//! Draws what a scene asks: every question as a picture, of a spatial grasp all of them also as a page; and how much friction is used on the way.
+//! Pictures of a scene: one for each question, a page for a spatial grasp, and charts of the friction that is used.
 
 mod charts;
 mod shown;
@@ -26,12 +26,12 @@ pub(crate) fn draw(scene: &Scene, pictures: &Pictures<'_>) -> Result<(), Failure
     }
 }
 
-/// What the name of a picture ends with: the first question has the name of the scene, others their number besides.
+/// The end of a picture's name: empty for the first question, its number for later ones, then `besides`.
 fn ending(number: usize, besides: &str) -> String {
     if number == 1 { format!("{besides}.svg") } else { format!("_{number}{besides}.svg") }
 }
 
-/// A picture for each question: of the equilibrium that answers it, or of the grasp alone.
+/// A picture for each question: its equilibrium, or the grasp alone.
 fn planar(setup: &Setup<2>, pictures: &Pictures<'_>) -> Result<(), Failure> {
     let (grasp, title) = (setup.grasp()?, pictures.title());
     let corners = |outline: &Vec<Vector2<f64>>| outline.iter().map(|corner| (*corner).into()).collect();
@@ -124,7 +124,7 @@ fn spatial(setup: &Setup<3>, pictures: &Pictures<'_>) -> Result<(), Failure> {
     Ok(())
 }
 
-/// What each contact uses of its friction, one chart below the other for each question that has a way to go.
+/// The share of friction that each contact uses, one chart below the other for each question with a load path.
 fn charts<const C: usize>(setup: &Setup<C>, pictures: &Pictures<'_>) -> Result<(), Failure> {
     let (grasp, title) = (setup.grasp()?, pictures.title());
     let mut charts = Vec::new();

@@ -1,4 +1,4 @@
-//! What a picture shows of the answer to a question.
+//! The states of a grasp that a picture shows for a question.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::{Equilibrium, Outcome};
@@ -14,29 +14,29 @@ use grasp_lcp::words::Words;
 use crate::failure::Failure;
 use crate::words::NO_WORDS;
 
-/// One answer as it is drawn.
+/// One answer in a picture.
 pub(super) struct Shown<const C: usize> {
     pub(super) label: String,
     pub(super) says: Vec<String>,
-    /// The grasp of the answer where it is not that of the scene.
+    /// The grasp of the answer if it differs from that of the scene.
     pub(super) grasp: Option<Grasp<C>>,
     pub(super) what: What<C>,
 }
 
-/// What there is to draw.
+/// The content of a picture.
 pub(super) enum What<const C: usize> {
-    /// An equilibrium, and the way the object leaves it if it does.
+    /// An equilibrium, and the motion of the object as it is lost, if it is.
     State { state: Box<Equilibrium<C>>, leaving: Option<Motion<C>> },
-    /// Why there is none, and the load.
+    /// The reason why there is no equilibrium, and the load.
     Nothing { why: String, load: Option<Wrench<C>> },
 }
 
-/// The answers to one question: of a program one for each event, and the end.
+/// The answers to one question; of a program one for each event, and its end.
 pub(super) struct ShownAnswers<const C: usize>(pub(super) Vec<Shown<C>>);
 
 impl<const C: usize> ShownAnswers<C> {
-    /// Which ones stand for the question, and what the names of their pictures end with besides: that of a hold comes first, that of a program last. Of
-    /// fingers that are improved the grasp before has a picture, too.
+    /// The answers that represent the question, and the ends of their pictures' names: the first of a hold, the last of a program. Improved fingers
+    /// also have a picture of the grasp before.
     pub(super) fn keys(&self) -> Vec<(usize, &'static str)> {
         let begins = |shown: &Shown<C>, with| shown.label.starts_with(with);
         let key = self.0.first().map(|first| if begins(first, LEG) { self.0.len() - 1 } else { 0 });
@@ -45,12 +45,12 @@ impl<const C: usize> ShownAnswers<C> {
     }
 }
 
-/// What labels of events begin with.
+/// The beginning of labels of events.
 const LEG: &str = "leg ";
-/// And those of a grasp that was improved.
+/// The label of a grasp before its improvement.
 const BEFORE: &str = "before";
 
-/// What is to be shown of a question.
+/// The answers to show for a question.
 pub(super) fn shown<const C: usize>(
     setup: &Setup<C>,
     grasp: &Grasp<C>,
@@ -98,7 +98,7 @@ fn state<const C: usize>(label: impl Into<String>, state: Equilibrium<C>) -> Sho
     Shown { label: label.into(), says: Vec::new(), grasp: None, what }
 }
 
-/// The grasp under the load, or where it is lost with the way out; the loss beyond the load comes second.
+/// The grasp under the load, or where it is lost with the motion of the object. The loss beyond the load comes second.
 fn held<const C: usize>(verdict: Verdict<C>, load: Wrench<C>) -> Vec<Shown<C>> {
     let says = verdict.to_string();
     let lost = verdict.lost.and_then(|lost| {
@@ -117,7 +117,7 @@ fn held<const C: usize>(verdict: Verdict<C>, load: Wrench<C>) -> Vec<Shown<C>> {
     answers
 }
 
-/// The grasp between two cycles, with the motion that it makes in each of them.
+/// The grasp between two cycles, with the motion of the object in each cycle.
 fn shaken<const C: usize>(shaken: Shaken<C>) -> Vec<Shown<C>> {
     let (says, drift, base) = (shaken.to_string(), shaken.drift(), shaken.base);
     let Some(between) = shaken.state else { return vec![nothing("does it survive?", says, Some(base))] };
@@ -129,7 +129,7 @@ fn shaken<const C: usize>(shaken: Shaken<C>) -> Vec<Shown<C>> {
     vec![shown]
 }
 
-/// The grasp with what it needs, under the load that uses most of it.
+/// The grasp with the needed amount, under the load that uses most of it.
 fn needed<const C: usize>(
     setup: &Setup<C>,
     grasp: &Grasp<C>,
@@ -150,10 +150,10 @@ fn needed<const C: usize>(
     })
 }
 
-/// At the first slip itself rounding would decide whether something slides.
+/// Fraction of the load at first slip at which the grasp is drawn: at first slip itself, rounding would decide whether a contact slides.
 const JUST_BELOW: f64 = 1.0 - 1e-9;
 
-/// The best grasp, and the one before, each at its first slip along the load, under a load that leaves a reserve, or else at rest.
+/// The improved grasp and the original one. Each is at its first slip along the load, under the load that leaves a reserve, or else at rest.
 fn improved<const C: usize>(
     setup: &Setup<C>,
     grasp: &Grasp<C>,
@@ -183,7 +183,7 @@ fn improved<const C: usize>(
     Ok(vec![Shown { grasp: Some(other), says: vec![says], ..after }, before])
 }
 
-/// The equilibrium, or why there is none and what happens from rest.
+/// The equilibrium, or the reason why there is none and the answer from rest.
 fn solved<const C: usize>(grasp: &Grasp<C>, load: &Wrench<C>) -> Result<Shown<C>, Failure> {
     let why = match grasp.solve(load)? {
         Outcome::Equilibrium(found) => return Ok(state("under the load", *found)),
@@ -200,7 +200,7 @@ fn solved<const C: usize>(grasp: &Grasp<C>, load: &Wrench<C>) -> Result<Shown<C>
     })
 }
 
-/// Why there is no equilibrium.
+/// The reason why there is no equilibrium.
 fn no_equilibrium<const C: usize>(outcome: &Outcome<C>) -> String {
     match outcome {
         Outcome::NoEquilibrium(none) => format!("No equilibrium exists: {none}."),
@@ -211,7 +211,7 @@ fn no_equilibrium<const C: usize>(outcome: &Outcome<C>) -> String {
     }
 }
 
-/// The grasp at an onset; where nothing slides at the end of the way.
+/// The grasp at first slip; at the end of the path if nothing slides.
 fn onset<const C: usize>(
     grasp: &Grasp<C>,
     onset: Onset<C>,
@@ -245,7 +245,7 @@ fn onset<const C: usize>(
     Ok(end(&path, &label).unwrap_or_else(|| nothing("onset of sliding", label, Some(*start))))
 }
 
-/// A program: every event, and where it ends.
+/// The events of a program, and its end.
 fn followed<const C: usize>(
     grasp: &Grasp<C>,
     start: &Wrench<C>,
@@ -271,7 +271,7 @@ fn followed<const C: usize>(
     Ok(answers)
 }
 
-/// The equilibrium at an event, with those that do something else from there on.
+/// The equilibrium at an event, with the contacts that change their state there.
 fn changed<const C: usize>(grasp: &Grasp<C>, event: Event<C>) -> Shown<C> {
     let parts = grasp.whole_contacts(|i| event.changes.iter().any(|change| change.contact.index == i));
     let drives = event.drives.iter().map(|drive| drive.part.text());
@@ -284,7 +284,7 @@ fn changed<const C: usize>(grasp: &Grasp<C>, event: Event<C>) -> Shown<C> {
     state(format!("{LEG}{} at {}: {what}", event.leg, Words::default().number(event.fraction)), event.state)
 }
 
-/// Where a path ends, and the way the object leaves if it is lost.
+/// The end of a path, with the motion of the object if it is lost.
 fn end<const C: usize>(path: &LoadPath<C>, label: &str) -> Option<Shown<C>> {
     let mut shown = state(label, path.state()?);
     if let What::State { leaving, .. } = &mut shown.what {

@@ -1,4 +1,4 @@
-//! The question that is asked for every direction, and its answer.
+//! The question for one direction of a map, and its answer.
 
 use grasp_lcp::Error;
 use grasp_lcp::load_path::{Leaving, Onset, Ramp};
@@ -9,7 +9,7 @@ use grasp_lcp::{ask::Grasp, grasp::Wrench};
 
 use crate::failure::Failure;
 
-/// The load on top of which the force comes.
+/// The constant load beside the force.
 pub(crate) fn base<const C: usize>(setup: &Setup<C>) -> Wrench<C> {
     let asked = setup.questions.iter().find_map(|question| match question {
         Question::Onset(ramp) => Some(ramp.base),
@@ -18,14 +18,14 @@ pub(crate) fn base<const C: usize>(setup: &Setup<C>) -> Wrench<C> {
     asked.unwrap_or(Wrench::ZERO)
 }
 
-/// More contacts that leave together are counted.
+/// If more contacts leave together, they are counted instead of named.
 const MANY: usize = 4;
 
-/// When something stops sticking in one direction.
+/// First slip in one direction.
 pub(crate) struct First {
-    /// N; infinite for never, not a number where that is not known.
+    /// The force at first slip, N; infinite for never, not a number if it is not known.
     pub(crate) factor: f64,
-    /// The contacts that leave, and how.
+    /// The contacts that leave, and their motion.
     pub(crate) who: String,
 }
 
@@ -35,7 +35,7 @@ impl First {
     }
 }
 
-/// The direction in which the least force stops sticking, with its size, N. `None` where something does not touch under the base load.
+/// The direction of the least force at first slip, and that force, N. `None` if a contact is open under the base load.
 pub(crate) fn weakest<const C: usize>(
     grasp: &Grasp<C>,
     base: &Wrench<C>,
@@ -47,19 +47,19 @@ pub(crate) fn weakest<const C: usize>(
     })
 }
 
-/// The grasp asked in many directions: where no equilibrium is found none is sought among all combinations of contact states.
+/// The grasp for questions in many directions: if no equilibrium is found, combinations of contact states are not searched.
 pub(crate) fn quick<const C: usize>(grasp: &Grasp<C>) -> Grasp<C> {
     grasp.with(&grasp.settings().with_most_states(0))
 }
 
-/// What leaves first along a ramp.
+/// The first slip along a ramp.
 pub(crate) fn first<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>) -> Result<First, Error> {
     Ok(match grasp.onset(ramp)? {
         Onset::At(event) => {
             let mut verbs: Vec<_> = event.leaving.iter().map(Leaving::verb).collect();
             verbs.sort_unstable();
             verbs.dedup();
-            // Points of a soft fingertip leave by the dozen, and are one contact.
+            // Points of a soft fingertip leave by the dozen, and count as one contact.
             let who = verbs.into_iter().rev().flat_map(|verb| {
                 let does = |i: usize| {
                     event.leaving.iter().any(|left| left.contact.index == i && left.verb() == verb)
@@ -80,7 +80,7 @@ pub(crate) fn first<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>) -> Result<
     })
 }
 
-/// An error, with its reason, where there is no sticking equilibrium to start from: no direction has an onset then.
+/// An error with its reason if no sticking equilibrium exists under the base load: then no direction has a first slip.
 pub(crate) fn check_base<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>) -> Result<(), Failure> {
     match grasp.onset(ramp)? {
         Onset::NoBase(none) => {
@@ -97,7 +97,7 @@ pub(crate) fn check_base<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>) -> Re
     }
 }
 
-/// Lines that say where the force acts, and on top of what.
+/// Lines that state the point of the force, and the constant load.
 pub(crate) fn words<const C: usize>(at: [f64; C], base: &Wrench<C>) -> Vec<String> {
     let point = at.map(|x| x.to_string()).join(", ");
     let load = base.components();
@@ -110,7 +110,7 @@ pub(crate) fn words<const C: usize>(at: [f64; C], base: &Wrench<C>) -> Vec<Strin
     lines
 }
 
-/// Of a map that nobody waits for.
+/// The error of a map that would take too long.
 pub(crate) fn too_long() -> Failure {
     Failure::Scene("a map of so many contacts takes more than five minutes".to_owned())
 }

@@ -1,4 +1,4 @@
-//! How far the load path goes in one direction, and how it ends.
+//! The end of the load path in one direction.
 
 use grasp_lcp::Error;
 use grasp_lcp::load_path::{Beyond, Leg, LossKind, PathEnd};
@@ -8,19 +8,19 @@ use grasp_lcp::{ask::Grasp, grasp::Wrench};
 /// The end of a load path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum LimitEnd {
-    /// No equilibrium exists beyond.
+    /// No equilibrium exists beyond: a limit load.
     Limit,
-    /// This equilibrium ends, others exist.
+    /// This equilibrium ends, but others exist: a snap.
     Snap,
     /// This equilibrium ends; whether others exist is not known.
     Ends,
-    /// A contact lets go: a suction cup that is open all around.
+    /// A suction cup is open all around, and a contact lets go.
     LetsGo,
-    /// Nothing resists from there on.
+    /// Nothing resists the load from there on.
     GivesWay,
     /// It is held as far as was asked.
     Held,
-    /// Rounding stopped the path, or it did not begin.
+    /// Rounding stopped the path, or the path did not begin.
     Unknown,
 }
 
@@ -41,15 +41,15 @@ impl LimitEnd {
     }
 }
 
-/// Where a load path ended.
+/// The end of a load path.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Last {
-    /// N; infinite where everything asked for is held, not a number where the end is not known.
+    /// The force at the end, N; infinite if the whole path is held, not a number if the end is not known.
     pub(crate) factor: f64,
     pub(crate) end: LimitEnd,
 }
 
-/// Of forces over the largest force, a step: a picture shows no more, and smaller steps cost most of the time.
+/// Error of one step along sliding arcs, relative to the largest force: a picture shows no finer one, and smaller steps cost most of the time.
 pub(crate) const STEP_ERROR: f64 = 1e-6;
 
 /// Follows the load from `base` by `most` times `direction`.
@@ -80,7 +80,7 @@ pub(crate) fn last<const C: usize>(
 }
 
 impl Last {
-    /// The load, for a table of paths that go as far as `most`.
+    /// The force at the end in words, for a table of paths that were followed up to `most`.
     pub(crate) fn words(&self, most: f64) -> String {
         let number = |x: f64| Words::default().number(x);
         match self.end {
@@ -91,7 +91,7 @@ impl Last {
     }
 }
 
-/// How many paths end in which way.
+/// Counts paths by their end.
 pub(crate) fn count(lasts: &[Last]) -> String {
     let parts = LimitEnd::ALL.into_iter().filter_map(|end| {
         let count = lasts.iter().filter(|last| last.end == end).count();

@@ -1,8 +1,8 @@
-//! How much is held in every direction: onset of sliding and what the load path holds, with the weakest direction.
+//! Forces in every direction at first slip and at the end of the load path, with the weakest direction.
 //!
-//! The onset is found directly, and so is the weakest direction. Beside the onset stands what is left of it with standard deviations in reserve,
-//! where friction, stiffness and squeeze are not known exactly. The limit is where the load path in that direction is lost, followed from event to event with slip
-//! memory. How it is lost is told: a limit load has no equilibrium beyond; at a snap there are others, to which a grasp may or may not come.
+//! First slip and the weakest direction are found directly. Beside first slip stands the force with standard deviations in reserve for uncertain
+//! friction, stiffness and squeeze. The limit is where the load path in a direction is lost, followed from event to event with slip memory.
+//! The answer distinguishes limit loads, beyond which no equilibrium exists, from snaps, beyond which the grasp may or may not reach another one.
 
 mod ask;
 mod limit;

@@ -1,4 +1,4 @@
-//! Every direction in the plane: a table and a polar picture.
+//! The map of all directions in the plane: a table and a polar picture.
 
 use std::f64::consts::TAU;
 use std::time::Duration;
@@ -17,15 +17,15 @@ use super::written::WrittenMap;
 use crate::failure::Failure;
 use crate::files::Pictures;
 
-/// Directions of the picture; every 60th is in the table.
+/// Number of directions in the picture; every 60th is in the table.
 const DIRECTIONS: u32 = 1440;
 const TABLE: usize = 60;
-/// The reserve is looked for in every fourth direction.
+/// The reserve is computed for every fourth direction.
 const KEPT: usize = 4;
-/// Load paths are followed this many times as far as the largest onset, and the picture goes no further than that many times.
+/// Load paths are followed up to `FAR` times the largest force at first slip, and the picture ends at `SHOWN` times that force.
 const FAR: f64 = 5.0;
 const SHOWN: f64 = 3.0;
-/// Then something is wrong.
+/// Time limit of one sweep.
 const MOST: Duration = Duration::from_secs(300);
 
 pub(crate) fn map(
@@ -37,7 +37,7 @@ pub(crate) fn map(
     let grasp = setup.grasp()?;
     let base = ask::base(setup);
     let pull = |angle: f64| {
-        // Quarter turns exactly, so that symmetric grasps have symmetric answers.
+        // Exact quarter turns, so that symmetric grasps have symmetric answers.
         let (sin, cos) = quarter(angle).unwrap_or_else(|| angle.sin_cos());
         Wrench::force_at([cos, sin], at)
     };
@@ -104,7 +104,7 @@ fn print_table(angles: &[f64], firsts: &[First], reserves: &[(f64, f64)], lasts:
     }
 }
 
-/// What is drawn beside the curves.
+/// The grasp and the texts that are drawn beside the curves.
 struct Drawing<'a> {
     title: &'a str,
     grasp: &'a Grasp,

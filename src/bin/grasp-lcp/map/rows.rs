@@ -1,11 +1,11 @@
-//! The table of a map: a row a direction.
+//! The table of a map, one row for each direction.
 
 use grasp_lcp::words::Words;
 
 use super::ask::First;
 use super::limit::Last;
 
-/// What the columns are.
+/// Prints the names of the columns.
 pub(super) fn head() {
     println!(
         "  {:>9}  {:>12}  {:>12}  {:>15}  {:22} leaves first",
@@ -13,7 +13,7 @@ pub(super) fn head() {
     );
 }
 
-/// One direction; load paths went as far as `most`.
+/// Prints one direction; load paths were followed up to `most`, N.
 pub(super) fn row(direction: &str, first: &First, reserve: f64, last: &Last, most: f64) {
     let number = |x: f64| Words::default().number(x);
     println!(

@@ -1,4 +1,4 @@
-//! Every direction in space: maps of the sphere and a table.
+//! The map of all directions in space: maps of the sphere and a table.
 
 use std::time::Duration;
 
@@ -17,15 +17,16 @@ use super::written::WrittenMap;
 use crate::failure::Failure;
 use crate::files::Pictures;
 
-/// Load paths take a thousand times as long as onsets, among many contacts more than a map is worth.
+/// Rings and directions around of the grids. Load paths take a thousand times as long as onsets, so that their grid is coarser;
+/// it also serves onsets of more than `MANY` contacts.
 const ONSETS: (usize, usize) = (45, 120);
 const PATHS: (usize, usize) = (16, 42);
-/// Below every map.
+/// The note below every map.
 const NOTE: &str = "Crosses: contact normals, the way the finger pushes. Equal areas are equal solid angles. Rings: angle from ±z.";
-/// Longer than this nobody waits for a map.
+/// Time limits of a sweep over onsets or reserves, and over load paths.
 const ALL_ONSETS: Duration = Duration::from_secs(300);
 const ALL_PATHS: Duration = Duration::from_secs(120);
-/// Load paths are followed this many times as far as the largest onset.
+/// Load paths are followed up to this multiple of the largest force at first slip.
 const FAR: f64 = 5.0;
 
 pub(crate) fn map(
@@ -54,7 +55,7 @@ pub(crate) fn map(
             "no direction has an onset above zero: the grasp carries nothing more".to_owned(),
         ));
     };
-    // Found directly where everything touches and sticks under the base load; of the map's directions the worst otherwise.
+    // The exact weakest direction if all contacts are closed and stick under the base load; otherwise the weakest direction of the map.
     let (weakest, onset) = ask::weakest(&quick, &base, at)?.unwrap_or((directions[nearest], least));
 
     let coarse = SphereGrid::new(PATHS.0, PATHS.1);
@@ -94,7 +95,7 @@ pub(crate) fn map(
     }
 }
 
-/// Where the load path ends in each of these directions; `None` where that takes too long.
+/// The end of the load path in each of these directions; `None` if they take too long.
 fn load_paths(
     grasp: &Grasp,
     base: Wrench,
@@ -113,7 +114,7 @@ fn load_paths(
     })?)
 }
 
-/// How far these load paths are followed, and how they end.
+/// Prints how far load paths were followed, and how many ended in which way.
 fn print_paths(grasp: &Grasp, lasts: Option<&[Last]>, (ways, most): (usize, f64)) {
     match lasts {
         Some(lasts) => println!(
@@ -128,7 +129,7 @@ fn print_paths(grasp: &Grasp, lasts: Option<&[Last]>, (ways, most): (usize, f64)
     }
 }
 
-/// What all maps of a grasp have in common.
+/// The grasp, the place of pictures and the texts that all its maps share.
 struct Drawing<'a> {
     grasp: &'a Grasp,
     pictures: &'a Pictures<'a>,
@@ -138,7 +139,7 @@ struct Drawing<'a> {
 }
 
 impl Drawing<'_> {
-    /// Onsets.
+    /// Draws the force at first slip.
     fn of_onsets(
         &self,
         grid: SphereGrid,
@@ -153,7 +154,7 @@ impl Drawing<'_> {
         self.save("_map.svg", map, weak)
     }
 
-    /// What is held with standard deviations in reserve.
+    /// Draws the force with standard deviations in reserve.
     fn of_reserves(&self, grid: SphereGrid, held: Vec<f64>) -> Result<(), Failure> {
         let sigmas = self.unsure.sigmas;
         let title = format!("{}: onset of sliding with {sigmas}σ in reserve", self.title);
@@ -162,7 +163,7 @@ impl Drawing<'_> {
         self.save("_map_robust.svg", map, &self.unsure.words().join(" "))
     }
 
-    /// How far load paths go.
+    /// Draws the force at the end of load paths.
     fn of_limits(&self, grid: SphereGrid, lasts: &[Last], most: f64) -> Result<(), Failure> {
         let held = lasts.iter().map(|last| last.factor).collect();
         let title = format!("{}: what is held on the load path", self.title);
@@ -172,7 +173,7 @@ impl Drawing<'_> {
         self.save("_map_limit.svg", map, &ends)
     }
 
-    /// With the notes of every map, the names of the contacts and one more note.
+    /// Writes a map with the notes of every map, the names of the contacts and one more note.
     fn save(&self, end: &str, map: SphereMap, note: &str) -> Result<(), Failure> {
         let mut map = map.note(NOTE).note(format!("{}.", self.words)).note(note);
         if self.grasp.len() <= MANY {
@@ -184,7 +185,7 @@ impl Drawing<'_> {
     }
 }
 
-/// Names of more contacts would cover the map, and its load paths take minutes.
+/// Number of points of contact above which their names would cover the map, and load paths would take minutes.
 const MANY: usize = 8;
 
 fn print_table(

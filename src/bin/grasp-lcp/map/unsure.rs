@@ -1,4 +1,4 @@
-//! How far the data of a map may be off, and how much of that is kept in reserve.
+//! Uncertainty of a map's data, and the reserve that is kept for it.
 
 use clap::Args;
 use grasp_lcp::sweep::Uncertainty;
@@ -6,25 +6,25 @@ use grasp_lcp::words::Words;
 
 use crate::numbers::{deviations, percent};
 
-/// What is not known exactly: standard deviations, in percent of what the scene says.
+/// Standard deviations of uncertain data, in percent of the scene's values.
 #[derive(Debug, Args, Clone, Copy)]
 pub(crate) struct Unsure {
-    /// Friction is known to so many percent: one standard deviation.
+    /// One standard deviation of friction, percent.
     #[arg(long, allow_hyphen_values = true, value_parser = percent, default_value_t = 10.0, value_name = "PERCENT")]
     friction_off: f64,
-    /// Stiffness is known to so many percent.
+    /// One standard deviation of stiffness, percent.
     #[arg(long, allow_hyphen_values = true, value_parser = percent, default_value_t = 10.0, value_name = "PERCENT")]
     stiffness_off: f64,
-    /// The squeeze is known to so many percent.
+    /// One standard deviation of the clamping force, percent.
     #[arg(long, allow_hyphen_values = true, value_parser = percent, default_value_t = 5.0, value_name = "PERCENT")]
     squeeze_off: f64,
-    /// Standard deviations in reserve: with 3 one grasp in 740 slides below, with 2 one in 44.
+    /// Standard deviations in reserve: with 3 one grasp in 740 slides below the force, with 2 one in 44.
     #[arg(long, allow_hyphen_values = true, value_parser = deviations, default_value_t = 3.0, value_name = "NUMBER")]
     pub(super) sigmas: f64,
 }
 
 impl Unsure {
-    /// Friction, stiffness and squeeze, as parts.
+    /// Relative standard deviations of friction, stiffness and clamping force.
     fn parts(&self) -> [f64; 3] {
         [self.friction_off, self.stiffness_off, self.squeeze_off].map(|percent| 0.01 * percent)
     }
@@ -34,7 +34,7 @@ impl Unsure {
         Uncertainty::seeded(0).with_friction(friction).with_stiffness(stiffness).with_squeeze(squeeze)
     }
 
-    /// The assumption, for tables and pictures: what is in reserve, and against what.
+    /// The assumption in words, for tables and pictures: the reserve, and the uncertain data.
     pub(super) fn words(&self) -> [String; 2] {
         let words = Words::default();
         let number = |x: f64| words.number(x);
@@ -46,7 +46,7 @@ impl Unsure {
         ]
     }
 
-    /// For machines, as parts.
+    /// The assumption as relative numbers in JSON.
     pub(super) fn written(&self) -> serde_json::Value {
         let [friction, stiffness, squeeze] = self.parts();
         serde_json::json!({ "friction": friction, "stiffness": stiffness, "squeeze": squeeze, "sigmas": self.sigmas })

@@ -1,4 +1,4 @@
-//! A map for machines.
+//! A map as JSON.
 
 use serde_json::{Value, json};
 
@@ -7,22 +7,22 @@ use super::limit::{Last, LimitEnd};
 use super::unsure::Unsure;
 use grasp_lcp::grasp::Wrench;
 
-/// Everything that a map knows.
+/// The content of a map.
 pub(super) struct WrittenMap<'a, const C: usize> {
     pub(super) at: [f64; C],
     pub(super) base: Wrench<C>,
     pub(super) unsure: &'a Unsure,
     pub(super) onsets: Vec<([f64; C], &'a First)>,
-    /// What is held with standard deviations in reserve.
+    /// Forces with standard deviations in reserve, N, by direction.
     pub(super) reserves: Vec<([f64; C], f64)>,
-    /// Load paths, and how far they were followed.
+    /// Ends of load paths by direction.
     pub(super) paths: Vec<([f64; C], &'a Last)>,
     pub(super) most: f64,
     pub(super) weakest: Option<([f64; C], f64)>,
 }
 
 impl<const C: usize> WrittenMap<'_, C> {
-    /// One object; a force that is never reached is "never", one that is not known is null.
+    /// Prints one JSON object; a force that is never reached is "never", an unknown one is null.
     pub(super) fn print(&self) {
         let onset = |(direction, first): &([f64; C], &First)| {
             json!({
