@@ -28,7 +28,7 @@
 //!
 //! ```text
 //! $ grasp-lcp need wedge.json
-//! NEEDS a coefficient of friction of 0.131653 so that nothing slides, a coefficient of friction of 0.146281 if friction is 10 % less and the squeeze is 5 % less. With less: left face slides
+//! NEEDS a coefficient of friction of 0.131653 so that nothing slides, a coefficient of friction of 0.146281 if friction is 10 % less and the squeeze is 5 % less. With less: GOES TOO FAR at rest already: left face slips by more than 1 mm, and all this is good for small motions
 //! ```
 //!
 //! The value is tan 7.5°, however hard the wedge is driven in.
@@ -37,7 +37,7 @@
 //!
 //! ```text
 //! $ grasp-lcp hold suction.json
-//! HOLDS, everything sticks: 1.68979 times this load until the first slip (cup), 1.90303 times until it is lost
+//! HOLDS, everything sticks: 1.68979 times this load until the first slip (cup), 1.89006 times until cup slips by more than 2 mm
 //! ```
 //!
 //! 60 kPa on 1257 mm² pull with 75.4 N. The first slip is at the point of the lip where pull, shear and peel add up; see
@@ -47,7 +47,7 @@
 //!
 //! ```text
 //! $ grasp-lcp need ladder.json
-//! TAKES an arm of 1.98101 m and it is not lost. With more: TURNS OUT at once, under any part of 950 N: the object turns about (-6.9726, 2.266) m. Nothing holds all of it within 0.691007 mm and 0.0158355° of there
+//! TAKES an arm of 1.98101 m and it is not lost. With more: TURNS OUT at once, under any part of 950 N: the object turns about (0, 4.532) m. Nothing holds all of it within 0.691007 mm and 0.0158355° of there
 //! ```
 //!
 //! The arm is the horizontal distance from the foot, 4.69 m along the 5 m of the ladder. There friction of foot and wall is used up at the same time.
@@ -86,7 +86,7 @@
 //!
 //! ```text
 //! $ grasp-lcp hold plate.json
-//! HOLDS, everything sticks: 1.32092 times this load until the first slip (upper jaw), held up to 100 times
+//! HOLDS, everything sticks: 1.216 times this load until it turns by more than 5.7°
 //! ```
 //!
 //! # Which motor of my hand stalls first, and when?

@@ -46,10 +46,11 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let reached = |(leg, fraction): (usize, f64)| {
             if leg == 0 { fraction } else { 1.0 + fraction * (gone - 1.0) }
         };
-        let first_slip = self.first_slip(&onset, &events);
         let too_far = too_far_on(&path);
         let end = too_far.map_or(path.place(), |far| (far.leg, far.fraction));
         let held_to = reached(end);
+        let is_small = |first: &FirstSlip| too_far.is_none() || first.factor <= held_to;
+        let first_slip = self.first_slip(&onset, &events).filter(is_small);
         let while_on = state.is_some().then(|| path.everything_slides_from((1, 0.0))).flatten();
         let everything_slides = while_on.or_else(|| path.everything_slides_from(end)).map(reached);
         let holding = match (&state, path.end()) {

@@ -80,7 +80,15 @@ impl<const C: usize> fmt::Display for Verdict<C> {
             }
         }?;
         let Some(part) = self.left_out else { return Ok(()) };
-        let percent = Words::with_digits(2).number(100.0 * part.abs());
+        let words = Words::with_digits(2);
+        if part <= -1.0 {
+            let times = words.number(-part);
+            return write!(
+                f,
+                ". CAUTION, left out: as the squeeze turns with the object it takes {times} times what resists, so that nothing stays"
+            );
+        }
+        let percent = words.number(100.0 * part.abs());
         let does = if part < 0.0 { ("takes", "of") } else { ("adds", "to") };
         write!(
             f,

@@ -1,7 +1,7 @@
 //! How an object leaves, where that is known by hand.
 
 use grasp_lcp::hold::WayOut;
-use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
+use grasp_lcp::planar::{Bodies, Body, Contact, Grasp, Ramp, Wrench};
 use grasp_lcp::spatial;
 
 type Tested = Result<(), grasp_lcp::Error>;
@@ -79,5 +79,93 @@ fn a_pinch_spins_about_its_line() -> Tested {
         "{verdict}"
     );
     assert!(verdict.to_string().contains("spins about the line thumb–index"), "{verdict}");
+    Ok(())
+}
+
+fn feet_without_friction() -> Result<Grasp, grasp_lcp::Error> {
+    let foot = |x: f64, name: &str| Contact::new([x, 0.0], [0.0, 1.0]).name(name).series_stiffness(1e7, 1e7);
+    Grasp::new([foot(0.0, "a"), foot(0.2, "b")])
+}
+
+/// A load beside its two feet tips a plank over the nearer one, also where nothing is there at rest: what springs do to begin with does not count.
+#[test]
+fn a_plank_tips_at_once_over_the_nearer_foot() -> Tested {
+    let beside = Wrench::force_at([0.0, -100.0], [0.25, 0.05]);
+    let plank = feet_without_friction()?;
+    for base in [Wrench::ZERO, Wrench::force_at([0.0, -1.0], [0.1, 0.0])] {
+        let verdict = plank.hold(Ramp::load(base, beside))?;
+        let lost = verdict.lost.as_ref().expect("tips");
+        let WayOut::TipsOver { about, opens } = &lost.way_out else { panic!("{verdict}") };
+        assert_eq!((names(about), names(opens)), (vec!["b"], vec!["a"]));
+        assert!(lost.nothing_near.is_some_and(|near| near.translation.is_infinite()), "{verdict}");
+    }
+    Ok(())
+}
+
+/// A bracket on a post, 100 mm between its edges: nearer than 250 mm it does not jam with a friction of 0.2, and slides down without turning.
+#[test]
+fn a_bracket_slides_down_its_post_at_once() -> Tested {
+    let edge = |x: f64, y: f64| Contact::new([x, y], [x, 0.0]).series_stiffness(1e8, 1e8).friction(0.2);
+    let bracket = Grasp::new([edge(-0.02, 0.05), edge(0.02, -0.05)])?;
+    let hung = |at: f64| bracket.hold(Wrench::force_at([0.0, -100.0], [at, 0.0]));
+    let said = hung(0.24)?.to_string();
+    assert!(
+        said.starts_with("SLIPS OUT at once, under any part of 100 N: the object moves along −y"),
+        "{said}"
+    );
+    assert_eq!(hung(0.26)?.holds(), Some(true));
+    Ok(())
+}
+
+/// A ladder goes along the floor and down the wall: it turns about the point where both normals meet.
+#[test]
+fn a_ladder_turns_about_the_point_where_normals_meet() -> Tested {
+    let foot = Contact::new([0.0, 0.0], [0.0, 1.0]).series_stiffness(5e5, 2e5).friction(0.2);
+    let top = Contact::new([2.0, 4.5], [-1.0, 0.0]).series_stiffness(2e5, 1e5).friction(0.1);
+    let verdict = Grasp::new([foot, top])?.hold(Wrench::force_at([0.0, -800.0], [1.5, 0.0]))?;
+    let lost = verdict.lost.as_ref().expect("slides away");
+    let WayOut::Turns { centre, .. } = &lost.way_out else { panic!("{verdict}") };
+    assert!(lost.factor == 0.0 && centre[0].abs() < 1e-9 && (centre[1] - 4.5).abs() < 1e-9, "{verdict}");
+    Ok(())
+}
+
+/// A table on four feet, loaded beside them: it tips over the two nearer ones.
+#[test]
+fn a_table_tips_at_once_over_two_feet() -> Tested {
+    let foot = |x: f64, y: f64| {
+        spatial::Contact::new([x, y, 0.0], [0.0, 0.0, 1.0]).series_stiffness(1e6, 8e5).friction(0.5)
+    };
+    let table = spatial::Grasp::new([foot(-0.4, -0.3), foot(-0.4, 0.3), foot(0.4, 0.3), foot(0.4, -0.3)])?;
+    let beside = spatial::Wrench::force_at([0.0, 0.0, -50.0], [0.55, 0.0, 0.0]);
+    let verdict = table.hold(beside)?;
+    let WayOut::TipsOver { about, opens } = &verdict.lost.as_ref().expect("tips").way_out else {
+        panic!("{verdict}")
+    };
+    assert_eq!(about.iter().map(|part| part.contact).collect::<Vec<_>>(), [2, 3]);
+    assert_eq!(opens.iter().map(|part| part.contact).collect::<Vec<_>>(), [0, 1]);
+    Ok(())
+}
+
+/// 100 N on 50 N, pushed at the top: 1 m · F = 0.3 m · 150 N tips both, the upper one alone would take 60 N.
+#[test]
+fn a_stack_tips_over_as_one() -> Tested {
+    let pair = grasp_lcp::planar::SoftFingertip::pair(0.6)?;
+    let face = |y: f64, name: &str| {
+        Contact::new([0.0, y], [0.0, 1.0]).name(name).series_stiffness(1e7, 1e7).friction(0.9)
+    };
+    let floor = pair.contacts(&face(0.0, "floor"))?.into_iter().map(|point| point.on("lower"));
+    let between =
+        pair.contacts(&face(0.5, "between"))?.into_iter().map(|point| point.on("upper").against("lower"));
+    let weight = |newtons: f64| Wrench::force([0.0, -newtons]);
+    let stack = Bodies::new([Body::new("upper").load(weight(100.0)), Body::new("lower").load(weight(50.0))])
+        .contacts(floor.chain(between))
+        .grasp()?;
+    let verdict = stack.hold(Wrench::force_at([60.0, 0.0], [0.0, 1.0]))?;
+    assert!((60.0 * verdict.held_to - 45.0).abs() < 1e-9, "{verdict}");
+    let said = verdict.to_string();
+    assert!(
+        said.starts_with("TIPS OVER at 45 N of 60 N: upper and lower tip over about an edge of floor."),
+        "{said}"
+    );
     Ok(())
 }

@@ -27,6 +27,20 @@ struct Drawn<const C: usize> {
     at: [f64; C],
 }
 
+/// Fingers all around, so that pressing balances as a rule.
+fn around(random: &mut Random) -> Drawn<2> {
+    let mut drawn = drawn::<2>(random);
+    let count = drawn.points.len();
+    for i in 0..count {
+        let angle = core::f64::consts::TAU * (i as f64 + 0.3 * random.uniform()) / count as f64;
+        let lean = angle + 0.2 * (random.uniform() - 0.5);
+        drawn.points[i] = [0.05 * angle.cos(), 0.04 * angle.sin()];
+        drawn.normals[i] = [-lean.cos(), -lean.sin()];
+        drawn.press[i] += 5.0;
+    }
+    drawn
+}
+
 fn drawn<const C: usize>(random: &mut Random) -> Drawn<C> {
     let count = random.index(2, 5);
     let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
@@ -139,15 +153,16 @@ fn told_without_numbers(said: &str) -> String {
 #[test]
 fn units_and_order_do_not_matter() {
     let mut random = Random(26);
-    let mut asked = 0;
+    let (mut asked, mut slide_at_rest) = (0, 0);
     while asked < samples(10) {
-        let drawn = drawn::<2>(&mut random);
+        let drawn = around(&mut random);
         let order: Vec<_> = (0..drawn.points.len()).collect();
         let other: Vec<_> = order.iter().rev().copied().collect();
         let scale = [2.0_f64.powi(random.integer(-8, 8) as i32), 2.0_f64.powi(random.integer(-8, 8) as i32)];
         let one = verdict_in_the_plane(&drawn, [1.0, 1.0], &order);
         // Where squeezing itself makes contacts slide there may be several states of rest, and the search finds one.
         if one.first_slip.as_ref().is_some_and(|first| first.factor == 0.0) {
+            slide_at_rest += 1;
             continue;
         }
         asked += 1;
@@ -173,4 +188,6 @@ fn units_and_order_do_not_matter() {
         };
         assert_eq!(slid(&one), slid(&reordered), "{one}\n{reordered}");
     }
+    println!("{asked} asked, and {slide_at_rest} that slide at rest");
+    assert!(slide_at_rest < 3 * asked);
 }

@@ -1,6 +1,6 @@
 //! What turns the object far beyond small motions is labelled, by every command.
 //!
-//! Two jaws with k_t = 20 N/m at ±30 mm turn by θ = M / (2 k_t a²) under a moment M: 0.5 rad at 18 mN m, 15 rad where friction of 0.9 · 10 N ends at
+//! Two jaws with k_t = 20 N/m at ±30 mm turn by θ = M / (2 k_t a²) under a moment M: 0.1 rad at 3.6 mN m, 15 rad where friction of 0.9 · 10 N ends at
 //! 0.54 N m.
 
 use serde_json::{Value, json};
@@ -15,17 +15,16 @@ fn told(arguments: &[&str]) -> String {
 
 #[test]
 fn every_command_says_so() {
-    let far = "far beyond the small motions that this is good for";
+    let far = "it turns by more than 5.7°, beyond the small motions that this is good for";
     let sentence = "The object turns too far for that: all this is good for small motions";
+    let lost = "it turns by more than 5.7°, and all this is good for small motions";
     for (arguments, label) in [
         (&["ask"][..], far),
         (&["onset", "--moment", "1"], far),
-        (&["solve", "--moment", "0.02"], far),
-        (&["hold", "--moment", "0.02"], sentence),
+        (&["solve", "--moment", "0.0037"], far),
+        (&["hold", "--moment", "0.0037"], lost),
         (&["shake", "--base", "0,0.2", "--at", "0.1,0", "--force", "0,0.01"], sentence),
-        (&["hold", "--moment", "0.6"], sentence),
-        (&["need", "load", "--moment", "0.1"], sentence),
-        (&["need", "friction", "--moment", "0.1"], sentence),
+        (&["hold", "--moment", "0.6"], lost),
         // 0.3 N m by a force of 1 N at 0.3 m.
         (&["follow", "--to", "0,1", "--at", "0.3,0"], far),
         (&["follow", "--to", "0,3", "--at", "0.3,0"], far),
@@ -33,17 +32,22 @@ fn every_command_says_so() {
         let words = told(arguments);
         assert!(words.contains(label), "{arguments:?}: {words}");
     }
-    // 15 rad, and 0.017 / 0.036 rad.
+    // 15 rad, and where the force at 0.3 m has 3.6 mN m.
     assert!(told(&["onset", "--moment", "1"]).contains("turns 859.437° anticlockwise about (0, 0) m"));
+    assert!(
+        told(&["follow", "--to", "0,1", "--at", "0.3,0"])
+            .contains("leg 0 at 0.012: CAUTION, from here on it turns")
+    );
     for near in [
-        &["solve", "--moment", "0.017"][..],
-        &["hold", "--moment", "0.017"],
-        &["follow", "--to", "0,0.05", "--at", "0.3,0"],
+        &["solve", "--moment", "0.0035"][..],
+        &["hold", "--moment", "0.0035"],
+        &["follow", "--to", "0,0.01", "--at", "0.3,0"],
     ] {
         let words = told(near);
         assert!(!words.contains("small motions"), "{words}");
     }
-    assert!(told(&["solve", "--moment", "0.018"]).contains("turns 28.6479° anticlockwise"));
+    assert!(told(&["hold", "--moment", "0.6"]).starts_with("GOES TOO FAR at 0.0036 N m of 0.6 N m: "));
+    assert!(told(&["solve", "--moment", "0.0036"]).contains("turns 5.72958° anticlockwise"));
 }
 
 #[test]
@@ -51,8 +55,8 @@ fn answers_in_brief_say_so() {
     let scene = std::fs::read_to_string(format!("{ROOT}/tests/program/scenes/far_beyond_small_motions.json"));
     let mut scene: Value = serde_json::from_str(&scene.expect("is there")).expect("JSON");
     let load = |moment: f64| json!({ "load": { "moment": moment } });
-    scene["planar"]["questions"] = json!([{ "onset": { "direction": { "moment": 1 } } }, { "solve": load(0.02) }, { "hold": load(0.6) },
-        { "follow": { "legs": [{ "load_to": { "moment": 0.3 } }] } }, { "solve": load(0.017) }, { "hold": load(0.017) }]);
+    scene["planar"]["questions"] = json!([{ "onset": { "direction": { "moment": 1 } } }, { "solve": load(0.004) }, { "hold": load(0.6) },
+        { "follow": { "legs": [{ "load_to": { "moment": 0.3 } }] } }, { "solve": load(0.0035) }, { "hold": load(0.0035) }]);
     let output = run_on(scene.to_string().as_bytes(), &["stream", "--brief"]);
     let reply: Value = serde_json::from_str(text(&output.stdout).trim()).expect("JSON");
     let told = reply["brief"].as_array().expect("answers");

@@ -18,6 +18,8 @@ pub(crate) enum LimitEnd {
     LetsGo,
     /// Nothing resists the load from there on.
     GivesWay,
+    /// Its motions cease to be small.
+    TooFar,
     /// It is held as far as was asked.
     Held,
     /// Rounding stopped the path, or the path did not begin.
@@ -25,8 +27,16 @@ pub(crate) enum LimitEnd {
 }
 
 impl LimitEnd {
-    pub(crate) const ALL: [Self; 7] =
-        [Self::Limit, Self::Snap, Self::Ends, Self::LetsGo, Self::GivesWay, Self::Held, Self::Unknown];
+    pub(crate) const ALL: [Self; 8] = [
+        Self::Limit,
+        Self::Snap,
+        Self::Ends,
+        Self::LetsGo,
+        Self::GivesWay,
+        Self::TooFar,
+        Self::Held,
+        Self::Unknown,
+    ];
 
     pub(crate) fn word(self) -> &'static str {
         match self {
@@ -35,6 +45,7 @@ impl LimitEnd {
             Self::Ends => "this equilibrium ends",
             Self::LetsGo => "a contact lets go",
             Self::GivesWay => "nothing resists",
+            Self::TooFar => "motions are no longer small",
             Self::Held => "held",
             Self::Unknown => "not known",
         }
@@ -61,8 +72,12 @@ pub(crate) fn last<const C: usize>(
 ) -> Result<Last, Error> {
     let grasp = grasp.with(&grasp.settings().with_step_error(STEP_ERROR));
     let mut path = grasp.follow(&base, &[Leg::load_by(direction * most)])?;
-    path.by_ref().for_each(drop);
+    path.run_while_small();
+    let too_far = path.end_of_small_motions().map(|far| far.fraction);
     let (end, fraction) = match path.end() {
+        end if too_far.is_some_and(|far| end.and_then(PathEnd::fraction).is_none_or(|end| far < end)) => {
+            (LimitEnd::TooFar, too_far.unwrap_or(f64::NAN))
+        }
         Some(PathEnd::Completed) => (LimitEnd::Held, f64::INFINITY),
         Some(PathEnd::Lost(loss)) if loss.kind == LossKind::GivesWay => (LimitEnd::GivesWay, loss.fraction),
         Some(PathEnd::Lost(loss)) if loss.kind == LossKind::LetsGo => (LimitEnd::LetsGo, loss.fraction),

@@ -137,6 +137,7 @@ impl Drawing<'_> {
             (LimitEnd::Snap, "… where it snaps: other\nequilibria exist beyond"),
             (LimitEnd::Ends, "… where others may\nexist beyond"),
             (LimitEnd::GivesWay, "… where nothing resists"),
+            (LimitEnd::TooFar, "… where motions are\nno longer small"),
         ] {
             let ends = angles.iter().zip(lasts).filter(|(_, last)| last.end == end);
             let points: Vec<_> = ends.map(|(angle, last)| (*angle, last.factor)).step_by(8).collect();
