@@ -61,21 +61,18 @@ impl<const C: usize> Setup<C> {
         self.entries().any(|entry| presses(entry.contact.normal.as_slice())) || self.links.iter().any(hangs)
     }
 
-    /// Contacts and links that press or pull at rest with another force than they are told to, whatever the questions have there at rest.
+    /// Contacts and links that press or pull with another force than they are told to, without load and under all that questions have there at rest.
     pub(super) fn otherwise_at_rest(&self, grasp: &Grasp<C>) -> Result<Vec<Warning>, Error> {
         let told = |entry: &LinkSetup<C>| entry.link.tension.is_none() && entry.link.pretension != 0.0;
         if self.entries().all(|entry| entry.contact.press.is_none()) && !self.links.iter().any(told) {
             return Ok(Vec::new());
         }
-        let mut bases: Vec<Wrench<C>> = Vec::new();
+        let mut bases = vec![Wrench::ZERO];
         for question in &self.questions {
             let base = at_rest(question);
             if !bases.contains(&base) {
                 bases.push(base);
             }
-        }
-        if bases.is_empty() {
-            bases.push(Wrench::ZERO);
         }
         let mut fewest: Option<Vec<Warning>> = None;
         for base in &bases {

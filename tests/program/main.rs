@@ -8,6 +8,7 @@ mod full_disk;
 mod mistakes;
 mod names;
 mod new;
+mod own_masses;
 mod pads;
 mod readme;
 mod schema;

@@ -1,0 +1,54 @@
+//! Bodies with masses under the scene's gravity: the command line tilts and accelerates these, and counts no weight twice.
+
+use crate::{run_on, text};
+
+const ON_A_TRAY: &str = r#"{"format": "grasp-lcp/1", "planar": {"gravity": [0, -10],
+    "bodies": [{"name": "box", "mass": 1, "centre_of_mass": [0, 0.05]}],
+    "contacts": [{"name": "tray", "on": "box", "point": [0, 0], "normal": [0, 1], "friction": 0.4, "stiffness": 1e6, "soft": {"pair": {"width": 0.2}}}]}}"#;
+
+fn told(arguments: &[&str]) -> String {
+    let output = run_on(ON_A_TRAY.as_bytes(), arguments);
+    assert!(output.stderr.is_empty(), "{arguments:?}: {}", text(&output.stderr));
+    text(&output.stdout)
+}
+
+fn refused(arguments: &[&str]) -> String {
+    let output = run_on(ON_A_TRAY.as_bytes(), arguments);
+    assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+    text(&output.stderr)
+}
+
+/// The tangent of the angle and the acceleration in g are the coefficient of friction.
+#[test]
+fn of_their_own_weight() {
+    let tilted = told(&["need", "-", "angle", "--may-slide"]);
+    assert!(tilted.contains("TAKES 21.8014° and it is not lost"), "{tilted}");
+    let turned = told(&["turn", "-"]);
+    assert!(turned.contains("Onset of sliding from (0, -10) N while the load turns"), "{turned}");
+    let accelerated = told(&["hold", "-", "--accelerated", "2,0"]);
+    assert!(accelerated.contains("2 times until it is lost"), "{accelerated}");
+    let shaken = told(&["need", "-", "load", "--acceleration", "1", "--may-slide"]);
+    assert!(shaken.contains("TAKES 4 times the load and it is not lost"), "{shaken}");
+    assert!(told(&["shake", "-", "--acceleration", "1"]).starts_with("1 contact"));
+}
+
+#[test]
+fn a_weight_twice_is_refused() {
+    let twice = "--mass: the scene's gravity already pulls at box, which has a mass: leave --mass out";
+    let commands: [&[&str]; 4] = [
+        &["hold", "-", "--mass", "1"],
+        &["turn", "-", "--mass", "1"],
+        &["shake", "-", "--mass", "1", "--acceleration", "1"],
+        &["need", "-", "angle", "--mass", "1"],
+    ];
+    for command in commands {
+        assert!(refused(command).contains(twice), "{command:?}");
+    }
+    let beside = refused(&["hold", "-", "--accelerated", "2,0", "--force", "1,0"]);
+    assert!(beside.contains("--accelerated: accelerates the bodies by their own masses"), "{beside}");
+    // What lies on it besides is a force.
+    assert!(told(&["hold", "-", "--force", "0,-5"]).starts_with("HOLDS"));
+    let jaws = ON_A_TRAY.replace(r#""gravity": [0, -10],"#, "");
+    let output = run_on(jaws.as_bytes(), &["hold", "-", "--accelerated", "1,0"]);
+    assert!(text(&output.stderr).contains("--accelerated without --mass"), "{}", text(&output.stderr));
+}
