@@ -73,7 +73,7 @@ CASES: list[tuple[Callable[[], object], type[Exception], str]] = [
         lambda: planar(settings={"cones": "round"}),
         ValueError,
         "settings: unknown field `cones`, expected one of `cone`, `polygon`, `max_pivots`, `most_states`, `step_error`, `most_steps`, "
-        "`most_load`, `most_cycles`",
+        "`most_load`, `most_cycles`, `small_motions`",
     ),
     # Loads.
     (lambda: pinch().solve(None), TypeError, "load: NoneType given, must be an array or a list of numbers"),

@@ -126,7 +126,9 @@ pub(super) fn way_out<const C: usize>(
         };
         let way = seen_from(contacts, &first.twist, &sign, touches);
         if matches!(way, WayOut::TipsOver { .. } | WayOut::TurnsAbout { .. }) {
-            bodies.iter_mut().for_each(|body| body.way = way.clone());
+            for body in &mut bodies {
+                body.way = way.clone();
+            }
         }
     }
     WayOut::Apart { bodies }

@@ -181,6 +181,7 @@
 //! | `most_states` | most combinations of contact states to try | 20 000 |
 //! | `step_error` | of one step along a sliding arc, between 0 and 1 | 1e-9 |
 //! | `most_steps` | most steps along sliding arcs and jumps within a leg | 20 000 |
+//! | `small_motions` | `rotation` (rad) and `slip` (part of the grasp's size) up to which motions are small: beyond, nothing is told to hold | 0.1 and 0.1 |
 //!
 //! Two fingers in the plane:
 //!

@@ -86,6 +86,11 @@ fn an_undecided_search_says_what_is_known() {
         assert_eq!(output.status.code(), Some(4));
         let known = words.lines().find(|line| line.contains("put on from rest")).expect("told");
         assert!(known.contains(sentence) && known.contains("Nothing holds all of it within"), "{known}");
-        assert!(words.contains("\n  whether another equilibrium exists elsewhere is undecided: no equilibrium was found"), "{words}");
+        assert!(
+            words.contains(
+                "\n  whether another equilibrium exists elsewhere is undecided: no equilibrium was found"
+            ),
+            "{words}"
+        );
     }
 }
