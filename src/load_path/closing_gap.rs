@@ -11,6 +11,7 @@
 //! ([`super::letting_go`]), and the gap closes on that leg. A way too long for small motions is not taken.
 
 use super::event::{Change, Event, Loss, LossKind, PathEnd};
+use super::follower::Follower;
 use super::journey::Journey;
 use super::letting_go::Fall;
 use super::pieces::Pieces;
@@ -112,8 +113,6 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         way: &FreeWay,
         journey: &Journey<'g, D, C>,
     ) -> Vec<(usize, Change<C>)> {
-        use super::follower::Follower;
-
         let rates = self.edge(journey).rates;
         let mut states = rates.yielding();
         for (i, state) in states.iter_mut().enumerate() {
@@ -151,12 +150,12 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         &mut self,
         journey: &Journey<'g, D, C>,
         loss: &Loss<C>,
-    ) -> Result<Option<Event<C>>, PathEnd<C>> {
+    ) -> Option<Event<C>> {
         if self.fallen.is_some() || self.pace.steps >= journey.settings.most_steps {
-            return Ok(None);
+            return None;
         }
         let before = self.behind.last().and_then(|last| self.state_on(last, last.to));
-        let Some(state) = before.or_else(|| self.present_state(journey)) else { return Ok(None) };
+        let state = before.or_else(|| self.present_state(journey))?;
         let goal = self.segment.course.at(self.factor);
         let leg = Self::standing(self.segment.at_rest(self.factor), self.node.clone());
         let mut fall = Fall::of(leg);
@@ -165,13 +164,13 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
             let first = core::mem::take(&mut fall.changes);
             if lets_go { fall.go(&goal, journey).map(|()| first) } else { Ok(first) }
         });
-        let Ok(changes) = went else { return Ok(None) };
+        let changes = went.ok()?;
         // Where rounding does not let the state there be told, the loss is what is known.
-        let Ok(jump) = self.land(journey, &goal, fall) else { return Ok(None) };
+        let jump = self.land(journey, &goal, fall).ok()?;
         let jump = Some(Box::new(jump));
         self.at_node = true;
         let (changes, drives) = journey.grasp.contacts_and_drives(changes);
-        Ok(Some(Event {
+        Some(Event {
             leg: journey.program.leg,
             fraction: self.factor,
             load: journey.program.load_at(self.factor),
@@ -181,7 +180,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
             other_continuations: None,
             state,
             jump,
-        }))
+        })
     }
 }
 

@@ -100,7 +100,7 @@ impl<'g, D: Size, const C: usize> Follower<'g, D, C> for Pieces<'g, D, C> {
     fn go_on(&mut self, journey: &Journey<'g, D, C>) -> Result<Came<Event<C>>, PathEnd<C>> {
         match self.go_unless_lost(journey) {
             Err(PathEnd::Lost(loss)) => {
-                self.caught_by_a_gap(journey, &loss)?.map(Came::To).ok_or(PathEnd::Lost(loss))
+                self.caught_by_a_gap(journey, &loss).map(Came::To).ok_or(PathEnd::Lost(loss))
             }
             came => came,
         }
