@@ -1,4 +1,4 @@
-//! What a search for an equilibrium ends with, and what it took.
+//! The end of a search for an equilibrium, and its effort.
 
 use nalgebra::SVector;
 
@@ -32,7 +32,7 @@ pub enum Rung {
     LoadPath,
 }
 
-/// Why nothing could be said.
+/// Why a question stays undecided.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -61,8 +61,8 @@ pub(crate) struct Found<D: Size, const C: usize> {
     pub(crate) twist: Vector<D>,
     pub(crate) free_motions: Vec<Vector<D>>,
     pub(crate) neutral_motions: Vec<Vector<D>>,
-    /// On a path, sizes of the forces and displacements that these are sums of: what rounding is measured against where
-    /// they vanish. Zero for a solution of its own.
+    /// On a path, the sums of absolute terms behind forces and displacements: rounding is relative to these where forces or displacements vanish.
+    /// Zero for a solution without a path.
     pub(crate) sizes: [f64; 2],
     /// On the round cone, the largest change of a contact force from the polygon's answer.
     pub(crate) from_polygon: Option<f64>,
@@ -83,7 +83,7 @@ impl<D: Size, const C: usize> Found<D, C> {
     }
 }
 
-/// A [`Found`] whatever its number of coordinates, for answers that remember it.
+/// A [`Found`] with its number of coordinates erased, for answers that keep it.
 #[derive(Debug, Clone)]
 pub(crate) struct Kept<const C: usize> {
     pub(crate) states: Vec<State<C>>,
@@ -96,7 +96,7 @@ pub(crate) struct Kept<const C: usize> {
 }
 
 impl<const C: usize> Kept<C> {
-    /// With a list for its coordinates.
+    /// Erases the number of coordinates; `list` is reused for the twist.
     pub(crate) fn of<D: Size>(found: Found<D, C>, list: Vec<f64>) -> Self {
         Self {
             states: found.states,
@@ -130,9 +130,9 @@ pub(crate) enum Settled<D: Size, const C: usize> {
     FreeMotion(Vector<D>),
     /// No admissible forces balance the load: this motion separates it from the friction wrench cone.
     Separating(Vector<D>),
-    /// Each of so many combinations of contact states fails clearly.
+    /// Each combination of contact states fails clearly; their number.
     NoneOf(usize),
-    /// On the round cone, each of so many cases contradicts itself; what escapes that is larger than the data by this factor.
+    /// On the round cone, each case contradicts itself. An escape from this proof is larger than the data by the factor `escape`.
     Contradicted {
         cases: usize,
         escape: f64,
@@ -141,13 +141,13 @@ pub(crate) enum Settled<D: Size, const C: usize> {
     Undecided(Doubt),
 }
 
-/// What it took.
+/// Effort of a search.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Effort {
     pub(crate) pivots: usize,
-    /// Rows of the largest complementarity problem that was made.
+    /// Rows of the largest complementarity problem.
     pub(crate) rows: usize,
     pub(crate) combinations: usize,
-    /// Facets of the polygons that a contact would have.
+    /// Facets of a contact's polygonal cone.
     pub(crate) facets: usize,
 }

@@ -16,7 +16,7 @@ use crate::object::Problem;
 
 type TryRung<D, const C: usize> = fn(&TrialScene<'_, '_, D, C>, &mut Log) -> Attempt<D, C>;
 
-/// Climbs the ladder.
+/// Tries the elastic trial, then rung by rung until a solution or a proof is found.
 pub(crate) fn settle<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     settings: &Settings,
