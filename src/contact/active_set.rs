@@ -186,7 +186,7 @@ impl<const C: usize> LocalLaw<'_, C> {
             && across > TURNED * line.rate_size * weight
     }
 
-    /// A state of the rates, whose facets count among those of its edge, among the facets of the whole law; on the round cone the
+    /// A state of the rates, with facets numbered among those of the edge, as a state among the facets of the whole law. On the round cone it is the
     /// slide along that edge. `None` for facets that the law does not have.
     pub(crate) fn of_the_rates(&self, rates: &Law<C>, state: State<C>) -> Option<State<C>> {
         let Law::Edge(edge) = rates else { return Some(state) };

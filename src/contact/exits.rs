@@ -55,7 +55,7 @@ pub(crate) struct GapLine {
 }
 
 impl GapLine {
-    /// Where the gap closes.
+    /// The step at which the gap closes.
     pub(crate) fn closing<const C: usize>(&self) -> Option<Exit<C>> {
         (self.rate < -ZERO_SLACK * self.rate_size).then(|| {
             let step = (self.gap / -self.rate).max(0.0);
@@ -230,7 +230,8 @@ mod tests {
     use super::Line;
     use crate::contact::{Compliance, Coulomb, Fit, Law, LocalLaw, Polygon, PolygonCone};
 
-    /// A line that misses the apex by a friction of ε leaves where `√(μ² - a²) (1 - s) = ε`. F_n vanishes at s = 1, and with it friction of a F_n.
+    /// A line that misses the apex by a friction of ε leaves where `√(μ² - a²) (1 - s) = ε`.
+    /// F_n vanishes at s = 1, and with it the friction a F_n.
     #[test]
     fn a_line_beside_the_apex_leaves_before_it() {
         let springs = Compliance::new(&Vector3::new(1.0, 1.0, 1.0), 3);

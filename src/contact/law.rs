@@ -75,7 +75,7 @@ impl<'c, const C: usize> LocalLaw<'c, C> {
         !self.is_bonded() && (self.may_open() || !self.facets().is_empty())
     }
 
-    /// Whether the law is that of rest, or of the apex in rates.
+    /// Whether the contact has its whole cone: at rest, or in rates at the apex.
     #[inline(always)]
     pub(super) fn has_a_whole_cone(&self) -> bool {
         matches!(self.law, Law::Cone { .. })

@@ -16,7 +16,7 @@ use crate::prelude::*;
 /// A sine or cosine below this is rounding of zero at a right angle.
 const ROUNDED_ZERO: f64 = 1e-15;
 
-/// How the polygon of m facets lies to the circle of radius one, the section of the round cone at `μ F_n = 1`.
+/// Position of the polygon of m facets relative to the circle of radius one, the section of the round cone at `μ F_n = 1`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -85,7 +85,7 @@ impl PolygonCone {
         self.facets
     }
 
-    /// How the polygon lies to the circle.
+    /// Position of the polygon relative to the circle.
     #[must_use]
     pub fn fit(&self) -> Fit {
         self.fit

@@ -136,7 +136,7 @@ impl<const C: usize> LocalLaw<'_, C> {
         Some(TurningExit::Leaves(Exit { step, uncertainty, facet }))
     }
 
-    /// Where `(μF_n)² - |F_t|²` first falls below zero.
+    /// The first angle at which `(μF_n)² - |F_t|²` falls below zero.
     fn fall_of_the_square(&self, wave: &Wave<C>, most: f64) -> Option<Fall> {
         let limit = self.cone().limit(1.0);
         let margin = Turning { number: wave.of.map(|x| limit * x[0]), vector: wave.of.map(tangential) };

@@ -7,7 +7,7 @@
 //! ```
 //!
 //! and Newton's method finds its minimum from any start. Each step keeps a part of the stiffness of yielding springs, less from step to step. Limits
-//! from the resulting normal forces come next, until no contact changes its state. The states are a proposal: some may be wrong.
+//! of friction from the resulting normal forces come next, until no contact changes its state. The states are a proposal: some may be wrong.
 //!
 //! Source: J. Haslinger, I. Hlaváček, J. Nečas, Numerical methods for unilateral problems in solid mechanics, Handbook of Numerical Analysis IV (1996):
 //! friction as a fixed point of problems with given friction.

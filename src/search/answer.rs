@@ -23,7 +23,7 @@ pub enum Rung {
     /// Newton's method on the forces with which the contacts answer a motion of the object, from the trial state. Tried on the
     /// round cone and with many contacts.
     Newton,
-    /// Lemke's method on the force form: the end of a path of forces from none.
+    /// Lemke's method on the force form: the end of a path of forces from zero.
     ForceForm,
     /// The first combination of contact states that satisfies every condition; on the round cone, the first case of contact states and
     /// directions of friction from which Newton's method arrives. Also what [`Grasp::equilibria`](crate::ask::Grasp::equilibria) finds that way.
@@ -49,7 +49,8 @@ pub enum Doubt {
     Inaccurate,
     /// The pivot limit was reached or a factorisation broke down, with too many contacts to try every combination.
     OutOfPivots,
-    /// On a load path: a leg takes more than [`Settings::most_steps`](crate::Settings::most_steps) along sliding arcs of the round cone, or as many jumps.
+    /// On a load path: a leg takes more than [`Settings::most_steps`](crate::Settings::most_steps) steps along sliding arcs of the round cone,
+    /// or as many jumps.
     OutOfSteps,
 }
 
@@ -61,7 +62,7 @@ pub(crate) struct Found<D: Size, const C: usize> {
     pub(crate) twist: Vector<D>,
     pub(crate) free_motions: Vec<Vector<D>>,
     pub(crate) neutral_motions: Vec<Vector<D>>,
-    /// On a path, the sums of absolute terms behind forces and displacements: rounding is relative to these where forces or displacements vanish.
+    /// On a path, the sizes of the forces, N, and displacements, m, whose sums these are: rounding is relative to them where the sums vanish.
     /// Zero for a solution without a path.
     pub(crate) sizes: [f64; 2],
     /// On the round cone, the largest change of a contact force from the polygon's answer.
@@ -122,7 +123,7 @@ impl<const C: usize> Kept<C> {
     }
 }
 
-/// How a search ended.
+/// The end of a search.
 #[derive(Debug, Clone)]
 pub(crate) enum Settled<D: Size, const C: usize> {
     Found(Found<D, C>, Rung),

@@ -1,5 +1,4 @@
-//! The ladder: a list of rungs, the cheapest first, and a loop that climbs it until one rung finds an equilibrium or proves that there
-//! is none.
+//! The ladder: a list of rungs, the cheapest first, and a loop that climbs it until one rung finds an equilibrium or proves that none exists.
 
 use super::answer::{Doubt, Effort, Rung, Settled};
 use super::candidate::{Refused, admit};

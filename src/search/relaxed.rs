@@ -50,11 +50,11 @@ pub(super) struct BalanceEquation<const C: usize> {
     roots: Vec<SVector<f64, C>>,
 }
 
-/// What the hulls allow.
+/// The result of a relaxation.
 pub(super) enum Relaxed<const C: usize> {
-    /// These stretches (m) and forces (N) of the contacts, as far as can be told.
+    /// Stretches (m) and forces (N) of the contacts, as far as the relaxation determines them.
     Met(Vec<SVector<f64, C>>, Vec<SVector<f64, C>>),
-    /// Nothing that is not larger than the data by this factor.
+    /// Every solution would be larger than the data by at least this factor.
     Contradicted { escape: f64 },
 }
 
@@ -201,7 +201,7 @@ impl<const C: usize> BalanceEquation<C> {
         Relaxed::Met(stretches, forces)
     }
 
-    /// What contradicts a case: a virtual motion and self-balanced virtual forces that stand for the residual.
+    /// The contradiction of a case: a virtual motion and self-balanced virtual forces, from the residual.
     pub(super) fn contradiction<D: Size>(
         &self,
         trial: &Piece<D, C>,

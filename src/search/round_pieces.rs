@@ -28,7 +28,7 @@ const SETTLED: f64 = 1e-8;
 const ROUNDING: f64 = 1e-15;
 /// Tolerance of friction on its cone, as a part of the largest force. A force that still turns is off the cone by the square of the angle.
 const ON_THE_CONE: f64 = 1e-14;
-/// An answer may be out of balance by this part of its load: a load that was computed has rounding.
+/// An answer may be out of balance by this part of load and forces: a load that was computed has rounding.
 const BALANCED: f64 = 1e-13;
 /// A state is left where its inequality fails by more than this part of its terms.
 const FAILS: f64 = 1e-14;
@@ -230,7 +230,7 @@ fn next_state<const C: usize>(
     }
 }
 
-/// Whether forces balance the load, relative to the load. Without a load the forces may be rounding; the scale then includes
+/// Whether forces balance the load, relative to load and forces. Without a load the forces may be rounding; the scale then includes
 /// the part `NO_FORCE` of the least force that springs could have. With a load this scale would let a huge twist pass.
 fn balanced<D: Size, const C: usize>(problem: &Problem<D, C>, at: &PieceState<D, C>) -> bool {
     let (left, carried) = problem.imbalance(&at.forces);

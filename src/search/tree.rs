@@ -61,8 +61,8 @@ pub(super) fn has_round_cones<D: Size, const C: usize>(problem: &Problem<D, C>) 
     problem.locals().any(|local| local.is_round()) && !problem.locals().any(|local| local.is_on_an_edge())
 }
 
-/// The cases that take as long as [`Settings::most_states`] combinations of contact states; none where there is nothing to divide, or
-/// too much.
+/// The number of cases that costs as much as [`Settings::most_states`] combinations of contact states. Zero where nothing can be divided, or
+/// with too many contacts.
 pub(super) fn most_cases<D: Size, const C: usize>(problem: &Problem<D, C>, settings: &Settings) -> usize {
     if problem.len() > MOST_CONTACTS || !has_round_cones(problem) {
         return 0;

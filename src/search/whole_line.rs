@@ -13,10 +13,11 @@ use crate::numerics::Size;
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// Forces that differ by less than this part of the largest are the same.
+/// Forces that differ by less than this part of the largest are equal.
 const SAME: f64 = 1e-9;
 
-/// The same forces in states that show the free motions: contacts on an edge of their cone slide, contacts without force part, if that holds, too.
+/// The same forces in states that show the free motions: contacts on an edge of their cone slide, contacts without force part. `found` itself if
+/// these states do not hold.
 pub(crate) fn on_the_whole_line<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     found: Found<D, C>,

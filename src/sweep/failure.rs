@@ -1,7 +1,7 @@
 //! The probability that one contact leaves its cone under one load, where data are uncertain.
 //!
-//! A facet with the reliability β, its margin in standard deviations, fails with probability `Φ(-β)`. On the round cone the facet turns by θ, and with
-//! it the gradient u(θ) of its margin, of length one. The probability of a failure at any θ is at most
+//! A facet with the reliability β, its margin in standard deviations, fails with probability `Φ(-β)`. On the round cone the facet turns by θ, and
+//! so does the gradient u(θ) of its margin, of length one. The probability of a failure at any θ is at most
 //!
 //! ```text
 //! Φ(-β(θ₀)) + ∫ φ(β) E[(X' - β')₊] dθ,      X' normal, mean 0, deviation |u'|

@@ -217,7 +217,7 @@ impl FacetMargin {
         self.fails_at.resize(data + 1, 0.0);
     }
 
-    /// β, infinite where nothing spreads, of the sign of the margin as known.
+    /// β with the sign of the margin at the known data; infinite where nothing spreads.
     pub(super) fn reliability(&self) -> f64 {
         self.reliability
     }

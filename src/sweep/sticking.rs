@@ -151,9 +151,9 @@ impl<const C: usize> StuckGrasp<C> {
     }
 }
 
-/// Close to β of a part `Φ(-β)` that fails, and as straight; only differences of it are asked for.
+/// About the β of a failure probability `Φ(-β)`, and as nearly linear; only its differences are used.
 fn reliability(fails: f64) -> f64 {
-    // Parts that cannot be told from nothing are as good as this one.
+    // Smaller probabilities count as this one.
     const LEAST: f64 = 1e-300;
     (-2.0 * fails.clamp(LEAST, 1.0).ln()).sqrt()
 }
