@@ -1,8 +1,8 @@
 //! The law of one contact: springs, friction cone, and the conditions that apply.
 //!
-//! An equilibrium and its continuation are the same kind of problem. At rest a contact has its whole cone. In rates, which describe what
-//! happens next, a contact inside its cone is bonded, a contact on an edge has only that edge, a contact at the apex has the whole cone
-//! again, and an open contact is absent.
+//! An equilibrium and its continuation are the same kind of problem. At rest a contact has its whole cone. Rates describe what happens
+//! next. In rates a contact inside its cone is bonded, and an open contact is absent. A contact on an edge has only that edge, and a contact
+//! at the apex has the whole cone again.
 
 use nalgebra::SVector;
 

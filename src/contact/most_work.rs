@@ -1,7 +1,7 @@
 //! The most work of a contact along a virtual stretch and a virtual force under a label, in closed form.
 //!
-//! With `w(v, F) = φ·v + u·F`, c = K⁻¹φ and ξ = K v, the work is at most the following, maximised over the directions p of friction that the
-//! label leaves:
+//! Let `w(v, F) = φ·v + u·F`, c = K⁻¹φ and ξ = K v. The work w is at most the largest of these values over the directions p of friction
+//! that the label leaves:
 //!
 //! ```text
 //! open       -c_n,  |c_t|                      sticks, slides    (c + u)_n + μ (c + u)_t·p,   (c + u)_n

@@ -1,7 +1,7 @@
 //! A proof that no equilibrium exists on the round cone, case by case, as a certificate that can be checked.
 //!
-//! States of contacts are divided into cases, one contact at a time, until each case is contradicted: by a virtual motion y of the
-//! object and self-balanced virtual forces φ, `Σ G_i φ_i = 0`. Stretches `v_i = a_i - G_iᵀq` and forces of an equilibrium under the
+//! States of contacts are divided into cases, one contact at a time, until each case is contradicted. A contradiction is a virtual motion y
+//! of the object with self-balanced virtual forces φ, `Σ G_i φ_i = 0`. Stretches `v_i = a_i - G_iᵀq` and forces of an equilibrium under the
 //! load W satisfy
 //!
 //! ```text

@@ -38,14 +38,14 @@ pub enum Rung {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Doubt {
-    /// Lemke ended on rays that prove nothing, and not every combination of states could be tried: there are too many contacts for
+    /// Lemke's method ended on rays that prove nothing, and not every combination of states could be tried. Either there are too many contacts for
     /// [`Settings::most_states`](crate::Settings::most_states), or on the round cone the cases that were tried did not decide.
     RayWithoutProof,
-    /// Some combination of contact states fails so narrowly that rounding may have decided: the load is on the
-    /// boundary of what the grasp can hold, as far as the working precision can tell.
+    /// Some combination of contact states fails so narrowly that rounding may have decided. The load is then on the
+    /// boundary of the loads that the grasp can hold, up to the working precision.
     OnTheBoundary,
-    /// Contact states were found, but the numbers of the scene lie so far apart that forces and twist cannot be written down
-    /// accurately: arms or stiffnesses by more than the working precision. Residuals exceed 1e-10 (1e-12 on the round cone).
+    /// Contact states were found, but arms or stiffnesses of the scene lie farther apart than the working precision. Forces and
+    /// twist cannot be written down accurately: residuals exceed 1e-10 (1e-12 on the round cone).
     Inaccurate,
     /// The pivot limit was reached or a factorisation broke down, with too many contacts to try every combination.
     OutOfPivots,

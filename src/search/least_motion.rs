@@ -1,7 +1,7 @@
 //! The nearest place of the object where its states leave motions free.
 //!
-//! Forces do not depend on free motions V. Any place `q = q₀ + V z` is a solution as long as gaps and slips keep their signs: conditions
-//! `c + g·z >= 0`. q₀ closes the gaps of contacts that touched before anything moved, in the sense of least squares.
+//! Forces do not depend on free motions V. Any place `q = q₀ + V z` is a solution as long as gaps and slips keep their signs, which are
+//! conditions `c + g·z >= 0`. The place q₀ closes the gaps of contacts that touched before anything moved, in the sense of least squares.
 //! From q₀ the place of least |z| is unique. It depends neither on the rung that found the states nor on the frame:
 //!
 //! ```text

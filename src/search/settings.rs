@@ -27,11 +27,11 @@ pub struct Settings {
     /// Newton's method has failed, the search then gives up with [`Doubt::OutOfPivots`](super::Doubt::OutOfPivots). The dense programs of
     /// [`energy`](crate::energy) may take some ten seconds.
     pub max_pivots: Option<usize>,
-    /// When neither form gives an answer, all combinations of contact states are tried if they are at most this many
-    /// (default 20 000, a few hundredths of a second: 7 contacts in the plane, 3 on 8 facets in space). On the round cone
+    /// When neither form gives an answer, all combinations of contact states are tried if they are at most this many. The default is 20 000, a few
+    /// hundredths of a second: 7 contacts in the plane, 3 on 8 facets in space. On the round cone
     /// states and directions of friction of up to 32 contacts are divided into cases. A case of n contacts counts as n³/400
-    /// combinations, and as five at least: the default allows 4 000 for up to 12 contacts. Lower it for speed on
-    /// scenes without an equilibrium (0 leaves the search out, and with it proofs by trying all states), raise it to get a proof for
+    /// combinations, and as five at least: the default allows 4 000 for up to 12 contacts. A smaller number is faster on
+    /// scenes without an equilibrium; 0 omits the search, and with it proofs by trying all states. A larger number gives proofs for
     /// more contacts.
     pub most_states: usize,
     /// On a load path on the round cone, the largest estimated error of one step along a sliding arc: of forces relative to
