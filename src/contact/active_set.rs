@@ -1,7 +1,7 @@
-//! What a contact stands on at an event, and the law of its rates that follows from it.
+//! The edges of its cone that a contact has reached at an event, and the law of its rates that follows.
 //!
-//! Inside its cone a contact sticks whatever comes next. On facets of the cone it may slide along these. At the apex and at a closed
-//! gap it may do anything: there the rates have the whole law again. The onset and the path decide what comes next from the same laws.
+//! Inside its cone a contact sticks in every next step. On facets of the cone it may slide along these. At the apex and at a closed
+//! gap every state is possible, so the rates have the whole law again. The onset and the path use the same laws for the next step.
 
 use nalgebra::SVector;
 
@@ -12,19 +12,19 @@ use super::tangential::tangential;
 use super::tolerances::{WEIGHTLESS, ZERO_SLACK};
 use crate::prelude::*;
 
-/// Facets are at least as far apart as this; on the round cone the direction of one that is reached again differs by rounding.
+/// Facets closer than this are one facet: on the round cone the direction of a facet reached again differs by rounding.
 const ONE_FACET: f64 = 1e-9;
-/// Where a slip comes to its end the margin and its rate are zero up to the error of the steps.
+/// At the end of a slip the margin and its rate are zero up to this error of the steps.
 const TANGENT: f64 = 1e-9;
-/// A force that changes across its direction by less than this part goes straight out or in.
+/// A force whose rate across its direction is below this part moves straight outwards or inwards.
 const TURNED: f64 = 1e-6;
 
-/// What one contact stands on.
+/// The edges, or the apex, of its cone that a contact has reached.
 #[derive(Debug, Clone)]
 pub(crate) struct ActiveSet<const C: usize> {
-    /// Normals of the facets without margin: those on which it slides, and others it has reached.
+    /// Normals of the facets without margin: facets on which the contact slides, and others that it has reached.
     pub(crate) facets: Vec<SVector<f64, C>>,
-    /// Closed without force, or open without a gap.
+    /// Closed without force, or open with a gap of zero.
     pub(crate) apex: bool,
 }
 
@@ -36,18 +36,18 @@ impl<const C: usize> ActiveSet<C> {
         !self.apex && self.facets.is_empty()
     }
 
-    /// Nowhere again.
+    /// Clears the set.
     pub(crate) fn leave(&mut self) {
         self.facets.clear();
         self.apex = false;
     }
 
-    /// Whether this force is one that a contact at the apex of its cone carries.
+    /// Whether a force is small enough to be zero, at the apex of the cone.
     pub(crate) fn is_weightless(force: &SVector<f64, C>, force_size: f64) -> bool {
         force.norm() <= WEIGHTLESS * force_size
     }
 
-    /// Takes up where these ways out lead to.
+    /// Adds the facets, or the apex, of these exits.
     pub(crate) fn reach(&mut self, state: &State<C>, exits: &[Exit<C>]) {
         for exit in exits {
             // Without a facet the normal force itself vanishes, or the gap.
@@ -57,13 +57,13 @@ impl<const C: usize> ActiveSet<C> {
                 self.facets.push(exit.facet);
             }
         }
-        // More facets than an edge has meet only at the apex.
+        // C or more facets meet only at the apex.
         self.apex |= self.facets.len() >= C;
     }
 }
 
 impl<const C: usize> LocalLaw<'_, C> {
-    /// The law of the rates of a contact that stands here.
+    /// The law of the rates of a contact with this active set.
     pub(crate) fn law_of_rates(&self, stand: &ActiveSet<C>, state: &State<C>) -> Law<C> {
         if !self.has_edges() {
             Law::Bonded
@@ -78,7 +78,7 @@ impl<const C: usize> LocalLaw<'_, C> {
         }
     }
 
-    /// What a closed contact with this force stands on.
+    /// The active set of a closed contact with this force.
     pub(crate) fn stand(&self, line: &Line<C>) -> ActiveSet<C> {
         if !self.has_edges() {
             return ActiveSet::NOWHERE;
@@ -99,7 +99,7 @@ impl<const C: usize> LocalLaw<'_, C> {
         ActiveSet { apex, facets: if on_the_edge { vec![friction.normalize()] } else { Vec::new() } }
     }
 
-    /// How a sticking contact with this force may as well slide, since it stands on an edge of its cone.
+    /// The sliding state in which a sticking contact on an edge of its cone may have the same force; `None` away from an edge.
     pub(crate) fn on_its_edge(&self, line: &Line<C>) -> Option<State<C>> {
         let ActiveSet { facets, apex } = self.stand(line);
         if apex || facets.is_empty() {
@@ -112,7 +112,7 @@ impl<const C: usize> LocalLaw<'_, C> {
         Some(self.slipping_state(&numbers.collect::<Vec<_>>()).into())
     }
 
-    /// Forgets what the contact moves away from.
+    /// Removes the facets, or the apex, from which the contact moves away.
     pub(crate) fn leave(&self, stand: &mut ActiveSet<C>, state: &State<C>, line: &Line<C>, gap: &GapLine) {
         let falls_short = |margin_rate: f64, weight: f64| margin_rate <= ZERO_SLACK * line.rate_size * weight;
         let stays_at_the_apex = || line.rate[0].abs() <= ZERO_SLACK * line.rate_size;
@@ -144,7 +144,7 @@ impl<const C: usize> LocalLaw<'_, C> {
         }
     }
 
-    /// Forgets what the contact stood on and is away from with this force.
+    /// Removes the facets, or the apex, that the contact has left with this force.
     pub(crate) fn leave_behind(&self, stand: &mut ActiveSet<C>, state: &State<C>, line: &Line<C>) {
         let there = self.stand(line);
         stand.apex &= there.apex;
@@ -155,14 +155,14 @@ impl<const C: usize> LocalLaw<'_, C> {
         }
     }
 
-    /// Whether a facet is one on which the contact slides.
+    /// Whether the contact slides on this facet.
     fn slides_on(&self, state: &State<C>, facet: &SVector<f64, C>) -> bool {
         let facets = self.facets();
         state.own_facets(facets.len()).iter().flatten().any(|&j| facets[j] == *facet)
     }
 
-    /// Whether a sticking contact on the edge of the round cone goes along a tangent of it with these rates, which leads outside: it
-    /// slides, if only with a rate of zero at first.
+    /// Whether a sticking contact on the edge of the round cone moves along a tangent of the cone with these rates. The tangent leads outside: the
+    /// contact slides, with a rate that may be zero at first.
     pub(crate) fn grazes(&self, state: &State<C>, rate: &SVector<f64, C>, size: f64) -> bool {
         let (Law::Edge(facets), Mode::Sticking) = (self.law, state) else { return false };
         let (p, cone) = (&facets[0], self.cone());
@@ -171,7 +171,7 @@ impl<const C: usize> LocalLaw<'_, C> {
             && across > ZERO_SLACK * size
     }
 
-    /// Whether a contact that sticks on the edge of the round cone goes along a tangent of it: a straight line, which leads outside.
+    /// Whether the force of a sticking contact on the edge of the round cone moves along a tangent: a straight line that leads outside.
     pub(crate) fn leaves_by_a_tangent(&self, line: &Line<C>) -> bool {
         let (friction, cone) = (tangential(&line.force), self.cone());
         if !self.on_round_cone || !self.may_slide() || friction.norm() == 0.0 {
@@ -186,7 +186,7 @@ impl<const C: usize> LocalLaw<'_, C> {
             && across > TURNED * line.rate_size * weight
     }
 
-    /// A state of the rates, whose facets count among those of its edge, among the facets of the whole law; on the round cone the
+    /// A state of the rates, with facets numbered among those of the edge, as a state among the facets of the whole law. On the round cone it is the
     /// slide along that edge. `None` for facets that the law does not have.
     pub(crate) fn of_the_rates(&self, rates: &Law<C>, state: State<C>) -> Option<State<C>> {
         let Law::Edge(edge) = rates else { return Some(state) };

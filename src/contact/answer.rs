@@ -1,4 +1,4 @@
-//! From the stretch of one contact to its force, exactly: the return map.
+//! The return map: exact force and state of one contact from its stretch.
 //!
 //! With the stretch `v = a - G_iᵀq`, T = K_t v_t its trial traction and r = μ F_n, on the round cone
 //!
@@ -8,8 +8,8 @@
 //! sliding   |T| > r                     F_t = S v_t,  S = (K_t⁻¹ + λ)⁻¹,  λ > 0 from |S v_t| = r
 //! ```
 //!
-//! In the last case the slip is `s = v_t - K_t⁻¹F_t = λ F_t`: along the force. For one tangential stiffness this is the radial return,
-//! for two of them the closest point of the disc in the metric K_t⁻¹. On a polygon it is the closest point in that metric, too.
+//! In the last case the slip is `s = v_t - K_t⁻¹F_t = λ F_t`, along the force. With equal tangential stiffnesses this is the radial return,
+//! with two different ones the closest point of the disc in the metric K_t⁻¹. On a polygon it is the closest point in that metric, too.
 
 use nalgebra::SVector;
 
@@ -23,16 +23,16 @@ use super::tangential::{cross, tangential_norm};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Newton's steps on the secular equation: from its lower bound it gains digits from the first step on.
+/// Most Newton steps on the secular equation. Starting from its lower bound, each step gains digits.
 const STEPS: usize = 60;
 /// A step shorter than this part of λ is the last.
 const LAST: f64 = 1e-8;
-/// No start is a λ larger than this by the compliance of the springs.
+/// Largest starting λ, as a multiple of the compliance of the stiffest spring: beyond, squares underflow.
 const FAR: f64 = 1e100;
-/// With r = 0 every λ is too small: r counts as this part of the traction, so that S is nothing beside K⁻¹.
+/// Least r, as a part of the traction. With r = 0 every λ is too small; with this one S is negligible beside K.
 const NO_FRICTION: f64 = 1e-200;
 
-/// What a contact answers to a stretch.
+/// State and force of a contact at a stretch.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ContactResponse<const C: usize> {
     pub(crate) state: State<C>,
@@ -48,8 +48,7 @@ impl<const C: usize> ContactResponse<C> {
 }
 
 impl<const C: usize> LocalLaw<'_, C> {
-    /// The force at a stretch on the round cone, or on the edge that the contact stands on. `near` is the λ of a stretch close by, or
-    /// zero.
+    /// The force at a stretch, on the round cone or on the edge of the law. `near` is the λ of a nearby stretch, or zero.
     pub(crate) fn answer(&self, stretch: &SVector<f64, C>, near: f64) -> ContactResponse<C> {
         let mut force = self.springs.force(stretch);
         let sticking = ContactResponse { state: Mode::Sticking, force };
@@ -78,7 +77,7 @@ impl<const C: usize> LocalLaw<'_, C> {
         ContactResponse { state: Mode::Round(slide), force }
     }
 
-    /// Puts a trial force on the cone of radius r, along what the slip of λ per force leaves of its traction.
+    /// Puts a trial force on the cone of radius r. Its traction, softened by a slip of λ per force, gives the direction.
     fn slide_onto_the_cone(&self, force: &mut SVector<f64, C>, r: f64, lambda: f64) -> Slide<C> {
         let softened =
             SVector::from_fn(|a, _| if a == 0 { 0.0 } else { force[a] * self.springs.softening(a, lambda) });
@@ -115,7 +114,7 @@ impl<const C: usize> LocalLaw<'_, C> {
         }
     }
 
-    /// The state at a trial force, which springs that all hold would carry.
+    /// The state at a trial force `K v`, the force of springs without opening or slip.
     #[inline]
     fn state_on_polygon(&self, facets: &[SVector<f64, C>], trial: &SVector<f64, C>) -> PolygonState {
         if trial[0] <= 0.0 && self.may_open() {
@@ -134,7 +133,7 @@ impl<const C: usize> LocalLaw<'_, C> {
         }
     }
 
-    /// Where on the polygon `h·F_t <= r` the force nearest to a trial force lies.
+    /// The state on the polygon `h·F_t <= r` at the point nearest to a trial force.
     fn nearest_of_polygon(
         &self,
         facets: &[SVector<f64, C>],
@@ -153,7 +152,7 @@ impl<const C: usize> LocalLaw<'_, C> {
         if most <= r {
             return Mode::Sticking;
         }
-        // From facet to facet towards the side on which the force lies outside: with springs alike the first is the last.
+        // Moves from facet to facet towards the side on which the projected force lies outside. With equal springs the first facet decides.
         for _ in facets {
             let h = &facets[usize::from(facet)];
             let softened = self.springs.force(h);
@@ -168,7 +167,7 @@ impl<const C: usize> LocalLaw<'_, C> {
             } else {
                 return Mode::Facet(facet);
             };
-            // At the corner both slips must go outwards.
+            // At a corner both slips must point outwards.
             let (h1, h2) = (&facets[usize::from(at)], &facets[usize::from(after(at))]);
             let slip = self.springs.give(&(trial - corner(h1, h2) * r));
             let turn = cross(h1, h2);
@@ -183,8 +182,8 @@ impl<const C: usize> LocalLaw<'_, C> {
 
 /// λ with `|S(λ) v_t| = r`, from the trial traction T = K_t v_t; positive if |T| > r.
 ///
-/// The secular equation 1/|S v| = 1/r of trust regions is nearly linear in λ and concave. From wherever they start Newton's steps
-/// lead left of the root, and from there they grow towards it and never pass it.
+/// The secular equation 1/|S v| = 1/r of trust regions is nearly linear in λ and concave. From any start Newton's steps
+/// lead left of the root; from there they increase towards the root and never pass it.
 fn slip_per_force<const C: usize>(
     springs: &Compliance<C>,
     trial: &SVector<f64, C>,
@@ -197,9 +196,9 @@ fn slip_per_force<const C: usize>(
         return springs.give_along(1, excess - 1.0);
     }
     let unit = trial / traction;
-    // From where squares underflow no step leads back.
+    // A larger start makes squares underflow, and no step would lead back.
     let mut lambda = if near * springs.stiffest() < FAR { near } else { 0.0 };
-    // What slips backwards, λ < 0, is bounded by the softer axis and by where the stiffer one has no stiffness left to lose.
+    // A backward slip, λ < 0, is bounded by the softer axis. It also stays above -1/k of the stiffer axis, where 1 + λk vanishes.
     let [soft, stiff] = springs.tangential_range();
     let least = if excess >= 1.0 { 0.0 } else { ((excess - 1.0) / soft).max(-(1.0 - LAST) / stiff) };
     for _ in 0..STEPS {
@@ -215,7 +214,7 @@ fn slip_per_force<const C: usize>(
             break;
         }
         lambda = (lambda + step).max(least);
-        // What is left is the square of this.
+        // The error after a step is of the order of its square.
         if step.abs() <= LAST * lambda.abs() {
             break;
         }

@@ -1,4 +1,4 @@
-//! How one contact gives way: a spring along each axis of its frame, and the only type that sees a stiffness.
+//! The compliance of one contact: a spring along each axis of its frame. No other type reads a stiffness.
 //!
 //! ```text
 //! F = K v,   K = diag(k_n, k_t…),   v = a - u_c + g - s        stretch, in m; force, in N; stiffness, in N/m
@@ -72,7 +72,7 @@ impl<const C: usize> Compliance<C> {
         force.over(self.k[axis])
     }
 
-    /// The tangential part of `v - K⁻¹F`, with that of the stretch where no spring is: how far the surfaces have slipped.
+    /// The slip of the surfaces: the tangential part of `v - K⁻¹F`, or of v itself along axes without a spring.
     pub(crate) fn slip(&self, stretch: &SVector<f64, C>, force: &SVector<f64, C>) -> SVector<f64, C> {
         let mut slip = stretch - self.give(force);
         slip[0] = 0.0;
@@ -100,7 +100,7 @@ impl<const C: usize> Compliance<C> {
         self.k[one] / self.k[other]
     }
 
-    /// Whether both tangential springs are alike, as the one of the plane is.
+    /// Whether both tangential springs are equal, as in the plane, which has only one.
     pub(crate) fn is_isotropic(&self) -> bool {
         C == 2 || self.k[1] == self.k[C - 1]
     }

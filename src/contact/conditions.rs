@@ -1,4 +1,4 @@
-//! The conditions that a state of a contact must satisfy, each beside the size that its rounding is measured against.
+//! The conditions that a state of a contact must satisfy, each with the size that scales its rounding.
 //!
 //! ```text
 //! open      gap = n·u_c - a_n                 >= 0
@@ -6,7 +6,7 @@
 //! sliding   F_n, slip across its facets, the other facets' μ F_n - h·F_t >= 0
 //! ```
 //!
-//! All of them are linear in stretch and force: the same function gives their rates along a load or a motion.
+//! All conditions are linear in stretch and force, so the same function gives their rates along a load or a motion.
 
 use nalgebra::SVector;
 
@@ -15,22 +15,22 @@ use super::state::{Mode, State};
 use super::tangential::cross;
 use super::tolerances::SMALLEST;
 
-/// Where a contact is: its stretch and its force, or the rates of both.
+/// Stretch and force of a contact, or the rates of both.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct At<'s, const C: usize> {
     /// `a - G_iᵀq`, m.
     pub(crate) stretch: SVector<f64, C>,
     /// N.
     pub(crate) force: &'s SVector<f64, C>,
-    /// Size of the displacements that the stretch is a difference of, m.
+    /// Size of the displacements whose difference is the stretch, m.
     pub(crate) span: f64,
     /// Size of the largest force of the scene, N.
     pub(crate) largest: f64,
 }
 
 impl<const C: usize> LocalLaw<'_, C> {
-    /// What the rounding of the contact's force is measured against. A stiff contact's force is not known from its cancelling
-    /// displacements but from equilibrium with the others, a soft one's the other way round.
+    /// Size that scales the rounding of the contact's force, N. The force of a stiff contact follows from equilibrium with the others, since its
+    /// displacements cancel; the force of a soft contact follows from its displacements.
     #[inline(always)]
     pub(crate) fn force_size(&self, force: &SVector<f64, C>, span: f64, largest: f64) -> f64 {
         SMALLEST + force.norm() + largest.min(self.springs.stiffest() * span)
@@ -64,8 +64,8 @@ impl<const C: usize> LocalLaw<'_, C> {
         }
     }
 
-    /// The parts of a slip that only grow in a sliding state, each with its size for a slip of one: along the facet or the round slide, along both facets of
-    /// a corner.
+    /// The components of a slip that cannot decrease in a sliding state, each with its rounding scale for a unit slip. They lie along the facet
+    /// or the round slide, or along both facets of a corner.
     pub(super) fn slips_along(&self, state: &State<C>, slip: &SVector<f64, C>) -> [Option<[f64; 2]>; 2] {
         let facets = self.facets();
         match state {

@@ -1,6 +1,6 @@
-//! Coulomb's cone `|F_t| <= μ F_n` of one contact, and the only type that sees a coefficient of friction.
+//! Coulomb's cone `|F_t| <= μ F_n` of one contact. No other type reads a coefficient of friction.
 //!
-//! A facet of a polygon in its place is `h·F_t <= μ F_n` with an outward normal h. On the round cone the facet that touches it at
+//! A facet of a polygonal cone is `h·F_t <= μ F_n` with an outward normal h. On the round cone the facet that touches it at
 //! a tangential force has the unit normal along that force.
 
 use nalgebra::SVector;
@@ -10,7 +10,8 @@ use super::tangential::tangential_norm;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Stands for infinite friction where a contact with infinite friction has to open: only then does it need facets.
+/// Coefficient in place of infinite friction where a contact with infinite friction must open: only then does it need facets.
+/// It is multiplied by the root of k_n/k_t where that exceeds one.
 const INSTEAD_OF_INFINITE_FRICTION: f64 = 1e8;
 
 /// A coefficient of friction, 0 to infinity.
@@ -32,13 +33,13 @@ impl Coulomb {
         self.mu.is_infinite()
     }
 
-    /// Whether the cone is neither a ray nor without limit.
+    /// Whether the cone has edges: friction is neither zero nor infinite.
     #[inline(always)]
     pub(crate) fn has_edges(self) -> bool {
         self.mu > 0.0 && self.mu.is_finite()
     }
 
-    /// The cone that stands for infinite friction where only facets let a contact go; a finite one stands for itself.
+    /// A cone with edges in place of infinite friction, for contacts that can open only with facets; a finite cone stays unchanged.
     pub(crate) fn with_edges<const C: usize>(self, springs: &Compliance<C>) -> Self {
         if self.mu.is_finite() {
             return self;
@@ -59,7 +60,7 @@ impl Coulomb {
         force
     }
 
-    /// `(μ, -h)`: what a facet takes from a force, `μ F_n - h·F_t`.
+    /// `(μ, -h)`: its product with a force is the margin `μ F_n - h·F_t` of a facet.
     pub(crate) fn facet_row<const C: usize>(self, h: &SVector<f64, C>) -> SVector<f64, C> {
         let mut row = -h;
         row[0] = self.mu;
@@ -78,13 +79,13 @@ impl Coulomb {
         self.mu * force[0] - tangential_norm(force)
     }
 
-    /// What rounding of a facet's margin is measured in, over that of the force.
+    /// Rounding scale of a facet's margin, relative to the scale of the force.
     #[inline(always)]
     pub(crate) fn facet_weight<const C: usize>(self, h: &SVector<f64, C>) -> f64 {
         self.mu + h.norm()
     }
 
-    /// What rounding of the round cone's margin is measured in, over that of the force; one without a limit.
+    /// Rounding scale of the round cone's margin, relative to the scale of the force; one for infinite friction.
     #[inline(always)]
     pub(crate) fn round_weight(self) -> f64 {
         if self.mu.is_finite() { 1.0 + self.mu } else { 1.0 }

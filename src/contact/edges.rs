@@ -6,10 +6,10 @@ use super::law::LocalLaw;
 use super::tangential::tangential;
 use crate::prelude::*;
 
-/// What a sticking contact asks of its force.
+/// Conditions on the force of a sticking contact.
 #[derive(Debug, Clone)]
 pub(crate) enum Edges<const C: usize> {
-    /// `a·F >= 0` for each of these: facets, or the normal force alone.
+    /// `a·F >= 0` for each row: facets, or the normal force alone.
     Rows(Vec<SVector<f64, C>>),
     /// `limit F_n >= |F_t|`.
     Round {
@@ -19,7 +19,7 @@ pub(crate) enum Edges<const C: usize> {
 }
 
 impl<const C: usize> Edges<C> {
-    /// The row that a force breaks most, or keeps with the least to spare, with the value of its condition; `None` if there are no conditions.
+    /// The row with the least value for a force, and that value; `None` without conditions.
     pub(crate) fn worst(&self, force: &SVector<f64, C>) -> Option<(SVector<f64, C>, f64)> {
         match self {
             Self::Rows(rows) => {

@@ -1,4 +1,4 @@
-//! How far a contact can go along a straight line of forces before it leaves its state.
+//! The distance along a straight line of forces at which a contact leaves its state.
 
 use nalgebra::SVector;
 
@@ -8,14 +8,15 @@ use super::tangential::tangential;
 use super::tolerances::ZERO_SLACK;
 use crate::prelude::*;
 
-/// Newton's steps on the margin of a round cone: each doubles the digits that the quadratic equation has left.
+/// Newton's steps on the margin of a round cone: each doubles the correct digits of the quadratic's root.
 const POLISHING_STEPS: usize = 3;
-/// A last step of polishing that moves the root by more than this part of its distance from the apex has not ended: the next would move it by its square.
+/// Polishing has not converged if its last step moves the root by more than this part of the distance from the apex. The next step would
+/// move the root by the square of that.
 const POLISHED: f64 = 1e-8;
-/// Newton's steps down from the apex at most: near it the margin bends within as little as rounding, beyond that each doubles the digits.
+/// Most Newton's steps down from the apex. Near it the margin bends within a distance of rounding; farther off each step doubles the digits.
 const MOST_DESCENTS: usize = 60;
 
-/// One way out of the cone: the step at which it is reached, and the step's own uncertainty from rounding.
+/// An exit from the cone: the step to it, and the uncertainty of that step from rounding.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Exit<const C: usize> {
     pub(crate) step: f64,
@@ -24,7 +25,7 @@ pub(crate) struct Exit<const C: usize> {
     pub(crate) facet: SVector<f64, C>,
 }
 
-/// Force, its rate, and the sizes that their rounding is measured against.
+/// Force, its rate, and the sizes that scale their rounding.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Line<const C: usize> {
     pub(crate) force: SVector<f64, C>,
@@ -44,7 +45,7 @@ impl<const C: usize> Line<C> {
     }
 }
 
-/// A gap on a straight line, with the sizes of the displacements it is a difference of, all in m.
+/// A gap on a straight line, with the sizes of the displacements whose difference it is, all in m.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GapLine {
     pub(crate) gap: f64,
@@ -54,7 +55,7 @@ pub(crate) struct GapLine {
 }
 
 impl GapLine {
-    /// Where the gap closes.
+    /// The step at which the gap closes.
     pub(crate) fn closing<const C: usize>(&self) -> Option<Exit<C>> {
         (self.rate < -ZERO_SLACK * self.rate_size).then(|| {
             let step = (self.gap / -self.rate).max(0.0);
@@ -65,12 +66,12 @@ impl GapLine {
 }
 
 impl<const C: usize> LocalLaw<'_, C> {
-    /// Every way out of a state: the facets that a closed contact runs into and does not slide on, the gap that closes.
+    /// All exits from a state: facets that a closed contact reaches and does not slide on, or the closing of a gap.
     pub(crate) fn ways_out(&self, state: &State<C>, line: &Line<C>, gap: &GapLine) -> Vec<Exit<C>> {
         match state {
             Mode::Open => gap.closing().into_iter().collect(),
             Mode::Sticking => self.exits(line),
-            // The facets on which it slides stay reached.
+            // The contact stays on the facets on which it slides.
             Mode::Facet(_) | Mode::Corner(_) | Mode::Round(_) => {
                 let facets = self.facets();
                 let own = state.own_facets(facets.len());
@@ -81,7 +82,7 @@ impl<const C: usize> LocalLaw<'_, C> {
         }
     }
 
-    /// Where the line of a sticking contact leaves its cone first, and the step to the next way out.
+    /// The first exit of a sticking contact's line from its cone, and the step to the second.
     pub(crate) fn first_exit(&self, line: &Line<C>) -> Option<(Exit<C>, f64)> {
         let mut first: Option<Exit<C>> = None;
         let mut next = f64::INFINITY;
@@ -92,19 +93,19 @@ impl<const C: usize> LocalLaw<'_, C> {
         first.map(|first| (first, next))
     }
 
-    /// Whether the edge of the cone is that of the round one.
+    /// Whether the edge of the contact's cone is round.
     pub(super) fn has_a_round_edge(&self) -> bool {
         self.on_round_cone && self.cone().has_edges() && !self.is_bonded() && !self.is_absent()
     }
 
-    /// Where the line leaves the cone.
+    /// All exits of the line from the cone.
     fn exits(&self, line: &Line<C>) -> Vec<Exit<C>> {
         let mut exits = Vec::new();
         self.for_each_exit(line, |exit| exits.push(exit));
         exits
     }
 
-    /// Visits every way out of the cone.
+    /// Visits all exits from the cone.
     fn for_each_exit(&self, line: &Line<C>, visit: impl FnMut(Exit<C>)) {
         if self.has_a_round_edge() {
             self.round_exit(line).into_iter().for_each(visit);
@@ -113,7 +114,7 @@ impl<const C: usize> LocalLaw<'_, C> {
         }
     }
 
-    /// Every facet of the polygon that the line runs into; the vanishing normal force where there are no facets.
+    /// Visits every facet of the polygon that the line reaches, or the vanishing normal force where no facets exist.
     fn for_each_polygon_exit(&self, line: &Line<C>, mut visit: impl FnMut(Exit<C>)) {
         let (cone, facets) = (self.cone(), self.facets());
         if facets.is_empty() && self.may_open() {
@@ -125,7 +126,7 @@ impl<const C: usize> LocalLaw<'_, C> {
         }
     }
 
-    /// How far it is from a force to where a straight line of this rate takes it out through an exit.
+    /// The step from a force along a straight line of this rate to an exit.
     pub(crate) fn way_to(&self, exit: &Exit<C>, force: &SVector<f64, C>, rate: &SVector<f64, C>) -> f64 {
         let slack = |f: &SVector<f64, C>| {
             if exit.facet.norm() == 0.0 { f[0] } else { self.cone().facet_margin(f, &exit.facet) }
@@ -133,14 +134,14 @@ impl<const C: usize> LocalLaw<'_, C> {
         slack(force) / -slack(rate)
     }
 
-    /// Where the line leaves the round cone, `μ² F_n² = |F_t|²`: the first root of a quadratic,
+    /// The exit of the line from the round cone, `μ² F_n² = |F_t|²`: the first root of a quadratic,
     ///
     /// ```text
     /// c₀ + 2 c₁ s + c₂ s² = 0,   c₀ = (μF_n - |F_t|)(μF_n + |F_t|),   c₁ = μ²F_n F_n' - F_t·F_t',   c₂ = μ²F_n'² - |F_t'|²
     /// ```
     ///
-    /// taken as `s = c₀ / (√(c₁² - c₀c₂) - c₁)`, which does not cancel. From the edge itself (c₀ = 0) a line that goes
-    /// inwards can only come back at `s = -2c₁/c₂`.
+    /// computed as `s = c₀ / (√(c₁² - c₀c₂) - c₁)`, which does not cancel. From the edge itself (c₀ = 0) a line that points
+    /// inwards can only return at `s = -2c₁/c₂`.
     fn round_exit(&self, line: &Line<C>) -> Option<Exit<C>> {
         let cone = self.cone();
         let (t0, t1) = (tangential(&line.force), tangential(&line.rate));
@@ -161,10 +162,10 @@ impl<const C: usize> LocalLaw<'_, C> {
         let c1 = n0 * n1 - t0.dot(&t1);
         let c2 = n1 * n1 - t1.norm_squared();
         let discriminant = c1 * c1 - c0 * c2;
-        // Without a root the step is not a number.
+        // Without a root the step is NaN.
         let mut step = if on_edge { -2.0 * c1 / c2 } else { c0 / (discriminant.sqrt() - c1) };
-        // Close to a double root the discriminant cancels. The margin itself, μF_n - |F_t|, is concave and does not: Newton's
-        // method on it gives back the digits.
+        // Close to a double root the discriminant cancels. The margin μF_n - |F_t| itself is concave and does not cancel: Newton's
+        // method on it restores the digits.
         let mut moved = 0.0;
         for _ in 0..POLISHING_STEPS {
             let at = t0 + t1 * step;
@@ -175,8 +176,8 @@ impl<const C: usize> LocalLaw<'_, C> {
                 step = better;
             }
         }
-        // A line through the apex has a double root there, which costs half the digits, and beyond it runs on in the other half
-        // of the cone, F_n < 0: the linear root of F_n is the exit then.
+        // A line through the apex has a double root there, which costs half the digits. Beyond the apex it continues in the other half
+        // of the cone, F_n < 0. The exit is then the linear root of F_n.
         if let Some(apex) = line.linear(line.force[0], line.rate[0], 1.0, SVector::zeros()) {
             let missed = (t0 + t1 * apex.step).norm();
             let through = missed <= ZERO_SLACK * (line.force_size + apex.step * line.rate_size);
@@ -184,8 +185,8 @@ impl<const C: usize> LocalLaw<'_, C> {
                 return Some(apex);
             }
             if step.is_nan() || step <= 0.0 || step > apex.step || moved > POLISHED * (apex.step - step) {
-                // Beside the apex both roots are as close as rounding of the discriminant. The margin is negative at the apex, so that Newton's method comes
-                // down from there to the root before it.
+                // Beside the apex both roots are as close as rounding of the discriminant. The margin is negative at the apex, so Newton's
+                // method descends from there to the root before it.
                 let root = from_above(apex.step, |step| {
                     let at = t0 + t1 * step;
                     (n0 + n1 * step - at.norm(), n1 - leaves(&at).dot(&t1))
@@ -200,7 +201,7 @@ impl<const C: usize> LocalLaw<'_, C> {
         let facet = leaves(&(t0 + t1 * step));
         let closing = facet.dot(&t1) - n1;
         if closing <= ZERO_SLACK * line.rate_size * weight {
-            // The line touches the cone and stays inside, or its rates are rounding of zero.
+            // The line touches the cone from inside, or its rates are rounding of zero.
             return None;
         }
         let uncertainty = ZERO_SLACK * weight * (line.force_size + step * line.rate_size) / closing;
@@ -208,7 +209,7 @@ impl<const C: usize> LocalLaw<'_, C> {
     }
 }
 
-/// The root of a concave function below a place where it is negative, from its value and slope; `None` if it does not fall there.
+/// The root of a concave function below a start where it is negative; `value` returns value and slope. `None` if no step leads down.
 fn from_above(mut at: f64, value: impl Fn(f64) -> (f64, f64)) -> Option<f64> {
     let start = at;
     for _ in 0..MOST_DESCENTS {
@@ -229,7 +230,8 @@ mod tests {
     use super::Line;
     use crate::contact::{Compliance, Coulomb, Fit, Law, LocalLaw, Polygon, PolygonCone};
 
-    /// Beside the apex, which it misses by a friction of ε, a line leaves where `√(μ² - a²) (1 - s) = ε`: F_n falls to nothing at s = 1, and friction of a F_n with it.
+    /// A line that misses the apex by a friction of ε leaves where `√(μ² - a²) (1 - s) = ε`.
+    /// F_n vanishes at s = 1, and with it the friction a F_n.
     #[test]
     fn a_line_beside_the_apex_leaves_before_it() {
         let springs = Compliance::new(&Vector3::new(1.0, 1.0, 1.0), 3);
@@ -237,7 +239,7 @@ mod tests {
         for (mu, a) in [(0.5, 0.0), (0.5, 0.3), (0.7, 0.69)] {
             let local =
                 LocalLaw::new(&springs, Coulomb::new(mu), &Law::Cone { gap: true }, &polygon, [true, false]);
-            // Of margins near one, over how fast they fall at the edge.
+            // Rounding of margins near one, over their rate at the edge.
             let rounding = 1e-15 * mu * mu / (mu * mu - a * a);
             for missed in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
                 let (force, rate) = (Vector3::new(1.0, a, missed), Vector3::new(-1.0, -a, 0.0));
@@ -245,7 +247,7 @@ mod tests {
                 let (exit, _) = local.first_exit(&line).expect("leaves");
                 let left = missed / f64::sqrt(mu * mu - a * a);
                 assert!((1.0 - exit.step - left).abs() <= rounding, "{mu} {a} {missed}: {}", exit.step);
-                // What is left at the apex has a direction, and is no apex.
+                // The remaining friction at the apex has a direction, so the exit is not the apex.
                 assert!(exit.facet.norm() > 0.9, "{mu} {a} {missed}: {}", exit.facet);
             }
         }

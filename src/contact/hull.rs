@@ -1,6 +1,6 @@
-//! What a contact may do where only part of its state is known, by its convex hull: a cone with few generators.
+//! Convex hull of the contact law where only part of the state is known: a cone with few generators.
 //!
-//! The law is positively homogeneous: with (v, F) it allows every multiple. So is the law under a label, which says whether the
+//! The law is positively homogeneous: with (v, F) it allows every positive multiple. So is the law under a label, which fixes whether the
 //! contact is open or closed, sticks or slides, and between which angles its friction points. In force units `ξ = K v` and with
 //! p on the circle the hull is spanned by
 //!
@@ -11,8 +11,8 @@
 //! slides            e_n + μ p    e_n + μ p           K_t p   0
 //! ```
 //!
-//! An arc of directions p is replaced by a polygon around it, so that the hull holds all that the law allows and a little more.
-//! What contradicts the hulls of all contacts contradicts the law.
+//! A polygon around the arc replaces the directions p, so that the hull contains everything that the law allows and a little more.
+//! A contradiction with the hulls of all contacts thus contradicts the law.
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI, TAU};
 
@@ -24,20 +24,20 @@ use crate::prelude::*;
 
 /// A polygon around an arc has a corner for every piece of at most this angle.
 const PIECE: f64 = FRAC_PI_8;
-/// Directions of slip on an arc are spanned by its ends and by points so far apart: less than a half turn.
+/// Largest angle between directions that span the slips on an arc; it must stay below a half turn.
 const SPAN: f64 = 0.6 * PI;
-/// Arcs are not divided below this angle. An object that wedges goes as far as its taper is flat: where fingers are symmetric but for 1e-8 of their
-/// normals, directions of slip matter to that angle; below it the distance that contradicts is rounding.
+/// Arcs are not divided below this angle. A wedged object travels the farther the flatter its taper is. Where fingers are symmetric but for 1e-8 of
+/// their normals, directions of slip matter to that angle; below it the distance that contradicts is rounding.
 const NARROWEST: f64 = 1e-8;
-/// Wider arcs are halved; on narrower ones the friction force and the slip say where to divide.
+/// Wider arcs are halved; on narrower ones the friction force and the slip determine where to divide.
 const WIDE: f64 = 1.1 * PI;
-/// No part of an arc is narrower than this part of it.
+/// Least part of an arc after a division.
 const LEAST_PART: f64 = 0.15;
-/// Directions that differ by less than this angle are the same for the choice of the first division.
+/// Directions that differ by less than this angle are equal for the choice of the first division.
 const ALIKE: f64 = 0.1;
-/// The ends of a whole turn may lie apart by this angle: rounding of their difference.
+/// The ends of a whole turn may miss it by this angle: rounding of their difference.
 const ROUNDED: f64 = 1e-14;
-/// Parts of larger vectors that are rounding have no direction.
+/// Tangential parts below this part of larger vectors are rounding and have no direction.
 const NO_DIRECTION: f64 = 1e-12;
 
 /// Directions of friction between two angles, the second the larger, at most a turn apart.
@@ -47,7 +47,7 @@ pub(crate) struct Sector {
     pub(crate) to: f64,
 }
 
-/// What is known of a contact.
+/// Partial knowledge of a contact's state.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Label {
     Anything,
@@ -67,7 +67,7 @@ pub(crate) struct HullRay<const C: usize> {
 }
 
 impl Label {
-    /// Where friction may point.
+    /// The directions that friction may have.
     pub(super) fn sector(&self) -> Sector {
         match self {
             Self::Friction(sector) | Self::Sticking(sector) | Self::Sliding(sector) => *sector,
@@ -75,7 +75,7 @@ impl Label {
         }
     }
 
-    /// Whether two labels leave nothing out of what this one allows.
+    /// Whether two labels together allow everything that this label allows.
     pub(crate) fn is_covered_by(&self, halves: &[Self; 2]) -> bool {
         let joined = |parts: [&Sector; 2]| {
             parts[0]
@@ -111,7 +111,7 @@ impl Sector {
         self.to - self.from
     }
 
-    /// How many equal parts are at most this wide; those of a whole turn are 16 at most.
+    /// Number of equal parts of at most this width; 16 at most.
     fn pieces(&self, most: f64) -> u8 {
         (1..16).find(|k| self.width() <= most * f64::from(*k)).unwrap_or(16)
     }
@@ -130,7 +130,7 @@ impl Sector {
         (0..pieces).map(corner).chain(ends).collect()
     }
 
-    /// Directions that span those of the sector.
+    /// Directions whose nonnegative combinations include every direction of the sector.
     fn spanned(&self) -> impl Iterator<Item = [f64; 2]> {
         let pieces = self.pieces(SPAN);
         let step = self.width() / f64::from(pieces);
@@ -138,7 +138,7 @@ impl Sector {
         (0..=pieces).map(move |k| on_circle(from + step * f64::from(k)))
     }
 
-    /// Where an angle lies, counted from the start; an angle outside counts as the nearer end.
+    /// The position of an angle from the start of the sector; an angle outside counts as the nearer end.
     fn inside(&self, angle: f64) -> f64 {
         let (along, width) = ((angle - self.from).rem_euclid(TAU), self.width());
         if along <= width {
@@ -164,7 +164,7 @@ fn vector<const C: usize>(normal: f64, tangential: [f64; 2]) -> SVector<f64, C> 
 const AXES: [[f64; 2]; 4] = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]];
 
 impl<const C: usize> LocalLaw<'_, C> {
-    /// What is known of the contact at first.
+    /// The label of the contact before any division.
     pub(crate) fn first_label(&self) -> Label {
         match self.law {
             Law::Absent => Label::Open,
@@ -173,7 +173,7 @@ impl<const C: usize> LocalLaw<'_, C> {
         }
     }
 
-    /// The generators of what the law allows under a label.
+    /// Generators of the hull of the law under a label.
     pub(crate) fn hull(&self, label: &Label) -> Vec<HullRay<C>> {
         let root = self.springs.root();
         let rubs = self.springs.resists_tangentially();
@@ -216,7 +216,7 @@ impl<const C: usize> LocalLaw<'_, C> {
         }
         let on_cone = |t: [f64; 2]| self.friction.generator(&vector(0.0, t));
         match label {
-            // Where slips may point anywhere stretches say nothing of friction.
+            // Where slips may have any direction, the tangential stretch does not restrict friction.
             Label::Anything | Label::Closed => {
                 for t in Sector::WHOLE.around().into_iter().filter(|t| t[0].hypot(t[1]) > 1.0 + NARROWEST) {
                     push(normal, on_cone(t));
@@ -243,8 +243,8 @@ impl<const C: usize> LocalLaw<'_, C> {
         rays
     }
 
-    /// Two labels that say more and together no less, chosen by where a stretch and a force of the hull are off the law. `None` where
-    /// there is nothing more to say.
+    /// Two narrower labels that together allow as much, chosen by where a stretch and a force of the hull violate the law. `None` where
+    /// the label cannot be divided.
     pub(crate) fn divide(
         &self,
         label: &Label,

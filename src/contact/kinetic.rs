@@ -5,8 +5,8 @@
 //! sliding    F_t  =  μ_k F_n p,      μ_k <= μ_s
 //! ```
 //!
-//! A contact has one cone at a time, and what it does says which. Where it begins to slide its springs answer the same stretch with the smaller cone: they
-//! relax, and what their force loses the contact slips, `Δs = -K_t⁻¹ ΔF_t`.
+//! A contact has one cone at a time, which depends on its state. When it begins to slide, its springs answer the same stretch with the smaller
+//! cone: they relax, and the contact slips by the loss of their force, `Δs = -K_t⁻¹ ΔF_t`.
 
 use nalgebra::SVector;
 
@@ -14,8 +14,8 @@ use super::answer::ContactResponse;
 use super::law::LocalLaw;
 
 impl<const C: usize> LocalLaw<'_, C> {
-    /// What a contact that has just begun to slide answers, with its cone of sliding, to the stretch at which it left that of rest. `None` where its force
-    /// stays: from an apex it sets out with none.
+    /// State and force on the sliding cone of a contact that has just begun to slide, at the stretch at which it left the cone of rest. `None`
+    /// where its force does not change: from an apex it starts without force.
     pub(crate) fn relaxed(&self, stretch: &SVector<f64, C>) -> Option<ContactResponse<C>> {
         let answer = if self.on_round_cone {
             self.answer(stretch, 0.0)

@@ -1,8 +1,8 @@
-//! The law of one contact, as every engine asks it: springs, friction cone, and which of its conditions count.
+//! The law of one contact: springs, friction cone, and the conditions that apply.
 //!
-//! An equilibrium and its continuation are the same kind of problem. At rest a contact has its whole cone. In rates, which say what
-//! happens next, a contact inside its cone is bonded, one on an edge has only that edge, one at the apex has the whole cone
-//! again, and an open one is absent.
+//! An equilibrium and its continuation are the same kind of problem. At rest a contact has its whole cone. Rates describe what happens
+//! next. In rates a contact inside its cone is bonded, and an open contact is absent. A contact on an edge has only that edge, and a contact
+//! at the apex has the whole cone again.
 
 use nalgebra::SVector;
 
@@ -12,12 +12,12 @@ use super::polygon::Polygon;
 use super::state::{Mode, PolygonState, State};
 use crate::prelude::*;
 
-/// Which conditions a contact has.
+/// The conditions that a contact has.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Law<const C: usize> {
-    /// Open and staying so: no conditions, no force.
+    /// The contact is and stays open: no conditions, no force.
     Absent,
-    /// Its springs act both ways, without limit: no conditions.
+    /// The springs act both ways, without limit: no conditions.
     Bonded,
     /// The friction cone.
     Cone {
@@ -28,17 +28,17 @@ pub(crate) enum Law<const C: usize> {
     Edge(Vec<SVector<f64, C>>),
 }
 
-/// One contact with its law; it knows nothing of the scene.
+/// One contact with its law, independent of the scene.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct LocalLaw<'c, const C: usize> {
     pub(crate) springs: &'c Compliance<C>,
     pub(crate) law: &'c Law<C>,
-    /// The polygon that stands for the cone.
+    /// The polygon in place of the round cone.
     pub(crate) polygon: &'c Polygon<C>,
     pub(super) friction: Coulomb,
-    /// In space: a sticking contact is held by the round cone, the polygon only proposes.
+    /// In space: the round cone limits a sticking contact, and the polygon only proposes states.
     pub(super) on_round_cone: bool,
-    /// A contact with infinite friction has facets, as with a very large finite one.
+    /// Whether a contact with infinite friction has facets, as with a very large finite coefficient.
     pub(super) infinite_friction_has_edges: bool,
 }
 
@@ -53,7 +53,7 @@ impl<'c, const C: usize> LocalLaw<'c, C> {
         Self { springs, law, polygon, friction, on_round_cone, infinite_friction_has_edges }
     }
 
-    /// The cone that the facets belong to.
+    /// The cone to which the facets belong.
     pub(crate) fn cone(&self) -> Coulomb {
         if self.infinite_friction_has_edges { self.friction.with_edges(self.springs) } else { self.friction }
     }
@@ -64,24 +64,24 @@ impl<'c, const C: usize> LocalLaw<'c, C> {
         matches!(self.law, Law::Cone { gap: true })
     }
 
-    /// Whether the contact has a whole friction cone, neither empty nor without limit.
+    /// Whether the contact has a whole friction cone, with friction neither zero nor infinite.
     #[inline(always)]
     pub(crate) fn may_slide(&self) -> bool {
         self.has_a_whole_cone() && self.friction.has_edges()
     }
 
-    /// Whether any force is too much for the contact: a guide without friction that is kept closed takes all, like one that is bonded.
+    /// Whether any force exceeds the contact's limits. A frictionless guide that is kept closed carries every force, like a bonded contact.
     pub(crate) fn has_edges(&self) -> bool {
         !self.is_bonded() && (self.may_open() || !self.facets().is_empty())
     }
 
-    /// Whether the law is that of rest, or of the apex in rates.
+    /// Whether the contact has its whole cone: at rest, or in rates at the apex.
     #[inline(always)]
     pub(super) fn has_a_whole_cone(&self) -> bool {
         matches!(self.law, Law::Cone { .. })
     }
 
-    /// Whether the normal spring of a closed contact acts both ways: where it can neither open nor slide, only a cone keeps it from pulling.
+    /// Whether the normal spring of a closed contact acts both ways. A contact that can neither open nor slide may pull; with a cone it may not.
     pub(crate) fn may_pull(&self) -> bool {
         !self.may_open() && !self.may_slide() && !self.is_absent()
     }
@@ -103,7 +103,7 @@ impl<'c, const C: usize> LocalLaw<'c, C> {
         matches!(self.law, Law::Edge(_))
     }
 
-    /// Whether the contact keeps its tangential force until the normal force is gone.
+    /// Whether the contact keeps its tangential force until the normal force vanishes.
     pub(crate) fn never_slides(&self) -> bool {
         self.friction.is_infinite()
     }
@@ -113,7 +113,7 @@ impl<'c, const C: usize> LocalLaw<'c, C> {
         !self.springs.resists_tangentially()
     }
 
-    /// Outward normals of the facets that the contact has conditions for.
+    /// Outward normals of the facets that are conditions of the contact.
     #[inline]
     pub(crate) fn facets(&self) -> &'c [SVector<f64, C>] {
         match self.law {
@@ -139,7 +139,7 @@ impl<'c, const C: usize> LocalLaw<'c, C> {
         if self.is_absent() { Mode::Open } else { Mode::Sticking }
     }
 
-    /// The state in which the contact gives way the most: what stands on an edge slides along it, what is at the apex opens.
+    /// The state in which the contact yields most: on an edge it slides along it, at the apex it opens.
     pub(crate) fn yielding(&self) -> State<C> {
         match self.law {
             Law::Edge(facets) if C == 3 && facets.len() == 2 => Mode::Corner(0),
@@ -149,7 +149,7 @@ impl<'c, const C: usize> LocalLaw<'c, C> {
         }
     }
 
-    /// The states on the polygon that the contact can be in, the one without a jump first.
+    /// The possible states on the polygon, the one without a jump first.
     pub(crate) fn states(&self) -> Vec<State<C>> {
         if self.is_absent() {
             return vec![Mode::Open];
@@ -168,8 +168,8 @@ impl<'c, const C: usize> LocalLaw<'c, C> {
         states
     }
 
-    /// The state in which these facets slip, in ascending order. More than an edge or a corner of the cone can only slip where the
-    /// cone is a point, F = 0.
+    /// The state in which these facets slip, in ascending order. Facets beyond one edge or corner of the cone can slip together only at its
+    /// apex, F = 0.
     pub(crate) fn slipping_state(&self, facets: &[u16]) -> PolygonState {
         let count = self.facets().len();
         match *facets {
@@ -192,7 +192,7 @@ impl<'c, const C: usize> LocalLaw<'c, C> {
         Some(second.map_or(first, |second| first + facets[second]))
     }
 
-    /// Friction in reserve at a force, on the round cone or at the nearest facet, N; infinite where nothing limits it.
+    /// Friction in reserve at a force, on the round cone or at the nearest facet, N; infinite for infinite friction.
     pub(crate) fn margin(&self, force: &SVector<f64, C>) -> f64 {
         if self.never_slides() {
             return f64::INFINITY;
@@ -204,7 +204,7 @@ impl<'c, const C: usize> LocalLaw<'c, C> {
         self.polygon.normals.iter().map(margin).fold(f64::INFINITY, f64::min)
     }
 
-    /// Whether the law has no place for this state: an opening that is forbidden, or a slide under infinite friction.
+    /// Whether the law rules out this state: a forbidden opening, or a slide under infinite friction.
     pub(crate) fn excludes(&self, state: &State<C>) -> bool {
         match state {
             Mode::Open => !self.is_absent() && !self.may_open(),

@@ -1,29 +1,29 @@
-//! One contact: how it gives way, how it rubs, what it does. It knows nothing of the scene.
+//! One contact: its compliance, friction and states, independent of the scene.
 //!
-//! [`LocalLaw`] is the value that every engine asks. Only [`Compliance`] sees stiffnesses, only [`Coulomb`] sees μ.
+//! Every solver uses [`LocalLaw`]. Only [`Compliance`] reads stiffnesses, only [`Coulomb`] reads μ.
 //!
 //! | file | idea |
 //! |---|---|
 //! | `compliance` | springs along the axes of the contact frame |
 //! | `coulomb` | the cone `\|F_t\| <= μ F_n` and its facets |
 //! | `polygon` | the polygonal cone in place of the round one |
-//! | `state`, `slide` | what the contact does, with all that belongs to it |
-//! | `law` | which of its conditions count: at rest, in rates, on an edge |
+//! | `state`, `slide` | the states of a contact, with their data |
+//! | `law` | the conditions that apply: at rest, in rates, on an edge |
 //! | `answer` | stretch → state and force |
-//! | `kinetic` | the smaller cone of a contact that slides, and what it answers as it begins to |
-//! | `springs` | in a known state: left and right factors |
-//! | `straight_stretch` | its force after a stretch that went straight, with the slip that turned on the way |
-//! | `relaxing_slide` | which way it slides in the end |
-//! | `tangent` | how its force changes with its stretch |
-//! | `conditions` | what a state must satisfy, with sizes |
-//! | `hull` | where only part of its state is known: all that its law allows |
-//! | `most_work` | what a contact can do against a virtual motion |
-//! | `resistance` | what it can do against a motion, whatever it has slipped |
-//! | `edges` | what a sticking contact asks of its force |
-//! | `exits` | how far a straight line stays in a state |
-//! | `turning_exits` | how far a load can turn before it leaves a state |
-//! | `active_set` | what it stands on at an event, and the law of its rates |
-//! | `tolerances` | what counts as zero |
+//! | `kinetic` | the smaller cone of a sliding contact, and the drop of its force as it begins to slide |
+//! | `springs` | the springs of a contact in a known state: left and right factors |
+//! | `straight_stretch` | the force after a straight stretch, with the slip turning on the way |
+//! | `relaxing_slide` | the direction of the slip at the end of a straight stretch |
+//! | `tangent` | the derivative of force by stretch |
+//! | `conditions` | the conditions of a state, with sizes |
+//! | `hull` | everything the law allows where only part of the state is known |
+//! | `most_work` | the most work of a contact along a virtual motion |
+//! | `resistance` | the most power of a contact against a motion, whatever it has slipped |
+//! | `edges` | the conditions on the force of a sticking contact |
+//! | `exits` | the distance along a straight line to the end of a state |
+//! | `turning_exits` | the angle of a turning load to the end of a state |
+//! | `active_set` | the edges reached at an event, and the law of the rates |
+//! | `tolerances` | limits below which a quantity counts as zero |
 
 mod active_set;
 mod answer;

@@ -1,14 +1,14 @@
-//! How much a contact can do along a virtual stretch and a virtual force under a label, in closed form.
+//! The most work of a contact along a virtual stretch and a virtual force under a label, in closed form.
 //!
-//! With `w(v, F) = φ·v + u·F`, c = K⁻¹φ and ξ = K v, and with the largest value over the directions p of friction that the label
-//! leaves, no more than
+//! Let `w(v, F) = φ·v + u·F`, c = K⁻¹φ and ξ = K v. The work w is at most the largest of these values over the directions p of friction
+//! that the label leaves:
 //!
 //! ```text
 //! open       -c_n,  |c_t|                      sticks, slides    (c + u)_n + μ (c + u)_t·p,   (c + u)_n
 //! slides     c_t·K_t p
 //! ```
 //!
-//! each for a generator of length one in energy units. Where none is positive the contact does nothing, whatever the law allows.
+//! each for a generator of length one in energy units. Where none is positive, the contact does no positive work in any state that the law allows.
 //!
 //! In rates a contact on an edge `μ F_n >= h·F_t` has generators of its own: forces along the edge both ways, forces into the cone,
 //! and slips along h.
@@ -23,11 +23,11 @@ use crate::numerics::unit;
 use crate::prelude::*;
 
 impl<const C: usize> LocalLaw<'_, C> {
-    /// The most that a stretch and a force of length one in energy units, allowed under the label, do along φ (N) and u (m).
+    /// The most work along φ (N) and u (m) of a stretch and a force of length one in energy units that the label allows.
     pub(crate) fn most_work(&self, label: &Label, phi: &SVector<f64, C>, u: &SVector<f64, C>) -> f64 {
         let c = self.springs.give(phi);
         let mut most = f64::NEG_INFINITY;
-        // Of a generator (ξ, F) in force units.
+        // Work of a generator (ξ, F) in force units.
         let mut note = |xi: &SVector<f64, C>, force: &SVector<f64, C>| {
             let size = (2.0 * (self.springs.stored(xi) + self.springs.stored(force))).sqrt();
             most = most.max((c.dot(xi) + u.dot(force)) / size);
@@ -49,7 +49,7 @@ impl<const C: usize> LocalLaw<'_, C> {
                 note(&normal, &none);
             }
         }
-        // Where slips may point anywhere the tangential stretch is free, and only the force counts.
+        // Where slips may have any direction, the tangential stretch is free, and only the force counts.
         let slips_anyhow = may_be_open || *label == Label::Closed && self.may_slide();
         if slips_anyhow {
             for axis in tangents.clone().map(unit::<C>) {
@@ -80,7 +80,7 @@ impl<const C: usize> LocalLaw<'_, C> {
         most
     }
 
-    /// The friction force for μ F_n = 1 that does the most along a stretch, in a sector of the round cone or at a corner of the polygon.
+    /// The friction force for μ F_n = 1 with the most work along a stretch, in a sector of the round cone or at a corner of the polygon.
     fn most_along(&self, sector: &Sector, along: &SVector<f64, C>) -> SVector<f64, C> {
         if self.on_round_cone {
             return sector.most_along(along);
@@ -90,7 +90,7 @@ impl<const C: usize> LocalLaw<'_, C> {
         most.copied().unwrap_or_else(SVector::zeros)
     }
 
-    /// Forces that span those of a contact that stands on the edge of these facets.
+    /// Visits generators of the forces of a contact on the edge of these facets.
     fn for_each_force_at_an_edge(&self, facets: &[SVector<f64, C>], mut visit: impl FnMut(SVector<f64, C>)) {
         let edge = self.edge(&self.yielding());
         let on_the_edge = self.cone().generator(&edge.pull);

@@ -13,10 +13,10 @@ use crate::error::Error;
 use crate::numerics::Once;
 use crate::prelude::*;
 
-/// A sine or cosine below this is that of a right angle, a few roundings away from zero.
+/// A sine or cosine below this is rounding of zero at a right angle.
 const ROUNDED_ZERO: f64 = 1e-15;
 
-/// How the polygon of m facets lies to the circle of radius one, the section of the round cone at `μ F_n = 1`.
+/// Position of the polygon of m facets relative to the circle of radius one, the section of the round cone at `μ F_n = 1`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -31,7 +31,7 @@ pub enum Fit {
     Balanced,
 }
 
-/// The polygonal cone that stands in for the round one in space. Planar grasps do not look at it.
+/// The polygonal cone in place of the round one in space. Planar grasps ignore it.
 ///
 /// `F_t` lies in `μ F_n` times a regular polygon around the origin, with m facets normal to h_j and m corners d_j:
 ///
@@ -59,7 +59,7 @@ pub struct PolygonCone {
 }
 
 impl PolygonCone {
-    /// More facets than this say nothing that rounding would not blur.
+    /// Most facets: rounding blurs the difference between finer polygons.
     pub const MOST_FACETS: usize = 4096;
 
     /// A polygon of `facets` facets.
@@ -85,7 +85,7 @@ impl PolygonCone {
         self.facets
     }
 
-    /// How the polygon lies to the circle.
+    /// Position of the polygon relative to the circle.
     #[must_use]
     pub fn fit(&self) -> Fit {
         self.fit
@@ -107,11 +107,11 @@ pub(crate) struct Polygon<const C: usize> {
     pub(crate) corners: Vec<SVector<f64, C>>,
 }
 
-/// The polygons that most questions ask for, in the plane and in space: made once.
+/// The polygons of the plane and of the default cone, made once.
 static SHARED: [Once<Arc<dyn Any + Send + Sync>>; 2] = [const { Once::new() }; 2];
 
 impl<const C: usize> Polygon<C> {
-    /// The polygon of a cone; that of the plane and that of the default cone are made once.
+    /// The polygon of a cone; in the plane and for the default cone it is made once.
     pub(crate) fn shared(cone: &PolygonCone) -> Arc<Self> {
         let made = || Arc::new(Self::new(cone));
         let place = match C {
@@ -170,7 +170,7 @@ pub(crate) fn corner<const C: usize>(h1: &SVector<f64, C>, h2: &SVector<f64, C>)
 /// Cosine and sine.
 fn direction(angle: f64) -> [f64; 2] {
     let (sin, cos) = angle.sin_cos();
-    // Symmetric grasps tie; a cosine of 6e-17 instead of 0 would only blur that.
+    // A cosine of 6e-17 instead of 0 would blur the ties of symmetric grasps.
     [cos, sin].map(|x| if x.abs() < ROUNDED_ZERO { 0.0 } else { x })
 }
 

@@ -1,33 +1,33 @@
-//! Which way a contact slides after a straight stretch: how its direction relaxes towards that of the stretch.
+//! The direction in which a contact slides after a straight stretch: it relaxes towards the direction of the stretch.
 //!
-//! Its friction force is r p, p at an angle φ from the first tangent, and it slips along p. With K = diag(k₁, k₂) its springs ask for
+//! Its friction force is r p, p at an angle φ from the first tangent, and the contact slips along p. With K = diag(k₁, k₂) the spring law gives
 //!
 //! ```text
 //! r p·K p φ' = k₁k₂ p⊥·v_t' + r' p⊥·K p
 //! dφ/ds = A sin(θ - φ) + B sin 2φ,      ds = dτ / (r p·K p),   A = k₁k₂ |v_t'|,   B = r' (k₂ - k₁)/2
 //! ```
 //!
-//! with v_t' at the angle θ. Each of both terms alone has a closed form, the first with `∫ p·K p ds = ∫ dτ/r`, which tells s:
+//! with v_t' at the angle θ. Each of the two terms alone has a closed form, the first with `∫ p·K p ds = ∫ dτ/r`, which determines s:
 //!
 //! ```text
 //! drawn        tan(ψ/2) = tan(ψ₀/2) e^{-A s}, ψ = φ - θ
 //! squeezed     tan φ = tan φ₀ e^{2B s}
 //! ```
 //!
-//! Drawn by half, squeezed, and drawn again it is right to second order, and exactly while the normal force stays or the springs are alike. It slides
-//! on to the end: what it slips by, γ p·K p = p·K v_t' - r', grows where it is zero, by `(p⊥·K v_t')²`.
+//! Half a step drawn, a whole step squeezed, and half a step drawn are correct to second order, and exact for a constant normal force or equal
+//! springs. Sliding does not stop: its slip rate γ, with γ p·K p = p·K v_t' - r', increases where it vanishes, by `(p⊥·K v_t')²`.
 
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Steps towards s: they gain digits from the first on.
+/// Most steps towards s; each gains digits.
 const STEPS: usize = 60;
-/// A step shorter than this part of s is the last: rounding of s. With more Newton's method for the object would see jumps.
+/// A step shorter than this part of s is the last: rounding of s. A coarser limit would show as jumps to Newton's method for the object.
 const LAST: f64 = 1e-15;
-/// Exponents beyond this have no digit left of what was before, and their squares are numbers yet.
+/// Largest exponent: beyond it no digit of the previous direction is left, and squares do not overflow yet.
 const FAR: f64 = 300.0;
 
-/// Two tangential springs that are stretched evenly while they slide.
+/// Two tangential springs with a constant rate of stretch while they slide.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct RelaxingSlide {
     /// k₁ and k₂, N/m.
@@ -39,10 +39,10 @@ pub(super) struct RelaxingSlide {
 }
 
 impl RelaxingSlide {
-    /// The unit direction of the friction force where `∫ dτ/r` is this much, 1/N, from where it was.
+    /// The unit direction of the friction force after `∫ dτ/r = per_radius`, 1/N, from the direction `start`.
     pub(super) fn direction_after(&self, start: [f64; 2], per_radius: f64) -> [f64; 2] {
         let [k1, k2] = self.tangential;
-        // Springs that are alike squeeze it no way, and s is known.
+        // With equal springs the squeezed term vanishes, and s is known.
         if k1 == k2 {
             return self.drawn(start, per_radius / k1).0;
         }
@@ -68,20 +68,20 @@ impl RelaxingSlide {
         self.tangential[0] * p[0] * p[0] + self.tangential[1] * p[1] * p[1]
     }
 
-    /// Where a direction is after s, with `∫ p·K p ds`.
+    /// The direction after s, with `∫ p·K p ds`.
     fn gone(&self, start: [f64; 2], s: f64) -> ([f64; 2], f64) {
         let (p, first) = self.drawn(start, 0.5 * s);
         let (p, second) = self.drawn(self.squeezed(p, s), 0.5 * s);
         (p, first + second)
     }
 
-    /// The same at a normal force that stays.
+    /// The direction and integral at a constant normal force.
     fn drawn(&self, p: [f64; 2], s: f64) -> ([f64; 2], f64) {
         let [k1, k2] = self.tangential;
         let size = (self.stretched[0] * self.stretched[0] + self.stretched[1] * self.stretched[1]).sqrt();
         let rate = k1 * k2 * size;
         let e = self.stretched.map(|v| v / size);
-        // ψ from the stretch to the force.
+        // ψ is the angle from the stretch to the force.
         let (cos0, sin0) = (e[0] * p[0] + e[1] * p[1], e[0] * p[1] - e[1] * p[0]);
         let half = sin0 / (1.0 + cos0) * (-rate * s).exp();
         let square = half * half;
@@ -96,7 +96,7 @@ impl RelaxingSlide {
         ([cos * e[0] - sin * e[1], sin * e[0] + cos * e[1]], gone)
     }
 
-    /// Where it is after s at a stretch that stays.
+    /// The direction after s at a constant stretch.
     fn squeezed(&self, p: [f64; 2], s: f64) -> [f64; 2] {
         let y = (0.5 * self.growth * (self.tangential[1] - self.tangential[0]) * s).clamp(-FAR, FAR);
         let q = [p[0] * (-y).exp(), p[1] * y.exp()];
@@ -109,7 +109,7 @@ impl RelaxingSlide {
 mod tests {
     use super::RelaxingSlide;
 
-    /// The equation itself in a million steps of the midpoint rule, for the radius 1 to begin with.
+    /// The equation integrated by a million steps of the midpoint rule, from the radius 1.
     fn in_tiny_steps(slide: &RelaxingSlide, start: [f64; 2]) -> [f64; 2] {
         let [k1, k2] = slide.tangential;
         let (drawn, steps) = ([k1 * slide.stretched[0], k2 * slide.stretched[1]], 1_000_000);
@@ -127,7 +127,7 @@ mod tests {
         [phi.cos(), phi.sin()]
     }
 
-    /// The same in some steps of the closed forms.
+    /// The direction after `steps` steps of the closed forms.
     fn in_steps(slide: &RelaxingSlide, mut p: [f64; 2], steps: u32) -> [f64; 2] {
         let h = 1.0 / f64::from(steps);
         for i in 0..steps {

@@ -1,12 +1,12 @@
-//! The most that a contact can do against a motion of the body, whatever it has slipped before.
+//! The most power of a contact against a motion of the body, whatever it has slipped before.
 //!
-//! With the velocity u of the body's point in the contact frame, and with m the most that friction of size one does against u_t,
+//! With the velocity u of the body's point in the contact frame, and m the most power of friction of size one against u_t,
 //!
 //! ```text
 //! -F·u  <=  (μ m - u_n) F_n  <=  (μ m - u_n)₊ k_n (v_n)₊
 //! ```
 //!
-//! since a closed contact has the normal force `k_n v_n` of its normal stretch v_n, however it came there. A contact that neither opens nor slides has
+//! since a closed contact has the normal force `k_n v_n` of its normal stretch v_n, whatever its history. A contact that neither opens nor slides has
 //! the force K v.
 
 use nalgebra::SVector;
@@ -17,7 +17,7 @@ use super::tangential::tangential;
 /// A bound of `-F·u` by the stretch v of the contact, W for a velocity, J for a virtual motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Resistance<const C: usize> {
-    /// So many times the normal stretch where that is positive, N.
+    /// This multiple, N, of the normal stretch where the stretch is positive.
     ByFriction(f64),
     /// The product of this row and the stretch, exactly, N.
     BySprings(SVector<f64, C>),
@@ -26,7 +26,7 @@ pub(crate) enum Resistance<const C: usize> {
 }
 
 impl<const C: usize> LocalLaw<'_, C> {
-    /// What the contact can do against a velocity u of the body, in the contact frame.
+    /// The bound of the contact's power against a velocity u of the body, in the contact frame.
     pub(crate) fn resistance(&self, u: &SVector<f64, C>) -> Resistance<C> {
         if self.is_bonded() || self.may_pull() {
             return Resistance::BySprings(-self.springs.force(u));

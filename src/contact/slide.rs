@@ -1,19 +1,19 @@
 //! Sliding on the round cone, to first order: the direction of slip turns with the stretch.
 //!
-//! With `s = λ F_t`, p = F_t / |F_t| and S = (K_t⁻¹ + λ)⁻¹ the force changes with the stretch as two springs do,
+//! With `s = λ F_t`, p = F_t / |F_t| and S = (K_t⁻¹ + λ)⁻¹ the force changes with the stretch like the force of two springs,
 //!
 //! ```text
 //! dF_t = μ dF_n P + κ d (d·dv),     P = S p / (p·S p),     κ = det S / (p·S p)
 //! ```
 //!
-//! d the tangent across p: a facet of the cone with normal p, and a spring across the slip, softened by the slip.
+//! with d the tangent across p: a facet of the cone with normal p, and a spring across the slip, softened by the slip.
 
 use nalgebra::SVector;
 
 use super::compliance::Compliance;
 use super::tangential::{right_angle, tangential, tangential_norm};
 
-/// How a contact slides on the round cone.
+/// A slide on the round cone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Slide<const C: usize> {
     /// Unit direction p of the friction force and of the slip; no normal component.
@@ -22,19 +22,19 @@ pub(crate) struct Slide<const C: usize> {
     pub(crate) lambda: f64,
 }
 
-/// Where on its cone a contact slides, to first order: `F_t = μ F_n P + κ d (d·v)`.
+/// The edge of the cone on which a contact slides, to first order: `F_t = μ F_n P + κ d (d·v)`.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Edge<const C: usize> {
-    /// P, the friction force for μ F_n = 1 from which the spring across counts.
+    /// P, the friction force for μ F_n = 1 at zero stretch of the spring across.
     pub(crate) pull: SVector<f64, C>,
-    /// d, the tangent across the slip, as long as the direction of the slip is.
+    /// d, the tangent across the slip, with the length of the direction of the slip.
     pub(crate) across: SVector<f64, C>,
     /// κ, N/m; zero in the plane, at a corner of a polygon and without tangential springs.
     pub(crate) stiffness: f64,
 }
 
 impl<const C: usize> Edge<C> {
-    /// An edge that leaves the contact no direction to hold in.
+    /// An edge without a spring across.
     #[inline]
     pub(super) fn without_spring(pull: SVector<f64, C>) -> Self {
         Self { pull, across: SVector::zeros(), stiffness: 0.0 }
@@ -47,8 +47,8 @@ impl<const C: usize> Slide<C> {
         Self { direction: tangential(friction) / tangential_norm(friction), lambda }
     }
 
-    /// The edge of the cone that the contact is on. The normal h of a facet serves as a direction whatever its length: P and
-    /// `κ d dᵀ` are those of the facet `h·F_t <= μ F_n`.
+    /// The edge of the cone on which the contact slides. The direction may be a facet normal h of any length: P and
+    /// `κ d dᵀ` then belong to the facet `h·F_t <= μ F_n`.
     #[inline]
     pub(super) fn edge(&self, springs: &Compliance<C>) -> Edge<C> {
         if C == 2 {

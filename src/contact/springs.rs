@@ -24,14 +24,14 @@ use crate::prelude::*;
 pub(crate) struct Spring<const C: usize> {
     pub(crate) right: SVector<f64, C>,
     pub(crate) left: SVector<f64, C>,
-    /// What rounding took from `right`, so that `left right` along the normal or an axis is the stiffness given.
+    /// Rounding error of `right`, so that `left right` along the normal or an axis is exactly the given stiffness.
     pub(crate) right_rest: SVector<f64, C>,
-    /// What rounding took from `left`, so that friction is μ F_n.
+    /// Rounding error of `left`, so that friction is exactly μ F_n.
     pub(crate) left_rest: SVector<f64, C>,
 }
 
 impl<const C: usize> Spring<C> {
-    /// Pushes the way it is stretched: `left = right`.
+    /// A spring whose force points along its stretch: `left = right`.
     pub(crate) fn straight(along: SVector<f64, C>) -> Self {
         let none = SVector::zeros();
         Self { right: along, left: along, right_rest: none, left_rest: none }
@@ -49,7 +49,7 @@ impl<const C: usize> Spring<C> {
     /// The normal spring of a sliding contact, which drags friction `μ F_n pull` along.
     fn dragging(k: f64, mu: f64, pull: &SVector<f64, C>) -> Self {
         let root = k.sqrt();
-        // The same spring read as (right c, left / c): with a large μ the left side would otherwise dwarf its row.
+        // The same spring as (right c, left / c): with a large μ the left side would otherwise be far longer than its row.
         let balance = (1.0 + mu * pull.norm()).sqrt();
         let (mut right, mut left) = (SVector::zeros(), SVector::zeros());
         (right[0], left[0]) = (root * balance, root / balance);

@@ -1,4 +1,4 @@
-//! What a contact does, with all that belongs to it: the one type of contact states.
+//! The states of a contact, with their data.
 
 use core::convert::Infallible;
 
@@ -6,7 +6,7 @@ use nalgebra::SVector;
 
 use super::slide::Slide;
 
-/// A state of a contact, with R for the way in which it slides on a round cone.
+/// A state of a contact; R describes a slide on a round cone.
 ///
 /// | state | force | condition |
 /// |---|---|---|
@@ -21,7 +21,7 @@ pub(crate) enum Mode<R> {
     Sticking,
     /// On one facet, by its number among [`LocalLaw::facets`](super::LocalLaw::facets).
     Facet(u16),
-    /// In space, where a facet and the next meet.
+    /// In space, at the corner between a facet and the next.
     Corner(u16),
     Round(R),
 }
@@ -29,7 +29,7 @@ pub(crate) enum Mode<R> {
 /// A state on any cone.
 pub(crate) type State<const C: usize> = Mode<Slide<C>>;
 
-/// A state on a polygon, in few bytes: passes over many contacts are as fast as their memory.
+/// A state on a polygon, in few bytes: memory limits passes over many contacts.
 pub(crate) type PolygonState = Mode<Infallible>;
 
 impl<R> Mode<R> {
@@ -45,7 +45,7 @@ impl<R> Mode<R> {
         matches!(self, Self::Sticking)
     }
 
-    /// Whether both are the same state but for the direction of a slide on the round cone.
+    /// Whether both are the same state, apart from the direction of a slide on the round cone.
     pub(crate) fn is_kind_of<Q>(&self, other: &Mode<Q>) -> bool {
         match (self, other) {
             (Self::Open, Mode::Open)
@@ -67,12 +67,12 @@ impl<R> Mode<R> {
 }
 
 impl<const C: usize> State<C> {
-    /// How the contact slides on the round cone, if it does.
+    /// The slide on the round cone, if the contact is in that state.
     pub(crate) fn slide(&self) -> Option<&Slide<C>> {
         if let Self::Round(slide) = self { Some(slide) } else { None }
     }
 
-    /// The state on a polygon; `None` for one on the round cone.
+    /// The state on a polygon; `None` for a slide on the round cone.
     pub(crate) fn on_polygon(self) -> Option<PolygonState> {
         match self {
             Self::Open => Some(Mode::Open),
@@ -83,7 +83,7 @@ impl<const C: usize> State<C> {
         }
     }
 
-    /// A slide on the round cone whose friction force points along a tangent, and whose slip so far is in the drive.
+    /// A slide on the round cone with a friction force along a tangent, whose slip so far is part of the drive.
     pub(crate) fn sliding_along(friction: &SVector<f64, C>) -> Self {
         Self::Round(Slide::new(friction, 0.0))
     }

@@ -1,16 +1,16 @@
-//! From a stretch that goes straight from where it was to the force at its end, exactly: the slip that turns on the way included.
+//! The exact force at the end of a straight stretch, with the slip turning on the way.
 //!
 //! On the round cone a sliding contact with one tangential stiffness has its friction force at an angle ψ from the traction rate `d = k_t v_t'`. With
-//! that and the radius `r = μ F_n` straight in the way τ from 0 to 1,
+//! d constant and the radius `r = μ F_n` linear in the time τ from 0 to 1,
 //!
 //! ```text
 //! r ψ' = -|d| sin ψ        tan(ψ/2) = tan(ψ₀/2) exp(-|d| ∫dτ/r),      ∫dτ/r = Δτ ln(r₁/r₀) / (r₁ - r₀)
 //! ```
 //!
-//! and with two of them as [`RelaxingSlide`] has it. It slides on to the end once it slides, since |d| cos ψ grows and r' stays. The return map of [`LocalLaw::answer`] takes the whole way at
-//! its end instead: it is right from the apex on, where the traction grows in one direction, else to first order only. See for the same closed
-//! form with a constant radius R. D. Krieg and D. B. Krieg, Accuracies of numerical solution methods for the elastic-perfectly plastic model, J.
-//! Pressure Vessel Technology 99 (1977) 510.
+//! With two different stiffnesses [`RelaxingSlide`] gives the direction. A slide lasts to the end once it begins, since |d| cos ψ grows and r' is
+//! constant. The return map of [`LocalLaw::answer`] takes the whole stretch at its end instead. It is exact from the apex on, where the traction
+//! grows in one direction, else to first order only. For the same closed form with a constant radius see R. D. Krieg and D. B. Krieg, Accuracies of
+//! numerical solution methods for the elastic-perfectly plastic model, J. Pressure Vessel Technology 99 (1977) 510.
 
 use nalgebra::SVector;
 
@@ -23,14 +23,14 @@ use super::tangential::{tangential, tangential_norm};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// A traction this near to its limit, as a part of it, is on the cone: what a step leaves is rounding of it.
+/// A traction within this part of its limit is on the cone: a step leaves that much rounding.
 const ON_THE_CONE: f64 = 1e-12;
-/// Logarithms of radii that differ by less than this part are their first terms.
+/// Below this relative difference of radii the logarithm is replaced by the first terms of its series.
 const ALIKE: f64 = 1e-7;
 
 impl<const C: usize> LocalLaw<'_, C> {
-    /// State and force where the stretch has gone straight from `before`, at rest and on its law there, to `stretch`. The slip until then
-    /// is what the springs do not explain, [`Compliance::slip`](super::Compliance::slip). In the plane and where nothing can slide as [`Self::answer`] has it.
+    /// State and force after a straight stretch from `before`, at rest on the contact's law, to `stretch`. The slip until then is the part of
+    /// `before` beyond the springs, [`Compliance::slip`](super::Compliance::slip). In the plane and without sliding equal to [`Self::answer`].
     pub(crate) fn answer_after(
         &self,
         before: &SVector<f64, C>,
@@ -45,7 +45,7 @@ impl<const C: usize> LocalLaw<'_, C> {
         }
         let rate = to - from;
         if from[0] <= 0.0 {
-            // It closes on the way.
+            // The contact closes on the way.
             let mut since = (stretch - before) * (to[0] / rate[0]).clamp(0.0, 1.0);
             since[0] = stretch[0];
             return self.answer(&since, 0.0);
@@ -56,7 +56,7 @@ impl<const C: usize> LocalLaw<'_, C> {
         }
     }
 
-    /// Where on the way a traction reaches its limit, or stands there and is drawn across.
+    /// The time τ at which a traction reaches its limit; zero where it is at the limit and grows faster than the limit.
     fn stops_sticking(&self, from: &SVector<f64, C>, rate: &SVector<f64, C>) -> Option<f64> {
         let (t, d) = (tangential(from), tangential(rate));
         let (r, growth) = (self.friction.limit(from[0]), self.friction.limit(rate[0]));
@@ -64,7 +64,7 @@ impl<const C: usize> LocalLaw<'_, C> {
         if size >= r * (1.0 - ON_THE_CONE) && t.dot(&d) > growth * size {
             return Some(0.0);
         }
-        // |t + τ d|² = (r + τ r')², with what is inside negative now.
+        // |t + τ d|² = (r + τ r')², with a negative difference inside the cone.
         let (a, b) = (d.norm_squared() - growth * growth, t.dot(&d) - r * growth);
         let c = ((size - r) * (size + r)).min(0.0);
         let root = b * b - a * c;
@@ -76,11 +76,11 @@ impl<const C: usize> LocalLaw<'_, C> {
         (tau > 0.0 && tau < 1.0).then_some(tau)
     }
 
-    /// A contact that slides from a force on its cone for a part of the way.
+    /// The contact after sliding from a force on its cone for the time `rest`.
     fn slid_on(&self, from: &SVector<f64, C>, rate: &SVector<f64, C>, rest: f64) -> ContactResponse<C> {
         let normal = from[0] + rate[0] * rest;
         let [r0, r1] = [from[0], normal].map(|f| self.friction.limit(f.max(0.0)));
-        // ∫dτ/r over what is left of the way.
+        // ∫dτ/r over the rest of the way.
         let x = (r1 - r0) / r0;
         let per_radius = rest / r0 * if x.abs() < ALIKE { 1.0 - 0.5 * x } else { x.ln_1p() / x };
         let friction = tangential(from);
@@ -98,7 +98,7 @@ impl<const C: usize> LocalLaw<'_, C> {
         self.sliding_at(normal, &direction, r1, r1 * per_radius)
     }
 
-    /// A contact that slides along a direction in the end. Its springs across hold by this part: softened by the slip.
+    /// A contact that slides along `direction`. Its springs across act with the part `holds` of their stiffness: softened by the slip.
     fn sliding_at(&self, normal: f64, direction: &SVector<f64, C>, r: f64, holds: f64) -> ContactResponse<C> {
         if tangential_norm(direction) == 0.0 {
             let mut force = SVector::zeros();

@@ -1,12 +1,12 @@
-//! How the force of one contact changes with its stretch, `dF = C dv`, as the few dyads that C is the sum of.
+//! The derivative of one contact's force by its stretch, `dF = C dv`, as the few dyads whose sum is C.
 //!
 //! ```text
 //! sticking    C = K
 //! sliding     C = k_n (e_n + μ P) e_nᵀ + κ d dᵀ
 //! ```
 //!
-//! The normal spring drags friction along, and the spring across the slip holds. A sum over many contacts takes dyad by dyad:
-//! there are never more of them than columns of a matrix, and each costs one multiplication an entry.
+//! The normal spring drags friction along, and the spring across the slip resists. A sum over many contacts adds dyad by dyad:
+//! a contact has at most as many dyads as C has columns, and each costs one multiplication an entry.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -17,7 +17,7 @@ use super::state::{Mode, State};
 /// C of a contact in a state, N/m.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Tangent<const C: usize> {
-    /// No force, whatever the stretch.
+    /// Zero force at any stretch.
     Open,
     /// The diagonal of K.
     Sticking(SVector<f64, C>),

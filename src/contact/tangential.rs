@@ -5,7 +5,7 @@ use nalgebra::SVector;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Squares between this and its reciprocal have lost no digits by underflow or overflow.
+/// Squares between this and its reciprocal lose no digits by underflow or overflow.
 const SAFE_SQUARE: f64 = 1e-280;
 
 /// The vector without its normal component.
@@ -16,7 +16,7 @@ pub(crate) fn tangential<const C: usize>(v: &SVector<f64, C>) -> SVector<f64, C>
     t
 }
 
-/// The length of the tangential part; that of a contact that hardly presses has a square that underflows.
+/// The length of the tangential part, also where its square underflows, as for a contact that hardly presses.
 #[inline(always)]
 pub(crate) fn tangential_norm<const C: usize>(v: &SVector<f64, C>) -> f64 {
     let square: f64 = v.iter().skip(1).map(|x| x * x).sum();

@@ -1,12 +1,12 @@
-//! What counts as zero for a contact, where more than one room has to agree on it.
+//! Limits below which a quantity of a contact counts as zero, shared by several rooms.
 
-/// Slacks below this part of their size are zero: rounding of forces and gaps that come out of one linear solve. Symmetric grasps reach
-/// several edges at once, and what is reached together must be told as one.
+/// Slacks below this part of their size are zero: rounding of forces and gaps that result from one linear solve. Symmetric grasps reach
+/// several edges at once, and edges reached together must count as one event.
 pub(crate) const ZERO_SLACK: f64 = 5e-14;
 
-/// A force below this part of its size is none: the contact stands at the apex of its cone. Looser than [`ZERO_SLACK`], since facets
-/// that meet near the apex cannot be told apart there.
+/// A force below this part of its size is zero: the contact is at the apex of its cone. Looser than [`ZERO_SLACK`], since facets
+/// that meet near the apex cannot be distinguished there.
 pub(crate) const WEIGHTLESS: f64 = 1e-12;
 
-/// Added to every size: below, numbers are subnormal somewhere on the way and have no relative precision.
+/// Added to every size: below it, intermediate results are subnormal and lose relative precision.
 pub(crate) const SMALLEST: f64 = 1e-250;

@@ -1,7 +1,7 @@
-//! How far a load can turn before a contact leaves its state.
+//! The angle by which a load can turn before a contact leaves its state.
 //!
-//! While states last, a force is `F(φ) = F₀ + F_c cos φ + F_s sin φ`, and so is a gap. The margin at a facet is such a sum of numbers. On
-//! the round cone `(μF_n)² - |F_t|²` is one of degree two.
+//! While states last, a force is `F(φ) = F₀ + F_c cos φ + F_s sin φ`, and a gap has the same form. The margin at a facet is such a scalar sum.
+//! On the round cone `(μF_n)² - |F_t|²` is a trigonometric polynomial of degree two.
 
 use nalgebra::SVector;
 
@@ -13,42 +13,42 @@ use super::tolerances::ZERO_SLACK;
 use crate::numerics::{Fall, Harmonic, Trigonometric, Turning};
 use crate::prelude::*;
 
-/// Newton's steps on the margin of a round cone: each doubles the digits that its square has left.
+/// Newton's steps on the margin of a round cone: each doubles the correct digits of the root of its square.
 const POLISHING_STEPS: usize = 3;
-/// The square of a margin carries so many roundings of its largest coefficient.
+/// Rounding of a margin's square, relative to its largest coefficient.
 const SQUARED: f64 = 16.0 * f64::EPSILON;
-/// Polishing moves an angle by this many radians at most: the square root of what squares have lost, with room.
+/// Most change of an angle by polishing, rad: the square root of the rounding of squares, with room.
 const NEAR: f64 = 1e-3;
 
-/// A force, or a motion of the body over the finger, for an angle φ from here on.
+/// A force, or a motion of the body over the finger, as a function of the angle φ from the present load.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Wave<const C: usize> {
     pub(crate) of: Harmonic<SVector<f64, C>>,
-    /// What the rounding of its values is measured against.
+    /// Size that scales the rounding of its values.
     pub(crate) size: f64,
-    /// What that of its rates is measured against: the part of the size that turns.
+    /// Size that scales the rounding of its rates: the turning part of `size`.
     pub(crate) turning_size: f64,
 }
 
 impl<const C: usize> Wave<C> {
-    /// What a linear function takes from it.
+    /// The scalar wave of a linear function of this one.
     fn seen(&self, by: impl Fn(&SVector<f64, C>) -> f64) -> Trigonometric {
         Trigonometric::linear(&self.of.map(by))
     }
 }
 
-/// What a contact does on the way.
+/// An event of a contact while the load turns.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum TurningExit<const C: usize> {
-    /// It leaves its state; the step is the angle.
+    /// The contact leaves its state; the step of the exit is the angle.
     Leaves(Exit<C>),
-    /// At this angle it comes as near to an edge as rounding, and does not cross it.
+    /// At this angle the contact touches an edge to within rounding, without crossing it.
     Touches(f64),
 }
 
 impl<const C: usize> LocalLaw<'_, C> {
-    /// The ways out of a state within an angle of `most`, each where it is first reached, from how force and stretch turn. A slide on the
-    /// round cone is none that turns with the load.
+    /// All exits from a state within an angle of `most`, each at its first angle, from the waves of force and stretch. Slides on the
+    /// round cone do not turn with the load and give none.
     pub(crate) fn turning_exits(
         &self,
         state: &State<C>,
@@ -78,7 +78,7 @@ impl<const C: usize> LocalLaw<'_, C> {
         exits
     }
 
-    /// Where a sliding contact stops: where a part of its slip that only grows would begin to shrink. It stands on its facets there.
+    /// The angle at which a sliding contact stops: a component of its slip that cannot decrease would begin to. The contact stays on its facets.
     fn stops(
         &self,
         state: &State<C>,
@@ -103,7 +103,7 @@ impl<const C: usize> LocalLaw<'_, C> {
         })
     }
 
-    /// Where a force leaves the round cone: where `(μF_n)² - |F_t|²` falls below zero, or through the apex, where F_n does.
+    /// The exit of a force from the round cone: `(μF_n)² - |F_t|²` falls below zero, or at the apex F_n does.
     fn round_turning_exit(&self, wave: &Wave<C>, most: f64) -> Option<TurningExit<C>> {
         let cone = self.cone();
         let weight = cone.round_weight();
@@ -111,7 +111,7 @@ impl<const C: usize> LocalLaw<'_, C> {
         let here = wave.of.at(0.0);
         let friction = tangential(&here);
         if cone.round_margin(&here) <= slack && friction.norm() > slack {
-            // On the edge the facet that touches it tells whether the force goes in or out.
+            // On the edge the tangent facet decides whether the force moves inwards or outwards.
             let outward = friction.normalize();
             let margin = wave.seen(|f| cone.facet_margin(f, &outward));
             if Start::of(&margin, slack, ZERO_SLACK * weight * wave.turning_size) == Start::Falls {
@@ -124,7 +124,7 @@ impl<const C: usize> LocalLaw<'_, C> {
             Fall::At(angle) => self.polished(wave, angle),
             Fall::Touches(angle) => return apex.or(Some(TurningExit::Touches(angle))),
         };
-        // Through the apex both are one root.
+        // At the apex both exits are one root.
         if let Some(TurningExit::Leaves(through)) = apex
             && (through.step <= step || tangential(&wave.of.at(through.step)).norm() <= slack)
         {
@@ -136,7 +136,7 @@ impl<const C: usize> LocalLaw<'_, C> {
         Some(TurningExit::Leaves(Exit { step, uncertainty, facet }))
     }
 
-    /// Where `(μF_n)² - |F_t|²` first falls below zero.
+    /// The first angle at which `(μF_n)² - |F_t|²` falls below zero.
     fn fall_of_the_square(&self, wave: &Wave<C>, most: f64) -> Option<Fall> {
         let limit = self.cone().limit(1.0);
         let margin = Turning { number: wave.of.map(|x| limit * x[0]), vector: wave.of.map(tangential) };
@@ -144,12 +144,12 @@ impl<const C: usize> LocalLaw<'_, C> {
         let rounding = SQUARED * (self.cone().round_weight() * wave.size).powi(2);
         match Start::of(&difference, rounding, rounding) {
             Start::Above { roots } => difference.first_fall(most, rounding, roots),
-            // What comes so near the apex is for the normal force to tell.
+            // Near the apex the normal force decides.
             Start::Falls | Start::Stays => None,
         }
     }
 
-    /// Close to a double root the square has lost half the digits. The margin itself, μF_n - |F_t|, has not.
+    /// Close to a double root the square has lost half its digits. The margin μF_n - |F_t| itself has not.
     fn polished(&self, wave: &Wave<C>, angle: f64) -> f64 {
         let cone = self.cone();
         let mut step = angle;
@@ -171,14 +171,14 @@ fn outward<const C: usize>(force: &SVector<f64, C>) -> SVector<f64, C> {
     friction / friction.norm().max(f64::MIN_POSITIVE)
 }
 
-/// How a margin begins.
+/// The behaviour of a margin at φ = 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Start {
-    /// Above zero, at once or from so many roots on.
+    /// Above zero, at once or after this number of roots at φ = 0.
     Above { roots: usize },
-    /// At zero, and below it from here on.
+    /// At zero, and negative from here on.
     Falls,
-    /// It is zero all the way.
+    /// Zero at every angle.
     Stays,
 }
 
@@ -186,7 +186,7 @@ impl Start {
     /// Values are zero within `slack`, rates within `rate_slack`.
     fn of(margin: &Trigonometric, slack: f64, rate_slack: f64) -> Self {
         let [value, slope, bend] = margin.at_the_beginning();
-        // Where the end of an arc is known to the error of its steps, a margin that begins to grow may shrink by no more than rounding before.
+        // The end of an arc is known to the error of its steps. A margin that begins to grow may thus first shrink, but only by rounding.
         let dips = bend > 0.0 && value - 0.5 * slope * slope / bend >= -slack;
         if value > slack || slope > rate_slack {
             Self::Above { roots: usize::from(value <= slack) }
@@ -202,7 +202,7 @@ impl Start {
     }
 }
 
-/// Where a linear function of what turns falls below zero.
+/// The exit at which a linear function of a wave falls below zero.
 fn linear_exit<const C: usize>(
     wave: &Wave<C>,
     seen: impl Fn(&SVector<f64, C>) -> f64,
@@ -224,7 +224,7 @@ fn linear_exit<const C: usize>(
     Some(TurningExit::Leaves(Exit { step, uncertainty, facet }))
 }
 
-/// How well a root is known of a function with this slope there, which is known to `slack` and bends as a wave of this size does.
+/// Uncertainty of a root of a function known to `slack`, with this slope there and the curvature of a wave of this size.
 fn uncertainty(slack: f64, slope: f64, size: f64) -> f64 {
     (slack / slope.abs()).min((2.0 * slack / size).sqrt())
 }

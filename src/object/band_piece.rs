@@ -1,13 +1,13 @@
-//! A linear piece of many coordinates, of which every contact couples a few.
+//! A linear piece of many coordinates, where every contact couples only a few.
 //!
 //! ```text
 //! T = BᵀA = Σ G_i C_i G_iᵀ,      T q = Bᵀx + W,      x - A q
 //! ```
 //!
-//! T has entries where a contact couples two coordinates, near its diagonal in a good order, and factors that cost a few thousandths of the orthogonal ones.
-//! They lose twice the digits where stiffnesses lie far apart: steps with what is left in twice the working precision get them back, or show that they do not.
-//! Where some motions stretch no spring, and as many are not balanced by any, T is singular in these alone. What else is nearly singular is left to
-//! orthogonal factors.
+//! T has an entry where a contact couples two coordinates, near its diagonal in a good order. Its factors cost a few thousandths of orthogonal ones.
+//! They lose twice the digits where stiffnesses lie far apart. Corrections from residuals in twice the working precision restore the digits, or show
+//! that they cannot. Where some motions stretch no spring, and equally many are balanced by no spring, T is singular in these alone. Every other
+//! nearly singular T is left to orthogonal factors.
 
 use crate::numerics::{Band, BandFactors, Size, Vector, generic, narrow_order, widest};
 
@@ -19,15 +19,15 @@ use crate::contact::Spring;
 use crate::grasp::{Site, size_of};
 use crate::prelude::*;
 
-/// With fewer coordinates orthogonal factors cost no more, and know the rank: four bodies in space take a third less time with them, nine bricks in the plane more than
-/// twice as much.
+/// With fewer coordinates orthogonal factors cost no more, and determine the rank. With them four bodies in space take a third less time,
+/// nine bricks in the plane more than twice as much.
 const FROM: usize = 36;
-/// Steps of the power method, which come from below.
+/// Steps of the power method, which estimates the norm from below.
 const POWERS: usize = 4;
-/// What they find is believed up to this factor.
+/// Factor by which the estimate may be too small.
 const ESTIMATED: f64 = 2.0;
 
-/// Whether factors in a band are worth their while.
+/// Whether factors in a band pay off for this number of coordinates.
 pub(crate) fn are_many<D: Size>(coordinates: D) -> bool {
     coordinates.count() >= FROM
 }
@@ -35,43 +35,43 @@ pub(crate) fn are_many<D: Size>(coordinates: D) -> bool {
 /// T with its factors.
 #[derive(Debug, Clone)]
 pub(crate) struct BandPiece {
-    /// The number of each coordinate in a narrow order.
+    /// The number of each coordinate in a narrow order of the band.
     pub(super) numbers: Vec<usize>,
     pub(super) springs: SpringLists,
     /// A.
     pub(super) right: Side,
-    /// B, where something slides.
+    /// B, where a contact slides; otherwise B = A.
     pub(super) left: Option<Side>,
     pub(super) factors: BandFactors,
 }
 
-/// Which coordinates the springs of each contact feel.
+/// The coordinates that the springs of each contact feel.
 #[derive(Debug, Clone)]
 pub(super) struct SpringLists {
-    /// By their numbers, contact after contact.
+    /// Felt coordinates by their numbers, contact after contact.
     felt: Vec<usize>,
-    /// Where those of each contact begin; at the end their number.
+    /// The first entry of each contact in `felt`; at the end their number.
     first: Vec<usize>,
-    /// How many springs each contact has.
+    /// Number of springs of each contact.
     pub(super) counts: Vec<usize>,
-    /// Where the rows of these begin.
+    /// The first entry of each contact in the rows of its springs.
     first_rows: Vec<usize>,
 }
 
 /// Rows of springs.
 #[derive(Debug, Clone)]
 pub(super) struct Side {
-    /// Their entries for the coordinates that are felt, spring after spring.
+    /// Entries for the felt coordinates, spring after spring.
     rows: Vec<f64>,
-    /// One over the length of each column that is not zero.
+    /// The reciprocal length of each column; one for a zero column.
     units: Vec<f64>,
-    /// Length of the longest.
+    /// Length of the longest row.
     pub(super) longest: f64,
 }
 
 impl BandPiece {
-    /// Of these sites with these springs, those of each contact from a place of the list on; `None` where there are few coordinates, or T is nearly singular
-    /// in another way than by free motions.
+    /// The band of these sites and springs; `first_springs` holds the first spring of each contact. `None` with few coordinates, or where T is nearly
+    /// singular other than by free motions.
     pub(super) fn new<D: Size, const C: usize>(
         sites: &[Site<D, C>],
         springs: &[Spring<C>],
@@ -120,7 +120,7 @@ impl BandPiece {
         Some(Self { numbers, springs: lists, right, left, factors })
     }
 
-    /// `x - A T⁻¹ (Bᵀx + W)` in place of x, and the twist that goes with it.
+    /// Replaces x by `x - A T⁻¹ (Bᵀx + W)` and returns the twist `T⁻¹ (Bᵀx + W)`.
     pub(super) fn respond<D: Size>(&self, x: &mut [f64], wrench: &Vector<D>) -> Vector<D> {
         let mut q = vec![0.0; self.numbers.len()];
         wrench.iter().zip(&self.numbers).for_each(|(w, k)| q[*k] = *w);
@@ -135,7 +135,7 @@ impl BandPiece {
         self.factors.is_singular()
     }
 
-    /// Motions in which it is.
+    /// Motions in which T is singular.
     pub(super) fn loose_motions<D: Size>(&self) -> Vec<Vector<D>> {
         let motion = |q: Vec<f64>| {
             let entry = |k: usize| q[self.numbers[k]] * self.right.units[self.numbers[k]];
@@ -144,12 +144,12 @@ impl BandPiece {
         self.factors.null_vectors().into_iter().map(motion).collect()
     }
 
-    /// T⁻¹ of a load.
+    /// `T⁻¹` times a load.
     pub(super) fn solve<D: Size>(&self, load: &Vector<D>) -> Vector<D> {
         self.respond(&mut vec![0.0; self.springs.counts.iter().sum()], load)
     }
 
-    /// What the coordinates, by their numbers, move by where springs of a contact push by so much each: T⁻¹Bᵀ of it.
+    /// Displacements of the coordinates, by their numbers, where each spring of a contact pushes with the given force: `T⁻¹Bᵀ` of `pushes`.
     pub(super) fn moved_by(&self, contact: usize, pushes: &[f64]) -> Vec<f64> {
         let left = self.left.as_ref().unwrap_or(&self.right);
         let mut q = vec![0.0; self.numbers.len()];
@@ -162,7 +162,7 @@ impl BandPiece {
         q
     }
 
-    /// The sum of what that stretches the springs of a contact by, each so many times.
+    /// The stretches of a contact's springs under the displacements `moved`, summed with the weights `times`.
     pub(super) fn felt(&self, contact: usize, times: &[f64], moved: &[f64]) -> f64 {
         let mut sum = 0.0;
         self.springs.of(contact, |k, felt, range| {
@@ -172,7 +172,7 @@ impl BandPiece {
         sum
     }
 
-    /// How much relative rounding errors grow, about: the norm of the oblique projection `A T⁻¹ Bᵀ`, by a few steps of the power method.
+    /// Estimate of the growth of relative rounding errors: the norm of the oblique projection `A T⁻¹ Bᵀ`, by a few steps of the power method.
     pub(super) fn growth(&self) -> f64 {
         let Some(left) = &self.left else { return 1.0 };
         let springs: usize = self.springs.counts.iter().sum();
@@ -196,7 +196,7 @@ impl BandPiece {
         ESTIMATED * growth
     }
 
-    /// The rows of A and, where something slides, those of B, with all their entries.
+    /// The full rows of A and, where a contact slides, of B.
     pub(super) fn rows<D: Size>(&self) -> [Option<Vec<Vector<D>>>; 2] {
         let whole = |side: &Side| {
             let mut list = Vec::new();
@@ -233,7 +233,7 @@ impl SpringLists {
         }
     }
 
-    /// These rows in so many coordinates.
+    /// The rows as one side of a band with `count` coordinates.
     fn side(&self, rows: Vec<f64>, count: usize) -> Side {
         let (mut squares, mut longest) = (vec![0.0; count], 0.0_f64);
         self.for_each(|_, felt, range| {
@@ -244,7 +244,7 @@ impl SpringLists {
         Side { rows, units: squares.into_iter().map(unit).collect(), longest: longest.sqrt() }
     }
 
-    /// Adds what springs push to q, and takes it in units of the columns.
+    /// Adds the pushes of springs to q and scales q by the units of the columns.
     pub(super) fn add(&self, side: &Side, x: &[f64], q: &mut [f64]) {
         self.for_each(|spring, felt, range| {
             felt.iter().zip(&side.rows[range]).for_each(|(k, b)| q[*k] += b * x[spring]);
@@ -252,7 +252,7 @@ impl SpringLists {
         q.iter_mut().zip(&side.units).for_each(|(q, unit)| *q *= unit);
     }
 
-    /// Takes q out of the units of the columns, and visits what stretches each spring.
+    /// Scales q back by the units of the columns, and visits the stretch of each spring.
     pub(super) fn stretch(&self, side: &Side, q: &mut [f64], mut visit: impl FnMut(usize, f64)) {
         q.iter_mut().zip(&side.units).for_each(|(q, unit)| *q *= unit);
         self.for_each(|spring, felt, range| {

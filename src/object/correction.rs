@@ -1,13 +1,13 @@
-//! How far forces and a twist are from the solution of their piece.
+//! The distance of forces and a twist from the solution of their piece.
 //!
-//! What they leave of the contact law and of equilibrium is evaluated in twice the working precision and solved for:
+//! The residuals of the contact law and of equilibrium are evaluated in twice the working precision and solved for:
 //!
 //! ```text
 //! w_i = a_i - G_iᵀ q - K_i⁻¹ F_i,      e_r = right_r · w_i,      ρ = Σ G_i F_i + W      with F_i on its cone
 //! ```
 //!
-//! A spring that still holds has no w along it: gaps and slips are what the others leave. Solving again gives the distance to the solution,
-//! not only a bound of it; on the round cone to first order, which is all of it where Newton's method has arrived.
+//! A spring that resists has no w along it; gaps and slips are the remaining parts of w. Solving again gives the distance to the solution,
+//! not only a bound of it; on the round cone to first order, which is exact where Newton's method has converged.
 
 use nalgebra::SVector;
 
@@ -19,19 +19,19 @@ use crate::contact::{LocalLaw, Mode, Spring, State};
 use crate::numerics::{DoubleDouble, Size, Vector, without};
 use crate::prelude::*;
 
-/// What is missing of a solution.
+/// The difference between a solution and given forces and twist.
 #[derive(Debug, Clone)]
 pub(crate) struct Correction<D: Size, const C: usize> {
     pub(crate) forces: Vec<SVector<f64, C>>,
     /// Without free motions.
     pub(crate) twist: Vector<D>,
-    /// How well the forces are known, N: what the last solution changed, unless the next would change nothing, and rounding of the stiffest
-    /// springs in twice the working precision. Where the piece is singular at working precision this is large.
+    /// Uncertainty of the forces, N: the last change by a solution, unless the next would change nothing, and rounding of the stiffest
+    /// springs in twice the working precision. Large where the piece is singular at working precision.
     pub(crate) doubt: f64,
 }
 
 impl<D: Size, const C: usize> Piece<D, C> {
-    /// What these forces and this twist miss of the solution of this piece, which was made of these states. `size` is that of the largest
+    /// The difference between the solution of this piece, made of `states`, and these forces and twist. `size` is the size of the largest
     /// force of the scene.
     pub(crate) fn correction(
         &self,
@@ -49,7 +49,7 @@ impl<D: Size, const C: usize> Piece<D, C> {
             let left = self.left_over(problem, states, &mut forces, &twist, &mut change);
             let push = |(spring, x): (&Spring<C>, &f64)| spring.left.amax() * x.abs();
             let largest = |x: &[f64]| self.springs.iter().zip(x).map(push).fold(0.0, f64::max);
-            // A stiff spring feels the rounding of the twist: what that leaves of e must not show in the change.
+            // A stiff spring feels the rounding of the twist. Its trace in e must not show in the change.
             let noise = f64::EPSILON * largest(&change);
             twist.add(&self.respond(&mut change, &left));
             for (contact, springs, range) in self.of_each_contact() {
@@ -116,8 +116,8 @@ impl<D: Size, const C: usize> Piece<D, C> {
     }
 }
 
-/// `c·w` across the force of a contact that slides on the round cone, `c = (-F_2, F_1) / |F_t|`: across the force itself, since on the way
-/// w is long.
+/// `c·w` across the force of a contact that slides on the round cone, `c = (-F_2, F_1) / |F_t|`. The force itself defines the direction,
+/// since w is long before convergence.
 struct Across<const C: usize> {
     along: [DoubleDouble; C],
     length: f64,
@@ -138,7 +138,7 @@ impl<const C: usize> Across<C> {
         self.sum.add_product_of_twice((along.high, along.low), w);
     }
 
-    /// Times the root of the stiffness of the spring across.
+    /// The product with the root of the stiffness of the spring across.
     fn times(&self, spring: Option<&Spring<C>>) -> DoubleDouble {
         let root = spring.map_or(0.0, |spring| spring.right.norm());
         let part = if self.length > 0.0 { root / self.length } else { 0.0 };
@@ -146,7 +146,7 @@ impl<const C: usize> Across<C> {
     }
 }
 
-/// Removes what rounding left between a sliding contact's force and the edge of its cone.
+/// Removes the rounding between a sliding contact's force and the edge of its cone.
 fn put_on_cone<const C: usize>(local: &LocalLaw<'_, C>, state: &State<C>, force: &mut [DoubleDouble; C]) {
     let mut limit = DoubleDouble::default();
     limit.add_product_of_twice((local.cone().limit(1.0), 0.0), force[0]);
@@ -154,7 +154,7 @@ fn put_on_cone<const C: usize>(local: &LocalLaw<'_, C>, state: &State<C>, force:
     match state {
         Mode::Open | Mode::Sticking => {}
         Mode::Round(_) => {
-            // |F_t| by the difference of the squares.
+            // Corrects |F_t| by the difference of the squares.
             let length = force[1].high.hypot(force[2].high);
             let mut squares = DoubleDouble::default();
             squares.add_product_of_twice((limit.high, limit.low), limit);

@@ -1,12 +1,12 @@
-//! Contacts in energy coordinates: what one of them sees of the motion, and where it may slip.
+//! Contacts in energy coordinates: their maps of the motion, and the slips across their facets.
 //!
 //! ```text
 //! x = K^{-1/2}F,   K^{1/2}Gᵀ = QR,   u = x⁰ - Q y,   x = P u
 //! ```
 //!
 //! x⁰ is the elastic trial state in which every contact sticks, and y the motion of the object on
-//! top of it. P is what the state of the contact lets through. A facet is `κ x_n + c·x_t >= 0` with
-//! c of length one; slip across it moves x along (0, c). Contacts that are alike and neighbours
+//! top of it. P is the projection by the contact's state. A facet is `κ x_n + c·x_t >= 0` with
+//! c of length one; slip across it moves x along (0, c). Equal contacts that follow each other
 //! share their facets.
 
 use nalgebra::{SMatrix, SVector};
@@ -49,7 +49,7 @@ impl<const C: usize> Facet<C> {
 pub(crate) struct EnergyContact<D: Size, const C: usize> {
     /// Q_i, scaled so that the mean of |Q_i|² over the contacts is one.
     pub(crate) seen: Seen<D, C>,
-    /// Where its facets start, after the normal force if it may open.
+    /// The first of its entries in the list of facets: the normal force if it may open, then its facets.
     first: u32,
     pub(crate) facet_count: u16,
     /// Whether the contact may open.
@@ -57,17 +57,17 @@ pub(crate) struct EnergyContact<D: Size, const C: usize> {
 }
 
 impl<D: Size, const C: usize> EnergyContact<D, C> {
-    /// How many conditions the contact has: for its gap, and for each facet.
+    /// Number of conditions of the contact: one for its gap, and one for each facet.
     pub(crate) fn pairs(&self) -> usize {
         usize::from(self.gap) + usize::from(self.facet_count)
     }
 }
 
-/// What the contacts of a scene share in energy coordinates.
+/// The shared data of a scene's contacts in energy coordinates.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct EnergyCoordinates<const C: usize> {
     facets: Vec<Facet<C>>,
-    /// What the scaled `QᵀQ` is multiplied with to give the identity.
+    /// The factor that turns the scaled `QᵀQ` into the identity.
     pub(crate) weight: f64,
     /// Entries of y from here on move nothing.
     pub(crate) rank: usize,
@@ -86,7 +86,7 @@ impl<const C: usize> EnergyCoordinates<C> {
         self.weight = self.rank.max(1) as f64 / problem.len().max(1) as f64;
         let scale = 1.0 / self.weight.sqrt();
         self.facets.clear();
-        // Room for what only some scenes need, so that no later scene of this size has to allocate.
+        // Reserves room for the largest scene of this size, so that no later scene of this size has to allocate.
         self.facets.reserve(problem.len() * (problem.polygon.normals.len() + 1));
         let mut spring = 0;
         let mut before: Option<(LocalLaw<'_, C>, (u32, u16))> = None;
@@ -100,7 +100,7 @@ impl<const C: usize> EnergyCoordinates<C> {
                     spring += 1;
                 }
             }
-            // Contacts without polygons of their own have the same one.
+            // Contacts without polygons of their own share one polygon.
             let alike = before.filter(|(neighbour, _)| {
                 problem.turned.is_empty()
                     && law.may_open() == neighbour.may_open()
@@ -115,7 +115,7 @@ impl<const C: usize> EnergyCoordinates<C> {
     }
 
     fn add_facets(&mut self, law: &LocalLaw<'_, C>) -> (u32, u16) {
-        // More facets than these no memory holds.
+        // No memory holds more facets than `u32::MAX`.
         let first = u32::try_from(self.facets.len()).unwrap_or(u32::MAX);
         if law.may_open() {
             self.facets.push(Facet { row: normal(), unit: 1.0 });
@@ -153,7 +153,7 @@ pub(crate) struct Slipping<const C: usize> {
 }
 
 impl<const C: usize> Slipping<C> {
-    /// Across these facets, which are neighbours.
+    /// Slips across these facets, which are neighbours.
     pub(crate) fn new(facets: [Option<&Facet<C>>; 2]) -> Self {
         let zero = SVector::zeros();
         let rows = facets.map(|facet| facet.map_or(zero, |facet| facet.row));
@@ -168,7 +168,7 @@ impl<const C: usize> Slipping<C> {
         slipping
     }
 
-    /// Across any facets; `None` where their slips are not independent.
+    /// Slips across any facets; `None` where they are not independent.
     pub(crate) fn independent<'f>(mut facets: impl Iterator<Item = &'f Facet<C>>) -> Option<Self> {
         let pair = [facets.next(), facets.next()];
         match pair {
@@ -178,8 +178,8 @@ impl<const C: usize> Slipping<C> {
         }
     }
 
-    /// The z with `row_a·z = d_a` on its facets and `z_n = n`: without d, x on the edge for `x_n =
-    /// n`.
+    /// The z with `row_a·z = d_a` on its facets and `z_n = n`. With d = 0 it is the point x on the edge
+    /// with `x_n = n`.
     pub(crate) fn reaching(&self, n: f64, d: [f64; 2]) -> SVector<f64, C> {
         let mut z = SVector::zeros();
         for a in 0..self.count {
@@ -202,12 +202,12 @@ impl<const C: usize> Slipping<C> {
     /// P.
     pub(crate) fn hold(&self) -> SMatrix<f64, C, C> {
         if self.count + 1 == C {
-            // Every tangential direction slips: exactly nothing is left of u_t.
+            // Every tangential direction slips, so the projection must remove u_t without rounding.
             let mut hold = SMatrix::<f64, C, C>::zeros();
             hold.set_column(0, &self.reaching(1.0, [0.0; 2]));
             return hold;
         }
-        // Of two tangential directions one slips, or none.
+        // At most one of two tangential directions slips.
         SMatrix::identity() - tangential(&self.rows[0]) * self.rows[0].transpose()
     }
 }
@@ -224,7 +224,7 @@ pub(crate) fn spring_rows<D: Size, const C: usize>(sites: &[Site<D, C>]) -> impl
     })
 }
 
-/// K^{1/2}v for these stretches of the contacts, spring by spring, in memory that is asked for once.
+/// K^{1/2}v for these stretches of the contacts, spring by spring, in reused memory.
 pub(crate) fn stretched_into<D: Size, const C: usize>(
     sites: &[Site<D, C>],
     stretch: impl Fn(usize) -> SVector<f64, C>,

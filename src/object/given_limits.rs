@@ -1,13 +1,13 @@
-//! States of many contacts, about, by friction whose limits are given.
+//! Approximate states of many contacts by Tresca friction, whose limits are given.
 //!
-//! Where the limits r_i of friction do not depend on normal forces all forces come from a convex energy,
+//! Where the limits r_i of friction do not depend on normal forces, all forces come from a convex energy,
 //!
 //! ```text
 //! Σ G_i F_i(a_i - G_iᵀq) + W = 0      where  Σ φ_i(a_i - G_iᵀq) - W·q  is least
 //! ```
 //!
-//! and Newton's method finds it from anywhere: each step keeps a part of the springs that give way, less and less of it as steps get on. Limits that
-//! belong to the normal forces there come next, until no contact changes its state. Nothing is concluded from what this ends with: some may be wrong.
+//! and Newton's method finds its minimum from any start. Each step keeps a part of the stiffness of yielding springs, less from step to step. Limits
+//! of friction from the resulting normal forces come next, until no contact changes its state. The states are a proposal: some may be wrong.
 //!
 //! Source: J. Haslinger, I. Hlaváček, J. Nečas, Numerical methods for unilateral problems in solid mechanics, Handbook of Numerical Analysis IV (1996):
 //! friction as a fixed point of problems with given friction.
@@ -21,44 +21,44 @@ use crate::contact::{Mode, State};
 use crate::numerics::{PositiveBand, Size, Vector, narrow_order, widest};
 use crate::prelude::*;
 
-/// How often limits are given, and how often at first the next ones are taken as they come: later the means do not go to and fro.
+/// Outer iterations, each with new limits. The first `AS_THEY_COME` are undamped, later ones average to stop oscillation.
 const ROUNDS: usize = 30;
 const AS_THEY_COME: usize = 6;
-/// Steps for each limits.
+/// Newton's steps for given limits.
 const STEPS: usize = 10;
-/// Limits that change by less than this part, without a contact that changes its state, are the last.
+/// The iteration ends when limits change by less than this part and no contact changes its state.
 const NEARLY: f64 = 1e-4;
-/// The part of springs that give way which a step keeps: at first, before each round at least, and at the very least.
+/// Part of the stiffness of yielding springs in the Newton matrix (regularisation): at first, at least before each round, and the lower limit.
 const KEPT: [f64; 3] = [0.5, 1e-4, 1e-6];
-/// What is out of balance of the load at first when a round ends, and at the very last; and what of the change of limits.
+/// Imbalance at which Newton's method ends, relative to the initial one: in the first round, and the least; then relative to the change of limits.
 const OUT_OF_BALANCE: [f64; 2] = [1e-2, 1e-9];
 const OF_THE_CHANGE: f64 = 0.1;
-/// How often a step is shortened, and what is left then of how fast the energy falls along it.
+/// Most reductions of a step, made while the energy rises at its end by more than the part `LEVEL` of its initial rate of decrease.
 const SHORTENED: usize = 8;
 const LEVEL: f64 = 0.1;
 
-/// All contacts, in a narrow order of coordinates.
+/// All contacts with given limits of friction, in a narrow order of coordinates.
 struct GivenLimits<const C: usize> {
     contacts: Vec<Limited<C>>,
     limits: Vec<f64>,
-    /// The coordinates that each feels, with its map there.
+    /// The coordinates that each contact feels, with the rows of its map.
     felt: Vec<(usize, SVector<f64, C>)>,
-    /// The number of each coordinate.
+    /// The number of each coordinate in the narrow order.
     numbers: Vec<usize>,
     first: Vec<usize>,
     load: Vec<f64>,
     band: PositiveBand,
 }
 
-/// What all answer to a motion.
+/// Responses of all contacts to a motion.
 struct Answers<const C: usize> {
     of: Vec<LimitedAnswer<C>>,
-    /// What is out of balance.
+    /// The imbalance `Σ G_i F_i + W`.
     left: Vec<f64>,
 }
 
-/// States in the plane and on polygons in which forces are nearly balanced, and friction nearly at the limits that belong to them; `None` with few coordinates, where
-/// something is free to move, or friction is infinite.
+/// States in the plane and on polygons in which forces are nearly balanced, and friction is nearly at the limits of its normal forces. `None` with
+/// few coordinates, free motions or infinite friction.
 pub(crate) fn states_by_given_limits<D: Size, const C: usize>(
     problem: &Problem<'_, D, C>,
 ) -> Option<Vec<State<C>>> {
@@ -75,7 +75,7 @@ pub(crate) fn states_by_given_limits<D: Size, const C: usize>(
     Some(states.into_iter().map(state).collect())
 }
 
-/// The motion on the round cone of which the same can be said.
+/// The motion on the round cone with nearly balanced forces, and friction nearly at the limits of its normal forces.
 pub(crate) fn twist_by_given_limits<D: Size, const C: usize>(
     problem: &Problem<'_, D, C>,
 ) -> Option<Vector<D>> {
@@ -120,7 +120,7 @@ impl<const C: usize> GivenLimits<C> {
         &self.felt[self.first[contact]..self.first[contact + 1]]
     }
 
-    /// What contacts answer to a motion, by another law of each.
+    /// Responses of the contacts to a motion by the law `answer`.
     fn answers_by(
         &self,
         q: &[f64],
@@ -142,7 +142,7 @@ impl<const C: usize> GivenLimits<C> {
         self.answers_by(q, |i, stretch| self.contacts[i].answer(stretch, self.limits[i]))
     }
 
-    /// Factors of T with this part of springs that do not hold.
+    /// Factors of T, with the part `kept` of the stiffness of springs that yield.
     fn factor(&mut self, answers: &[LimitedAnswer<C>], kept: f64) -> Option<()> {
         let Self { felt, first, band, .. } = self;
         band.clear();
@@ -158,7 +158,7 @@ impl<const C: usize> GivenLimits<C> {
         band.factor()
     }
 
-    /// The states in the end, and the motion.
+    /// The final states, and the motion.
     fn settled(mut self) -> Option<(Vec<Mode<u16>>, Vec<f64>)> {
         let stuck = |contact: &Limited<C>, stretch: &SVector<f64, C>| {
             let holds = SMatrix::from_diagonal(&contact.stiffness);
@@ -197,7 +197,7 @@ impl<const C: usize> GivenLimits<C> {
         self.contacts.iter().zip(answers).map(|(contact, answer)| contact.limit(answer.force[0])).collect()
     }
 
-    /// Newton's method from a motion to that of the least energy with the limits that are given.
+    /// Newton's method from a motion to the least energy with the given limits.
     fn least_energy(&mut self, q: &mut Vec<f64>, (kept, enough): (&mut f64, f64)) -> Option<Answers<C>> {
         let mut here = self.answers(q);
         for _ in 0..STEPS {

@@ -1,4 +1,4 @@
-//! A contact whose friction has a limit that is given: its answer to a stretch, and which springs hold then.
+//! A contact with Tresca friction, whose limit is given: its force at a stretch, and the springs that resist.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -6,18 +6,18 @@ use crate::contact::{Coulomb, Law, LocalLaw, Mode, tangential, tangential_norm};
 use crate::numerics::unit;
 use crate::prelude::*;
 
-/// A contact whose friction has a limit that is given.
+/// A contact with a given limit of friction.
 pub(super) struct Limited<const C: usize> {
     pub(super) stiffness: SVector<f64, C>,
     pub(super) drive: SVector<f64, C>,
     opens: bool,
     slides: Slides<C>,
     cone: Coulomb,
-    /// Whether the limit is a rate: that may fall.
+    /// Whether the contact is one of rates, whose limit may be negative.
     is_rate: bool,
 }
 
-/// Which way it may slide.
+/// The directions in which the contact may slide.
 enum Slides<const C: usize> {
     Never,
     /// In the plane, on the facets backwards and forwards.
@@ -31,25 +31,26 @@ enum Slides<const C: usize> {
     Round,
 }
 
-/// What a contact does at the limit of its friction.
+/// Response of a contact at the limit of its friction.
 struct AtLimit<const C: usize> {
     friction: SVector<f64, C>,
-    /// What still holds of its springs.
+    /// The springs that still resist.
     holds: SMatrix<f64, C, C>,
     state: Mode<u16>,
 }
 
-/// What it does at a stretch.
+/// Response of a contact at a stretch.
 pub(super) struct LimitedAnswer<const C: usize> {
     pub(super) force: SVector<f64, C>,
-    /// The springs that hold, and those that give way.
+    /// The springs that resist, and the springs that yield.
     pub(super) holds: SMatrix<f64, C, C>,
     pub(super) gives: SMatrix<f64, C, C>,
     pub(super) state: Mode<u16>,
 }
 
 impl<const C: usize> Limited<C> {
-    /// On the polygon that stands for a round cone, or on the cone itself. `None` if it keeps its tangential force until it opens, or is a rate in space.
+    /// The contact on the polygon in place of a round cone, or on the cone itself. `None` if it keeps its tangential force until it opens, or for an
+    /// edge in rates in space.
     pub(super) fn of(local: &LocalLaw<'_, C>, drive: &SVector<f64, C>, on_polygons: bool) -> Option<Self> {
         let (drive, cone) = (*drive, local.cone());
         if local.is_absent() {
@@ -69,7 +70,7 @@ impl<const C: usize> Limited<C> {
         };
         let keeps = opens && stiffness[1] > 0.0 && matches!(slides, Slides::Never);
         let is_rate = matches!(local.law, Law::Edge(_));
-        // The facets of a rate are no polygon.
+        // In rates, facets do not form a polygon.
         (!keeps && (C == 2 || !is_rate)).then_some(Self { stiffness, drive, opens, slides, cone, is_rate })
     }
 
@@ -102,9 +103,9 @@ impl<const C: usize> Limited<C> {
         answer
     }
 
-    /// Where friction comes to its limit; `None` where it stays below.
+    /// The response where friction exceeds its limit; `None` where it stays below.
     fn at_limit(&self, force: &SVector<f64, C>, limit: f64) -> Option<AtLimit<C>> {
-        // Along the limit friction goes with the motion.
+        // Along the limit, friction follows the motion.
         let along = |normal: &SVector<f64, C>| {
             let mut across = SMatrix::<f64, C, C>::identity() - normal * normal.transpose();
             across[(0, 0)] = 0.0;
@@ -161,7 +162,7 @@ impl<const C: usize> Limited<C> {
         }
     }
 
-    /// The limit that belongs to a normal force.
+    /// The limit of friction at a normal force.
     pub(super) fn limit(&self, normal: f64) -> f64 {
         let limit = self.cone.limit(normal);
         if self.is_rate { limit } else { limit.max(0.0) }

@@ -5,7 +5,7 @@ use crate::numerics::{Size, Vector};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 
-/// A load in inside coordinates, and what rounding took from it when it was moved to the centroid.
+/// A load in inside coordinates, and its rounding error from the move to the centroid.
 #[derive(Debug, Clone)]
 pub(crate) struct Load<D: Size> {
     pub(crate) wrench: Vector<D>,
@@ -13,7 +13,7 @@ pub(crate) struct Load<D: Size> {
 }
 
 impl<D: Size, const C: usize> Engine<D, C> {
-    /// A load of the caller's with what vacuums pull and what acts on joints whatever they do, in inside coordinates.
+    /// The caller's load with the pull of vacuums and the constant loads on bodies and joints, in inside coordinates.
     ///
     /// # Errors
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50; `what` names it.
@@ -21,7 +21,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         Ok(Load { wrench: self.load_alone(load, what)?, rest: self.inside_rest(load) })
     }
 
-    /// [`Self::load`] without what rounding takes from it.
+    /// [`Self::load`] without its rounding error.
     pub(crate) fn load_alone(&self, load: &Wrench<C>, what: &'static str) -> Result<Vector<D>, Error> {
         load.check(what)?;
         Ok(self.load_unchecked(load))

@@ -1,26 +1,26 @@
-//! What couples the contacts: the motion of the object, d coordinates without a stiffness of their
+//! The motion of the object, which couples the contacts: d coordinates without a stiffness of their
 //! own.
 //!
-//! With every contact in a known state, twist and forces follow from one `d x d` system. Everything
-//! above asks this room for it.
+//! With every contact in a known state, twist and forces follow from one `d x d` system. All rooms
+//! above obtain them here.
 //!
 //! | file | idea |
 //! |---|---|
 //! | `problem` | laws, drives and load: the local problem, at rest and in rates |
 //! | `piece` | the linear problem in known states, by orthogonal factors |
-//! | `band_piece` | that of very many coordinates, by the tangent stiffness in a narrow band |
-//! | `null_motions` | the motions in which that is singular |
+//! | `band_piece` | the same problem of very many coordinates, by the tangent stiffness in a narrow band |
+//! | `null_motions` | the motions in which the band is singular |
 //! | `solution` | its forces and twist, to the last digits |
 //! | `free_motions` | motions that no spring resists |
 //! | `energy_coordinates` | contacts where stiffness ratios do not show |
 //! | `sums` | balance there, as sums that change by a few terms |
-//! | `lazy_pricing` | which contacts can reach the end of their state within a step |
+//! | `lazy_pricing` | the contacts that can reach the end of their state within a step |
 //! | `tangent` | the tangent stiffness, and balance by steps on it |
-//! | `newton` | Newton's method for balance over what contacts answer |
-//! | `one_by_one` | contacts that answer it one by one |
-//! | `correction` | how far forces and a twist are from the solution of their piece |
+//! | `newton` | Newton's method for balance with any response of the contacts |
+//! | `one_by_one` | contacts that respond to it one by one |
+//! | `correction` | the distance of forces and a twist from the solution of their piece |
 //! | `precise`, `load` | twist, balance and load in twice the working precision |
-//! | `sizes` | what rounding is measured against |
+//! | `sizes` | sizes that scale rounding |
 
 mod band_piece;
 mod correction;

@@ -1,4 +1,4 @@
-//! Newton's method for balance, whatever the contacts answer to a motion of the object.
+//! Newton's method for balance, with any response of the contacts to a motion of the object.
 //!
 //! Given the twist q each contact's force is explicit, its state with it, so equilibrium is d equations, piecewise smooth:
 //!
@@ -6,7 +6,7 @@
 //! R(q) = Σ G_i F_i(a_i - G_iᵀq) + W = 0,      dR = -T dq,   T = Σ G_i C_i G_iᵀ
 //! ```
 //!
-//! with the tangent stiffness C_i of each contact. A few steps do at any number of contacts, but the method may go round in circles, most often
+//! with the tangent stiffness C_i of each contact. A few steps suffice for any number of contacts. But the method may cycle, most often
 //! with few contacts, where Lemke's method does not.
 
 use nalgebra::SVector;
@@ -15,11 +15,11 @@ use super::tangent::TangentFactors;
 use crate::grasp::Site;
 use crate::numerics::{Size, Vector};
 
-/// Newton's steps: it converges in a few of them.
+/// Most Newton steps: the method converges in a few.
 const STEPS: usize = 20;
-/// A step must take away this part of the share of the imbalance that its length promises.
+/// Sufficient decrease: a part of a step must reduce the imbalance by at least that part times this.
 const GAIN: f64 = 0.1;
-/// Shorter parts of a step than this are not tried.
+/// Least part of a step that is tried.
 const SHORTEST: f64 = 1e-3;
 
 /// R and the sizes of its terms.
@@ -30,7 +30,7 @@ pub(crate) struct Imbalance<D: Size> {
 }
 
 impl<D: Size> Imbalance<D> {
-    /// That of forces and a load, with this beside the sizes of the forces.
+    /// The imbalance of forces and a load; `beside` adds to the sizes of the forces.
     pub(crate) fn of<const C: usize>(
         sites: &[Site<D, C>],
         forces: &[SVector<f64, C>],
@@ -48,26 +48,26 @@ impl<D: Size> Imbalance<D> {
         self.size += force.norm();
     }
 
-    /// That of both together.
+    /// The sum of both.
     pub(crate) fn plus(self, other: Self) -> Self {
         Self { left: self.left + other.left, size: self.size + other.size }
     }
 }
 
-/// Contacts that answer a motion of the object with forces.
+/// Contacts that respond to a motion of the object with forces.
 pub(crate) trait StretchAnswers<D: Size> {
-    /// Their answers to a twist.
+    /// The imbalance of their forces at a twist.
     fn answer(&mut self, twist: &Vector<D>) -> Imbalance<D>;
 
-    /// T where they were last asked; `None` where Newton's method should not go on with it.
+    /// T at the last twist; `None` where Newton's method should stop.
     fn tangent(&mut self) -> Option<TangentFactors<D>>;
 }
 
-/// Newton's method from a twist until forces are out of balance by a part `settled` of their sizes: the twist, how many steps it took, and what is
-/// left. The answers there are those that the contacts gave last.
+/// Newton's method from a twist until forces are out of balance by a part `settled` of their sizes. Returns the twist, the number of steps, and the
+/// remaining imbalance. The contacts then hold their responses at that twist.
 ///
-/// A step that leaves more out of balance than before is halved: without that the method jumps
-/// to and fro between two states of a contact. Where no shorter one does better the whole one is made.
+/// A step that does not reduce the imbalance enough is halved: otherwise the method jumps
+/// to and fro between two states of a contact. Where no shorter step is better, the whole step is taken.
 pub(crate) fn newton<D: Size>(
     contacts: &mut impl StretchAnswers<D>,
     mut twist: Vector<D>,

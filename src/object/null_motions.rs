@@ -1,10 +1,10 @@
-//! The motions in which the T of a band is singular, and what each of them means.
+//! The motions in which the T of a band is singular, and their meaning.
 //!
 //! ```text
-//! A n = 0             no spring feels it: free
-//! A n ≠ 0, T n = 0    forces change along it in balance: neutral
-//! B z = 0             no spring balances what works on it
-//! B z ≠ 0, Tᵀz = 0    nothing responds to it: drives and loads that work on it have no solution
+//! A n = 0             no spring feels n: free
+//! A n ≠ 0, T n = 0    forces change along n in balance: neutral
+//! B z = 0             no spring balances a load that works on z
+//! B z ≠ 0, Tᵀz = 0    nothing responds to z: drives and loads that work on z have no solution
 //! ```
 
 use nalgebra::DMatrix;
@@ -14,32 +14,32 @@ use super::free_motions::NO_WORK;
 use crate::numerics::{BandFactors, Size, Vector, orthonormalise_against};
 use crate::prelude::*;
 
-/// A unit motion that stretches no spring by more than this part of what it could is free. The soft ones stretch some by more than 1e-6.
+/// A unit motion is free if it stretches springs by at most this part of the longest row. The softest springs stretch by more than 1e-6.
 const FREE: f64 = 1e-11;
-/// What T leaves of a motion in which it is singular is less than this part.
+/// T is singular in a motion if the product of T and the motion is at most this part of its stretches.
 const SINGULAR: f64 = 1e-13;
-/// How often what is left of its stretches is taken away.
+/// Corrections of a null vector by the residual of its stretches.
 const CLEARED: usize = 2;
 
 /// Motions in which T is singular.
 #[derive(Debug, Clone)]
 pub(super) struct NullMotions<D: Size> {
-    /// Orthonormal; so are all others.
+    /// Orthonormal, like the other lists.
     pub(super) free: Vec<Vector<D>>,
     pub(super) neutral: Vec<Vector<D>>,
     pub(super) unbalanced: Vec<Vector<D>>,
-    /// Each with what it stretches the rows of B by, which are orthonormal.
+    /// Each motion with its stretches by the rows of B; the lists of stretches are orthonormal.
     unanswered: Vec<(Vector<D>, Vec<f64>)>,
 }
 
-/// Null vectors apart: those that no spring feels, and the others with what they stretch springs by.
+/// Null vectors in two groups: motions that no spring feels, and the others with the stretches of springs.
 struct Apart<D: Size> {
     unfelt: Vec<Vector<D>>,
     felt: Vec<(Vector<D>, Vec<f64>)>,
 }
 
 impl<D: Size> NullMotions<D> {
-    /// Those of a band; `None` where it is nearly singular and not quite.
+    /// The null motions of a band; `None` where it is nearly, but not exactly, singular.
     pub(super) fn of(band: &BandPiece) -> Option<Self> {
         let nothing =
             Self { free: Vec::new(), neutral: Vec::new(), unbalanced: Vec::new(), unanswered: Vec::new() };
@@ -60,7 +60,7 @@ impl<D: Size> NullMotions<D> {
         Some(found)
     }
 
-    /// The motion to which nothing responds on which these stretches and a load work the most.
+    /// The sum of the motions without response, each weighted by the work of these stretches and a load on it; `None` without work.
     pub(super) fn worked_on(&self, x: &[f64], load: &Vector<D>) -> Option<Vector<D>> {
         let mut sum = Vector::zeros();
         for (z, stretches) in &self.unanswered {
@@ -69,7 +69,7 @@ impl<D: Size> NullMotions<D> {
         (sum.norm() > 0.0).then_some(sum)
     }
 
-    /// Whether they work on any by more than rounding that has grown so much.
+    /// Whether stretches and load work on such a motion by more than rounding times `growth`.
     pub(super) fn are_out_of_reach(&self, x: &[f64], load: &Vector<D>, growth: impl Fn() -> f64) -> bool {
         self.unanswered.iter().any(|(z, stretches)| {
             let sizes = |terms: &mut dyn Iterator<Item = f64>| terms.fold(0.0, |sum, term| sum + term.abs());
@@ -82,7 +82,7 @@ impl<D: Size> NullMotions<D> {
     }
 }
 
-/// Takes null vectors of T, or of its transpose, apart: those in units of the columns of the first side.
+/// Groups null vectors of T, or of its transpose, given in units of the columns of the first side.
 fn apart<D: Size>(
     band: &BandPiece,
     [side, other]: [&Side; 2],
@@ -94,7 +94,7 @@ fn apart<D: Size>(
     for mut q in vectors {
         let mut stretches = vec![0.0; springs.counts.iter().sum()];
         springs.stretch(side, &mut q, |spring, stretch| stretches[spring] = stretch);
-        // What rounding of T and its factors has left of the stretches is taken away again.
+        // Removes the residual stretches that stem from rounding of T and its factors.
         for _ in 0..CLEARED {
             let mut back = vec![0.0; q.len()];
             springs.add(other, &stretches, &mut back);
@@ -137,7 +137,7 @@ fn apart<D: Size>(
         let mut left = vec![0.0; band.numbers.len()];
         springs.add(other, &stretches, &mut left);
         let left = left.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-        // Written so that it also turns away what is not a number.
+        // This comparison also refuses NaN.
         let singular = left <= SINGULAR * length;
         if !singular {
             return None;

@@ -1,4 +1,4 @@
-//! Contacts that answer a motion of the object one by one, each to its own stretch.
+//! Contacts that respond to a motion of the object one by one, each to its own stretch.
 
 use crate::numerics::{Size, Vector};
 use core::ops::Range;
@@ -12,8 +12,8 @@ use crate::contact::ContactResponse;
 use crate::numerics::{Factors, in_halves};
 use crate::prelude::*;
 
-/// Newton's method for contacts that answer one by one, each from its last answer; all are open to begin with. Their answers are in `contacts` then, a
-/// list that is there. `beside` is a size of forces in which the method cannot see: of rounding, for instance.
+/// Newton's method for contacts that respond one by one, each from its last response; all are open at first. The last responses are left in
+/// `contacts`, a reused list. `beside` is a size of forces below which the method cannot resolve, such as rounding.
 pub(crate) fn newton_one_by_one<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     (twist, settled, beside): (Vector<D>, f64, f64),
@@ -25,7 +25,7 @@ pub(crate) fn newton_one_by_one<D: Size, const C: usize>(
     newton(&mut OneByOne { problem, answer, contacts, beside }, twist, settled)
 }
 
-/// [`newton_one_by_one`] on the round cone: each contact answers with its return map (`contact/answer`), free to change its state.
+/// [`newton_one_by_one`] on the round cone: each contact responds with its return map (`contact/answer`), free to change its state.
 pub(crate) fn newton_on_cones<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     (twist, settled): (Vector<D>, f64),
@@ -37,13 +37,13 @@ pub(crate) fn newton_on_cones<D: Size, const C: usize>(
     })
 }
 
-/// The contacts of a problem with what they have answered last.
+/// The contacts of a problem with their last responses.
 struct OneByOne<'p, 'g, F, D: Size, const C: usize> {
     problem: &'p Problem<'g, D, C>,
-    /// The answer of a contact to a stretch, from its last one.
+    /// The response of a contact to a stretch, from its last one.
     answer: F,
     contacts: &'p mut [ContactResponse<C>],
-    /// Counts beside the sizes of load and forces, N.
+    /// Added to the sizes of load and forces, N.
     beside: f64,
 }
 

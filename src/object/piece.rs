@@ -24,15 +24,15 @@ use crate::prelude::*;
 #[derive(Debug, Clone)]
 pub(crate) struct Piece<D: Size, const C: usize> {
     pub(super) springs: Vec<Spring<C>>,
-    /// Where the springs of each contact begin; at the end their number.
+    /// The first spring of each contact; at the end their number.
     first: Vec<usize>,
     /// Orthonormal motions that stretch no spring of this piece.
     pub(super) free: Vec<Vector<D>>,
-    /// Orthonormal motions that no left factor sees: a load doing work on one is not balanced in this piece.
+    /// Orthonormal motions that no left factor balances: a load with work on one has no solution in this piece.
     pub(super) unbalanced: Vec<Vector<D>>,
-    /// Of many coordinates, unless T is nearly singular and not quite.
+    /// The band, with many coordinates, unless T is nearly, but not exactly, singular.
     pub(super) band: Option<(BandPiece, NullMotions<D>)>,
-    /// Of few; of many when they are first asked for.
+    /// Orthogonal factors; with many coordinates they are computed on first use.
     orthogonal: Once<OrthogonalPiece<D>>,
     size: D,
 }
@@ -41,7 +41,7 @@ pub(crate) struct Piece<D: Size, const C: usize> {
 #[derive(Debug, Clone)]
 pub(super) struct OrthogonalPiece<D: Size> {
     pub(super) right: Orthogonal<D>,
-    /// Differs from `right` only when something slides.
+    /// B and `Q_BᵀQ_A`; `None` if nothing slides, since then B = A.
     pub(super) left: Option<(Orthogonal<D>, CompletePivoting<D>)>,
 }
 
@@ -94,7 +94,7 @@ impl<D: Size, const C: usize> Piece<D, C> {
         })
     }
 
-    /// How many coordinates it has.
+    /// Number of coordinates.
     pub(super) fn size(&self) -> D {
         self.size
     }
@@ -104,7 +104,7 @@ impl<D: Size, const C: usize> Piece<D, C> {
         &self.orthogonal().right
     }
 
-    /// The rows of Q of a contact whose springs stand along the axes of its frame: a column for each axis,
+    /// The rows of Q of a contact whose springs lie along the axes of its frame: a column for each axis,
     /// zero along axes without a spring.
     pub(crate) fn seen(&self, contact: usize) -> Map<D, C> {
         let mut seen = Map::zeros(self.size);
@@ -114,25 +114,24 @@ impl<D: Size, const C: usize> Piece<D, C> {
         seen
     }
 
-    /// Whether it has the factors of many coordinates.
+    /// Whether the piece has factors in a band.
     pub(crate) fn is_banded(&self) -> bool {
         self.band.is_some()
     }
 
-    /// What coordinates move by where a contact that sticks pushes so much along its axes in units of its springs; `None` where it has orthogonal
-    /// factors.
+    /// Displacements of the coordinates where a sticking contact pushes along its axes, in units of its springs; `None` with orthogonal factors.
     pub(crate) fn moved_by(&self, contact: usize, pushes: &SVector<f64, C>) -> Option<Vec<f64>> {
         Some(self.band.as_ref()?.0.moved_by(contact, &self.along_springs(contact, pushes)[..]))
     }
 
-    /// What that stretches the springs of a contact by, each axis so many times.
+    /// Stretch of the contact's springs under the displacements `moved`, weighted by axis with `times`.
     pub(crate) fn felt(&self, contact: usize, times: &SVector<f64, C>, moved: &[f64]) -> f64 {
         self.band
             .as_ref()
             .map_or(0.0, |(band, _)| band.felt(contact, &self.along_springs(contact, times)[..], moved))
     }
 
-    /// The components of an axis each along the springs of a contact.
+    /// For each spring of a contact the entry of its axis.
     fn along_springs(&self, contact: usize, axes: &SVector<f64, C>) -> Vec<f64> {
         self.springs[self.first[contact]..self.first[contact + 1]]
             .iter()
@@ -140,17 +139,17 @@ impl<D: Size, const C: usize> Piece<D, C> {
             .collect()
     }
 
-    /// The least motion with these coordinates R q.
+    /// The least motion with the coordinates R q.
     pub(crate) fn motion(&self, coordinates: &Vector<D>) -> Vector<D> {
         without(self.factor().preimage(coordinates), self.free_motions())
     }
 
-    /// Motions that stretch no spring of this piece: the twist is known up to them, the forces do not feel them.
+    /// Motions that stretch no spring of this piece: the twist is determined up to them, and forces do not depend on them.
     pub(crate) fn free_motions(&self) -> &[Vector<D>] {
         &self.free
     }
 
-    /// Motions along which this piece stays in equilibrium while its forces change: its solution is a whole line.
+    /// Motions along which this piece stays in equilibrium while its forces change: its solution is then a family.
     pub(crate) fn neutral_motions(&self) -> Vec<Vector<D>> {
         if let Some((_, null)) = &self.band {
             return null.neutral.clone();
@@ -167,7 +166,7 @@ impl<D: Size, const C: usize> Piece<D, C> {
         motions
     }
 
-    /// A virtual motion to which nothing here responds, and on which drives and load work the most: `Σ G_i C_iᵀG_iᵀ y = 0` with the
+    /// A virtual motion y without response, on which drives and load work the most: `Σ G_i C_iᵀG_iᵀ y = 0` with the
     /// tangents C_i of this piece.
     pub(crate) fn unanswered(&self, drives: &[SVector<f64, C>], load: &Vector<D>) -> Option<Vector<D>> {
         let worked = |basis: &[Vector<D>], work: &Vector<D>| {
@@ -190,7 +189,7 @@ impl<D: Size, const C: usize> Piece<D, C> {
         Some(left.preimage(&worked(&kernel, &(pushed + left.load_coordinates(load)))?))
     }
 
-    /// How much relative rounding errors grow in this piece, at least 1.
+    /// Growth of relative rounding errors in this piece, at least 1.
     pub(crate) fn growth(&self) -> f64 {
         match &self.band {
             Some((band, _)) => band.growth(),
@@ -198,12 +197,12 @@ impl<D: Size, const C: usize> Piece<D, C> {
         }
     }
 
-    /// Whether the load works on no motion that nothing here balances.
+    /// Whether the load does no work on the unbalanced motions of this piece.
     pub(crate) fn resists(&self, wrench: &Vector<D>) -> bool {
         worked_on(&self.unbalanced, wrench).is_none()
     }
 
-    /// The springs of every contact that has any, with the places of these springs in the whole list.
+    /// The springs of every contact that has any, with their range in the whole list.
     pub(super) fn of_each_contact(&self) -> impl Iterator<Item = (usize, &[Spring<C>], Range<usize>)> {
         self.first.windows(2).enumerate().filter(|(_, range)| range[0] < range[1]).map(|(contact, range)| {
             let range = range[0]..range[1];
@@ -213,7 +212,7 @@ impl<D: Size, const C: usize> Piece<D, C> {
 }
 
 impl<D: Size> OrthogonalPiece<D> {
-    /// Of the rows of A and, where something slides, those of B.
+    /// Factors from the rows of A and, where a contact slides, of B.
     fn new(size: D, right: Vec<Vector<D>>, left: Option<Vec<Vector<D>>>) -> Self {
         let right = Orthogonal::new(size, right);
         let Some(left) = left else { return Self { right, left: None } };
@@ -227,7 +226,7 @@ impl<D: Size> OrthogonalPiece<D> {
         Self { right, left: Some((left, coupling)) }
     }
 
-    /// Whose rows balance loads.
+    /// The factor whose rows balance loads: B, or A where nothing slides.
     pub(super) fn balance(&self) -> &Orthogonal<D> {
         self.left.as_ref().map_or(&self.right, |(left, _)| left)
     }

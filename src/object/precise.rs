@@ -1,7 +1,7 @@
 //! Motion of the object and balance of forces in twice the working precision.
 //!
-//! What a stiff spring leaves of its equation is the difference of numbers 1e14 times as large as itself. With G_i, W and q to twice the
-//! working precision, solving again for what is left gives forces that are right to the last digit.
+//! The residual of a stiff spring is the difference of numbers 1e14 times as large. With G_i, W and q in twice the
+//! working precision, solving again for the residual gives forces that are right to the last digit.
 
 use core::ops::Range;
 
@@ -25,14 +25,14 @@ impl<D: Size> Precise<D> {
         Self { high, low }
     }
 
-    /// Some of its components.
+    /// The components within a range.
     #[inline(always)]
     fn within(&self, range: Range<usize>) -> impl Iterator<Item = DoubleDouble> {
         let (high, low) = (&self.high.as_slice()[range.clone()], &self.low.as_slice()[range]);
         high.iter().zip(low).map(|(&high, &low)| DoubleDouble { high, low })
     }
 
-    /// Changes some of its components, each by something.
+    /// Changes the components within a range, each by an entry of `by`.
     #[inline(always)]
     fn change<X>(
         &mut self,
@@ -71,7 +71,7 @@ impl<D: Size> PreciseTwist<D> {
         self.0.value()
     }
 
-    /// What is left when another twist is taken away.
+    /// The difference to another twist.
     pub(super) fn less(mut self, other: &Self) -> Vector<D> {
         let all = 0..other.0.high.as_slice().len();
         self.0.change(all.clone(), other.0.within(all), DoubleDouble::subtract);

@@ -1,10 +1,10 @@
-//! The local problem that every room above asks in one way: a law for each contact, a drive for each contact, a load.
+//! The local problem, the same for all rooms above: a law for each contact, a drive for each contact, a load.
 //!
 //! ```text
 //! v_i = a_i - G_iᵀq,      F_i from v_i by the law of contact i,      Σ G_i F_i + W = 0
 //! ```
 //!
-//! At rest the drives a_i are commanded displacements and the laws are whole; in rates both are those of what happens next.
+//! At rest the drives a_i are commanded displacements and the laws are whole; in rates both describe what happens next.
 
 use crate::numerics::{Size, Vector};
 use alloc::sync::Arc;
@@ -19,15 +19,15 @@ use crate::grasp::{Engine, Remembered, Site, Wrench, size_of};
 use crate::numerics::{DoubleDouble, cleared_for};
 use crate::prelude::*;
 
-/// Laws, drives a_i, load: `Σ G_i F_i + W = 0` is sought.
+/// Laws, drives a_i and load of the equation `Σ G_i F_i + W = 0`.
 #[derive(Debug, Clone)]
 pub(crate) struct Problem<'g, D: Size, const C: usize> {
     pub(crate) sites: &'g [Site<D, C>],
-    /// The polygon of every contact that has none of its own.
+    /// The polygon of every contact without a polygon of its own.
     pub(crate) polygon: Arc<Polygon<C>>,
-    /// Polygons of their own, turned to the traction: none, or one a contact.
+    /// Polygons turned to the traction: empty, or one for each contact.
     pub(crate) turned: Vec<Polygon<C>>,
-    /// Cones that contacts have in place of those at rest: none, or one a contact.
+    /// Cones in place of the cones at rest: empty, or one for each contact.
     pub(crate) cones: Vec<Coulomb>,
     pub(crate) laws: Vec<Law<C>>,
     /// Commanded displacement less clearance and less the slip so far.
@@ -35,17 +35,17 @@ pub(crate) struct Problem<'g, D: Size, const C: usize> {
     /// The slip so far, in the contact frames.
     pub(crate) slips: Vec<SVector<f64, C>>,
     pub(crate) wrench: Vector<D>,
-    /// What rounding took from the load when it was moved to the centroid.
+    /// Rounding error of the load from the move to the centroid.
     pub(crate) wrench_rest: Vector<D>,
     /// Contacts with infinite friction get facets, as with a very large finite one.
     pub(crate) infinite_friction_has_edges: bool,
-    /// In space: sticking contacts are held by the round cone; the polygon only proposes.
+    /// In space: the round cone limits sticking contacts, and the polygon only proposes states.
     pub(crate) round: bool,
-    /// Where the factors of the elastic trial are kept, at rest.
+    /// The place of the factors of the elastic trial, at rest.
     pub(crate) trial: Option<&'g Remembered>,
 }
 
-/// What a problem says of each contact, as memory for another one.
+/// The lists of a problem, one entry for each contact, as memory for another problem.
 #[derive(Debug, Clone)]
 pub(crate) struct Lists<const C: usize> {
     pub(crate) laws: Vec<Law<C>>,
@@ -72,7 +72,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         self.problem_in(lists, polygon, round, load)
     }
 
-    /// [`Self::problem`] in lists that are there, with the drives of theirs.
+    /// [`Self::problem`] in reused lists, with the drives in them.
     pub(crate) fn problem_in(
         &self,
         lists: Lists<C>,
@@ -128,7 +128,7 @@ impl<'g, D: Size, const C: usize> Problem<'g, D, C> {
         }
     }
 
-    /// The problem of what happens next: these laws, driven at these rates. The round cone matters only at its apex: on an edge it is a
+    /// The problem of the rates: these laws, driven at these rates. The round cone matters only at its apex; on an edge it is a
     /// facet.
     pub(crate) fn at_rates(
         &self,
@@ -149,7 +149,7 @@ impl<'g, D: Size, const C: usize> Problem<'g, D, C> {
         Load { wrench: self.wrench.clone(), rest: self.wrench_rest.clone() }
     }
 
-    /// How many coordinates it has.
+    /// Number of coordinates.
     #[inline]
     pub(crate) fn size(&self) -> D {
         size_of(self.sites)
@@ -159,20 +159,20 @@ impl<'g, D: Size, const C: usize> Problem<'g, D, C> {
         self.sites.len()
     }
 
-    /// The polygon that stands for the cone of a contact.
+    /// The polygon in place of a contact's round cone.
     #[inline]
     pub(crate) fn polygon(&self, contact: usize) -> &Polygon<C> {
         let own = || self.sites[contact].polygon.as_ref().unwrap_or(&self.polygon);
         self.turned.get(contact).unwrap_or_else(|| own())
     }
 
-    /// The friction cone of a contact: that at rest unless it slides with less.
+    /// The friction cone of a contact: the cone at rest, unless it slides with less friction.
     #[inline]
     pub(crate) fn cone(&self, contact: usize) -> Coulomb {
         self.cones.get(contact).copied().unwrap_or(self.sites[contact].friction)
     }
 
-    /// Which contacts slide with less friction than at rest; empty where none is weaker then.
+    /// Which contacts slide with less friction than at rest; empty without such friction.
     pub(crate) fn weaker(&self) -> Vec<bool> {
         self.cones.iter().zip(self.sites).map(|(cone, site)| *cone != site.friction).collect()
     }
@@ -195,7 +195,7 @@ impl<'g, D: Size, const C: usize> Problem<'g, D, C> {
         (0..self.len()).map(|contact| self.local(contact))
     }
 
-    /// What each contact answers, in order.
+    /// The value of `of` for each contact, in order.
     pub(crate) fn each<T>(&self, of: impl Fn(LocalLaw<'_, C>) -> T) -> Vec<T> {
         let mut answers = Vec::with_capacity(self.len());
         for contact in 0..self.len() {
@@ -210,18 +210,18 @@ impl<'g, D: Size, const C: usize> Problem<'g, D, C> {
         self.sites[contact].stretch(&self.drives[contact], twist)
     }
 
-    /// The states of the elastic trial: everything that is there sticks.
+    /// The states of the elastic trial: every contact that is present sticks.
     pub(crate) fn unjumped(&self) -> Vec<State<C>> {
         self.each(|local| local.unjumped())
     }
 
-    /// What slides goes on sliding and what has reached an edge slides along it: in rates the common case, one solve. What is at the
-    /// apex of its cone opens.
+    /// The states in which contacts on an edge slide along it and contacts at the apex open: in rates the common case, found by one
+    /// solve.
     pub(crate) fn yielding(&self) -> Vec<State<C>> {
         self.each(|local| local.yielding())
     }
 
-    /// The same states, with slides on the round cone that belong to these friction forces and to the slip at this twist.
+    /// The states with updated slides on the round cone, from these friction forces and the slip at this twist.
     pub(crate) fn slid_on(
         &self,
         states: &[State<C>],
@@ -242,7 +242,7 @@ impl<'g, D: Size, const C: usize> Problem<'g, D, C> {
         states.iter().enumerate().map(slid_on).collect()
     }
 
-    /// The slip of a contact with this friction force: of a stiff one a small difference.
+    /// The slip of a contact with this friction force, in twice the working precision: for a stiff contact it is a small difference.
     fn precise_slip(
         &self,
         contact: usize,

@@ -1,4 +1,4 @@
-//! Sizes of a scene: what rounding of forces and displacements is measured against.
+//! Sizes of a scene that scale the rounding of forces and displacements.
 
 use nalgebra::SVector;
 
@@ -10,9 +10,9 @@ use crate::grasp::Site;
 use crate::numerics::{Size, Vector};
 use crate::prelude::*;
 
-/// Where a statically determinate grasp carries no force at all, what comes out of three projections is the rounding of
-/// the rounding of the rounding (1e-45) of the forces that its springs could have had from displacements of this size. This
-/// part of those counts as a force, so that noise is not measured against itself.
+/// Part of the springs' possible forces that counts as a force. Where a statically determinate grasp carries no force at all, three projections
+/// leave rounding of rounding of rounding (1e-45) of the forces that its springs could have from displacements of this size. With this part,
+/// noise is not compared with itself.
 pub(crate) const NO_FORCE: f64 = 1e-25;
 
 /// The least force that a spring of the scene could have from displacements of these sizes, contact by contact.
@@ -32,7 +32,7 @@ pub(crate) fn largest_force<D: Size, const C: usize>(
     forces: impl Iterator<Item = f64>,
 ) -> f64 {
     let largest = forces.fold(load, f64::max);
-    // The least of them is no larger than the first: mostly that says that it does not count.
+    // The least force is at most the first one, which mostly shows that it is too small to matter.
     let least_of = |count: usize| {
         let norm = twist.norm();
         let spans = sites.iter().zip(drives).map(|(site, a)| site.span_moved(a, norm));
@@ -48,7 +48,7 @@ impl<D: Size, const C: usize> Problem<'_, D, C> {
         largest_force(self.sites, &self.drives, twist, self.wrench.norm(), sizes)
     }
 
-    /// What the rounding of each force is measured against, of a state with these drives under a load of this size.
+    /// The size that scales the rounding of each force, for a state with these drives under a load of this size.
     pub(crate) fn force_sizes(
         &self,
         drives: &[SVector<f64, C>],
@@ -69,7 +69,7 @@ impl<D: Size, const C: usize> Problem<'_, D, C> {
         self.sites[contact].span(&self.drives[contact], twist)
     }
 
-    /// Where a contact is, for its conditions.
+    /// Stretch, force and sizes of a contact, for its conditions.
     pub(crate) fn at<'s>(
         &self,
         contact: usize,
@@ -80,7 +80,7 @@ impl<D: Size, const C: usize> Problem<'_, D, C> {
         self.at_moved((contact, force), twist, twist.norm(), largest)
     }
 
-    /// [`Self::at`], of a twist with this norm: what is asked of many contacts.
+    /// [`Self::at`] of a twist with a known norm, for loops over many contacts.
     #[inline]
     pub(crate) fn at_moved<'s>(
         &self,

@@ -1,6 +1,6 @@
 //! Forces and twist of a piece, to the last digits.
 //!
-//! What a solution leaves of its equations is evaluated in twice the working precision and solved for again:
+//! The residuals of a solution are evaluated in twice the working precision and solved for again:
 //!
 //! ```text
 //! e_r = right_r · (a_i - G_iᵀ q) - x_r,      ρ = Σ G_i left_r x_r + W
@@ -17,11 +17,11 @@ use crate::grasp::Site;
 use crate::numerics::{DoubleDouble, Size, Vector, cleared_for, without};
 use crate::prelude::*;
 
-/// A correction by less than this part of the largest force is the last: what it leaves is this part of itself.
+/// A correction by less than this part of the largest force is the last: its own error is this part of it.
 pub(super) const NEARLY: f64 = 1e-8;
-/// Where each leaves the same part of the one before, a second correction by less than this part is the last.
+/// Where each correction leaves a constant part of the one before, a later correction by less than this part of the largest force is the last.
 const SHARP: f64 = 1e-15;
-/// Corrections at most: where a force is zero exactly each leaves 1e-16 of what was there before.
+/// Most corrections: where a force is exactly zero, each correction leaves 1e-16 of the previous value.
 pub(super) const MOST_CORRECTIONS: usize = 4;
 
 /// Forces and a twist of one linear piece.
@@ -39,23 +39,23 @@ impl<D: Size, const C: usize> Default for PieceState<D, C> {
     }
 }
 
-/// Memory for one solution after another: what springs carry, and what that changes by.
+/// Memory for repeated solutions: the forces of springs, and their changes.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct SolutionMemory {
     x: Vec<f64>,
     change: Vec<f64>,
 }
 
-/// Why a piece has no solution under a load.
+/// The reason why a piece has no solution under a load.
 #[derive(Debug, Clone)]
 pub(crate) struct Unbalanced<D: Size> {
-    /// The unit motion on which the load works and no contact of this piece resists; `None` when the springs do
-    /// resist it but friction lets them not push that way.
+    /// The unit motion on which the load works and no contact of this piece resists. `None` when springs
+    /// resist it, but friction does not let them push in that direction.
     pub(crate) motion: Option<Vector<D>>,
 }
 
 impl<D: Size, const C: usize> Piece<D, C> {
-    /// Forces and the twist of least norm under these drives and this load. The sites are those the piece was made of.
+    /// Forces and the twist of least norm under these drives and this load, with the sites of this piece.
     pub(crate) fn solve(
         &self,
         sites: &[Site<D, C>],
@@ -67,7 +67,7 @@ impl<D: Size, const C: usize> Piece<D, C> {
         Ok(state)
     }
 
-    /// [`Self::solve`] in memory that is there.
+    /// [`Self::solve`] in reused memory.
     pub(crate) fn solve_into(
         &self,
         sites: &[Site<D, C>],
@@ -102,7 +102,7 @@ impl<D: Size, const C: usize> Piece<D, C> {
             None => pushed + &pulled,
             Some((_, coupling)) => {
                 let (step, unreached) = coupling.solve(&(&pushed + &pulled));
-                // Near a solution the sum is a difference, known up to the rounding of its terms.
+                // Near a solution the sum is a difference, accurate to the rounding of its terms.
                 let known = NO_WORK * pushed.amax().max(pulled.amax());
                 if unreached > known && unreached > known * coupling.growth() {
                     return Err(Unbalanced { motion: None });
@@ -119,8 +119,8 @@ impl<D: Size, const C: usize> Piece<D, C> {
         Ok(())
     }
 
-    /// Solves again for what is left of the equations. Whether that ends with a first correction that is `NEARLY` nothing or a later one by less than a part
-    /// `sharp` of the largest force.
+    /// Solves again for the residuals. Returns whether the first correction was below the part `NEARLY` of the largest force, or a later one below
+    /// the part `sharp`.
     fn refine(
         &self,
         sites: &[Site<D, C>],
@@ -147,15 +147,15 @@ impl<D: Size, const C: usize> Piece<D, C> {
         false
     }
 
-    /// Forces and the twist of least norm where everything sticks and every motion is resisted, without the steps in twice the precision:
-    /// the projection is applied twice, which leaves a few roundings of the largest force.
+    /// Forces and the twist of least norm where all contacts stick and every motion is resisted, without corrections in twice the precision.
+    /// The projection is applied twice, which leaves a few roundings of the largest force.
     pub(crate) fn solve_roughly(&self, drives: &[SVector<f64, C>], wrench: &Vector<D>) -> PieceState<D, C> {
         let mut state = PieceState::default();
         self.solve_roughly_into(drives, wrench, (&mut SolutionMemory::default(), &mut state));
         state
     }
 
-    /// [`Self::solve_roughly`] in memory that is there.
+    /// [`Self::solve_roughly`] in reused memory.
     pub(crate) fn solve_roughly_into(
         &self,
         drives: &[SVector<f64, C>],
@@ -181,7 +181,7 @@ impl<D: Size, const C: usize> Piece<D, C> {
         self.forces_into(&mut state.forces, x, drives.len());
     }
 
-    /// `x - A (BᵀA)⁻¹ (Bᵀx + W)` in place of x, and the twist that goes with it.
+    /// Replaces x by `x - A (BᵀA)⁻¹ (Bᵀx + W)` and returns the twist `(BᵀA)⁻¹ (Bᵀx + W)`.
     pub(super) fn respond(&self, x: &mut [f64], wrench: &Vector<D>) -> Vector<D> {
         match &self.band {
             Some((band, _)) => band.respond(x, wrench),
@@ -252,7 +252,7 @@ impl<D: Size, const C: usize> Piece<D, C> {
                 left.add(-x);
             }
             for a in 0..C {
-                // Springs along the axes are the most, and have one component each.
+                // Most springs lie along the axes and have one component each.
                 if springs.iter().any(|spring| spring.right[a] != 0.0) {
                     let v = twist.stretch(site, a, drives[contact][a]);
                     for (left, spring) in left.iter_mut().zip(springs).filter(|(_, s)| s.right[a] != 0.0) {
@@ -276,7 +276,7 @@ impl<D: Size, const C: usize> Piece<D, C> {
 }
 
 impl<D: Size> OrthogonalPiece<D> {
-    /// `x - Q_A (Q_BᵀQ_A)⁻¹ (Q_Bᵀx + R_B⁻ᵀW)` in place of x, and the twist that goes with it.
+    /// Replaces x by `x - Q_A (Q_BᵀQ_A)⁻¹ (Q_Bᵀx + R_B⁻ᵀW)` and returns the twist of that step.
     fn respond(&self, x: &mut [f64], wrench: &Vector<D>) -> Vector<D> {
         let balance = self.balance();
         let excess = balance.coordinates(x) + balance.load_coordinates(wrench);

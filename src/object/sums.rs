@@ -2,8 +2,8 @@
 //! terms.
 //!
 //! With every contact in a known state, forces balance the load where `Σ Qᵀ(x - x⁰) = 0`. With `x =
-//! P u` these are d equations for the motion y on top of the elastic trial motion. They have a side
-//! for everything else that x depends on:
+//! P u` these are d equations for the motion y on top of the elastic trial motion. Each other
+//! variable λ_r that x depends on adds a right side:
 //!
 //! ```text
 //! T y = Σ_r b_r λ_r,     T = Σ QᵀP Q,     b_r = Σ Qᵀp_r
@@ -18,15 +18,15 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::numerics::in_halves;
 
-/// Sums are made afresh after this many changes and a quarter of the number of contacts. A change
-/// leaves a rounding, fresh sums cost a look at each contact.
+/// Sums are recomputed after this number of changes plus a quarter of the number of contacts. A change
+/// leaves a rounding; new sums evaluate each contact.
 const FRESH: usize = 64;
 
-/// How often a motion from such sums is corrected by what its forces, summed afresh, leave out of
-/// balance: the second time removes the rounding of the first.
+/// Corrections of a motion from such sums by the imbalance of its forces, summed anew: the second
+/// removes the rounding of the first.
 pub(crate) const CORRECTIONS: usize = 2;
 
-/// Whether sums over so many contacts have changed too often to be trusted.
+/// Whether sums over this number of contacts have changed too often to be accurate.
 pub(crate) fn are_stale(changes: usize, contacts: usize) -> bool {
     changes > FRESH + contacts / 4
 }
@@ -39,14 +39,14 @@ pub(crate) struct Sums<D: Size, const R: usize> {
 }
 
 impl<D: Size, const R: usize> Default for Sums<D, R> {
-    /// [`Self::sticking`], of no coordinates yet if their number is any.
+    /// [`Self::sticking`], without coordinates yet if their number is dynamic.
     fn default() -> Self {
         Self::sticking(D::default())
     }
 }
 
 impl<D: Size, const R: usize> Sums<D, R> {
-    /// Those of contacts that all stick, without memory: Q has orthonormal columns.
+    /// The sums of contacts that all stick, without allocation: Q has orthonormal columns.
     pub(crate) fn sticking(size: D) -> Self {
         let stiffness = Square::from_diagonal(size, |_| 1.0);
         Self { stiffness, sides: core::array::from_fn(|_| Vector::zeros()) }
@@ -59,7 +59,7 @@ impl<D: Size, const R: usize> Sums<D, R> {
         self.sides.iter_mut().for_each(|side| *side = Vector::zeros());
     }
 
-    /// The sums over so many contacts, whose terms `add` adds. Entries of y from `rank` on move
+    /// The sums over this number of contacts, with the terms from `add`. Entries of y from `rank` on move
     /// nothing.
     pub(crate) fn over(
         size: D,
@@ -83,8 +83,8 @@ impl<D: Size, const R: usize> Sums<D, R> {
         sums
     }
 
-    /// Adds the terms of a contact, `weight` times: what it sees of y, what its state holds of its
-    /// stretch (`None`: everything), and p for each side.
+    /// Adds the terms of a contact, times `weight`: its map `seen` of y, the projection `hold` by its state
+    /// (`None`: identity), and p for each side.
     pub(crate) fn add<const C: usize>(
         &mut self,
         seen: &Seen<D, C>,

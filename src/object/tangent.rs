@@ -1,12 +1,12 @@
-//! The tangent stiffness: to first order every contact is a few springs, and a step of the twist changes its force by them.
+//! The tangent stiffness: to first order every contact is a few springs, which give the change of its force with the twist.
 //!
 //! ```text
 //! R = Σ G_i F_i + W,     T = Σ G_i C_i G_iᵀ,     dq = T⁻¹R,     F_i -= C_i G_iᵀ dq
 //! ```
 //!
-//! The forces are corrected, not made anew from the twist: where a stiff spring hardly gives, its force is known from
-//! equilibrium and not from displacements. What a step leaves of R is its own rounding, so that a few of them balance
-//! to the last digits where T is regular; where it is not, see [`super::Piece`].
+//! The forces are corrected instead of recomputed from the twist: the force of a spring that hardly gives follows from
+//! equilibrium, not from displacements. After a step R is its own rounding, so that a few steps balance
+//! to the last digits where T is regular; where T is singular, see [`super::Piece`].
 
 use crate::numerics::{Size, Square, Vector};
 use core::ops::Range;
@@ -22,7 +22,7 @@ use crate::grasp::{Site, size_of};
 use crate::numerics::{Factors, PartialPivoting, in_halves};
 use crate::prelude::*;
 
-/// Steps of refinement: where the first does not do, the second should.
+/// Steps of refinement: where one is not enough, the second should be.
 const STEPS: usize = 4;
 
 /// Factors of T, in a band where there are many coordinates.
@@ -32,7 +32,7 @@ pub(crate) enum TangentFactors<D: Size> {
 }
 
 impl<D: Size> TangentFactors<D> {
-    /// A solution of `T y = b`, as far as there is one.
+    /// A solution of `T y = b`; where T is singular, of the part of b that has one.
     pub(crate) fn solve(&self, b: &Vector<D>) -> Vector<D> {
         match self {
             Self::Whole(factors) => factors.solve(b),
@@ -93,7 +93,7 @@ pub(crate) fn tangent_stiffness<D: Size, const C: usize>(
 /// Adds `G_i C_i G_iᵀ` of one contact to T.
 fn add_tangent<D: Size, const C: usize>(t: &mut Square<D>, site: &Site<D, C>, springs: &SpringTangent<C>) {
     let pushed: [Vector<D>; C] = core::array::from_fn(|a| &site.map * springs.column(a).into_owned());
-    // A contact of one finger does not feel the joints of the others, a drive nothing but its own.
+    // A contact of one finger does not feel the joints of the others, and a drive feels only its own joint.
     for columns in site.support.ranges::<C>() {
         for j in columns {
             let column = t.column_slice_mut(j);
@@ -105,8 +105,8 @@ fn add_tangent<D: Size, const C: usize>(t: &mut Square<D>, site: &Site<D, C>, sp
     }
 }
 
-/// Corrects forces and twist until what is out of balance, R, is this part of the sizes of its terms. Returns by how much
-/// that changed a force at most; `None` if it does not get there.
+/// Corrects forces and twist until the imbalance R is at most the part `part` of the sizes of its terms. Returns the sum of the largest
+/// changes of a force; `None` if the steps do not suffice.
 pub(crate) fn balance<D: Size, const C: usize>(
     sites: &[Site<D, C>],
     springs: &[SpringTangent<C>],

@@ -1,4 +1,4 @@
-//! The elastic trial: the piece in which everything that is there sticks.
+//! The elastic trial: the piece in which every contact that is present sticks.
 
 use crate::numerics::Size;
 use alloc::sync::Arc;
@@ -7,12 +7,12 @@ use super::piece::Piece;
 use super::problem::Problem;
 use crate::contact::State;
 
-/// Grasps of more sites than this do not keep their factors: many sites take memory, and many questions are asked of few.
+/// Grasps of more sites than this do not keep their factors: many sites take memory, and most repeated questions concern few.
 const MOST_KEPT: usize = 256;
 
 impl<D: Size, const C: usize> Problem<'_, D, C> {
-    /// The piece in which everything that is there sticks. At rest it follows from the sites of the grasp alone, whatever the load
-    /// and the commands, and is made once for all questions.
+    /// The piece in which every contact that is present sticks. At rest it depends on the sites of the grasp alone, not on load
+    /// or commands, and is made once for all questions.
     pub(crate) fn trial(&self) -> Arc<Piece<D, C>> {
         let make = || Piece::new(self, &self.unjumped());
         match self.trial {
@@ -21,7 +21,7 @@ impl<D: Size, const C: usize> Problem<'_, D, C> {
         }
     }
 
-    /// The piece of these states; that of the elastic trial where they are its states.
+    /// The piece of these states, or the elastic trial's piece if the states are its own.
     pub(crate) fn piece(&self, states: &[State<C>]) -> Arc<Piece<D, C>> {
         let unjumped = || self.locals().zip(states).all(|(local, state)| local.unjumped() == *state);
         if self.trial.is_some() && unjumped() { self.trial() } else { Arc::new(Piece::new(self, states)) }

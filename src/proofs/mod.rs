@@ -1,13 +1,13 @@
-//! Proofs that no equilibrium exists, that need no search among contact states.
+//! Proofs that no equilibrium exists, without a search among contact states.
 //!
 //! | file | idea |
 //! |---|---|
-//! | `wrench_cone` | the load lies outside all that friction can do: a separating motion |
-//! | `separating_many` | the same of many coordinates, in a band |
-//! | `escape` | when a contradiction counts |
-//! | `refutation` | case by case on the round cone, to be checked by anyone |
-//! | `nothing_near` | nothing holds within a radius of where an equilibrium was lost |
-//! | `open_choices` | for each choice of open contacts, all that friction could do is a convex question |
+//! | `wrench_cone` | the load lies outside the cone of all contact forces: a separating motion |
+//! | `separating_many` | the same proof with many coordinates, in a band |
+//! | `escape` | the margin with which a contradiction counts |
+//! | `refutation` | case by case on the round cone, as a certificate that can be checked |
+//! | `nothing_near` | no equilibrium within a radius of the point where one was lost |
+//! | `open_choices` | for each choice of open contacts a convex problem without friction's direction |
 
 mod escape;
 mod nothing_near;

@@ -1,19 +1,19 @@
-//! A proof that nothing holds near where an equilibrium was lost, whatever has slipped before.
+//! A proof that no equilibrium exists near the point where one was lost, whatever has slipped before.
 //!
-//! For any virtual motion v with `u_i = G_iᵀv` balance gives `W·v = -Σ F_i·u_i`, and no contact does more against v than its
-//! [`Resistance`]. Only the normal stretches enter, which the motion q of the object alone decides:
+//! For any virtual motion v with `u_i = G_iᵀv` balance gives `W·v = -Σ F_i·u_i`, and no contact works against v by more than its
+//! [`Resistance`]. Only the normal stretches enter, which the motion q of the object alone determines:
 //!
 //! ```text
 //! W·v  <=  h(q) = Σ c_i (a_n,i - n·G_iᵀq)₊  +  Σ r_i·(a_i - G_iᵀq)
 //! ```
 //!
-//! With `x₊ = x + (-x)₊` and `x_i` the stretch at q*, h grows from q* to `q* + δ` no further than to
+//! With `x₊ = x + (-x)₊` and the stretch `x_i` at q*, the bound on h at `q* + δ` is
 //!
 //! ```text
 //! h  <=  Σ c_i x_i + Σ r_i·v_i  +  |(Σ c_i G_i n + Σ G_i r_i)·δ|  +  Σ c_i (|G_i n·δ| - x_i)₊
 //! ```
 //!
-//! Where that stays below `W·v`, no equilibrium exists. Opposed contacts cancel in the sum: then nothing holds until one of them opens.
+//! Where this bound is below `W·v`, no equilibrium exists. Opposed contacts cancel in the sum; h then grows only once one of them opens.
 
 use crate::contact::Resistance;
 use crate::grasp::of_the_object;
@@ -21,11 +21,12 @@ use crate::numerics::{Size, Vector, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// Sums of so many terms are off by this part of the sum of their sizes at most, products and maps that were rounded before included.
+/// Bound of a sum's rounding per term, relative to the sum of the sizes of its terms. It includes the rounding of products and maps.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// The largest ρ such that no equilibrium exists at any `q* + δ`, for δ up to ρ. Such a δ moves the centroid by at most ρ, turns the object by at most ρ over
-/// the inside unit of length, and moves each further coordinate by at most ρ. Infinite where no equilibrium exists at all; `None` where nothing is proved even at q*.
+/// The largest ρ such that no equilibrium exists at any `q* + δ`, for δ up to ρ. Such a δ moves the centroid by at most ρ, turns the object by at
+/// most ρ over the inside unit of length, and moves each further coordinate by at most ρ. Infinite where no equilibrium exists at all; `None` where
+/// nothing is proved even at q*.
 pub(crate) fn nothing_near<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     at: &Vector<D>,
@@ -35,7 +36,7 @@ pub(crate) fn nothing_near<D: Size, const C: usize>(
     let mut size = motion.norm() * problem.wrench.norm();
     let mut resisted = 0.0;
     let mut slope = Vector::<D>::zeros();
-    // What opens on the way: from where on, and how much faster the bound grows from there.
+    // Contacts that may open: the ρ from which they do, and the additional growth of the bound from there.
     let mut openings = Vec::new();
     for (i, (site, local)) in problem.sites.iter().zip(problem.locals()).enumerate() {
         let stretch = problem.stretch(i, at);
@@ -47,7 +48,7 @@ pub(crate) fn nothing_near<D: Size, const C: usize>(
                 if reach > 0.0 {
                     openings.push((stretch[0].max(0.0) / reach, c * reach));
                 }
-                // Open already, it adds nothing at q* and all that it closes by beyond.
+                // A contact that is open at q* adds nothing there; beyond q* it adds at most c times the distance by which it closes.
                 resisted += c * (-stretch[0]).max(0.0);
                 (c * stretch[0], unit::<C>(0) * c)
             }
@@ -71,11 +72,11 @@ pub(crate) fn nothing_near<D: Size, const C: usize>(
         left -= growth * (from - rho);
         (rho, growth) = (from, growth + faster);
     }
-    // Rounding of the sums above takes its part of the radius, too.
+    // Rounding of the sums above reduces the radius, too.
     Some((rho + left / growth) * (1.0 - rounding))
 }
 
-/// The most that a row does along a δ of ρ = 1: the norms of what it has for translation and for rotation, and the sizes of all else.
+/// The largest product of a row with a δ of ρ = 1: the norms of its translation and its rotation, and the sizes of all other entries.
 fn reach<D: Size, const C: usize>(row: &Vector<D>) -> f64 {
     let object = of_the_object::<C>();
     let part = |from: usize, to: usize| (from..to).map(|k| row[k] * row[k]).sum::<f64>().sqrt();

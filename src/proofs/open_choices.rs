@@ -1,5 +1,5 @@
-//! A proof that nothing holds beyond a load, for contacts too many to try all their states: for each choice of which contacts are
-//! open, all that friction could do is a convex question.
+//! A proof that no equilibrium exists beyond a load, where contacts are too many to try all their states: each choice of open
+//! contacts leaves a convex problem.
 //!
 //! With the closed contacts chosen, forces that balance the load exist only if there are a motion q and friction forces with
 //!
@@ -8,9 +8,9 @@
 //! n·u(q) - a_n >= 0                                                                        open
 //! ```
 //!
-//! These conditions forget where friction points. They are linear, Γ x + w = 0 with x >= 0. The residual y of the nearest
+//! These conditions do not fix the direction of friction. They are linear, Γ x + w = 0 with x >= 0. The residual y of the nearest
 //! x >= 0 has y·γ >= 0 for all columns γ of Γ, and proves that no x solves them if y·w > 0 (Farkas). As w is linear in the
-//! load, y·w >= 0 at the load and y·w > 0 a little further on prove it for all loads in between.
+//! load, y·w >= 0 at the load and y·w > 0 a little beyond prove it for all loads in between.
 
 use nalgebra::{DMatrix, DVector, SVector};
 
@@ -21,10 +21,10 @@ use crate::numerics::{Size, Vector, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// Up to this many contacts that may open all choices of open ones are looked at.
+/// Most contacts that may open: all choices of open ones among them are tried.
 const MOST_CONTACTS: usize = 8;
 
-/// Whether no forces whatsoever hold between a load (not included) and another a little further on.
+/// Whether no forces hold any load between a load (not included) and another a little beyond.
 pub(crate) fn nothing_holds<D: Size, const C: usize>(here: &Problem<D, C>, past: &Problem<D, C>) -> bool {
     let free: Vec<usize> = (0..here.len()).filter(|&i| here.local(i).may_open()).collect();
     let whole = !here.locals().any(|local| local.is_absent() || local.is_on_an_edge());
@@ -39,7 +39,7 @@ pub(crate) fn nothing_holds<D: Size, const C: usize>(here: &Problem<D, C>, past:
         })
 }
 
-/// Rows of the inequalities come after those of the balance, contact by contact in the same order here and in [`constant`].
+/// Whether a contact has a row. Rows of inequalities follow the balance, contact by contact in the order of the problem, also in [`constant`].
 fn has_row<const C: usize>(local: &LocalLaw<'_, C>) -> bool {
     local.pairs() > 0
 }
@@ -48,12 +48,12 @@ fn rows<D: Size, const C: usize>(problem: &Problem<D, C>) -> usize {
     problem.size().count() + problem.locals().filter(has_row).count()
 }
 
-/// Which axes of a closed contact are springs here; friction is a force of its own.
+/// Number of axes with springs of a closed contact; friction is a separate force.
 fn springs<const C: usize>(local: &LocalLaw<'_, C>) -> usize {
     if local.is_bonded() { local.springs.axes() } else { 1 }
 }
 
-/// What stretches of the contacts and a load contribute.
+/// Entries of the rows from stretches of the contacts and a load.
 fn response<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     open: &[bool],
@@ -79,12 +79,12 @@ fn response<D: Size, const C: usize>(
     w
 }
 
-/// What the drives and the load contribute.
+/// Entries of the rows from the drives and the load, w.
 fn constant<D: Size, const C: usize>(problem: &Problem<D, C>, open: &[bool]) -> DVector<f64> {
     response(problem, open, &|i| problem.drives[i], problem.wrench.clone())
 }
 
-/// Unit columns: motions both ways, friction, slacks.
+/// Columns of Γ with length one: motions in both directions, friction, slacks.
 fn columns<D: Size, const C: usize>(problem: &Problem<D, C>, open: &[bool]) -> Vec<DVector<f64>> {
     let count = rows(problem);
     let mut list = Vec::new();

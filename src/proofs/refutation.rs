@@ -1,15 +1,15 @@
-//! A proof that no equilibrium exists on the round cone, case by case, as anyone can check it.
+//! A proof that no equilibrium exists on the round cone, case by case, as a certificate that can be checked.
 //!
-//! What contacts do is divided into cases, one contact at a time, until each case is contradicted: by a virtual motion y of the
-//! object and self-balanced virtual forces φ, `Σ G_i φ_i = 0`. Stretches `v_i = a_i - G_iᵀq` and forces of an equilibrium under the
-//! load W have
+//! States of contacts are divided into cases, one contact at a time, until each case is contradicted. A contradiction is a virtual motion y
+//! of the object with self-balanced virtual forces φ, `Σ G_i φ_i = 0`. Stretches `v_i = a_i - G_iᵀq` and forces of an equilibrium under the
+//! load W satisfy
 //!
 //! ```text
 //! Σ (φ_i·v_i + (G_iᵀy)·F_i)  =  Σ φ_i·a_i - y·W  >  0
 //! ```
 //!
-//! whatever q is. If under the labels of the case no contact can make its part of the left side positive, there is no
-//! equilibrium in that case.
+//! for every q. If under the labels of the case no contact can make its part of the left side positive, the case has no
+//! equilibrium.
 
 use nalgebra::SVector;
 
@@ -20,21 +20,21 @@ use crate::numerics::{Size, Vector};
 use crate::object::{Piece, Problem};
 use crate::prelude::*;
 
-/// Virtual forces balance one another but for this part of them and of those that the virtual motion would cause. Through what is left
+/// Tolerance of the virtual forces' balance, relative to them and to the forces that the virtual motion would cause. Through the rest
 /// an equilibrium could escape whose motion is larger than the data by the reciprocal.
 const BALANCED: f64 = 1e-13;
 
-/// A step of the proof; what follows a division is its second case with all below it, then its first.
+/// A step of the proof. A division is followed by its second case with all steps below it, then by its first.
 #[derive(Debug, Clone)]
 pub(crate) enum ProofStep<D: Size, const C: usize> {
-    /// What a contact does is one of these two.
+    /// The state of a contact lies in one of two halves.
     Divided { contact: usize, halves: [Label; 2] },
     /// The case is contradicted.
     Contradicted { motion: Vector<D>, forces: Vec<SVector<f64, C>> },
 }
 
-/// The least factor by which an equilibrium that rounding has hidden would have to exceed the data, in √J; `None` where the steps
-/// leave a case out, or contradict one too weakly to count.
+/// The least factor by which an equilibrium hidden by rounding would exceed the data, both in √J. `None` where the steps
+/// omit a case, or contradict one too weakly to count.
 pub(crate) fn check<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     steps: &[ProofStep<D, C>],
@@ -68,8 +68,8 @@ pub(crate) fn check<D: Size, const C: usize>(
     (open.is_empty() && least >= ESCAPE).then_some(least)
 }
 
-/// The proof in a single case that nothing balances drives and load: what gives way the most does not respond to a virtual motion, and
-/// does less against it than anything else could. Virtual forces `-C_iᵀG_iᵀy` balance one another there.
+/// The proof in a single case that nothing balances drives and load. The most yielding states do not respond to a virtual motion, and
+/// do the least work against it. Virtual forces `-C_iᵀG_iᵀy` balance one another in these states.
 pub(crate) fn yields<D: Size, const C: usize>(problem: &Problem<D, C>) -> Option<f64> {
     let states = problem.yielding();
     let motion = Piece::new(problem, &states).unanswered(&problem.drives, &problem.wrench)?;
@@ -83,7 +83,7 @@ pub(crate) fn yields<D: Size, const C: usize>(problem: &Problem<D, C>) -> Option
     [-1.0, 1.0].into_iter().find_map(|sign| check(problem, &[step(sign)]))
 }
 
-/// How large stretches and forces of the case have to be, in √J, to make up for what contradicts them.
+/// The size of stretches and forces of the case, in √J, that would make up for the contradiction.
 fn escape<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     labels: &[Label],
@@ -106,7 +106,7 @@ fn escape<D: Size, const C: usize>(
         size += 2.0 * (local.springs.stored(phi) + local.springs.stored(&pushed));
         worst = worst.max(local.most_work(&labels[i], phi, &u));
     }
-    // Forces that do not balance one another say nothing about equilibria far away.
+    // Forces that do not balance one another prove nothing about equilibria far away.
     let is_balanced = unbalanced.norm() <= BALANCED * balanced_size;
     (is_balanced && gain > 0.0).then(|| gain / worst.max(LEAST_WORK * size.sqrt()))
 }

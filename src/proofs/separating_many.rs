@@ -1,14 +1,14 @@
-//! A separating motion of many coordinates: what is left of a load where contacts push against it as well as they may.
+//! A separating motion of many coordinates: the residual of a load after the best response of contact forces.
 //!
-//! The nearest sum of contact forces to a load leaves `v = Σ G_i f_i + W`. It is found from the other side: contacts answer a motion by
-//! forces in their cones, and these are told what they have to answer already,
+//! The nearest sum of contact forces to a load leaves the residual `v = Σ G_i f_i + W`. An augmented Lagrangian finds it: contacts respond to a
+//! motion by forces in their cones, shifted by multipliers λ_i, the forces of the last round,
 //!
 //! ```text
 //! f_i = P_i(λ_i - ρ G_iᵀv),      v - Σ G_i f_i = W,      λ_i <- f_i,
 //! ```
 //!
-//! with the projection P_i onto the cone. Each is a convex problem without constraints that Newton's method solves, in a narrow band as contacts couple few
-//! coordinates. What comes out is judged like any other motion.
+//! with the projection P_i onto the cone. Each round is a convex problem without constraints, solved by Newton's method in a narrow band, as contacts
+//! couple few coordinates. The result is checked like any other motion.
 //!
 //! Source: R. T. Rockafellar, Augmented Lagrangians and applications of the proximal point algorithm in convex programming, Math. Oper. Res. 1 (1976).
 
@@ -22,26 +22,26 @@ use crate::numerics::{PositiveBand, Size, Vector, narrow_order, unit, widest};
 use crate::object::{Problem, are_many};
 use crate::prelude::*;
 
-/// ρ at first, by what it grows from round to round, and at last: with more the digits of a step would be gone.
+/// ρ in the first round, its growth per round, and its largest value: with more, a step would lose its digits.
 const FIRST: f64 = 1e1;
 const GROWS: f64 = 10.0;
 const LAST: f64 = 1e8;
-/// Rounds after the last growth.
+/// Rounds after the last growth of ρ.
 const MORE: usize = 6;
-/// Rounds after the first proof, which take the rounding out of it: people read its motion.
+/// Rounds after the first proof, which remove rounding from its motion: the motion is shown to users.
 const CLEARER: usize = 4;
-/// Newton steps of a round, what they leave of the load for ρ = 1, and at the least.
+/// Most Newton steps of a round, the imbalance at its end for ρ = 1, and the least imbalance asked for.
 const STEPS: usize = 12;
 const LEFT: [f64; 2] = [1e-3, 1e-14];
-/// How often a step is shortened, and what is left then of how fast the energy falls along it.
+/// Most reductions of a step, made while the energy rises at its end by more than the part `LEVEL` of its initial rate of decrease.
 const SHORTENED: usize = 12;
 const LEVEL: f64 = 0.1;
-/// Forces that leave less than this part of a load have no motion to tell.
+/// A load whose residual is below this part of it counts as balanced: its residual is no motion.
 const BALANCED: f64 = 1e-5;
 
-/// Forces of one contact that pushes against motions.
+/// The cone of one contact that responds to motions by forces.
 struct Pushing<const C: usize> {
-    /// The coordinates that it feels, with its map there, of length one.
+    /// The coordinates that the contact feels, with the rows of its map, scaled to length one.
     felt: Vec<(usize, SVector<f64, C>)>,
     /// μ of a round cone; else a ray along the first axis.
     cone: Option<f64>,
@@ -49,7 +49,7 @@ struct Pushing<const C: usize> {
 }
 
 impl<const C: usize> Pushing<C> {
-    /// The nearest forces in the cone, and how they change with what they are asked for.
+    /// The projection of x onto the cone, and its derivative.
     fn nearest(&self, x: &SVector<f64, C>) -> (SVector<f64, C>, SMatrix<f64, C, C>) {
         let Some(mu) = self.cone else {
             let normal = unit::<C>(0);
@@ -77,7 +77,7 @@ impl<const C: usize> Pushing<C> {
     }
 }
 
-/// All contacts, in a narrow order of coordinates.
+/// All contacts and the load, in a narrow order of coordinates.
 struct PushedBack<const C: usize> {
     contacts: Vec<Pushing<C>>,
     numbers: Vec<usize>,
@@ -154,7 +154,7 @@ impl<const C: usize> PushedBack<C> {
         Some(Self { contacts, numbers, load, band, stiffness: FIRST })
     }
 
-    /// The motion at which forces that answer it are balanced but for so much, and what they leave of the load.
+    /// Moves v to the motion balanced by its responses up to `enough`, and updates the multipliers. Returns the length of the residual load.
     fn round(&mut self, v: &mut Vec<f64>, enough: f64) -> Option<f64> {
         let mut missing = self.missing(v);
         for _ in 0..STEPS {

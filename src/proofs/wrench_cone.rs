@@ -1,4 +1,4 @@
-//! A proof that no contact forces whatsoever balance the load: it lies outside the friction wrench cone.
+//! A proof that no contact forces at all balance the load: it lies outside the friction wrench cone.
 //!
 //! With the generators γ of all friction cones (wrenches), the load is balanced by admissible forces iff `Σ γ β + W = 0` for
 //! some shares β >= 0. Otherwise the residual of the nearest sum,
@@ -10,8 +10,8 @@
 //! is a **separating motion**: γ·v >= 0 for all generators (no admissible contact force works against it) and W·v = |v|² > 0
 //! (the load drives it). Stiffness, commands and history play no part in this.
 //!
-//! A round cone has generators without number, but the one that works most against a motion is known: with u = G_iᵀv that along
-//! `e_n - μ u_t/|u_t|`. It joins those that carry the load until none works against the residual.
+//! A round cone has infinitely many generators, but the generator with the most work against a motion is known: with u = G_iᵀv it lies along
+//! `e_n - μ u_t/|u_t|`. It joins the generators that carry the load, until none works against the residual.
 
 use nalgebra::SVector;
 
@@ -23,7 +23,7 @@ use crate::numerics::{NearestPoint, Size, Vector, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// A residual below this part of the load is no proof: the load lies on the boundary as far as rounding can tell.
+/// A residual below this part of the load is no proof: the load is on the boundary, up to rounding.
 const CLEAR: f64 = 1e-9;
 /// A generator that works against the residual by less than this part of it does not join.
 const JOINS: f64 = 1e-13;
@@ -39,7 +39,7 @@ pub(crate) struct Generator<D: Size, const C: usize> {
 }
 
 impl<D: Size, const C: usize> Generator<D, C> {
-    /// Along a force of any length.
+    /// The generator along a force of any length.
     pub(crate) fn along(contact: usize, site: &Site<D, C>, force: SVector<f64, C>) -> Self {
         let wrench = &site.map * force;
         let size = wrench.norm();
@@ -49,15 +49,15 @@ impl<D: Size, const C: usize> Generator<D, C> {
 
 /// The sum of admissible forces whose wrench is nearest to a target.
 pub(crate) struct NearestForces<D: Size, const C: usize> {
-    /// What is missing, the other way round: no generator works against it, but for rounding.
+    /// Sum minus target: no generator works against this motion, except for rounding.
     pub(crate) motion: Vector<D>,
-    /// How much one does.
+    /// The most work of a generator against the motion.
     pub(crate) against: f64,
-    /// The generators that have a share, with it.
+    /// The generators with a share, and their shares.
     pub(crate) shares: Vec<(Generator<D, C>, f64)>,
 }
 
-/// That sum, of the generators that are known and of those of round cones as they are needed.
+/// The nearest sum of the given straight generators, and of generators of round cones that `round` adds where needed.
 pub(crate) fn nearest_forces<D: Size, const C: usize>(
     size: D,
     straight: &[Generator<D, C>],
@@ -98,25 +98,25 @@ pub(crate) fn nearest_forces<D: Size, const C: usize>(
     NearestForces { motion, against, shares }
 }
 
-/// A load and the cones that it may lie outside of.
+/// A load, and the friction cones that might balance it.
 struct LoadAndCones<'p, 'g, D: Size, const C: usize> {
     problem: &'p Problem<'g, D, C>,
     straight: Vec<Generator<D, C>>,
     load: f64,
-    /// Forces may be larger than the load by far, where fingers squeeze: their work must not make up for that of the load. What escapes is measured against
-    /// load and squeeze together.
+    /// Size of load and squeeze together, to which an escape is compared. Where fingers squeeze, forces may be far larger than the load:
+    /// their work through rounding must not make up for the work of the load.
     data: f64,
 }
 
 impl<'p, 'g, D: Size, const C: usize> LoadAndCones<'p, 'g, D, C> {
-    /// `None` without a load, or where laws are no cones.
+    /// `None` without a load, or where a law is not a cone.
     fn of(problem: &'p Problem<'g, D, C>) -> Option<Self> {
         let load = problem.wrench.norm();
         let straight = (load > 0.0).then(|| straight_generators(problem)).flatten()?;
         Some(Self { problem, straight, load, data: load + squeeze(problem) })
     }
 
-    /// Whether a motion separates, on which a load of length one works so much, and generators work against it by so much at most.
+    /// Whether a motion separates, on which a load of length one does the work `works`, and against which generators do at most `against`.
     fn separates(&self, v: &Vector<D>, works: f64, against: f64) -> bool {
         let distance = v.norm();
         let escape = works * self.load / against.max(LEAST_WORK * distance);
@@ -148,14 +148,14 @@ pub(crate) fn separating_motion_in_a_band<D: Size, const C: usize>(
     left_of_many(problem, &|v| all.is_proof(v)).map(|v| v.normalize())
 }
 
-/// The forces of the springs stretched by the commands alone, as wrenches.
+/// The sum of the wrenches of springs that the commands alone stretch.
 fn squeeze<D: Size, const C: usize>(problem: &Problem<D, C>) -> f64 {
     let pushed =
         |(site, drive): (&Site<D, C>, &SVector<f64, C>)| site.map.pushed_norm(&site.springs.force(drive));
     problem.sites.iter().zip(&problem.drives).map(pushed).sum()
 }
 
-/// Of every round cone the unit wrench that does most against a motion.
+/// For every round cone, the unit wrench with the most work against a motion.
 pub(crate) fn round_generators<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     v: &Vector<D>,
@@ -171,7 +171,7 @@ pub(crate) fn round_generators<D: Size, const C: usize>(
 
 /// Whether a unit motion proves that a load which grows at this rate cannot be balanced any more.
 ///
-/// It does, for any forces in any state, if no admissible contact force works against the motion, the load does not work
+/// It is a proof, for any forces in any state, if no admissible contact force works against the motion, the load does not work
 /// against it, and the rate of the load works along it.
 pub(crate) fn separates_from_here_on<D: Size, const C: usize>(
     problem: &Problem<D, C>,
@@ -181,13 +181,13 @@ pub(crate) fn separates_from_here_on<D: Size, const C: usize>(
     let Some(straight) = straight_generators(problem) else { return false };
     let all = straight.into_iter().chain(round_generators(problem, motion));
     let against = all.map(|g| -g.wrench.dot(motion)).fold(0.0, f64::max);
-    // The next load is one by as much again as there are load and squeeze.
+    // The next load is larger by the size of load and squeeze together.
     let data = problem.wrench.norm() + squeeze(problem);
     let (here, gained) = (problem.wrench.dot(motion), rate.dot(motion) / rate.norm());
     gained > CLEAR && counts_from_here_on(here, here + data * gained, against, data)
 }
 
-/// The unit wrenches that generate the friction cones that are not round; `None` where the law is not a cone of forces at rest.
+/// The unit wrenches that generate the cones that are not round; `None` where a law is not a cone of forces at rest.
 pub(crate) fn straight_generators<D: Size, const C: usize>(
     problem: &Problem<D, C>,
 ) -> Option<Vec<Generator<D, C>>> {

@@ -1,7 +1,7 @@
-//! Of many contacts few leave the state of the elastic trial: Lemke's method pivots on these alone.
+//! Lemke's method on the few contacts that leave the state of the elastic trial, where there are many contacts.
 //!
-//! Contacts that break a condition are let go of, and all others stay as they are. With the states that this gives others may break one: they
-//! join, until none does. Where many leave the trial, states by friction with given limits come nearer, and what breaks a condition there is a few again.
+//! A contact that breaks a condition enters the pivoting set; all others keep their states. The states found may make others break a condition: these
+//! join, until no contact does. Where many contacts leave the trial, Tresca friction gives nearer states; again few contacts break a condition.
 
 use alloc::sync::Arc;
 
@@ -16,16 +16,16 @@ use crate::numerics::Size;
 use crate::object::{Piece, PieceState, Problem, states_by_given_limits};
 use crate::prelude::*;
 
-/// How often others may join: a disturbance spreads from contact to contact, and fades.
+/// Rounds in which further contacts may join: a disturbance spreads from contact to contact, and fades.
 const ROUNDS: usize = 32;
-/// Multiplications that one path may take where the caller sets no limit on pivots: some seconds, where any other way takes minutes.
+/// Multiplications per path where the caller sets no limit on pivots: some seconds, where any other rung takes minutes.
 const MOST_WORK_OF_A_FEW: usize = MOST_WORK.saturating_mul(20);
-/// If so many leave the trial nearer states are looked for: a path takes as long as the cube of their number.
+/// From this many contacts that leave the trial on, nearer states are computed first: a path costs the cube of their number.
 const MANY_LEAVE: usize = 128;
-/// With more contacts than these a path from nearer states is none of a few.
+/// Most contacts in the pivoting set, neighbours included, of a path from nearer states.
 const MOST_BESIDE: usize = 400;
 
-/// States that stay for all but a few contacts, which stick in them.
+/// States that all contacts keep except the pivoting set, whose contacts stick, with their solved piece.
 struct Base<D: Size, const C: usize> {
     states: Vec<State<C>>,
     piece: Arc<Piece<D, C>>,
@@ -33,14 +33,14 @@ struct Base<D: Size, const C: usize> {
 }
 
 impl<D: Size, const C: usize> Base<D, C> {
-    /// With these states; `None` where they do not balance the load.
+    /// The base with these states; `None` where no forces of these states balance the load.
     fn of(problem: &Problem<D, C>, states: Vec<State<C>>) -> Option<Self> {
         let piece = problem.piece(&states);
         let at = piece.solve(problem.sites, &problem.drives, problem.load()).ok()?;
         Some(Self { states, piece, at })
     }
 
-    /// The same with these contacts sticking; itself if they do. `None` where that leaves something loose.
+    /// The base with the contacts `among` sticking; itself if they stick already. `None` where its tangent stiffness is singular.
     fn sticking_at(self, problem: &Problem<D, C>, among: &[usize], moved: &mut Moved) -> Option<Self> {
         let mut states = self.states.clone();
         for i in among {
@@ -54,7 +54,7 @@ impl<D: Size, const C: usize> Base<D, C> {
     }
 }
 
-/// States in which no contact breaks a condition, if this leads to any.
+/// States in which no contact breaks a condition, or `None` if the paths find none.
 pub(super) fn propose_of_a_few<D: Size, const C: usize>(
     scene: &TrialScene<'_, '_, D, C>,
     problem: &Problem<D, C>,
@@ -77,7 +77,7 @@ pub(super) fn propose_of_a_few<D: Size, const C: usize>(
     pivoted(problem, scene.settings, (Base { states, piece, at }, leaving, 0), log)
 }
 
-/// States from a path among a few contacts. If it has no end those beside them join, as long as they are no more than `most`.
+/// States from Lemke's path on the contacts `among`. Where a path finds no solution, neighbours join, up to `most` contacts altogether.
 fn pivoted<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     settings: &Settings,

@@ -1,4 +1,4 @@
-//! What a search for an equilibrium ends with, and what it took.
+//! The end of a search for an equilibrium, and its effort.
 
 use nalgebra::SVector;
 
@@ -23,7 +23,7 @@ pub enum Rung {
     /// Newton's method on the forces with which the contacts answer a motion of the object, from the trial state. Tried on the
     /// round cone and with many contacts.
     Newton,
-    /// Lemke's method on the force form: the end of a path of forces from none.
+    /// Lemke's method on the force form: the end of a path of forces from zero.
     ForceForm,
     /// The first combination of contact states that satisfies every condition; on the round cone, the first case of contact states and
     /// directions of friction from which Newton's method arrives. Also what [`Grasp::equilibria`](crate::ask::Grasp::equilibria) finds that way.
@@ -32,24 +32,25 @@ pub enum Rung {
     LoadPath,
 }
 
-/// Why nothing could be said.
+/// Why a question stays undecided.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Doubt {
-    /// Lemke ended on rays that prove nothing, and not every combination of states could be tried: there are too many contacts for
+    /// Lemke's method ended on rays that prove nothing, and not every combination of states could be tried. Either there are too many contacts for
     /// [`Settings::most_states`](crate::Settings::most_states), or on the round cone the cases that were tried did not decide.
     RayWithoutProof,
-    /// Some combination of contact states fails so narrowly that rounding may have decided: the load is on the
-    /// boundary of what the grasp can hold, as far as the working precision can tell.
+    /// Some combination of contact states fails so narrowly that rounding may have decided. The load is then on the
+    /// boundary of the loads that the grasp can hold, up to the working precision.
     OnTheBoundary,
-    /// Contact states were found, but the numbers of the scene lie so far apart that forces and twist cannot be written down
-    /// accurately: arms or stiffnesses by more than the working precision. Residuals exceed 1e-10 (1e-12 on the round cone).
+    /// Contact states were found, but arms or stiffnesses of the scene lie farther apart than the working precision. Forces and
+    /// twist cannot be written down accurately: residuals exceed 1e-10 (1e-12 on the round cone).
     Inaccurate,
     /// The pivot limit was reached or a factorisation broke down, with too many contacts to try every combination.
     OutOfPivots,
-    /// On a load path: a leg takes more than [`Settings::most_steps`](crate::Settings::most_steps) along sliding arcs of the round cone, or as many jumps.
+    /// On a load path: a leg takes more than [`Settings::most_steps`](crate::Settings::most_steps) steps along sliding arcs of the round cone,
+    /// or as many jumps.
     OutOfSteps,
 }
 
@@ -61,8 +62,8 @@ pub(crate) struct Found<D: Size, const C: usize> {
     pub(crate) twist: Vector<D>,
     pub(crate) free_motions: Vec<Vector<D>>,
     pub(crate) neutral_motions: Vec<Vector<D>>,
-    /// On a path, sizes of the forces and displacements that these are sums of: what rounding is measured against where
-    /// they vanish. Zero for a solution of its own.
+    /// On a path, the sizes of the forces, N, and displacements, m, whose sums these are: rounding is relative to them where the sums vanish.
+    /// Zero for a solution without a path.
     pub(crate) sizes: [f64; 2],
     /// On the round cone, the largest change of a contact force from the polygon's answer.
     pub(crate) from_polygon: Option<f64>,
@@ -83,7 +84,7 @@ impl<D: Size, const C: usize> Found<D, C> {
     }
 }
 
-/// A [`Found`] whatever its number of coordinates, for answers that remember it.
+/// A [`Found`] with its number of coordinates erased, for answers that keep it.
 #[derive(Debug, Clone)]
 pub(crate) struct Kept<const C: usize> {
     pub(crate) states: Vec<State<C>>,
@@ -96,7 +97,7 @@ pub(crate) struct Kept<const C: usize> {
 }
 
 impl<const C: usize> Kept<C> {
-    /// With a list for its coordinates.
+    /// Erases the number of coordinates; `list` is reused for the twist.
     pub(crate) fn of<D: Size>(found: Found<D, C>, list: Vec<f64>) -> Self {
         Self {
             states: found.states,
@@ -122,7 +123,7 @@ impl<const C: usize> Kept<C> {
     }
 }
 
-/// How a search ended.
+/// The end of a search.
 #[derive(Debug, Clone)]
 pub(crate) enum Settled<D: Size, const C: usize> {
     Found(Found<D, C>, Rung),
@@ -130,9 +131,9 @@ pub(crate) enum Settled<D: Size, const C: usize> {
     FreeMotion(Vector<D>),
     /// No admissible forces balance the load: this motion separates it from the friction wrench cone.
     Separating(Vector<D>),
-    /// Each of so many combinations of contact states fails clearly.
+    /// Each combination of contact states fails clearly; their number.
     NoneOf(usize),
-    /// On the round cone, each of so many cases contradicts itself; what escapes that is larger than the data by this factor.
+    /// On the round cone, each case contradicts itself. An escape from this proof is larger than the data by the factor `escape`.
     Contradicted {
         cases: usize,
         escape: f64,
@@ -141,13 +142,13 @@ pub(crate) enum Settled<D: Size, const C: usize> {
     Undecided(Doubt),
 }
 
-/// What it took.
+/// Effort of a search.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Effort {
     pub(crate) pivots: usize,
-    /// Rows of the largest complementarity problem that was made.
+    /// Rows of the largest complementarity problem.
     pub(crate) rows: usize,
     pub(crate) combinations: usize,
-    /// Facets of the polygons that a contact would have.
+    /// Facets of a contact's polygonal cone.
     pub(crate) facets: usize,
 }

@@ -1,4 +1,4 @@
-//! A proposal of contact states, solved and checked: the only way to an answer, whoever proposed.
+//! Solves and checks proposed contact states. Every rung obtains its answer here.
 
 use core::cell::OnceCell;
 
@@ -11,10 +11,10 @@ use crate::numerics::{Size, Vector};
 use crate::object::{Piece, PieceState, Problem, largest_force};
 use crate::prelude::*;
 
-/// Inequalities may be violated by this much of their size, times the growth of errors in the piece. Ties are the
+/// An inequality may be violated by this part of its size, times the growth of errors in the piece. Ties are the
 /// normal case in symmetric grasps: a slack that is exactly zero comes out as a few roundings of 1e-16.
 const ROUNDING: f64 = 5e-14;
-/// Errors are not believed to grow beyond this, whatever the condition of the piece.
+/// Upper bound of the tolerance, however badly conditioned the piece is.
 const MOST_ROUNDING: f64 = 1e-10;
 /// A violation below this (times growth) is neither rounding nor clearly a violation: the proposal is not accepted,
 /// but nothing may be concluded from its failure either.
@@ -22,17 +22,17 @@ const DOUBTFUL: f64 = 1e-12;
 
 /// A rate of an inequality along a unit motion below this part of its size is rounding of zero.
 const UNFELT: f64 = 1e-12;
-/// A shift is sought for so many inequalities at once.
+/// With more inequalities than these, the least shift is found by an active set of violated rows instead of from all rows at once.
 const ALL_AT_ONCE: usize = 200;
 /// Forces that fail to balance the load by more than this part of their sizes are no solution; the pieces reach 1e-15.
 const OUT_OF_BALANCE: f64 = 1e-11;
 
-/// What became of a proposal.
+/// Verdict on a proposal.
 #[derive(Debug, Clone)]
 pub(crate) enum Judged<D: Size, const C: usize> {
     Holds(Found<D, C>),
     Violated {
-        /// So close that rounding could have done it.
+        /// Whether the violation is small enough to be rounding.
         doubtful: bool,
     },
     /// No forces of these states balance the load.
@@ -57,11 +57,11 @@ pub(crate) fn try_states<D: Size, const C: usize>(
     }
 }
 
-/// A proposal that does not hold, given back as it came.
+/// A proposal that does not hold, returned unchanged.
 pub(super) struct Refused<D: Size, const C: usize> {
     pub(super) states: Vec<State<C>>,
     pub(super) at: PieceState<D, C>,
-    /// So close that rounding could have done it.
+    /// Whether the violation is small enough to be rounding.
     doubtful: bool,
 }
 
@@ -74,7 +74,7 @@ pub(super) fn admit<D: Size, const C: usize>(
 ) -> Result<Found<D, C>, Refused<D, C>> {
     let mut worst = violation(problem, &states, &at);
     let growth = OnceCell::new();
-    // Most hold or fail whatever the growth of errors, which takes as long as the factors.
+    // Most verdicts do not depend on the growth of errors, which costs as much as the factorisation: it is computed on demand.
     let exceeds = |worst: f64, part: f64| {
         worst > MOST_ROUNDING || worst > part && worst > part * growth.get_or_init(|| piece.growth())
     };
@@ -82,7 +82,7 @@ pub(super) fn admit<D: Size, const C: usize>(
     let free_motions = piece.free_motions().to_vec();
     let neutral_motions = piece.neutral_motions();
     if exceeds(worst, ROUNDING) && !(free_motions.is_empty() && neutral_motions.is_empty()) {
-        // The piece has a whole family of solutions, and the one of least norm is not admissible: is another?
+        // The piece has a family of solutions. The one of least norm is not admissible, but another one may be.
         let free = free_motions.iter().map(|v| (v.clone(), vec![SVector::zeros(); problem.len()]));
         let neutral = neutral_motions.iter().map(|v| (v.clone(), piece.forces_along(problem, v)));
         let motions: Vec<_> = free.chain(neutral).collect();
@@ -95,7 +95,7 @@ pub(super) fn admit<D: Size, const C: usize>(
                     *f += change * *tau;
                 }
             }
-            // Against the sizes of before: a shift so long that its own rounding shows is none.
+            // Violations are relative to the sizes before the shift: a shift so long that its rounding shows is refused.
             let values = slacks(problem, &states, there).0;
             worst = values.iter().zip(&sizes).fold(0.0, |worst, (value, size)| worse(worst, *value, *size));
         }
@@ -119,7 +119,7 @@ pub(super) fn admit_regular<D: Size, const C: usize>(
 ) -> Option<Found<D, C>> {
     let mut holds = true;
     for_each_condition(problem, &states, &state.forces, &state.twist, |value, size| {
-        // Written so that it also turns away what is not a number.
+        // This comparison also refuses NaN.
         holds &= value >= -ROUNDING * size;
     });
     holds.then(|| Found::new(states, state.forces, state.twist))
@@ -159,8 +159,8 @@ pub(crate) fn for_each_condition<D: Size, const C: usize>(
     }
 }
 
-/// `|Σ G_i F_i + W|` over the sum of the sizes of its terms. Where commands alone move a statically determinate grasp
-/// no force changes, and what is left of the forces is noise: it is not measured against itself.
+/// `|Σ G_i F_i + W|` over the sum of the sizes of its terms. Where commands alone move a statically determinate grasp, no force changes.
+/// Its forces are rounding. The sizes therefore include the part `NO_FORCE` of the least force that its springs could have.
 fn out_of_balance<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     forces: &[SVector<f64, C>],
@@ -185,7 +185,7 @@ fn slacks<D: Size, const C: usize>(
     (values, sizes)
 }
 
-/// The worst violation of an inequality, relative to its size; infinite where one is not a number.
+/// The worst violation of an inequality, relative to its size; infinite where a value is NaN.
 fn violation<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     states: &[State<C>],
@@ -234,7 +234,7 @@ fn least_admissible_shift<D: Size, const C: usize>(
             let stretch = -site.map.tr_mul(motion);
             let at = At { stretch, force, span: site.span(&SVector::zeros(), motion), largest };
             problem.local(contact).for_each_condition(state, &at, |rate, rate_size| {
-                // An inequality that the motion does not feel must not become one that a very long motion satisfies.
+                // The rate is rounding of zero. A very long motion must not satisfy this inequality with it.
                 if rate.abs() > UNFELT * rate_size {
                     a[(i, k)] = rate / sizes[i];
                 }
@@ -251,7 +251,7 @@ fn least_admissible_shift<D: Size, const C: usize>(
     if b.len() <= ALL_AT_ONCE {
         return least(&(0..b.len()).collect::<Vec<_>>());
     }
-    // A few of many inequalities decide: those that the shift for the others leaves most violated join them.
+    // Few of many inequalities are active: in each round the most violated ones join the active set.
     let mut rows = Vec::new();
     let mut left = b.clone();
     loop {

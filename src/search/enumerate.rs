@@ -13,7 +13,7 @@ pub(crate) fn combinations<D: Size, const C: usize>(problem: &Problem<D, C>) -> 
     problem.locals().map(|local| local.states().len() as f64).product()
 }
 
-/// Visits every combination of states in a fixed order, everything unjumped first, until `visit` says stop.
+/// Visits every combination of states in a fixed order, the one without any jump first, until `visit` returns `true`.
 pub(crate) fn for_each_combination<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     visit: &mut dyn FnMut(Vec<State<C>>) -> bool,
@@ -25,14 +25,14 @@ pub(crate) fn for_each_combination<D: Size, const C: usize>(
         if visit(states) {
             return;
         }
-        // Count up, contact by contact.
+        // Next combination: the first contact with a state left advances, all before it start anew.
         let Some(next) = (0..at.len()).find(|&i| at[i] + 1 < choices[i].len()) else { return };
         at[next] += 1;
         at[..next].fill(0);
     }
 }
 
-/// What an enumeration found.
+/// Result of an enumeration.
 #[derive(Debug, Clone)]
 pub(crate) struct Enumerated<D: Size, const C: usize> {
     pub(crate) found: Vec<Found<D, C>>,
@@ -42,12 +42,12 @@ pub(crate) struct Enumerated<D: Size, const C: usize> {
     pub(crate) doubtful: bool,
 }
 
-/// Tries all combinations, or all until the first that holds.
+/// Tries all combinations; with `first_only` up to the first that holds.
 pub(crate) fn search<D: Size, const C: usize>(problem: &Problem<D, C>, first_only: bool) -> Enumerated<D, C> {
     search_among(problem, first_only, &|_| true)
 }
 
-/// [`search`] among combinations that are not ruled out already.
+/// [`search`] among the combinations that `may_hold` admits.
 pub(crate) fn search_among<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     first_only: bool,

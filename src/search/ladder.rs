@@ -1,5 +1,4 @@
-//! The ladder: a list of rungs, the cheapest first, and a loop that climbs it until one rung finds an equilibrium or proves that there
-//! is none.
+//! The ladder: a list of rungs, the cheapest first, and a loop that climbs it until one rung finds an equilibrium or proves that none exists.
 
 use super::answer::{Doubt, Effort, Rung, Settled};
 use super::candidate::{Refused, admit};
@@ -16,7 +15,7 @@ use crate::object::Problem;
 
 type TryRung<D, const C: usize> = fn(&TrialScene<'_, '_, D, C>, &mut Log) -> Attempt<D, C>;
 
-/// Climbs the ladder.
+/// Tries the elastic trial, then rung by rung until a solution or a proof is found.
 pub(crate) fn settle<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     settings: &Settings,

@@ -1,8 +1,8 @@
-//! Where nothing resists a motion: of all places of the object in these states the nearest.
+//! The nearest place of the object where its states leave motions free.
 //!
-//! Forces say nothing along free motions V, and any place `q = q₀ + V z` is as good as another as long as gaps and slips keep their signs: conditions
-//! `c + g·z >= 0`. What touched before anything moved goes on to touch, as far as it can, so that q₀ closes its gaps in the sense of least squares.
-//! From there the place of least |z| is unique, whoever found the states and in whatever frame:
+//! Forces do not depend on free motions V. Any place `q = q₀ + V z` is a solution as long as gaps and slips keep their signs, which are
+//! conditions `c + g·z >= 0`. The place q₀ closes the gaps of contacts that touched before anything moved, in the sense of least squares.
+//! From q₀ the place of least |z| is unique. It depends neither on the rung that found the states nor on the frame:
 //!
 //! ```text
 //! min |z|,    g_i·z >= -c_i       by the nearest point of the cone of (g_i, -c_i) to (0, 1)
@@ -19,21 +19,21 @@ use crate::numerics::{NearestPoint, Size, Vector};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// A condition that changes along a unit motion by less than this part of its size does not change.
+/// A condition whose rate along a unit motion is below this part of its size does not depend on that motion.
 const UNCHANGED: f64 = 1e-12;
-/// A condition is violated by more than this part of the largest.
+/// Tolerance of the nearest point, relative to the largest condition: below it no generator violates its condition.
 const VIOLATED: f64 = 1e-12;
 /// Normals along free motions with a singular value below this count as dependent.
 const DEPENDENT: f64 = 1e-9;
-/// Where the nearest point comes so near that nothing of it is left, no place keeps all conditions.
+/// If the last component of the residual is below this, no place keeps all conditions.
 const NO_PLACE: f64 = 1e-9;
 
-/// The solution at the least motion along what is free.
+/// The solution with the shortest admissible part along its free motions.
 pub(super) fn at_the_least_motion<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     mut found: Found<D, C>,
 ) -> Found<D, C> {
-    // Along a slide on the round cone conditions are not linear: the direction belongs to the slip.
+    // On the round cone conditions along a slide are not linear, as the direction depends on the slip.
     if found.free_motions.is_empty() || found.states.iter().any(|state| state.slide().is_some()) {
         return found;
     }
@@ -66,7 +66,7 @@ pub(super) fn at_the_least_motion<D: Size, const C: usize>(
     found
 }
 
-/// The least free motion that closes the gaps of contacts that touch or press where nothing has moved, as well as free motions can.
+/// The free motion, shortest in least squares, that closes the gaps of open contacts which touched before anything moved.
 fn to_what_touches<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     found: &Found<D, C>,

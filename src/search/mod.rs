@@ -1,14 +1,14 @@
-//! The search for contact states: the ladder, its rungs, and the check that every proposal has to pass.
+//! The search for contact states: the ladder, its rungs, and the check that every proposal must pass.
 //!
 //! | file | idea |
 //! |---|---|
-//! | `answer` | what a search ends with, and what it took |
-//! | `settings` | what a caller may choose |
-//! | `scene` | what a rung is given, and what it has to say |
+//! | `answer` | the end of a search, and its effort |
+//! | `settings` | limits and tolerances that the caller may set |
+//! | `scene` | input and result of a rung |
 //! | `ladder` | the list of rungs and the loop over them |
 //! | `rungs` | each way to find an equilibrium or a proof |
-//! | `a_few` | of many contacts those that leave the trial |
-//! | `touching` | everything that touches sticks |
+//! | `a_few` | Lemke's method on the few of many contacts that leave the trial |
+//! | `touching` | all contacts that touch stick |
 //! | `proposals` | Lemke's method proposes states |
 //! | `candidate` | a proposal solved and checked |
 //! | `round_pieces`, `polish` | to the round cone, from the trial or from a polygon's answer |

@@ -1,14 +1,14 @@
-//! States of many contacts that are nearly those of an equilibrium: what is next to contacts, and what lacks a hold.
+//! Small changes of the states of many contacts: neighbours of contacts, and states without loose motions.
 
 use crate::contact::{Mode, State};
 use crate::numerics::Size;
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// How often contacts may be stuck until nothing is loose any more.
+/// Most rounds of sticking further contacts before the states are given up.
 const ROUNDS: usize = 8;
 
-/// The contacts that feel a coordinate which one of these feels, these included, in order.
+/// The contacts that share a coordinate with one of `among`, these included, in order.
 pub(super) fn beside<D: Size, const C: usize>(problem: &Problem<D, C>, among: &[usize]) -> Vec<usize> {
     let felt = |i: usize| problem.sites[i].support.ranges::<C>().into_iter().flatten();
     let mut is_near = vec![false; problem.size().count()];
@@ -16,8 +16,8 @@ pub(super) fn beside<D: Size, const C: usize>(problem: &Problem<D, C>, among: &[
     (0..problem.len()).filter(|i| felt(*i).any(|k| is_near[k])).collect()
 }
 
-/// These states where they leave nothing loose. For each loose motion the contact sticks that it moves most, of those that do not, until none is
-/// left; `None` if that does not end.
+/// The states, with further contacts sticking until no motion is loose. For each loose motion the contact with the largest displacement sticks,
+/// among the contacts that do not. `None` if motions are still loose after all rounds.
 pub(super) fn regular<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     mut states: Vec<State<C>>,

@@ -1,8 +1,8 @@
 //! From the polygon to the round cone: Newton's method on the return map, then the last digits.
 //!
-//! From the twist of a polygon's answer a few steps of Newton's method ([`super::newton`]) lead to the states of the contacts on the round
-//! cone. Their piece has the last digits ([`super::round_pieces`]). Where Newton's method gets lost, since stiffnesses lie so far apart that a
-//! twist says nothing of forces, the pieces are followed from the polygon's answer on.
+//! From the twist of a polygon's answer a few steps of Newton's method ([`newton_on_cones`](crate::object::newton_on_cones)) lead to the states
+//! of the contacts on the round cone. Their piece gives the last digits ([`super::round_pieces`]). Where stiffnesses lie so far apart that the twist
+//! does not determine the forces, Newton's method fails; then the pieces are followed from the polygon's answer.
 
 use super::answer::Found;
 use super::candidate::{Judged, try_states};
@@ -12,10 +12,10 @@ use crate::numerics::{PartialPivoting, Size, Vector};
 use crate::object::{Piece, PieceState, Problem, balance, tangent_stiffness};
 use crate::prelude::*;
 
-/// What may be out of balance of a polygon's answer, from which Newton's method starts.
+/// Imbalance of a polygon's answer, as a part of its forces, with which Newton's method may start.
 const NEAR: f64 = 1e-12;
 
-/// A proposal that holds: as it is on the polygon, where it leads to on the round cone.
+/// Accepts a proposal that holds: the polygon's solution, or on the round cone the solution that Newton's method reaches from it.
 pub(super) fn accept<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     states: Vec<State<C>>,
@@ -32,7 +32,7 @@ pub(super) fn accept<D: Size, const C: usize>(
     }
 }
 
-/// The solution of the polygon's piece with these states, whether every inequality holds or not: where Newton's method starts.
+/// The solution of the polygon's piece with these states, whether or not every inequality holds: the start of Newton's method.
 pub(crate) fn solution_near<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     states: &[State<C>],

@@ -1,4 +1,4 @@
-//! Lemke's method proposes contact states, which are solved and checked; on the round cone Newton's method goes on from there.
+//! Contact states proposed by Lemke's method, then solved and checked; on the round cone refined by Newton's method.
 
 use super::answer::{Doubt, Found};
 use super::candidate::{Judged, try_states};
@@ -15,36 +15,34 @@ use crate::object::Problem;
 use crate::prelude::*;
 use crate::structured;
 
-/// Covering vectors tried after a ray, where trying every combination of states would come next: each path costs as much as
-/// the first.
+/// Covering vectors tried after a ray where all combinations of states are tried next. Each path costs as much as the first.
 const OTHER_PATHS: usize = 3;
-/// The number of those where there are too many contacts to try every combination.
+/// Covering vectors tried after a ray where there are too many contacts to try every combination.
 const OTHER_PATHS_AT_MOST: usize = 16;
-/// From this many contacts on Newton's method and the search for a separating motion come first. With few contacts that method often goes
-/// round in circles, with many hardly ever unless stiffnesses and friction lie decades apart. A linear program hardly finds the proof
+/// From this many contacts on, Newton's method and the search for a separating motion come first. With few contacts Newton's method often
+/// cycles; with many hardly ever, unless stiffnesses and friction lie decades apart. Above this number a linear program hardly finds a proof
 /// that the search has missed.
 pub(super) const MANY: usize = 32;
-/// Multiplications that the paths of one rung may take together where the caller sets no limit on pivots: a second or so. With more
-/// a scene of thousands of contacts without an equilibrium would take minutes to give up; with less some are given up that a path solves.
+/// Multiplications of all paths of one rung where the caller sets no limit on pivots: about a second. With a larger limit a scene of thousands
+/// of contacts without an equilibrium takes minutes to give up; with a smaller one some solvable scenes are given up.
 pub(super) const MOST_WORK: usize = 500_000_000;
 
-/// Whether one path on a dense matrix can be afforded, so many times as large as the kinematic form of the problem: it takes about as many
+/// Whether one path on a dense matrix with `times` the rows of the kinematic form is affordable. A path takes about as many
 /// pivots as there are rows.
 pub(crate) fn dense_is_affordable<D: Size, const C: usize>(problem: &Problem<D, C>, times: usize) -> bool {
     let rows = problem.locals().map(|local| local.pairs()).sum::<usize>();
     (times * rows).pow(3) <= MOST_WORK
 }
 
-/// Few enough contacts to try every combination of their states.
+/// Whether every combination of contact states may be tried.
 pub(super) fn enumerable<D: Size, const C: usize>(problem: &Problem<D, C>, settings: &Settings) -> bool {
     combinations(problem) <= settings.most_states as f64
 }
 
-/// Who proposes states of a problem, if it finds some.
+/// A rule that proposes contact states, or `None` where it finds none.
 type Propose<'p, D, const C: usize> = dyn Fn(&Problem<D, C>, &mut Log) -> Option<Vec<State<C>>> + 'p;
 
-/// One rung: Lemke proposes states, the piece with these states is solved and checked; on the round cone Newton's method goes on
-/// from there.
+/// Proposes states, solves the piece with these states and checks it; on the round cone Newton's method continues from there.
 pub(super) fn climb<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     propose: &Propose<'_, D, C>,
@@ -92,11 +90,11 @@ pub(super) fn propose_dense<D: Size, const C: usize>(
 ) -> Option<Vec<State<C>>> {
     let form = form?;
     log.effort.rows = log.effort.rows.max(form.rows.len());
-    // On the round cone the tree comes next, which knows more than another path would. Bases are better enumerated as contact
-    // states, where each costs one d x d system and is checked as physics.
+    // On the round cone the tree comes next, which decides more than another path would. Combinations are better enumerated as contact
+    // states, where each costs one d × d system and is checked against the contact law.
     let affordable = settings.max_pivots.unwrap_or(most_work / form.rows.len().pow(2).max(1));
     let by_size = lcp::Settings::one_path();
-    // What no path is known to need is no limit.
+    // A limit above the solver's own default is left to the solver.
     let bounds = settings.max_pivots.is_some() || affordable < by_size.pivot_limit(form.rows.len());
     let one_path = lcp::Settings { max_pivots: bounds.then_some(affordable), ..by_size };
     let lcp_settings = if most_cases(problem, settings) > 0 {

@@ -1,4 +1,4 @@
-//! Equilibrium with the law of each contact replaced by its convex hull: one point of a polyhedral cone.
+//! Equilibrium with the law of each contact replaced by its convex hull: a point of a polyhedral cone.
 //!
 //! In energy units, `e = K^{1/2}v` and `f = K^{-1/2}F`, with P the orthogonal projector on the span of `K^{1/2}Gᵀ` and f⁰ the
 //! elastic trial state, balance of forces and compatibility of stretches say
@@ -7,7 +7,7 @@
 //! P f = P f⁰,   (1 - P) e = (1 - P) f⁰        ⟺        e + P (f - e) = f⁰
 //! ```
 //!
-//! one equation in as many numbers as there are stretches, without the twist. A pair (e, f) that is a sum of hull generators with
+//! one equation in as many unknowns as there are stretches, without the twist. Either a pair (e, f) that is a sum of hull generators with
 //! shares s >= 0 solves it, or the distance of f⁰ from all such sums is positive. Then the residual y has
 //!
 //! ```text
@@ -24,18 +24,18 @@ use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 use crate::proofs::{ESCAPE, LEAST_WORK};
 
-/// A generator works along the residual if by more than this part of it.
+/// Least work of a generator along the residual, as a part of the residual, with which it joins.
 const WORKS: f64 = 1e-12;
-/// A distance below this part of the trial state is none.
+/// A distance below this part of the trial state is zero.
 const MET: f64 = 1e-11;
-/// A distance below this part of the trial state is too near to rounding of it to contradict anything.
+/// A distance below this part of the trial state is too close to its rounding for a contradiction.
 const CLEAR: f64 = 1e-10;
-/// A distance that shrinks by less than this part has not shrunk: what was tried at it is not tried again.
+/// A distance that shrinks by less than this part has not shrunk: generators tried since then are not tried again.
 const SHRINKS: f64 = 1e-9;
-/// Generators taken in for each number of the equation, at most.
+/// Most generators that join, for each row of the equation.
 const MOST_PER_ROW: usize = 40;
 
-/// A generator: the number of its contact, and its own among those of the contact.
+/// A generator: the number of its contact, and its number among the generators of that contact.
 pub(super) type Tag = (usize, usize);
 
 /// The equation.
@@ -50,11 +50,11 @@ pub(super) struct BalanceEquation<const C: usize> {
     roots: Vec<SVector<f64, C>>,
 }
 
-/// What the hulls allow.
+/// The result of a relaxation.
 pub(super) enum Relaxed<const C: usize> {
-    /// These stretches (m) and forces (N) of the contacts, as far as can be told.
+    /// Stretches (m) and forces (N) of the contacts, as far as the relaxation determines them.
     Met(Vec<SVector<f64, C>>, Vec<SVector<f64, C>>),
-    /// Nothing that is not larger than the data by this factor.
+    /// Every solution would be larger than the data by at least this factor.
     Contradicted { escape: f64 },
 }
 
@@ -201,7 +201,7 @@ impl<const C: usize> BalanceEquation<C> {
         Relaxed::Met(stretches, forces)
     }
 
-    /// What contradicts a case: a virtual motion and self-balanced virtual forces that stand for the residual.
+    /// The contradiction of a case: a virtual motion and self-balanced virtual forces, from the residual.
     pub(super) fn contradiction<D: Size>(
         &self,
         trial: &Piece<D, C>,

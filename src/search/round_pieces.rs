@@ -1,7 +1,7 @@
-//! From piece to piece of the contact law on the round cone: Newton's method in forces and twist together.
+//! Newton's method in forces and twist together, from piece to piece of the contact law on the round cone.
 //!
-//! The force of a spring 1e10 times as stiff as the others is 1e10 times as sensitive to the twist: told from the twist alone
-//! (`object/newton`), its rounding would pass for a contact state. Here forces are unknowns, too. Each contact keeps its state while the
+//! The force of a spring 1e10 times as stiff as the others is 1e10 times as sensitive to the twist. Computed from the twist alone
+//! (`object/newton`), its rounding would decide the contact state. Here forces are unknowns, too. Each contact keeps its state while the
 //! piece is solved, in twice the working precision (`object/correction`), and leaves it where the solution breaks an inequality.
 
 use nalgebra::SVector;
@@ -13,27 +13,27 @@ use crate::numerics::{Size, Vector};
 use crate::object::{Piece, PieceState, PreciseTwist, Problem, newton_on_cones};
 use crate::prelude::*;
 
-/// What is left out of balance where Newton's method on the twist ends, as a part of the forces: steps on the pieces do the rest.
+/// Imbalance, as a part of the forces, at which Newton's method on the twist ends; steps on the pieces reduce the rest.
 const ARRIVED: f64 = 1e-9;
-/// Steps at most.
+/// Most steps.
 const STEPS: usize = 20;
-/// A step by less than this part of a force, or of the twist, is the last.
+/// A step that changes the twist and each force by less than this part of itself is the last.
 const SHARP: f64 = 1e-14;
-/// This part of the largest force is below the last digit of any.
+/// This part of the largest force is below the last digit of any force.
 const NO_DIGIT: f64 = 1e-20;
-/// Where nothing but rounding holds the direction of a small force no step is the last. One that changes forces by less than this part of
-/// them, or by rounding of the largest, leaves the square of it.
+/// Where only rounding determines the direction of a small force, no step is sharp. A step that changes forces by less than this part of
+/// them, or by rounding of the largest, leaves an error of this part squared.
 const SETTLED: f64 = 1e-8;
 /// Rounding of the largest force.
 const ROUNDING: f64 = 1e-15;
-/// A force that still turns is off its cone by the square of the angle. This part of the largest force is rounding.
+/// Tolerance of friction on its cone, as a part of the largest force. A force that still turns is off the cone by the square of the angle.
 const ON_THE_CONE: f64 = 1e-14;
-/// An answer may be out of balance by this part of its forces: a load that was computed has rounding.
+/// An answer may be out of balance by this part of load and forces: a load that was computed has rounding.
 const BALANCED: f64 = 1e-13;
 /// A state is left where its inequality fails by more than this part of its terms.
 const FAILS: f64 = 1e-14;
-/// No answer is farther from the start than this times start and drives together: hardly a digit of what contacts do would be left. Beside a locking
-/// angle steps lead there, where another rung finds an equilibrium close by.
+/// Farthest answer from the start, as a multiple of the twist and drives there: beyond, hardly a digit of the contacts' stretch is left. Beside a
+/// locking angle steps lead there, where another rung finds an equilibrium close by.
 const FAR: f64 = 1e12;
 /// A motion that moves a contact by less than this part of its reach does not move it.
 const FELT: f64 = 1e-10;
@@ -43,22 +43,22 @@ const FELT: f64 = 1e-10;
 pub(super) struct RoundPieces<D: Size, const C: usize> {
     states: Vec<State<C>>,
     forces: Vec<SVector<f64, C>>,
-    /// In twice the working precision: the slip of a stiff contact may be less than its rounding.
+    /// In twice the working precision: the slip of a stiff contact may be smaller than the rounding of the twist.
     twist: PreciseTwist<D>,
 }
 
-/// What a step has changed.
+/// Size of the change by a step.
 struct Progress {
-    /// No force, and not the twist, but for its last digit.
+    /// Forces and twist changed by their last digit at most.
     sharp: bool,
-    /// No force, and not the twist, by more than a part `SETTLED` of itself: the directions of friction have hardly turned.
+    /// Forces and twist changed by at most a part `SETTLED` of themselves: the directions of friction have hardly turned.
     near: bool,
-    /// No force by more than that but for rounding of the largest.
+    /// Forces changed by at most a part `SETTLED` of themselves, plus rounding of the largest.
     settled: bool,
 }
 
 impl<D: Size, const C: usize> RoundPieces<D, C> {
-    /// Where Newton's method arrives from a twist, each contact free to change its state.
+    /// The limit of Newton's method on the twist from `from`, each contact free to change its state.
     pub(super) fn arrived(problem: &Problem<D, C>, from: Vector<D>) -> Option<Self> {
         let mut contacts = Vec::new();
         let (twist, ..) = newton_on_cones(problem, (from, ARRIVED), &mut contacts)?;
@@ -70,11 +70,11 @@ impl<D: Size, const C: usize> RoundPieces<D, C> {
     pub(super) fn on_polygons(problem: &Problem<D, C>, states: &[State<C>], near: &PieceState<D, C>) -> Self {
         let state = |(local, (state, force)): (LocalLaw<'_, C>, (&State<C>, &SVector<f64, C>))| {
             if state.slides() && !local.is_on_an_edge() {
-                // Without friction force nothing says which way.
+                // Without a friction force the direction of the slide is unknown.
                 let rubs = local.may_slide() && tangential(force).amax() > 0.0;
                 return if rubs { Mode::Round(Slide::new(force, 0.0)) } else { Mode::Sticking };
             }
-            // At the apex of its cone a polygon calls open what is kept closed.
+            // At the apex of its cone a polygon's contact may be open although its law keeps it closed.
             if state.is_open() && local.excludes(state) { Mode::Sticking } else { *state }
         };
         let states = problem.locals().zip(states.iter().zip(&near.forces)).map(state).collect();
@@ -85,7 +85,7 @@ impl<D: Size, const C: usize> RoundPieces<D, C> {
         }
     }
 
-    /// Newton's method until the last digit of every contact stands. `None` if it does not settle or where the states do not hold.
+    /// Newton's method until the last digit of every contact is final. `None` if it does not converge or the states do not hold.
     pub(super) fn solve(mut self, problem: &Problem<D, C>) -> Option<Found<D, C>> {
         let driven = problem.drives.iter().map(SVector::norm).fold(self.twist.value().norm(), f64::max);
         let mut piece = Piece::new(problem, &self.states);
@@ -98,13 +98,13 @@ impl<D: Size, const C: usize> RoundPieces<D, C> {
             if last && let Some(found) = self.admitted(problem, &piece) {
                 return Some(found);
             }
-            // While a motion is free the gaps along it are anything.
+            // While a motion is free, gaps along it are arbitrary.
             let closing = sharp || piece.free_motions().is_empty();
             let left = self.leave_states(problem, closing);
             if sharp && !left {
                 return None;
             }
-            // Where forces have settled the next step is by so much smaller with the tangent of this one.
+            // Close to the solution the old tangent is accurate enough: the next step is smaller by the same factor.
             if left || !near {
                 piece = Piece::new(problem, &self.states);
             }
@@ -112,7 +112,7 @@ impl<D: Size, const C: usize> RoundPieces<D, C> {
         None
     }
 
-    /// Whether friction forces are as large as they can be wherever contacts slide; not so where a contact that is kept closed pulls.
+    /// Whether friction forces equal their limit wherever contacts slide; false where a contact that is kept closed pulls.
     fn on_cones(&self, problem: &Problem<D, C>) -> bool {
         let largest = problem.largest_force(&self.forces, &self.twist.value());
         problem.locals().zip(&self.states).zip(&self.forces).all(|((local, state), force)| {
@@ -122,7 +122,7 @@ impl<D: Size, const C: usize> RoundPieces<D, C> {
         })
     }
 
-    /// Solves the piece.
+    /// One step: solves the piece for corrections of forces and twist.
     fn step(&mut self, problem: &Problem<D, C>, piece: &Piece<D, C>) -> Progress {
         let twist = self.twist.value();
         let largest = problem.largest_force(&self.forces, &twist);
@@ -132,7 +132,7 @@ impl<D: Size, const C: usize> RoundPieces<D, C> {
         let (mut sharp, mut near, mut settled) = (moved <= SHARP * size, moved <= SETTLED * size, true);
         for (force, missing) in self.forces.iter_mut().zip(&missing.forces) {
             *force += missing;
-            // Each contact by itself: a small force may still turn while the large ones have settled.
+            // Each contact is compared with its own force: a small force may still turn while the large ones have settled.
             sharp &= missing.norm() <= SHARP * force.norm() + NO_DIGIT * largest;
             near &= missing.norm() <= SETTLED * force.norm();
             settled &= missing.norm() <= SETTLED * force.norm() + ROUNDING * largest;
@@ -140,11 +140,11 @@ impl<D: Size, const C: usize> RoundPieces<D, C> {
         Progress { sharp, near, settled }
     }
 
-    /// As an answer, if every inequality holds.
+    /// The answer, if every inequality holds.
     fn admitted(&self, problem: &Problem<D, C>, piece: &Piece<D, C>) -> Option<Found<D, C>> {
         let Self { states, forces, twist } = self.clone();
         let at = PieceState { forces, twist: twist.value() };
-        // Steps leave only loads that no spring of the piece resists.
+        // Steps leave an imbalance only along loads that no spring of the piece resists.
         if !piece.resists(&problem.wrench) || !balanced(problem, &at) {
             return None;
         }
@@ -158,8 +158,8 @@ impl<D: Size, const C: usize> RoundPieces<D, C> {
         admit(problem, states, piece, at).ok()
     }
 
-    /// Whether a motion turns the friction of a sliding contact: it is not free then, only resisted by less than rounding of the stiffest
-    /// spring, and where it leads to is not known.
+    /// Whether a motion turns the friction of a sliding contact. It is then not free, but resisted by less than rounding of the stiffest
+    /// spring, and its end is unknown.
     fn turns(&self, problem: &Problem<D, C>, motion: &Vector<D>) -> bool {
         problem.sites.iter().zip(&self.states).any(|(site, state)| {
             let turns = |slide: &Slide<C>| slide.across().dot(&site.map.tr_mul(motion)).abs();
@@ -167,7 +167,7 @@ impl<D: Size, const C: usize> RoundPieces<D, C> {
         })
     }
 
-    /// Leaves states that do not hold, and lets contacts slide on in the direction that belongs to their stretch; whether a state was left.
+    /// Changes states that do not hold and turns each slide into the direction of the contact's stretch. Returns whether a state was left.
     /// Open contacts close only if `closing`.
     fn leave_states(&mut self, problem: &Problem<D, C>, closing: bool) -> bool {
         let twist = self.twist.value();
@@ -193,8 +193,8 @@ impl<D: Size, const C: usize> RoundPieces<D, C> {
     }
 }
 
-/// The state of a contact from here on; its force where it opens or slides on the round cone. An open contact may touch again, and a closed
-/// one may pull.
+/// The next state of a contact; sets its force where it opens or slides on the round cone. An open contact may touch again, and a closed
+/// contact may pull.
 fn next_state<const C: usize>(
     local: &LocalLaw<'_, C>,
     state: &State<C>,
@@ -211,7 +211,7 @@ fn next_state<const C: usize>(
         }
         _ if !local.may_slide() => *state,
         _ => {
-            // The stretch of a stiff spring is known from its force, not from displacements.
+            // The stretch of a stiff spring is computed from its force; displacements would only give its rounding.
             let give = local.springs.give(force);
             let known =
                 SVector::from_fn(
@@ -230,8 +230,8 @@ fn next_state<const C: usize>(
     }
 }
 
-/// Whether forces balance the load. Without a load they may be noise, which is not measured against itself; with one a wild twist must not
-/// count as a force.
+/// Whether forces balance the load, relative to load and forces. Without a load the forces may be rounding; the scale then includes
+/// the part `NO_FORCE` of the least force that springs could have. With a load this scale would let a huge twist pass.
 fn balanced<D: Size, const C: usize>(problem: &Problem<D, C>, at: &PieceState<D, C>) -> bool {
     let (left, carried) = problem.imbalance(&at.forces);
     let load = problem.wrench.norm();

@@ -1,4 +1,4 @@
-//! The rungs of the ladder, each a way to find an equilibrium or to prove that there is none.
+//! The rungs of the ladder, each a way to find an equilibrium or to prove that none exists.
 
 use super::a_few::propose_of_a_few;
 use super::answer::{Doubt, Rung, Settled};
@@ -18,11 +18,11 @@ use crate::prelude::*;
 use crate::proofs;
 use crate::structured::propose_by_newton;
 
-/// From this many contacts on the kinematic form is solved on lists of contact states first. The pivots are cheaper with three contacts
-/// already; with so few the dense solver's path is kept: another covering vector may end in another of several equilibria.
+/// From this many contacts on, the kinematic form is solved on lists of contact states first. Its pivots are cheaper from three contacts
+/// on, but with few contacts the dense solver's path is kept: another covering vector may end in another of several equilibria.
 const STRUCTURED_FROM: usize = 8;
 
-/// What would pull is open, and the rest sticks.
+/// Contacts that would pull are open; all others stick.
 pub(super) fn touching_contacts_stick<D: Size, const C: usize>(
     scene: &TrialScene<'_, '_, D, C>,
     _: &mut Log,
@@ -31,7 +31,7 @@ pub(super) fn touching_contacts_stick<D: Size, const C: usize>(
     Attempt::by(Rung::EverythingTouchingSticks, found)
 }
 
-/// Newton's method on the answers of many contacts.
+/// Newton's method on the contacts' forces as functions of the object's motion, for many contacts.
 pub(super) fn newton_on_answers<D: Size, const C: usize>(
     scene: &TrialScene<'_, '_, D, C>,
     log: &mut Log,
@@ -43,7 +43,7 @@ pub(super) fn newton_on_answers<D: Size, const C: usize>(
     Attempt::by(Rung::Newton, climb(scene.proposing(), &propose, log))
 }
 
-/// Lemke's method on the kinematic form, on lists of contact states: its cost is that of a few numbers a contact.
+/// Lemke's method on the kinematic form, on lists of contact states: a pivot costs a few numbers a contact.
 pub(super) fn kinematic_form_on_states<D: Size, const C: usize>(
     scene: &TrialScene<'_, '_, D, C>,
     log: &mut Log,
@@ -59,7 +59,7 @@ pub(super) fn kinematic_form_on_states<D: Size, const C: usize>(
     Attempt::by(Rung::KinematicForm, found)
 }
 
-/// Lemke's method on the kinematic form of the contacts that need it, of many coordinates.
+/// Lemke's method on the kinematic form of the few contacts that leave the trial, where the object has many coordinates (banded stiffness).
 pub(super) fn kinematic_form_of_a_few<D: Size, const C: usize>(
     scene: &TrialScene<'_, '_, D, C>,
     log: &mut Log,
@@ -71,7 +71,7 @@ pub(super) fn kinematic_form_of_a_few<D: Size, const C: usize>(
     Attempt::by(Rung::KinematicForm, climb(scene.proposing(), &propose, log))
 }
 
-/// In rates at a limit load everything on an edge slides, and nothing responds to a motion on which the load works.
+/// In rates at a limit load: all contacts on an edge slide, and nothing resists a motion on which the load works.
 pub(super) fn everything_yields<D: Size, const C: usize>(
     scene: &TrialScene<'_, '_, D, C>,
     _: &mut Log,
@@ -83,7 +83,7 @@ pub(super) fn everything_yields<D: Size, const C: usize>(
     proof.map_or(Attempt::Nothing, |escape| Attempt::Proof(Settled::Contradicted { cases: 1, escape }))
 }
 
-/// Of many coordinates a proof is cheaper than any path, and soon seen not to be there.
+/// With many coordinates a separating motion is cheaper than any path, and its absence is soon known.
 pub(super) fn separating_motion_in_a_band<D: Size, const C: usize>(
     scene: &TrialScene<'_, '_, D, C>,
     _: &mut Log,
@@ -92,7 +92,7 @@ pub(super) fn separating_motion_in_a_band<D: Size, const C: usize>(
     motion.flatten().map_or(Attempt::Nothing, |motion| Attempt::Proof(Settled::Separating(motion)))
 }
 
-/// Among many contacts a proof is cheaper than any path.
+/// With many contacts a separating motion is cheaper than any path.
 pub(super) fn separating_motion_of_many<D: Size, const C: usize>(
     scene: &TrialScene<'_, '_, D, C>,
     log: &mut Log,
@@ -115,7 +115,7 @@ pub(super) fn kinematic_form<D: Size, const C: usize>(
     scene: &TrialScene<'_, '_, D, C>,
     log: &mut Log,
 ) -> Attempt<D, C> {
-    // With too many contacts nothing is left that the lists of states have not said.
+    // With too many contacts the dense form adds nothing to the lists of states.
     if scene.problem.len() >= MANY && !dense_is_affordable(scene.proposing(), 1) {
         return Attempt::Stop;
     }
@@ -150,7 +150,7 @@ pub(super) fn force_form<D: Size, const C: usize>(
     Attempt::by(Rung::ForceForm, climb(scene.proposing(), &propose, log))
 }
 
-/// A motion that separates the load from all that friction can do.
+/// A motion that separates the load from all admissible contact forces.
 pub(super) fn separating_motion<D: Size, const C: usize>(
     scene: &TrialScene<'_, '_, D, C>,
     _: &mut Log,
@@ -169,7 +169,7 @@ pub(super) fn newton_on_the_round_cone<D: Size, const C: usize>(
     }
     let from = |twist| polish_from(scene.problem, twist);
     let found = from(scene.state.twist.clone());
-    // Of many coordinates friction with given limits leads nearer.
+    // With many coordinates Tresca friction leads to a nearer twist.
     Attempt::by(Rung::Newton, found.or_else(|| twist_by_given_limits(scene.problem).and_then(from)))
 }
 
@@ -198,7 +198,7 @@ pub(super) fn every_combination<D: Size, const C: usize>(
     log: &mut Log,
 ) -> Attempt<D, C> {
     let problem = scene.proposing();
-    // A polygon that has no equilibrium says nothing about the round cone.
+    // A proof on the polygon says nothing about the round cone.
     if has_round_cones(problem) || !enumerable(problem, scene.settings) {
         return Attempt::Nothing;
     }

@@ -1,4 +1,4 @@
-//! What a rung of the ladder is given, and what it has to say.
+//! Input and result of a rung of the ladder.
 
 use alloc::sync::Arc;
 use core::cell::OnceCell;
@@ -12,11 +12,11 @@ use crate::numerics::Size;
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
-/// A question for an equilibrium, with its elastic trial state.
+/// A search for an equilibrium, with its elastic trial state.
 pub(super) struct TrialScene<'s, 'g, D: Size, const C: usize> {
     pub(super) problem: &'s Problem<'g, D, C>,
     pub(super) settings: &'s Settings,
-    /// The states of the trial: everything that is there sticks.
+    /// The states of the trial: every contact that is present sticks.
     pub(super) unjumped: Vec<State<C>>,
     pub(super) trial: Arc<Piece<D, C>>,
     pub(super) state: PieceState<D, C>,
@@ -36,7 +36,7 @@ impl<'s, 'g, D: Size, const C: usize> TrialScene<'s, 'g, D, C> {
         Self { problem, settings, unjumped, trial, state, proposing, with_edges }
     }
 
-    /// The problem that Lemke's method proposes on: for the round cone that with polygons turned to the trial tractions.
+    /// The problem on which Lemke's method proposes. For the round cone its polygons are turned to the trial tractions.
     pub(super) fn proposing(&self) -> &Problem<'g, D, C> {
         if !self.problem.round {
             return self.problem;
@@ -44,8 +44,8 @@ impl<'s, 'g, D: Size, const C: usize> TrialScene<'s, 'g, D, C> {
         self.proposing.get_or_init(|| on_polygons(self.problem, self.settings.cone, &self.state.forces))
     }
 
-    /// [`Self::proposing`] with facets for infinite friction, if any contact has it. Such a contact has to let go of its tangential force when it
-    /// opens, and only facets do that.
+    /// [`Self::proposing`] with facets for infinite friction, if any contact has it. Such a contact loses its tangential force when it
+    /// opens, which only facets can express.
     pub(super) fn with_edges(&self) -> Option<&Problem<'g, D, C>> {
         let infinite = || self.problem.locals().any(|local| local.never_slides());
         let make =
@@ -54,12 +54,12 @@ impl<'s, 'g, D: Size, const C: usize> TrialScene<'s, 'g, D, C> {
     }
 }
 
-/// What one rung has to say.
+/// Result of one rung.
 pub(super) enum Attempt<D: Size, const C: usize> {
     Found(Found<D, C>, Rung),
-    /// No equilibrium, and why.
+    /// A proof that no equilibrium exists.
     Proof(Settled<D, C>),
-    /// Neither; the next rung has its turn.
+    /// Neither; the next rung follows.
     Nothing,
     /// Neither, and the rungs above cost more than the answer is worth.
     Stop,
@@ -71,15 +71,15 @@ impl<D: Size, const C: usize> Attempt<D, C> {
     }
 }
 
-/// What the rungs leave behind for those above, and for the answer.
+/// Effort so far, and the reason if the search stays undecided.
 pub(super) struct Log {
     pub(super) effort: Effort,
-    /// Why nothing could be said, if nothing can be said in the end.
+    /// The reason that is reported if no rung decides.
     pub(super) doubt: Doubt,
 }
 
-/// The problem with the polygon of each contact turned so that it has a corner along the trial traction: as long as the traction
-/// keeps its direction that polygon is as good as the round cone.
+/// The problem with each contact's polygon turned so that one corner lies along the trial traction. While the traction
+/// keeps this direction, the polygon is as good as the round cone.
 pub(super) fn on_polygons<'g, D: Size, const C: usize>(
     problem: &Problem<'g, D, C>,
     cone: PolygonCone,

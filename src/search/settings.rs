@@ -1,9 +1,9 @@
-//! What a caller may choose.
+//! Settings of searches and load paths.
 
 use super::small_motions::SmallMotions;
 use crate::contact::PolygonCone;
 
-/// Choices that have sound defaults.
+/// Limits and tolerances of searches and load paths, with sound defaults.
 ///
 /// ```
 /// use grasp_lcp::{Fit, PolygonCone, Settings};
@@ -16,39 +16,38 @@ use crate::contact::PolygonCone;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Settings {
-    /// The polygonal friction cone in space: 8 facets, inscribed. For answers on the round cone it is what Lemke's method pivots
-    /// on, turned at each contact towards the elastic trial traction, and more facets only cost time. For answers on the
+    /// The polygonal friction cone in space: 8 facets, inscribed. Lemke's method pivots on it. For answers on the round cone it is turned
+    /// at each contact towards the elastic trial traction, and more facets only cost time. For answers on the
     /// polygon itself more facets come closer to the round cone (the onset's error falls like 1/m², a sliding
-    /// state's like 1/m) and cost more pivots. Not looked at in the plane.
+    /// state's like 1/m) and cost more pivots. Ignored in the plane.
     pub cone: PolygonCone,
-    /// In space, whether equilibria and load paths are for the round cone (the default) or for the polygon itself. Not looked at in
-    /// the plane.
+    /// In space, whether equilibria and load paths are for the round cone (the default) or for the polygon itself. Ignored in the plane.
     pub round: bool,
-    /// Pivots of Lemke's method on one form of a scene. `None` allows as many as take a second or so: with thousands of contacts that
-    /// Newton's method has not settled it gives up, with [`Doubt::OutOfPivots`](super::Doubt::OutOfPivots). The dense programs of
+    /// Most pivots of Lemke's method on one form of a scene. `None` allows about a second. With thousands of contacts on which
+    /// Newton's method has failed, the search then gives up with [`Doubt::OutOfPivots`](super::Doubt::OutOfPivots). The dense programs of
     /// [`energy`](crate::energy) may take some ten seconds.
     pub max_pivots: Option<usize>,
-    /// When neither form gives an answer, all combinations of contact states are tried if they are at most this many
-    /// (default 20 000, a few hundredths of a second: 7 contacts in the plane, 3 on 8 facets in space). On the round cone
+    /// When neither form gives an answer, all combinations of contact states are tried if they are at most this many. The default is 20 000, a few
+    /// hundredths of a second: 7 contacts in the plane, 3 on 8 facets in space. On the round cone
     /// states and directions of friction of up to 32 contacts are divided into cases. A case of n contacts counts as n³/400
-    /// combinations, and as five at least: the default allows 4 000 for up to 12 contacts. Lower it for speed on
-    /// scenes without an equilibrium (0 leaves the search out, and with it proofs by trying all states), raise it to get a proof for
+    /// combinations, and as five at least: the default allows 4 000 for up to 12 contacts. A smaller number is faster on
+    /// scenes without an equilibrium; 0 omits the search, and with it proofs by trying all states. A larger number gives proofs for
     /// more contacts.
     pub most_states: usize,
-    /// On a load path on the round cone, the most that the estimated error of one step along a sliding arc may be: of forces over
-    /// the largest force, of slips over the largest displacement. The default is 1e-9. Steps are as long as its eighth root: 1e-13 takes about three times as many.
-    /// Where rounding allows only a larger one, that is reported by
-    /// [`LoadPath::step_error`](crate::load_path::LoadPath::step_error). Where a path is straight there are no steps.
+    /// On a load path on the round cone, the largest estimated error of one step along a sliding arc: of forces relative to
+    /// the largest force, of slips relative to the largest displacement. The default is 1e-9. Step lengths scale with its eighth root: 1e-13 takes
+    /// about three times as many. Where rounding allows only a larger error,
+    /// [`LoadPath::step_error`](crate::load_path::LoadPath::step_error) reports it. Straight parts of a path need no steps.
     pub step_error: f64,
-    /// On a load path, steps along sliding arcs of the round cone within one leg, refused ones included, and jumps where friction falls as contacts begin to slide
-    /// (default 20 000). With more the path ends [undecided](crate::load_path::PathEnd::Undecided) where it stands.
+    /// On a load path, most steps along sliding arcs of the round cone within one leg, refused ones included. Also the most jumps where friction
+    /// falls as contacts begin to slide (default 20 000). Beyond, the path ends [undecided](crate::load_path::PathEnd::Undecided) where it is.
     pub most_steps: usize,
-    /// So many times the load that is asked about [`hold`](crate::ask::Grasp::hold) looks for where it is lost (default 100; up to 1 it stops where all of
-    /// the load is on).
+    /// Largest load factor up to which [`hold`](crate::ask::Grasp::hold) searches for the loss of the grasp, as a multiple of the load asked about
+    /// (default 100). Up to 1 the search stops at the full load.
     pub most_load: f64,
-    /// So many cycles of a load that repeats are followed at most (default 1 000), see [`shake`](crate::ask::Grasp::shake).
+    /// Most cycles of a repeated load (default 1 000), see [`shake`](crate::ask::Grasp::shake).
     pub most_cycles: usize,
-    /// Up to where motions are small: by default a tenth of a radian, and slips of a tenth of the grasp's size.
+    /// Limits of small motions: by default a tenth of a radian, and slips of a tenth of the grasp's size.
     pub small_motions: SmallMotions,
 }
 
@@ -109,21 +108,21 @@ impl Settings {
         self
     }
 
-    /// The same, looking up to so many times the load for where it is lost.
+    /// The same with another largest load factor for the loss of the grasp, a multiple of the load asked about.
     #[must_use]
     pub fn with_most_load(mut self, most_load: f64) -> Self {
         self.most_load = most_load;
         self
     }
 
-    /// The same, following so many cycles of a load that repeats at most.
+    /// The same with another limit on the cycles of a repeated load.
     #[must_use]
     pub fn with_most_cycles(mut self, most_cycles: usize) -> Self {
         self.most_cycles = most_cycles;
         self
     }
 
-    /// The same, where motions are small up to this rotation, rad, and up to slips of this part of the grasp's size.
+    /// The same with other limits of small motions: a rotation, rad, and a slip as a part of the grasp's size.
     #[must_use]
     pub fn with_small_motions(mut self, rotation: f64, slip: f64) -> Self {
         self.small_motions = SmallMotions { rotation, slip };

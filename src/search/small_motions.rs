@@ -1,11 +1,11 @@
-//! Up to where motions are small.
+//! Limits of small motions.
 
 use crate::error::{Error, is_moderate};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Up to where the motions of an answer are small. Contact points and normals are those of the undeformed grasp in all that is computed, so that an answer
-/// beyond says little: a [`Verdict`](crate::hold::Verdict) never tells that a load holds there.
+/// Limits of small motions. All computations use the contact points and normals of the undeformed grasp, so an answer
+/// beyond these limits is unreliable: a [`Verdict`](crate::hold::Verdict) never claims that a load holds there.
 ///
 /// A translation that all contacts take up elastically changes no geometry, and does not count.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,7 +33,7 @@ impl Default for SmallMotions {
 }
 
 impl SmallMotions {
-    /// Refuses limits that are none.
+    /// Refuses limits that are not positive or exceed 1e50.
     pub(crate) fn check(&self) -> Result<(), Error> {
         let allowed = "more than 0 and at most 1e50";
         let limits = [("rotation of small motions", self.rotation), ("slip of small motions", self.slip)];

@@ -1,4 +1,4 @@
-//! The sticking equilibrium of what touches: contacts that would pull are open, and everything closed sticks.
+//! The sticking equilibrium of touching contacts: contacts that would pull are open, and all closed contacts stick.
 
 use super::answer::Found;
 use super::candidate::admit;
@@ -7,28 +7,28 @@ use crate::numerics::Size;
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
-/// With more contacts all that pull let go together.
+/// With more contacts, all that pull open together.
 const ONE_BY_ONE: usize = 64;
-/// How often they may.
+/// Most rounds where contacts open together.
 const ROUNDS: usize = 20;
 
-/// From these states and their solution on: opens contacts that pull and closes contacts that penetrate, until neither are left.
-/// The result is accepted if it satisfies every condition. A finger far out of reach is thus no reason to return another
-/// equilibrium than without it.
+/// Opens contacts that pull and closes contacts that penetrate, starting from these states and their solution, until neither are left.
+/// The result is accepted if it satisfies every condition. A finger far out of reach thus does not lead to another
+/// equilibrium than the grasp without it.
 pub(super) fn touching_contacts<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     mut states: Vec<State<C>>,
     trial: PieceState<D, C>,
 ) -> Option<Found<D, C>> {
     let mut solved = trial;
-    // In the first round these are the states that have failed before.
+    // `piece` stays empty in the first round: the initial states have already failed.
     let mut piece = None;
     let mut changed = Vec::new();
-    // Every contact usually changes once; the bound ends those that would go in circles.
+    // Every contact usually changes once; the bound ends cycles.
     let rounds = if states.len() > ONE_BY_ONE { ROUNDS } else { 2 * states.len() + 2 };
     for _ in 0..rounds {
-        // Few contacts let go one at a time: a contact that pulls makes others pull that will not when it has let go. The first is
-        // the one that is farthest from the object before anything moves.
+        // Few contacts open one at a time: a contact that pulls makes others pull that no longer do once it is open. The first to open is
+        // the contact with the largest initial gap.
         let reach = |i: usize| problem.drives[i][0];
         let depth = |i: usize| reach(i) - problem.sites[i].map.tr_mul(&solved.twist)[0];
         let may_open = |i: &usize| problem.local(*i).may_open();

@@ -1,9 +1,9 @@
-//! Which equilibrium is there on the round cone, or proof that there is none: branch and bound over what contacts do.
+//! An equilibrium on the round cone, or a proof that none exists: branch and bound over contact states.
 //!
-//! A case knows something of each contact ([`Label`]); at first nothing. Its relaxation ([`super::relaxed`]) contradicts it, or
-//! names a stretch and a force for every contact. Newton's method starts there, at some cases. Where it does not arrive the
-//! contact that is farthest from its law is divided into two labels, which make two cases. The relaxation comes closer to
-//! the law with every division, so that in the end cases are contradicted or Newton's method arrives.
+//! A case restricts each contact by a [`Label`]; the first case restricts none. Its relaxation ([`super::relaxed`]) contradicts it, or
+//! gives a stretch and a force for every contact. In some cases Newton's method starts there. Where it does not converge, the
+//! contact farthest from its law is divided into two labels, which make two cases. The relaxation comes closer to
+//! the law with every division, so that in the end cases are contradicted or Newton's method converges.
 
 use alloc::rc::Rc;
 
@@ -19,25 +19,25 @@ use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 use crate::proofs::ProofStep;
 
-/// Newton's method starts from every so manieth case: it costs as much as a few of them.
+/// Newton's method starts from every fourth case: it costs as much as a few cases.
 const EVERY: usize = 4;
-/// An error of the law by this part of the trial state is rounding: Newton's method should have arrived.
+/// An error of the law below this part of the trial state is rounding: Newton's method should have converged.
 const AT_THE_LAW: f64 = 1e-10;
-/// An error of a contact that is neither open nor closed yet counts so many times: other divisions say little before that one.
+/// Weight of the error of a contact that is neither open nor closed yet: before its division, other divisions contribute little.
 const UNDECIDED: f64 = 3.0;
 
 /// A case takes as long as the cube of the number of contacts over this many combinations of contact states.
 const COMBINATIONS: usize = 400;
-/// However few contacts there are, a case takes as long as so many combinations: the first relaxation has its cost, too.
+/// Least cost of a case in combinations, however few contacts: the first relaxation has its cost, too.
 const FEW_CONTACTS: usize = 5;
-/// With more contacts there would be too few cases to decide anything.
+/// With more contacts there would be too few cases for a decision.
 const MOST_CONTACTS: usize = 32;
 
-/// How the search ends.
+/// The end of the search.
 #[derive(Debug, Clone)]
 pub(super) enum Tree<D: Size, const C: usize> {
     Found(Found<D, C>),
-    /// Each case is contradicted. What escapes is larger than the data by this factor.
+    /// Each case is contradicted. An escape from this proof is larger than the data by the factor `escape`.
     Contradicted {
         cases: usize,
         escape: f64,
@@ -55,14 +55,14 @@ struct Case<const C: usize> {
     divided: Option<usize>,
 }
 
-/// Whether friction may point anywhere on a circle. With cones that are not round the polygons say all there is to say, and rates on an
+/// Whether friction may have every direction on a circle. Without round cones the polygons decide completely, and rates on an
 /// edge are on a facet.
 pub(super) fn has_round_cones<D: Size, const C: usize>(problem: &Problem<D, C>) -> bool {
     problem.locals().any(|local| local.is_round()) && !problem.locals().any(|local| local.is_on_an_edge())
 }
 
-/// The cases that take as long as [`Settings::most_states`] combinations of contact states; none where there is nothing to divide, or
-/// too much.
+/// The number of cases that costs as much as [`Settings::most_states`] combinations of contact states. Zero where nothing can be divided, or
+/// with too many contacts.
 pub(super) fn most_cases<D: Size, const C: usize>(problem: &Problem<D, C>, settings: &Settings) -> usize {
     if problem.len() > MOST_CONTACTS || !has_round_cones(problem) {
         return 0;
@@ -71,7 +71,7 @@ pub(super) fn most_cases<D: Size, const C: usize>(problem: &Problem<D, C>, setti
     by_size.min(settings.most_states / FEW_CONTACTS)
 }
 
-/// Searches every case, at most so many.
+/// Searches every case, at most `most_cases`.
 pub(super) fn search_tree<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     trial: &Piece<D, C>,
@@ -156,7 +156,7 @@ pub(crate) fn refute<D: Size, const C: usize>(
     }
 }
 
-/// The contact whose force is farthest from what its law says of its stretch, and by how much.
+/// The contact whose force is farthest from its law at its stretch, and that distance.
 fn farthest_from_the_law<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     balance: &BalanceEquation<C>,

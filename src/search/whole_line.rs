@@ -1,7 +1,7 @@
-//! A twist that is one end of an interval: told with the motion along which others hold just as well.
+//! A twist at one end of an interval of solutions, completed by the motion along which others hold as well.
 //!
-//! Where friction is used up to the last at every contact that could resist a motion, forces do not say where along it the object is. States in which one
-//! of these contacts sticks are the end of that interval at which it has not slipped: they hold, and seem to leave nothing free.
+//! Where friction is exhausted at every contact that could resist a motion, forces do not determine the object's place along it. States in which one
+//! of these contacts sticks belong to the end of the interval at which it has not slipped: they hold, but show no free motion.
 
 use nalgebra::{Matrix, SVector};
 
@@ -13,15 +13,16 @@ use crate::numerics::Size;
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// Forces that differ by less than this part of the largest are the same.
+/// Forces that differ by less than this part of the largest are equal.
 const SAME: f64 = 1e-9;
 
-/// The same forces in the states that leave motions free, if what stands on an edge without slipping, or touches without force, may as well slide or part.
+/// The same forces in states that show the free motions: contacts on an edge of their cone slide, contacts without force part. `found` itself if
+/// these states do not hold.
 pub(crate) fn on_the_whole_line<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     found: Found<D, C>,
 ) -> Found<D, C> {
-    // In space springs across the slip resist where those of the plane have no direction left.
+    // In space, springs across the slip resist; in the plane no tangential direction is left.
     if C > 2 {
         return found;
     }
@@ -39,7 +40,7 @@ pub(crate) fn on_the_whole_line<D: Size, const C: usize>(
     }
 }
 
-/// What everything does if all that may yield does; `None` if nothing may.
+/// The states in which every sticking contact that may yield does: without force it opens, on an edge it slides. `None` if no contact may.
 fn yielding<D: Size, const C: usize>(problem: &Problem<D, C>, found: &Found<D, C>) -> Option<Vec<State<C>>> {
     let largest = found.forces.iter().map(Matrix::norm).fold(problem.wrench.norm(), f64::max);
     let mut states = found.states.clone();

@@ -1,5 +1,5 @@
-//! The proof that everything yields, held against all combinations of contact states: where it says that nothing balances drives and load, none
-//! of them does.
+//! Checks the proof that everything yields against all combinations of contact states: where it says that nothing balances drives and load, no
+//! combination does.
 
 use core::f64::consts::TAU;
 
@@ -13,7 +13,7 @@ use crate::prelude::*;
 use crate::proofs::yields;
 use crate::{Fit, PolygonCone, planar, spatial};
 
-/// What was counted: rates that were asked for, proofs that nothing balances them, and those that some combination balances.
+/// Numbers of rates, of proofs that nothing balances them, and of rates that some combination balances.
 #[derive(Debug, Default)]
 struct Count {
     asked: usize,
@@ -21,12 +21,12 @@ struct Count {
     held: usize,
 }
 
-/// A small whole number: geometry with ties, so that limit loads are met often.
+/// A small whole number: geometry with ties, so that limit loads occur often.
 fn whole(draw: &mut Draw, most: f64) -> f64 {
     (draw.normal() * most).round().clamp(-most, most)
 }
 
-/// One of so many.
+/// A whole number below `count`.
 fn one_of(draw: &mut Draw, count: usize) -> usize {
     (0..16).fold(0, |bits, _| 2 * bits + usize::from(draw.sign() > 0.0)) % count
 }
@@ -40,7 +40,7 @@ fn tangent<const C: usize>(draw: &mut Draw) -> SVector<f64, C> {
     }
 }
 
-/// The law of a contact in rates that the object slips along: mostly on the edge where it does.
+/// The law of a contact in rates, if the object slips along `slip`: mostly on the edge along which it slips.
 fn law<const C: usize>(draw: &mut Draw, normals: &[SVector<f64, C>], slip: &SVector<f64, C>) -> Law<C> {
     match one_of(draw, 24) {
         0 => Law::Bonded,
@@ -103,7 +103,7 @@ fn in_space() {
     let (mut draw, mut count) = (Draw::new([5, 25, 3]), Count::default());
     while count.asked < 4_000 {
         let number = 3 + one_of(&mut draw, 3);
-        // Around a circle and alike for the most part: then all may yield.
+        // Around a circle and mostly alike, so that all contacts may yield.
         let [leans, differ] = [0; 2].map(|_| draw.normal() > 1.0);
         let place = draw.normal();
         let contact = |i: usize| {

@@ -1,4 +1,4 @@
-//! How far commands and loads may be off at most.
+//! Bounds of the errors of commands and loads.
 
 use nalgebra::SVector;
 
@@ -7,11 +7,11 @@ use crate::grasp::{Engine, Wrench};
 use crate::numerics::Size;
 use crate::prelude::*;
 
-/// What is allowed.
+/// Allowed values of a bound, for error messages.
 const ALLOWED: &str = "from 0 to 1e50";
 
-/// Bounds of what enters the forces of a sticking grasp linearly: each number may be off by its bound to either side, whatever the others
-/// are. Without bounds nothing is off.
+/// Bounds of the data that enter the forces of a sticking grasp linearly. Each number may be off by its bound to either side, independently of
+/// the others. Data without bounds are exact.
 ///
 /// ```
 /// use grasp_lcp::planar::{Bounds, Wrench};
@@ -28,7 +28,7 @@ pub struct Bounds<const C: usize> {
 }
 
 impl<const C: usize> Bounds<C> {
-    /// Everything is as it is said to be.
+    /// No bounds: all data are exact.
     #[must_use]
     pub fn none() -> Self {
         Self { commands: None, base: Wrench::ZERO, direction: Wrench::ZERO }

@@ -1,15 +1,15 @@
-//! The least onset of sliding over all commands and loads within bounds, exact.
+//! The least onset of sliding over all commands and loads within bounds, exactly.
 //!
-//! While everything sticks, forces are linear in commands and loads. A condition `a·F >= 0` is worst at one corner of the box for all
-//! factors τ >= 0, the one that each datum's own sign says:
+//! While all contacts stick, forces are linear in commands and loads. A condition `a·F >= 0` is worst at one corner of the box for all
+//! factors τ >= 0. The sign of each datum's own contribution determines that corner:
 //!
 //! ```text
 //! F(τ) = F⁰ + Σ δ_p c_p + τ (F¹ + Σ ε_q c_q),   |δ_p| <= b_p,   |ε_q| <= b_q:       δ_p = -b_p sign(a·c_p),   ε_q alike
 //! ```
 //!
 //! The plane has two conditions a contact, a polygon one for each facet. The round cone has `a = (μ, -cos φ, -sin φ)` at every angle φ.
-//! There the corner changes only where some `a·c_p` changes its sign, at two angles for each datum. So a corner for each arc between them
-//! is all that can be worst.
+//! There the corner changes only where some `a·c_p` changes its sign, at two angles for each datum. One corner for each arc between
+//! these angles therefore includes the worst.
 
 use core::f64::consts::TAU;
 
@@ -29,7 +29,7 @@ use crate::search::Settings;
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum LeastOnset<const C: usize> {
-    /// At this factor a contact stops sticking in the worst case, in no case before.
+    /// At this factor a contact stops sticking in the worst case, and at no smaller factor in any case.
     #[non_exhaustive]
     At {
         /// The load factor, exact up to rounding.
@@ -41,9 +41,9 @@ pub enum LeastOnset<const C: usize> {
         /// Its base load and load direction.
         ramp: Ramp<C>,
     },
-    /// Whatever is off, everything keeps sticking however far the load goes.
+    /// All contacts keep sticking for all data within the bounds, at every load factor.
     Never,
-    /// In some case this contact is open or slides at factor 0 already.
+    /// For some data within the bounds this contact is open or slides at factor 0 already.
     NotSticking {
         /// The contact, from 0.
         contact: usize,
@@ -55,7 +55,7 @@ pub enum LeastOnset<const C: usize> {
     },
 }
 
-/// What may be off.
+/// A datum with a bound.
 #[derive(Clone, Copy)]
 enum Datum {
     Command(usize, usize),
@@ -63,7 +63,7 @@ enum Datum {
     Direction(usize),
 }
 
-/// What one datum does to the forces when it is off by its bound.
+/// Changes of the forces by one datum that is off by its bound.
 struct Share<const C: usize> {
     datum: Datum,
     bound: f64,
@@ -136,7 +136,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 }
 
-/// What each datum with a bound does.
+/// Changes of the forces by each datum with a bound.
 fn shares<D: Size, const C: usize>(
     sticking: &Sticking<D, C>,
     bounds: &Bounds<C>,
@@ -176,7 +176,7 @@ fn worst_rows<const C: usize>(edges: &Edges<C>, shares: &[Share<C>], contact: us
         // μ c_n = c₁ cos φ + c₂ sin φ.
         let c = &share.forces.of[contact];
         let (towards, aside) = (c[C - 1].atan2(c[1]), (limit * c[0] / c[1].hypot(c[C - 1])).acos());
-        // Where nothing changes its sign the angle is not a number.
+        // The angle is NaN where the sign never changes.
         turns.extend(
             [towards - aside, towards + aside].map(|x| x.rem_euclid(TAU)).iter().filter(|x| x.is_finite()),
         );

@@ -1,4 +1,4 @@
-//! The least factor of the commands with which everything sticks under a set of loads.
+//! The least factor of the commands with which all contacts stick under a set of loads.
 
 use super::loads::Loads;
 use super::parts::{Condition, Parts};
@@ -8,22 +8,22 @@ use crate::grasp::{Engine, Motion, Wrench};
 use crate::numerics::Size;
 use crate::search::Settings;
 
-/// Each cut raises the factor, by a part that soon is squared; more of them are made by rounding.
+/// Each cut raises the factor, with quadratic convergence; beyond this number cuts are rounding.
 const MOST_CUTS: usize = 1000;
 
 /// The answer to "how much squeeze do I need?"
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum LeastSqueeze<const C: usize> {
-    /// With the commands of the grasp times this factor everything touches and sticks under every load; with less something does not.
+    /// With the commands of the grasp times this factor all contacts touch and stick under every load; with a smaller factor some contact does not.
     #[non_exhaustive]
     Factor {
         /// At least zero, exact up to rounding.
         factor: f64,
-        /// The contact that stands on the edge of its cone then, from 0, and the load under which it does; `None` if no squeeze is needed.
+        /// The contact on the edge of its cone at this factor, from 0, and the load under which it is; `None` if no squeeze is needed.
         binding: Option<(usize, Wrench<C>)>,
     },
-    /// No factor suffices. Under this load the contact does not stick with this factor, nor with any larger one; smaller ones do not do for another
+    /// No factor suffices. Under this load the contact does not stick with this factor, nor with any larger one. Smaller factors fail for another
     /// load or contact.
     #[non_exhaustive]
     NoFactor {
@@ -31,10 +31,10 @@ pub enum LeastSqueeze<const C: usize> {
         contact: usize,
         /// The load.
         load: Wrench<C>,
-        /// What other conditions need at least.
+        /// The least factor that other conditions need.
         factor: f64,
     },
-    /// Some load works on this motion, which nothing resists however much the fingers press.
+    /// Some load works on this motion, which nothing resists at any squeeze.
     GivesWay {
         /// A unit motion of the object.
         motion: Motion<C>,

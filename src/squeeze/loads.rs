@@ -1,4 +1,4 @@
-//! The loads that a grasp is to hold.
+//! The loads that a grasp must hold.
 
 use crate::error::{Error, MODERATE, is_moderate};
 use crate::grasp::{Engine, Wrench};
@@ -10,18 +10,18 @@ use crate::prelude::*;
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Loads<const C: usize> {
-    /// Each of these, one at a time.
+    /// Each load of the list, one at a time.
     Each(Vec<Wrench<C>>),
-    /// A load beside a force of any direction.
+    /// A constant load plus a force of any direction.
     AnyForce {
-        /// What acts whatever the force does, N and N m.
+        /// The constant load, N and N m.
         base: Wrench<C>,
         /// The size of the force, N.
         size: f64,
-        /// The point that it acts at, m.
+        /// The point at which the force acts, m.
         point: [f64; C],
     },
-    /// A load that turns, over a full turn or as far as it goes.
+    /// A load that turns, over a full turn or up to its last angle.
     Turn(Turn<C>),
 }
 
@@ -61,7 +61,7 @@ impl<const C: usize> From<Wrench<C>> for Loads<C> {
     }
 }
 
-/// Each of these, one at a time.
+/// Each load of the list, one at a time.
 impl<const C: usize> From<Vec<Wrench<C>>> for Loads<C> {
     fn from(loads: Vec<Wrench<C>>) -> Self {
         Self::Each(loads)

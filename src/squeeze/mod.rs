@@ -1,6 +1,6 @@
-//! How much squeeze suffices, which direction is weakest, and the least onset within bounds of the data: found directly, not by sampling.
+//! The least sufficient squeeze, the weakest direction, and the least onset within bounds of the data: computed directly, not by sampling.
 //!
-//! While everything sticks, forces are linear in the load and in the commands. A contact asks of its force that `a·F >= 0` for each facet of
+//! While all contacts stick, forces are linear in the load and in the commands. The condition of a contact is `a·F >= 0` for each facet of
 //! its cone. The round cone has a facet `a = (μ, -cos φ, -sin φ)` at every angle φ. So the worst of all forces of size r through a point
 //! is known for each facet,
 //!
@@ -8,19 +8,19 @@
 //! F(x) = F⁰ + A x,   |x| <= r:        min a·F = a·F⁰ - r |Aᵀa|
 //! ```
 //!
-//! and as φ goes round, `a·F⁰` and the square of `|Aᵀa|` are trigonometric polynomials. Where the difference is negative is found without a
-//! root lost (`numerics/on_a_circle`). Each condition that is broken is linear in the squeeze: it says how much is needed at least. The
-//! next squeeze is that, until none is broken. What is needed at least and what suffices then are one number, up to rounding.
+//! and as functions of φ, `a·F⁰` and the square of `|Aᵀa|` are trigonometric polynomials. Angles with a negative difference are found without
+//! losing a root (`numerics/on_a_circle`). Each broken condition is linear in the squeeze and gives a lower bound of it. The
+//! next squeeze is this bound, until no condition is broken. The least necessary and the sufficient squeeze then agree up to rounding.
 //!
 //! | file | idea |
 //! |---|---|
-//! | `loads` | the loads that a grasp is to hold |
-//! | `parts` | what is broken under them at some squeeze |
-//! | `sticking` | forces of every contact while everything sticks |
+//! | `loads` | the loads that a grasp must hold |
+//! | `parts` | the conditions that are broken under these loads at a given squeeze |
+//! | `sticking` | forces of every contact while all contacts stick |
 //! | `least_squeeze` | the least factor of the commands |
-//! | `weakest_direction` | the least force, of all directions, at which something slides |
-//! | `bounds` | how far commands and loads may be off |
-//! | `least_onset` | the least onset of sliding over all of them |
+//! | `weakest_direction` | the least force, of all directions, at which a contact slides |
+//! | `bounds` | bounds of the errors of commands and loads |
+//! | `least_onset` | the least onset of sliding within these bounds |
 
 mod bounds;
 mod least_onset;

@@ -1,4 +1,4 @@
-//! What is broken under a set of loads at some factor of the squeeze.
+//! Conditions that are broken under a set of loads at a factor of the squeeze.
 
 use core::f64::consts::TAU;
 
@@ -20,11 +20,11 @@ pub(super) struct Condition<const C: usize> {
     pub(super) load: Wrench<C>,
 }
 
-/// Forces contact by contact, of the whole squeeze and of the loads without it.
+/// Forces contact by contact, of the whole squeeze and of the loads without squeeze.
 pub(super) struct Parts<'l, const C: usize> {
     loads: &'l Loads<C>,
     squeeze: ContactForces<C>,
-    /// For each load of a list; of a turn its three parts; of forces of any direction that of the base.
+    /// Forces under each load of a list, by the three parts of a turn, or under the base load of forces of any direction.
     base: Vec<ContactForces<C>>,
     pushes: Vec<Push<C>>,
 }
@@ -58,7 +58,7 @@ impl<'l, const C: usize> Parts<'l, C> {
         Ok(Self { loads, squeeze, base, pushes })
     }
 
-    /// The condition that is broken at a factor and asks for most squeeze, with its contact.
+    /// The broken condition at a factor that needs the most additional squeeze, with its contact.
     pub(super) fn broken<D: Size>(
         &self,
         sticking: &Sticking<'_, D, C>,
@@ -87,18 +87,18 @@ impl<'l, const C: usize> Parts<'l, C> {
         most.map(|(_, contact, condition)| (contact, condition))
     }
 
-    /// How much a condition gains by the whole squeeze; zero where that is rounding.
+    /// The gain of a condition's value by the whole squeeze; zero where it is rounding.
     pub(super) fn gain(&self, contact: usize, row: &SVector<f64, C>) -> f64 {
         let gain = row.dot(&self.squeeze.of[contact]);
         if gain.abs() > ZERO_SLACK * row.norm() * self.squeeze.sizes[contact] { gain } else { 0.0 }
     }
 
-    /// The force of some of the squeeze, and its size.
+    /// The force of `factor` times the squeeze, and its size.
     fn pressed(&self, contact: usize, factor: f64) -> (SVector<f64, C>, f64) {
         (self.squeeze.of[contact] * factor, self.squeeze.sizes[contact] * factor)
     }
 
-    /// Under each load of a list the condition that its force breaks most.
+    /// Under each load of a list, the condition with the least value.
     fn under_each(
         &self,
         list: &[Wrench<C>],
@@ -113,7 +113,7 @@ impl<'l, const C: usize> Parts<'l, C> {
         list.iter().zip(&self.base).filter_map(worst).collect()
     }
 
-    /// Under the worst of all forces of a size: of each facet, and of the facets of a round cone one that it breaks.
+    /// Under the worst of all forces of a size: the conditions of each facet, or of a round cone one broken facet.
     fn under_any_force(
         &self,
         (base, size, point): (&Wrench<C>, f64, &[f64; C]),
@@ -140,7 +140,7 @@ impl<'l, const C: usize> Parts<'l, C> {
         }
     }
 
-    /// Where in a turn a condition is broken.
+    /// Conditions that are broken at some angle of a turn.
     fn under_a_turn(
         &self,
         turn: &Turn<C>,

@@ -1,4 +1,4 @@
-//! Forces of every site while everything sticks, and what its cone asks of them: contacts, then drives of a hand.
+//! Forces of every site while all contacts stick, and the conditions of its cone: contacts first, then drives of a hand.
 
 use nalgebra::SVector;
 
@@ -9,7 +9,7 @@ use crate::object::{Load, Piece, Problem};
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// A grasp in which everything sticks.
+/// A grasp whose contacts all stick.
 pub(super) struct Sticking<'g, D: Size, const C: usize> {
     pub(super) grasp: &'g Engine<D, C>,
     problem: Problem<'g, D, C>,
@@ -17,14 +17,14 @@ pub(super) struct Sticking<'g, D: Size, const C: usize> {
     pub(super) edges: Vec<Edges<C>>,
 }
 
-/// Forces contact by contact, and what their rounding is measured against.
+/// Forces contact by contact, and the sizes that scale their rounding.
 #[derive(Debug, Clone)]
 pub(super) struct ContactForces<const C: usize> {
     pub(super) of: Vec<SVector<f64, C>>,
     pub(super) sizes: Vec<f64>,
 }
 
-/// What a force of 1 N along each coordinate axis changes at one contact.
+/// Changes at one contact by a force of 1 N along each coordinate axis.
 pub(super) struct Push<const C: usize> {
     /// A, column by column.
     pub(super) columns: [SVector<f64, C>; C],
@@ -33,20 +33,20 @@ pub(super) struct Push<const C: usize> {
 }
 
 impl<const C: usize> Push<C> {
-    /// `Aᵀa`: how much a condition falls for 1 N along each axis against it; zero where it is rounding.
+    /// `Aᵀa`: the decrease of a condition by 1 N against each axis; zero where it is rounding.
     pub(super) fn felt(&self, row: &SVector<f64, C>) -> SVector<f64, C> {
         let felt = SVector::<f64, C>::from_fn(|k, _| self.columns[k].dot(row));
         if felt.norm() > ZERO_SLACK * row.norm() * self.size { felt } else { SVector::zeros() }
     }
 
-    /// `Aᵀa` for the facets `a = (limit, -cos φ, -sin φ)` of a round cone, times a number, as it turns.
+    /// `Aᵀa` times a number, for the facets `a = (limit, -cos φ, -sin φ)` of a round cone as functions of φ.
     pub(super) fn turning(&self, limit: f64, times: f64) -> Harmonic<SVector<f64, C>> {
         round_parts::<C>(limit)
             .map(|&(part, axis)| SVector::from_fn(|k, _| times * part * self.columns[k][axis]))
     }
 }
 
-/// The facets of a round cone as they turn: the multiple and the axis of a force that the constant, the cosine and the sine take.
+/// The facets of a round cone as functions of φ: the factor and the axis of a force in the constant, the cosine and the sine.
 pub(super) fn round_parts<const C: usize>(limit: f64) -> Harmonic<(f64, usize)> {
     Harmonic { constant: (limit, 0), cosine: (-1.0, 1), sine: (-1.0, C - 1) }
 }
@@ -66,7 +66,7 @@ impl<'g, D: Size, const C: usize> Sticking<'g, D, C> {
         self.problem.local(contact)
     }
 
-    /// Forces with these drives under a load in inside coordinates; or the motion on which it works though nothing resists it.
+    /// Forces with these drives under a load in inside coordinates, or a motion on which the load works though nothing resists it.
     pub(super) fn forces(
         &self,
         drives: &[SVector<f64, C>],
@@ -84,7 +84,7 @@ impl<'g, D: Size, const C: usize> Sticking<'g, D, C> {
         }
     }
 
-    /// What forces through a point change, contact by contact.
+    /// Changes at each contact by forces through a point.
     pub(super) fn pushes(&self, point: &[f64; C]) -> Result<Vec<Push<C>>, Motion<C>> {
         let at_rest = vec![SVector::zeros(); self.problem.len()];
         let mut pushes: Vec<_> =

@@ -1,4 +1,4 @@
-//! The least force, of all directions, at which something slides.
+//! The least force, of all directions, at which a contact slides.
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
@@ -15,14 +15,14 @@ use crate::numerics::{Size, Turning};
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// A cut lowers the force by a part that soon is squared; more of them are made by rounding.
+/// Most cuts. Each lowers the force, with quadratic convergence; beyond this number cuts are rounding.
 const MOST_CUTS: usize = 200;
 
 /// The answer to "a force of which direction slides first?"
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum WeakestDirection<const C: usize> {
-    /// A force of this size in this direction; no smaller force slides in any direction.
+    /// A force of this size in this direction makes a contact slide; no smaller force does in any direction.
     #[non_exhaustive]
     Force {
         /// Its size, N, exact up to rounding.
@@ -34,14 +34,14 @@ pub enum WeakestDirection<const C: usize> {
         /// The contact that stops sticking, or the drive of a hand that reaches its limit.
         leaver: Leaver,
     },
-    /// However large the force is, everything keeps sticking in every direction.
+    /// All contacts keep sticking under a force of any size in any direction.
     Never,
     /// Some force works on this motion, which nothing resists.
     GivesWay {
         /// A unit motion of the object.
         motion: Motion<C>,
     },
-    /// Under the base load something slides, is open, or has no equilibrium.
+    /// Under the base load a contact slides or is open, or no equilibrium exists.
     NotSticking,
     /// Rounding keeps the search from ending.
     Undecided,
@@ -110,16 +110,16 @@ impl<const C: usize> Least<C> {
         }
     }
 
-    /// The least force that breaks one of the conditions of a round cone. Whether it was found before cuts ran out.
+    /// Lowers the force to the least that breaks a condition of a round cone. Returns whether it was found before cuts ran out.
     fn go_round(&mut self, site: usize, limit: f64, force: &SVector<f64, C>, pushes: &Push<C>) -> bool {
-        // Where to begin: the facets towards and against the friction force, and across.
+        // First cuts: the facets towards and against the friction force, and across it.
         let begin = force[C - 1].atan2(force[1]);
         for quarter in 0_u8..4 {
             let angle = begin + f64::from(quarter) * FRAC_PI_2;
             self.cut(site, force, pushes, &round_row(limit, angle));
         }
         if self.size.is_infinite() {
-            // What moves no condition at four angles moves none: three vectors say how all of them move.
+            // Forces that change no condition at four angles change none, as three vectors determine the change at every angle.
             return true;
         }
         let number = round_parts::<C>(limit).map(|&(times, axis)| times * force[axis]);
@@ -129,7 +129,7 @@ impl<const C: usize> Least<C> {
             let before = self.size;
             self.cut(site, force, pushes, &round_row(limit, angle));
             if self.size >= before {
-                // What is left is rounding.
+                // The rest is rounding.
                 return true;
             }
         }

@@ -5,9 +5,9 @@ use crate::screening::{
     Batch, LoadCases, Pull, Screened, ScreenedGradients, ScreenedSqueeze, ScreenedTurn, TurningPull,
 };
 
-/// When the first contact of each grasp of a batch stops sticking as each of the loads grows:
+/// The load factors at which the first contact of each grasp of a batch stops sticking, for each of the loads:
 /// [`Batch::onsets_into`] on all cores. The answers come grasp by grasp, for each in the order of
-/// the loads. What `answers` held before is lost; its memory is used again. [`Batch`] has an example.
+/// the loads. `answers` is overwritten and its memory reused. [`Batch`] has an example.
 pub fn onsets_of_batch<const D: usize, const C: usize, const N: usize>(
     batch: &Batch<D, C, N>,
     pulls: &[Pull<C>],
@@ -16,8 +16,8 @@ pub fn onsets_of_batch<const D: usize, const C: usize, const N: usize>(
     batch.onsets_on_all_cores(pulls, answers);
 }
 
-/// How the onset of each grasp of a batch changes with all of its data, for each of the loads: points, normals, commands, stiffnesses, friction and load.
-/// Gradients come as from [`onsets_of_batch`].
+/// Derivatives of the onset of each grasp of a batch by all of its data, for each of the loads: points, normals, commands, stiffnesses, friction
+/// and load. Gradients come in the order of [`onsets_of_batch`].
 ///
 /// ```
 /// use grasp_lcp::spatial::{Batch, Contact, Fingers, Pull, Wrench};
@@ -47,8 +47,8 @@ pub fn onset_gradients_of_batch<const D: usize, const C: usize, const N: usize>(
     batch.onset_gradients_on_all_cores(pulls, gradients);
 }
 
-/// At which angle the first contact of each grasp of a batch stops sticking while each of the loads
-/// turns: [`Batch::turn_onsets_into`] on all cores. Answers come as from [`onsets_of_batch`].
+/// The angle at which the first contact of each grasp of a batch stops sticking, for each of the turning
+/// loads: [`Batch::turn_onsets_into`] on all cores. Answers come in the order of [`onsets_of_batch`].
 pub fn turn_onsets_of_batch<const D: usize, const C: usize, const N: usize>(
     batch: &Batch<D, C, N>,
     turns: &[TurningPull<C>],
@@ -58,7 +58,7 @@ pub fn turn_onsets_of_batch<const D: usize, const C: usize, const N: usize>(
 }
 
 /// The least factor of the commands with which each grasp of a batch holds every load of a list, for
-/// each of the lists: [`Batch::least_squeezes_into`] on all cores. Answers come as from
+/// each of the lists: [`Batch::least_squeezes_into`] on all cores. Answers come in the order of
 /// [`onsets_of_batch`].
 pub fn least_squeezes_of_batch<const D: usize, const C: usize, const N: usize>(
     batch: &Batch<D, C, N>,

@@ -1,4 +1,4 @@
-//! Forces of contacts that keep their states: linear in the load, and what it changes of them that data are off.
+//! Forces of contacts that keep their states: linear in the load, with their changes by errors of the data.
 
 use alloc::sync::Arc;
 
@@ -13,25 +13,25 @@ use crate::numerics::{Size, Vector};
 use crate::object::{Load, Piece, PieceState};
 use crate::prelude::*;
 
-/// Forces with data as known, and with each datum off by what is looked at.
+/// Forces with data as known, and with each datum off by each amount of `LOOKED_AT`.
 #[derive(Debug, Clone)]
 pub(super) struct AllForces<const C: usize> {
     known: LinearForces<C>,
     off: Vec<[LinearForces<C>; LOOKED_AT.len()]>,
 }
 
-/// Forces of all sites, or gaps of those that are open: by commands alone, and by each component of the load.
+/// Forces of all sites, or gaps of open sites: by commands alone, and by each component of the load.
 #[derive(Debug, Clone)]
 struct LinearForces<const C: usize> {
     commanded: Vec<SVector<f64, C>>,
     by_load: Vec<Vec<SVector<f64, C>>>,
 }
 
-/// Forces by commands or by one load: as known, and what each datum changes of them.
+/// Forces by commands or by one load: with data as known, and their changes by each datum.
 #[derive(Debug, Clone)]
 pub(super) struct Course<const C: usize> {
     pub(super) known: Vec<SVector<f64, C>>,
-    /// What each datum changes of each.
+    /// For each datum, its effect on each site.
     pub(super) off: Vec<Vec<Effect<C>>>,
 }
 
@@ -47,12 +47,12 @@ impl<const C: usize> Course<C> {
         Self { known, off }
     }
 
-    /// By commands and by forces that hold contacts.
+    /// Forces by commands and by forces that hold contacts.
     pub(super) fn commanded(all: &AllForces<C>) -> Self {
         Self::with(all, |forces| forces.commanded.clone())
     }
 
-    /// By a load.
+    /// Forces by a load.
     pub(super) fn of(all: &AllForces<C>, load: &Wrench<C>) -> Self {
         Self::with(all, |forces| {
             let mut sum = vec![SVector::zeros(); forces.commanded.len()];
@@ -63,7 +63,7 @@ impl<const C: usize> Course<C> {
         })
     }
 
-    /// Both together.
+    /// The sum of both.
     pub(super) fn and(mut self, other: &Self) -> Self {
         self.known.iter_mut().zip(&other.known).for_each(|(sum, more)| *sum += more);
         for (sum, more) in self.off.iter_mut().flatten().zip(other.off.iter().flatten()) {
@@ -72,14 +72,14 @@ impl<const C: usize> Course<C> {
         self
     }
 
-    /// The largest force as known.
+    /// The largest force with data as known.
     pub(super) fn largest(&self) -> f64 {
         self.known.iter().map(Matrix::norm).fold(0.0, f64::max)
     }
 }
 
 impl<D: Size, const C: usize> Engine<D, C> {
-    /// Forces while sites keep these states, none of which slides, as known and with data off; and the piece they come from.
+    /// Forces while sites keep these states, none of which slides, with data as known and with each datum off. Also the piece of these states.
     pub(super) fn all_forces(
         &self,
         states: &[State<C>],

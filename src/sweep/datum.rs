@@ -7,13 +7,13 @@ use crate::grasp::{Contact, Engine};
 use crate::numerics::Size;
 use crate::prelude::*;
 
-/// One datum with its σ, which is that of a factor, or of what is added.
+/// One datum with its σ, of a factor's logarithm or of an added amount.
 pub(super) struct UncertainDatum {
     what: DatumKind,
     sigma: f64,
 }
 
-/// Whose it is: that of a contact, or of the soft fingertip that begins there.
+/// The kind of a datum, with its contact (the first one of a soft fingertip) or joint.
 #[derive(Clone, Copy)]
 enum DatumKind {
     Stiffness { contact: usize },
@@ -24,7 +24,7 @@ enum DatumKind {
 }
 
 impl UncertainDatum {
-    /// The engine where it is off by z σ.
+    /// The engine with this datum off by z σ.
     pub(super) fn engine<D: Size, const C: usize>(
         &self,
         of: &Engine<D, C>,
@@ -66,7 +66,7 @@ impl UncertainDatum {
 }
 
 impl<D: Size, const C: usize> Engine<D, C> {
-    /// What is not known exactly, friction and load aside, which change no force by themselves.
+    /// The uncertain data, without friction and load, which change no force by themselves.
     pub(super) fn data(&self, uncertainty: &Uncertainty) -> Vec<UncertainDatum> {
         let Uncertainty { stiffness, squeeze, position, normal, .. } = *uncertainty;
         let mut data = Vec::new();

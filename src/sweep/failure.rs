@@ -1,14 +1,14 @@
-//! How often one contact leaves its cone under one load, where data are not known exactly.
+//! The probability that one contact leaves its cone under one load, where data are uncertain.
 //!
-//! A facet with the reliability β, its margin in standard deviations, is passed with probability `Φ(-β)`. On the round cone the facet turns by θ, and so does the gradient u(θ)
-//! of its margin, of length one. That it fails anywhere has at most the probability
+//! A facet with the reliability β, its margin in standard deviations, fails with probability `Φ(-β)`. On the round cone the facet turns by θ, and
+//! so does the gradient u(θ) of its margin, of length one. The probability of a failure at any θ is at most
 //!
 //! ```text
 //! Φ(-β(θ₀)) + ∫ φ(β) E[(X' - β')₊] dθ,      X' normal, mean 0, deviation |u'|
 //! ```
 //!
-//! by the mean number of crossings (Rice, Mathematical analysis of random noise, 1944), nearly reached where failing is seldom. θ₀ is a direction
-//! that hardly ever fails.
+//! by the mean number of crossings (Rice, Mathematical analysis of random noise, 1944); the bound is nearly reached where failures are rare. θ₀ is a
+//! direction that hardly ever fails.
 
 use core::f64::consts::{PI, TAU};
 
@@ -29,24 +29,24 @@ const HALF_AT_LEAST: f64 = TAU / AROUND as f64;
 /// What fails, to first order, with so many deviations more than are in reserve counts as little as it looks: in 16 million one.
 const SELDOM: f64 = 5.0;
 
-/// What a contact has to keep to.
+/// The conditions that keep a contact in its state.
 #[derive(Debug, Clone)]
 pub(super) enum LimitState<const C: usize> {
-    /// Nothing can happen to it.
+    /// No conditions.
     None,
-    /// Its normal force, or its gap if it is open, must not become negative.
+    /// The normal force, or the gap of an open contact, must not become negative.
     Opens,
-    /// Facets of a polygon, in the plane both edges.
+    /// Facets of a polygon; in the plane both edges.
     Facets(Coulomb, Vec<SVector<f64, C>>),
     /// The round cone.
     Round(Coulomb),
 }
 
-/// Places for the margins of a facet under two loads.
+/// Memory for the margins of a facet under two loads.
 pub(super) type MarginPair = [FacetMargin; 2];
 
 impl<const C: usize> LimitState<C> {
-    /// How often the contact leaves under one load, at most; and not under another one, if any.
+    /// Upper bound of the probability that the contact leaves under one load, and does not under another one, if given.
     pub(super) fn failure(
         &self,
         here: &UncertainForce<'_, C>,
@@ -69,7 +69,7 @@ impl<const C: usize> LimitState<C> {
     }
 }
 
-/// What a contact carries under a load, and under another one beside it.
+/// The forces of a contact under a load, and under another one, if given.
 struct TwoLoads<'a, const C: usize> {
     here: &'a UncertainForce<'a, C>,
     also: Option<&'a UncertainForce<'a, C>>,
@@ -83,7 +83,7 @@ impl<const C: usize> TwoLoads<'_, C> {
         &self.margins[0]
     }
 
-    /// How often that margin, which was found last, holds under the other load where it just fails.
+    /// The probability that the last margin holds under the other load where it just fails under the first.
     fn holds_otherwise(&mut self, facet: &MarginRow<C>) -> f64 {
         let Some(also) = self.also else { return 1.0 };
         let [margin, other] = &mut *self.margins;

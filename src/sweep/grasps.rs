@@ -1,4 +1,4 @@
-//! One question asked of many loads, ramps, turns or grasps.
+//! One question for many loads, ramps, turns or grasps.
 
 use super::in_order::map_in_order;
 use crate::equilibrium::{Outcome, Settings};

@@ -1,4 +1,4 @@
-//! The margin of one facet under one load, and how far from data as known it fails.
+//! The margin of one facet under one load, and the distance from the known data at which it fails.
 //!
 //! ```text
 //! m(z) = μ exp(σ z_f) F_n(z) - h·F_t(z),      F(z) = F + Σ_i Δ_i(z_i)
@@ -13,13 +13,13 @@ use nalgebra::{SMatrix, SVector};
 use crate::numerics::{normal_density, normal_tail};
 use crate::prelude::*;
 
-/// At these parts of the standard deviations in reserve it is looked at what a datum does.
+/// The effect of a datum is evaluated at these parts of the standard deviations in reserve.
 pub(super) const LOOKED_AT: [f64; 4] = [-1.0, -0.5, 0.5, 1.0];
 
-/// What a datum changes of a force: coefficients of `Σ c_k x^k`, k from 1, x being that part of the standard deviations in reserve.
+/// Effect of a datum on a force: coefficients of `Σ c_k x^k`, k from 1, with x as a part of the standard deviations in reserve.
 pub(super) type Effect<const C: usize> = [SVector<f64, C>; LOOKED_AT.len()];
 
-/// The polynomial through what is seen where it is looked at.
+/// The polynomial through the changes of a force at the parts `LOOKED_AT`.
 pub(super) fn effect<const C: usize>([low, half_low, half_high, high]: [SVector<f64, C>; 4]) -> Effect<C> {
     let (even, half_even) = (0.5 * (high + low), 0.5 * (half_high + half_low));
     let (odd, half_odd) = (0.5 * (high - low), 0.5 * (half_high - half_low));
@@ -28,7 +28,7 @@ pub(super) fn effect<const C: usize>([low, half_low, half_high, high]: [SVector<
     [odd - third, even - fourth, third, fourth]
 }
 
-/// The force of a contact under one load: as known, and what each datum changes.
+/// The force of a contact under one load, with known data, and its changes by each datum.
 pub(super) struct UncertainForce<'a, const C: usize> {
     pub(super) force: SVector<f64, C>,
     pub(super) changes: &'a [Effect<C>],
@@ -38,21 +38,21 @@ pub(super) struct UncertainForce<'a, const C: usize> {
     pub(super) friction: f64,
 }
 
-/// A row that a margin is made of, `row·F`, and whether friction multiplies its first component.
+/// A row that defines a margin, `row·F`, and whether friction multiplies its first component.
 #[derive(Clone, Copy)]
 pub(super) struct MarginRow<const C: usize> {
     pub(super) row: SVector<f64, C>,
     pub(super) rubs: bool,
 }
 
-/// One margin; a place for one after another, each of which is looked for from where the one before failed.
+/// One margin, as memory for successive margins: each search starts from the last point of failure.
 #[derive(Debug)]
 pub(super) struct FacetMargin {
     /// Where it fails: data in the order of the changes, friction last.
     fails_at: Vec<f64>,
     /// What each datum changes of both parts of the margin: the normal one, which friction multiplies, and the other.
     parts: Vec<[[f64; 2]; LOOKED_AT.len()]>,
-    /// There it was linearised last.
+    /// The point of the last linearisation.
     linearised_at: Vec<f64>,
     gradient: Vec<f64>,
     steepness: f64,
@@ -138,7 +138,8 @@ impl<const C: usize> UncertainForce<'_, C> {
         factor * normal + other
     }
 
-    /// `φ(β) E[(X' - β')₊]` for one unit of the angle, while the row changes at this rate: X is the margin in deviations about its mean, X' independent of it.
+    /// `φ(β) E[(X' - β')₊]` per unit of the angle, while the row changes at the rate `turned`. X is the margin in deviations about its mean, and X'
+    /// is independent of X.
     pub(super) fn crossings(&self, margin: &FacetMargin, turned: &SVector<f64, C>) -> f64 {
         if margin.steepness == 0.0 {
             return 0.0;
@@ -164,16 +165,16 @@ impl<const C: usize> UncertainForce<'_, C> {
     }
 }
 
-/// Forces to first order about data as known: what does not depend on the facet.
+/// Forces to first order about the known data, the same for all facets.
 pub(super) struct FirstOrder<const C: usize> {
     force: SVector<f64, C>,
-    /// Covariance of the force, but for friction.
+    /// Covariance of the force, without friction.
     spread: SMatrix<f64, C, C>,
     friction: f64,
 }
 
 impl<const C: usize> FirstOrder<C> {
-    /// β to first order.
+    /// The reliability β to first order.
     pub(super) fn reliability(&self, facet: &MarginRow<C>) -> f64 {
         let by_friction = if facet.rubs { self.friction * facet.row[0] * self.force[0] } else { 0.0 };
         let variance = facet.row.dot(&(self.spread * facet.row)) + by_friction * by_friction;
@@ -181,13 +182,13 @@ impl<const C: usize> FirstOrder<C> {
     }
 }
 
-/// What a row makes of the normal part of a force, and of the other.
+/// The parts of `row·F` from the normal component of a force and from the others.
 fn parts<const C: usize>(row: &SVector<f64, C>, force: &SVector<f64, C>) -> [f64; 2] {
     let normal = row[0] * force[0];
     [normal, row.dot(force) - normal]
 }
 
-/// An effect that goes on straight beyond where it was looked at.
+/// An effect, continued linearly outside the evaluated range.
 struct Beyond {
     value: f64,
     slope: f64,
@@ -210,13 +211,13 @@ impl Default for FacetMargin {
 }
 
 impl FacetMargin {
-    /// The next one is looked for from data as known on, of which there are so many and friction.
+    /// The next search starts from the known data; `data` is their number without friction.
     pub(super) fn start_over(&mut self, data: usize) {
         self.fails_at.clear();
         self.fails_at.resize(data + 1, 0.0);
     }
 
-    /// β, infinite where nothing spreads, of the sign of the margin as known.
+    /// β with the sign of the margin at the known data; infinite where nothing spreads.
     pub(super) fn reliability(&self) -> f64 {
         self.reliability
     }

@@ -1,9 +1,9 @@
 //! Many questions at once: answers in the order of the questions, the same bits for any number of
-//! threads. Of a grasp that is not known exactly: samples, and the onset to first order beside them.
+//! threads. For a grasp with uncertain data: samples, and the onset to first order.
 //!
-//! Every question is answered on its own by the same serial code. Threads (feature `parallel`,
+//! Every question is answered independently by the same serial code. Threads (feature `parallel`,
 //! rayon's global pool) only decide which of them answers which question. Outside this room only
-//! the sums over very many contacts of one scene know of threads; they give the same bits, too.
+//! the sums over very many contacts of one scene use threads; they give the same bits, too.
 
 mod batch;
 mod courses;

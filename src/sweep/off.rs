@@ -1,23 +1,23 @@
-//! A contact whose data are off.
+//! A contact with errors in its data.
 
 use nalgebra::SVector;
 
 use crate::grasp::Contact;
 
-/// By how much the data of a contact are off: factors, and what is added to its place and direction.
+/// Errors of a contact's data: factors, and additions to its place and direction.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Off<const C: usize> {
     pub(super) friction: f64,
     pub(super) stiffness: f64,
     pub(super) squeeze: f64,
-    /// Of the contact point, m.
+    /// Displacement of the contact point, m.
     pub(super) moved: SVector<f64, C>,
     /// Angles towards its tangents, rad.
     pub(super) tilt: SVector<f64, C>,
 }
 
 impl<const C: usize> Off<C> {
-    /// By nothing.
+    /// No errors.
     pub(super) fn not() -> Self {
         let (moved, tilt) = (SVector::zeros(), SVector::zeros());
         Self { friction: 1.0, stiffness: 1.0, squeeze: 1.0, moved, tilt }

@@ -1,4 +1,4 @@
-//! Sweeps that a caller can watch and stop.
+//! Sweeps that report their progress and can be stopped.
 
 use core::ops::ControlFlow;
 use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -6,7 +6,7 @@ use core::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use super::in_order::map_in_order;
 use crate::prelude::*;
 
-/// How far a sweep is.
+/// The progress of a sweep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Progress {
@@ -17,9 +17,9 @@ pub struct Progress {
 }
 
 /// `f` of every item, in the order of the items, with `watch` called after every answer (from
-/// whichever thread gave it): every count from 1 on comes once. When `watch` breaks, questions that
-/// were not begun stay unanswered: their place holds `None`. Which those are depends on the
-/// threads; the answers that are there do not.
+/// the thread that computed it): every count from 1 on comes once. When `watch` breaks, questions that
+/// were not begun stay unanswered: their place holds `None`. Which questions these are depends on the
+/// threads; the answers do not.
 ///
 /// ```
 /// use std::ops::ControlFlow;

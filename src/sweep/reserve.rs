@@ -1,4 +1,4 @@
-//! The question up to which load nearly everything that a grasp may be keeps sticking, where its data are not known exactly.
+//! The load up to which a grasp with uncertain data keeps sticking with a given reserve.
 
 use super::courses::unit;
 use super::failure::LimitState;
@@ -12,10 +12,10 @@ use crate::numerics::{Size, Vector};
 use crate::object::Load;
 use crate::prelude::*;
 
-/// More standard deviations than this leave less than 1e-15, which rounding hides.
+/// Most standard deviations in reserve: beyond, the failure probability is below 1e-15, which rounding hides.
 const MOST_SIGMAS: f64 = 8.0;
 
-/// Up to which load a grasp keeps sticking with so many standard deviations in reserve, in any direction on top of one base load; made by
+/// The load up to which a grasp keeps sticking with this number of standard deviations in reserve, in any direction on top of one base load; made by
 /// [`Grasp::reserve`](crate::ask::Grasp::reserve).
 #[derive(Debug, Clone)]
 pub struct Reserve<const C: usize> {
@@ -23,7 +23,7 @@ pub struct Reserve<const C: usize> {
     sigmas: f64,
 }
 
-/// What the grasp does under the base load.
+/// The grasp under the base load.
 #[derive(Debug, Clone)]
 enum AtBase<const C: usize> {
     Sticks(Box<StuckGrasp<C>>),
@@ -32,11 +32,11 @@ enum AtBase<const C: usize> {
 }
 
 impl<const C: usize> Reserve<C> {
-    /// How many times this load keeps everything sticking on top of the base load, from 0. Infinite where it always does; not a number where nothing is known
-    /// of the base load.
+    /// The largest multiple of this load, from 0, with which all contacts keep sticking on top of the base load. Infinite without a limit; NaN where
+    /// the equilibrium under the base load is undecided.
     ///
-    /// Zero where something slides already, and where it would too often. Contacts that are open under the base load count as leaving where they close: what
-    /// follows is not looked at.
+    /// Zero where a contact slides already, or would too often. Contacts that are open under the base load count as leaving where they close: later
+    /// events are not computed.
     #[must_use]
     pub fn along(&self, direction: &Wrench<C>) -> f64 {
         match &self.rest {

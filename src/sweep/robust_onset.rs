@@ -1,7 +1,7 @@
-//! The onset of sliding of a grasp that is not known exactly, to first order: no samples, a few linear solves.
+//! The onset of sliding of a grasp with uncertain data, to first order: no samples, a few linear solves.
 //!
-//! Close to the data the factor at which something leaves is linear in them, `τ_j = τ + g_j·z`. Here z is normally distributed (mean 0,
-//! variance 1 each), and g_j the derivative by each datum times its σ. So it is normally distributed with the standard deviation `|g_j|`.
+//! Close to the data the factor at which a contact leaves is linear in them, `τ_j = τ + g_j·z`. Here z is normally distributed (mean 0,
+//! variance 1 each), and g_j the derivative by each datum times its σ. So the factor is normally distributed with the standard deviation `|g_j|`.
 //! Where two leave together the onset is the lesser of two such factors (Clark, The greatest of a finite set of random variables, 1961):
 //!
 //! ```text
@@ -22,39 +22,40 @@ use crate::prelude::*;
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct RobustOnset<const C: usize> {
-    /// The onset of the grasp as it is given.
+    /// The onset of the grasp with its data as given.
     pub onset: Onset<C>,
-    /// How far it spreads, to first order. `None` where nothing leaves, where the onset has no gradient
+    /// Its spread, to first order. `None` where nothing leaves, where the onset has no gradient
     /// ([`Sensitivity::onset_gradients`](crate::ask::Sensitivity::onset_gradients)), where nothing resists from the onset on, and where a
-    /// force holds a contact that is not known exactly.
+    /// force holds a contact whose squeeze is uncertain.
     pub spread: Option<OnsetSpread>,
 }
 
-/// How far an onset spreads where the data are not known exactly, to first order.
+/// The spread of an onset with uncertain data, to first order.
 ///
-/// That holds where a few σ of each datum change which contact leaves first in no other way than the gradients do. Contacts that leave
-/// little later do not count; [`Grasp::reserve`](crate::ask::Grasp::reserve) counts them, and [`Grasp::onset_of_samples`](crate::ask::Grasp::onset_of_samples) has them. Not a number where a datum leaves no equilibrium when it is off, see
+/// It is valid where a few σ of each datum change the first contact to leave only as the gradients predict. Contacts that leave
+/// a little later do not count; [`Grasp::reserve`](crate::ask::Grasp::reserve) and
+/// [`Grasp::onset_of_samples`](crate::ask::Grasp::onset_of_samples) include them. NaN where an error of a datum leaves no equilibrium, see
 /// [`GeometryGradient`](crate::load_path::GeometryGradient).
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct OnsetSpread {
     /// The onset of the data as given: a load factor, or an angle in rad.
     pub factor: f64,
-    /// Everything that leaves there.
+    /// All contacts and drives that leave at the onset.
     pub leaving: Vec<LeaverSpread>,
-    /// Mean of the onset: below `factor` where two leave together. `None` where more than two do.
+    /// Mean of the onset: below `factor` where two leave together. `None` where more than two leave together.
     pub mean: Option<f64>,
     /// Its standard deviation, `None` where more than two leave together.
     pub deviation: Option<f64>,
 }
 
-/// How far the factor spreads at which one contact leaves, or one drive of a hand.
+/// The spread of the factor at which one contact leaves, or one drive of a hand.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct LeaverSpread {
-    /// What leaves.
+    /// The contact or drive that leaves.
     pub leaving: Leaver,
-    /// Standard deviation of the factor at which it does.
+    /// Standard deviation of that factor.
     pub deviation: f64,
 }
 
@@ -83,7 +84,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         if uncertainty.position != 0.0 {
             self.refuse_hands("onset_spread with uncertain positions")?;
         }
-        // What a force that holds a contact changes is no datum of which there are derivatives.
+        // A force that holds a contact is no datum with derivatives.
         if uncertainty.squeeze != 0.0 && self.contacts().iter().any(|contact| contact.force.is_some()) {
             return Ok(None);
         }
@@ -100,7 +101,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             [one, other] => {
                 let apart = norm(&|g| g[0] - g[1]).powi(2) / TAU;
                 let variance = 0.5 * (one.deviation.powi(2) + other.deviation.powi(2)) - apart;
-                // A difference that is zero where neither moves.
+                // The variance is a difference, and rounding of zero where neither factor moves.
                 let variance = if variance < 0.0 { 0.0 } else { variance };
                 (Some(event.factor - apart.sqrt()), Some(variance.sqrt()))
             }
@@ -109,7 +110,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         Ok(Some(OnsetSpread { factor: event.factor, leaving, mean, deviation }))
     }
 
-    /// By how much one σ of each independent datum moves the factors of everything that leaves.
+    /// Changes of the factors of all leaving contacts and drives by one σ of each independent datum.
     fn moves(
         &self,
         margins: &OnsetMargins<D, C>,
@@ -118,12 +119,12 @@ impl<D: Size, const C: usize> Engine<D, C> {
     ) -> Vec<Vec<f64>> {
         let leavers = margins.leavers().count();
         let mut moves = Vec::new();
-        // What is proportional to one z: data and what one z does to them.
+        // Adds one datum z: the parameters proportional to z, each with its change by z = 1.
         let mut add = |together: &[(Parameter, f64)]| {
             let mut sum = vec![0.0; leavers];
             for (parameter, times) in together {
                 let by = margins.by(*parameter).unwrap_or_else(|| vec![f64::NAN; leavers]);
-                // What is infinite or has no effect stays what it is.
+                // Skips parameters without effect: their change may be infinite.
                 sum.iter_mut().zip(by).filter(|(_, by)| *by != 0.0).for_each(|(sum, by)| *sum += times * by);
             }
             moves.push(sum);

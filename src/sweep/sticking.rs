@@ -1,7 +1,7 @@
-//! Contacts that all stick under a base load, and how often one of them leaves on the way to a load on top of it.
+//! Contacts that all stick under a base load, and the probability that one of them leaves on the way to a load on top of it.
 //!
-//! While they stick forces are linear in the load, and margins fall, if at all, the steeper the farther it goes. So all stick on the whole way if all do at
-//! both of its ends. How often a contact leaves there is told by [`failure`](super::failure); the sum over all contacts bounds how often anything does.
+//! While all stick, forces are linear in the load, and margins that fall do so ever more steeply. So all stick on the whole way if all do at
+//! both of its ends. [`failure`](super::failure) gives the probability that a contact leaves there; their sum bounds the probability that any does.
 
 use super::courses::{AllForces, Course};
 use super::failure::{LimitState, MarginPair};
@@ -10,7 +10,7 @@ use crate::grasp::Wrench;
 use crate::numerics::normal_tail;
 use crate::prelude::*;
 
-/// Of what may fail: what two data change together is not looked at, and may be worth as much.
+/// Part of the allowed failure probability kept for joint effects of two data, which are neglected and may be as large.
 const SPARED: f64 = 0.2;
 /// What fails at the base as seldom, as a part of what may, needs not be told apart from what fails farther on.
 const SELDOM: f64 = 1e-3;
@@ -19,7 +19,7 @@ const PRECISE: f64 = 1e-8;
 const MOST_STEPS: usize = 100;
 /// Loads on a motion that nothing resists, as a part of their size: less is rounding.
 const WORKS: f64 = 1e-12;
-/// A load of which so many times the forces under the base load may be put on holds for ever.
+/// A load has no limit if its forces may exceed the forces under the base load by this factor.
 const FAR: f64 = 1e6;
 
 /// A grasp that sticks under its base load.
@@ -27,13 +27,13 @@ const FAR: f64 = 1e6;
 pub(super) struct StuckGrasp<const C: usize> {
     edges: Vec<LimitState<C>>,
     forces: AllForces<C>,
-    /// Everything under the base load, and what of it the load does.
+    /// All forces under the base load, and the part of them by that load.
     base: Course<C>,
     by_base_load: Course<C>,
-    /// How often each contact fails there.
+    /// Failure probability of each contact under the base load.
     fails_at_base: Vec<f64>,
     sigmas: f64,
-    /// σ of friction, and by which part the load grows where it is looked at.
+    /// σ of friction, and the relative growth of the load at each part of `LOOKED_AT`.
     friction: f64,
     load: [f64; LOOKED_AT.len()],
     /// Work of each component of the load on the motions that nothing resists.
@@ -70,12 +70,12 @@ impl<const C: usize> StuckGrasp<C> {
         sticking
     }
 
-    /// What of all that it may be is allowed to fail.
+    /// The allowed failure probability.
     fn allowed(&self) -> f64 {
         (1.0 - SPARED) * normal_tail(self.sigmas)
     }
 
-    /// The largest factor at which no more fails.
+    /// The largest factor with at most the allowed failure probability.
     pub(super) fn most(&self, direction: &Wrench<C>) -> f64 {
         let size = direction.components().iter().map(|x| x.abs()).fold(0.0, f64::max);
         let work = |motion: &Wrench<C>| {
@@ -127,7 +127,7 @@ impl<const C: usize> StuckGrasp<C> {
         sum
     }
 
-    /// What a contact carries under the base load, and so many times another one.
+    /// The force of a contact under the base load plus, if given, a factor times another load, with its changes by the data.
     fn spread<'m>(
         &self,
         i: usize,
@@ -151,9 +151,9 @@ impl<const C: usize> StuckGrasp<C> {
     }
 }
 
-/// Close to β of a part `Φ(-β)` that fails, and as straight; only differences of it are asked for.
+/// About the β of a failure probability `Φ(-β)`, and as nearly linear; only its differences are used.
 fn reliability(fails: f64) -> f64 {
-    // Parts that cannot be told from nothing are as good as this one.
+    // Smaller probabilities count as this one.
     const LEAST: f64 = 1e-300;
     (-2.0 * fails.clamp(LEAST, 1.0).ln()).sqrt()
 }

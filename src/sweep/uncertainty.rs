@@ -1,4 +1,4 @@
-//! Grasps whose data are not known exactly: samples of what they may be, the same ones for the same
+//! Grasps with uncertain data, and samples of these data, the same for the same
 //! seed.
 
 use nalgebra::SVector;
@@ -12,20 +12,20 @@ use crate::load_path::{Onset, Ramp};
 use crate::numerics::{Draw, Size};
 use crate::prelude::*;
 
-/// How far the data of a grasp and its load may be off. Each friction, stiffness and squeeze of each
+/// Uncertainty of the data of a grasp and of its load. Each friction, stiffness and squeeze of each
 /// contact is multiplied by a factor of its own, `exp(σ z)` with z normally distributed (mean 0,
-/// variance 1). Its median is the datum, it keeps its sign, and zero and infinity stay what they
-/// are. For small σ that is the relative standard deviation; σ = 0 leaves the datum alone. Points of a
-/// soft fingertip are off together.
+/// variance 1). The median of the product is the datum. The datum keeps its sign, and zero and
+/// infinity are unchanged. For small σ that is the relative standard deviation; σ = 0 leaves the
+/// datum alone. Points of a soft fingertip are off together.
 ///
-/// Positions and normals have no size that they could be a part of: `σ z` is added to each
+/// Positions and normals have no natural scale, so their σ are absolute. `σ z` is added to each
 /// coordinate of a contact point, and is the angle by which a normal tilts towards each of its
 /// tangents. Stiffness, command and clearance stay along the axes of the contact frame, which turns
 /// with the normal.
 ///
-/// The load is multiplied by one factor as a whole, base and direction alike: a mass that is not
-/// known exactly. In newtons one would have to say through which point; a factor keeps the line in
-/// which the load acts, and needs no length to weigh forces against moments.
+/// The load is multiplied by one factor as a whole, base and direction alike, as for a mass that is not
+/// known exactly. A factor keeps the line in which the load acts, and needs no length to weigh forces
+/// against moments. An uncertainty in newtons would need a point of action.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Grasp, Onset, Ramp, Wrench};
@@ -53,7 +53,7 @@ pub struct Uncertainty {
     pub friction: f64,
     /// σ of the stiffness, one factor for all axes of a contact, body and finger.
     pub stiffness: f64,
-    /// σ of the normal command, and of a force that holds a contact: how well the squeeze is known.
+    /// σ of the normal command, and of a force that holds a contact.
     pub squeeze: f64,
     /// σ of the contact points along each coordinate axis, m. Not for hands.
     pub position: f64,
@@ -61,7 +61,7 @@ pub struct Uncertainty {
     pub normal: f64,
     /// σ of the factor on the load.
     pub load: f64,
-    /// Samples with another seed are others.
+    /// Seed of the samples: another seed gives other samples.
     pub seed: u64,
 }
 
@@ -114,7 +114,7 @@ impl Uncertainty {
         self
     }
 
-    /// What sample `number` multiplies the load by; [`Ramp::with_load_times`] does. The grasp of
+    /// The factor of sample `number` on the load, for [`Ramp::with_load_times`]. The grasp of
     /// that sample is [`Grasp::sample`](crate::ask::Grasp::sample).
     ///
     /// ```
@@ -130,7 +130,7 @@ impl Uncertainty {
     }
 }
 
-/// Where the load is drawn: behind all contacts.
+/// Stream of the load's random numbers, beyond the numbers of all contacts.
 const OF_THE_LOAD: u64 = u64::MAX;
 
 /// `exp(σ z)`.
@@ -138,8 +138,8 @@ fn factor(sigma: f64, draw: &mut Draw) -> f64 {
     (sigma * draw.normal()).exp().clamp(LEAST_FACTOR, LEAST_FACTOR.recip())
 }
 
-/// The least factor on a datum, and its reciprocal the largest: numbers that are no longer moderate
-/// are refused, and none becomes zero or infinite, which would mean something else.
+/// The least factor on a datum, and its reciprocal the largest. Data that are then too large or too
+/// small are refused, and none becomes zero or infinite, which would mean something else.
 const LEAST_FACTOR: f64 = 1e-200;
 
 impl<D: Size, const C: usize> Engine<D, C> {
@@ -153,7 +153,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             let [friction, stiffness, squeeze] =
                 [uncertainty.friction, uncertainty.stiffness, uncertainty.squeeze]
                     .map(|sigma| factor(sigma, &mut draw));
-            // Drawn last, and whether they count or not: other data are the same with them and without.
+            // Drawn last, and also with σ = 0, so that the other data do not depend on these σ.
             let mut displaced = |sigma: f64| SVector::from_fn(|_, _| sigma * draw.normal());
             let (moved, tilt) = (displaced(uncertainty.position), displaced(uncertainty.normal));
             Off { friction, stiffness, squeeze, moved, tilt }
