@@ -53,7 +53,8 @@ impl<D: Size, const C: usize> Node<D, C> {
         if segment.problem.round {
             node.slip_until_now(segment, 0.0);
         }
-        if let Ok(here) = node.look(segment, 0.0, None) {
+        // What a contact stands on follows from forces and gaps alone: rates that nothing resists change neither.
+        if let Ok(here) = node.look(&segment.at_rest(0.0), 0.0, None) {
             node.stand(segment, &here);
         }
         node
