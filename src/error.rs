@@ -121,8 +121,15 @@ pub enum Error {
         /// What is allowed.
         allowed: &'static str,
     },
-    /// Commands that change while the load turns: events would have no exact angles.
-    #[error("commands of a leg: change while the load turns, must stay")]
+    /// The question made this library fail, which is a fault of its own and not of the question. Only where many questions are asked at once: the others
+    /// are answered.
+    #[error("internal: this question made the library fail, which is a fault of the library ({fault})")]
+    Internal {
+        /// What it said as it failed.
+        fault: String,
+    },
+    /// Commands or held torques that change while the load turns: events would have no exact angles.
+    #[error("commands or torques of a leg: change while the load turns, must stay")]
     CommandsWhileTurning,
     /// An onset of sliding is asked along a ramp that does not change anything, of a scene.
     #[error("onset: direction, command_change and joint_change are zero, one of them must change something")]

@@ -32,7 +32,7 @@ const asking = (() => {
     } catch (error) {
       // A module that has stopped is in no known state: the next question goes to a new one.
       module = new WebAssembly.Instance(compiled, {});
-      reply = { error: { message: `The module stopped: ${error.message}.` } };
+      reply = { error: { kind: "internal", message: `The module stopped: ${error.message}.` } };
     }
     times.push(performance.now() - before);
     if (times.length > MEAN_OVER) times.shift();
