@@ -88,6 +88,7 @@ mod segment;
 mod sensitivity;
 mod stepped;
 mod sticking_path;
+mod stopped;
 mod straight;
 mod stretch;
 mod trajectory;
@@ -99,6 +100,7 @@ mod turning_load;
 mod turning_state;
 mod watch;
 mod whole_change;
+mod within_a_step;
 
 pub use beyond::{Beyond, Continuation};
 pub(crate) use cycles::{CycleRecord, CycleState, Cycles};
