@@ -90,6 +90,7 @@ impl<'g, D: Size, const C: usize> Journey<'g, D, C> {
     ) -> Equilibrium<C> {
         let (load, effort) = (self.program.load_at(fraction), Effort::default());
         let grasp = self.program.bodies.put_on(self.grasp, fraction);
+        let grasp = self.program.torques.put_on(grasp, fraction);
         grasp.equilibrium(problem, &load, found, Rung::LoadPath, &effort, self.cone())
     }
 

@@ -62,6 +62,7 @@ mod follower;
 mod following;
 mod geometry;
 mod geometry_gradient;
+mod held_torques;
 mod journey;
 mod jump;
 mod leg;

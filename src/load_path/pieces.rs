@@ -276,6 +276,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
             course: self.segment.course.clone(),
             load: journey.program.course,
             bodies: journey.program.bodies.clone(),
+            torques: journey.program.torques.clone(),
             states: self.node.states.clone(),
             here,
             there,

@@ -5,6 +5,7 @@ use nalgebra::SVector;
 
 use super::body_loads::BodyLoads;
 use super::flow::{Flow, Rule, StepGoal};
+use super::held_torques::HeldTorques;
 use super::segment::{Here, Segment};
 use super::trajectory::Trajectory;
 use crate::contact::{Line, State};
@@ -34,6 +35,8 @@ pub(super) struct Stretch<'g, D: Size, const C: usize> {
     pub(super) load: Trajectory<Wrench<C>>,
     /// And those of bodies that go their own way.
     pub(super) bodies: BodyLoads<C>,
+    /// And the torques that hold joints.
+    pub(super) torques: HeldTorques,
     pub(super) states: Vec<State<C>>,
     /// At `from`, with rates.
     pub(super) here: Here<D, C>,
@@ -186,7 +189,8 @@ impl<'g, D: Size, const C: usize> Stretch<'g, D, C> {
         problem: &Problem<'g, D, C>,
         found: Found<D, C>,
     ) -> Equilibrium<C> {
-        let (load, grasp) = (self.load.at(fraction), self.bodies.put_on(grasp, fraction));
+        let load = self.load.at(fraction);
+        let grasp = self.torques.put_on(self.bodies.put_on(grasp, fraction), fraction);
         grasp.equilibrium(problem, &load, found, Rung::LoadPath, &Effort::default(), cone)
     }
 }

@@ -35,8 +35,8 @@ class Leg(TypedDict, total=False):
     """One leg of a load program: what changes along it. What is not mentioned stays.
 
     Loads are arrays of a force (N) or of a force and a moment (N m), commands one row a contact in its frame (m), commands of joints one
-    number a joint and then one a tendon (rad or m). Of several bodies loads of their own go by name. A ``turn`` stands alone, with the words of
-    :meth:`Grasp.turn`.
+    number a joint and then one a tendon (rad or m), torques that hold joints one number a joint (N m or N). Of several bodies loads of
+    their own go by name. A ``turn`` stands alone, with the words of :meth:`Grasp.turn`.
     """
 
     load_by: ArrayLike | Mapping[str, Any]
@@ -45,6 +45,8 @@ class Leg(TypedDict, total=False):
     commands_to: ArrayLike
     joints_by: ArrayLike
     joints_to: ArrayLike
+    torques_by: ArrayLike
+    torques_to: ArrayLike
     body_loads_by: Mapping[str, ArrayLike | Mapping[str, Any]]
     body_loads_to: Mapping[str, ArrayLike | Mapping[str, Any]]
     turn: Mapping[str, Any]
