@@ -6,6 +6,7 @@ use nalgebra::SVector;
 use super::body_loads::BodyLoads;
 use super::flow::{Flow, Rule, StepGoal};
 use super::held_torques::HeldTorques;
+use super::path_state::carries_nothing;
 use super::segment::{Here, Segment};
 use super::trajectory::Trajectory;
 use crate::contact::{Line, State};
@@ -14,7 +15,7 @@ use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Size, Vector};
 use crate::object::{PieceState, Problem};
 use crate::prelude::*;
-use crate::search::{Effort, Found, Rung};
+use crate::search::{Effort, Found, Rung, told_at_rest};
 
 /// Of a step of which a part cannot be made at once: each is half as long as the one before.
 const MOST_PARTS: usize = 60;
@@ -190,6 +191,9 @@ impl<'g, D: Size, const C: usize> Stretch<'g, D, C> {
         found: Found<D, C>,
     ) -> Equilibrium<C> {
         let load = self.load.at(fraction);
+        // Where nothing carries anything, what touches is a matter of rounding.
+        let nothing = carries_nothing(problem, &found.forces, &found.twist);
+        let found = if nothing { found } else { told_at_rest(problem, found) };
         let grasp = self.torques.put_on(self.bodies.put_on(grasp, fraction), fraction);
         grasp.equilibrium(problem, &load, found, Rung::LoadPath, &Effort::default(), cone)
     }

@@ -7,5 +7,6 @@ mod nothing_near_in_space;
 mod payload;
 mod seals;
 mod suction;
+mod touching;
 mod ways_out;
 mod words;
