@@ -121,8 +121,15 @@ pub enum Error {
         /// What is allowed.
         allowed: &'static str,
     },
-    /// Commands change while the load turns: events would have no exact angles.
-    #[error("commands of a leg: change while the load turns, must stay")]
+    /// A question made this library fail: a fault of the library, not of the question. Where many questions are asked at once the others are
+    /// answered.
+    #[error("internal: this question made the library fail, which is a fault of the library ({fault})")]
+    Internal {
+        /// The message of the failure.
+        fault: String,
+    },
+    /// Commands or held torques change while the load turns: events would have no exact angles.
+    #[error("commands or torques of a leg: change while the load turns, must stay")]
     CommandsWhileTurning,
     /// A scene asks for an onset along a ramp that changes nothing.
     #[error("onset: direction, command_change and joint_change are zero, one of them must change something")]

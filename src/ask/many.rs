@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::load_path::{Onset, Ramp, Turn, TurnOnset};
 use crate::prelude::*;
-use crate::sweep::{Reserve, RobustOnset, Uncertainty, map_in_order};
+use crate::sweep::{Reserve, RobustOnset, Uncertainty, each_answered};
 
 impl<const C: usize> Grasp<C> {
     /// The equilibria under many loads, each as from [`Self::solve`], in the order of the loads; an error in one does not stop the others.
@@ -173,5 +173,5 @@ impl<const C: usize> Grasp<C> {
 /// ```
 #[must_use]
 pub fn onset_of_each<const C: usize>(grasps: &[Grasp<C>], ramp: &Ramp<C>) -> Vec<Result<Onset<C>, Error>> {
-    map_in_order(grasps, |grasp| grasp.onset(ramp))
+    each_answered(grasps, &|grasp| grasp.onset(ramp))
 }

@@ -206,16 +206,19 @@ impl<const C: usize> LocalLaw<'_, C> {
 
     /// The reverse: a state among the facets that an edge in the law of the rates has; `None` where there is no telling.
     pub(crate) fn in_the_rates(&self, rates: &Law<C>, state: State<C>) -> Option<State<C>> {
-        if let Mode::Round(_) = state {
-            return match rates {
-                Law::Edge(_) => Some(Mode::Facet(0)),
-                // It has just stuck.
-                Law::Bonded => Some(Mode::Sticking),
-                // At the apex there is no telling which way it slid.
-                Law::Absent | Law::Cone { .. } => None,
-            };
+        if !state.slides() {
+            return Some(state);
         }
-        let Law::Edge(edge) = rates else { return Some(state) };
+        let edge = match (rates, state) {
+            // On the round cone the edge is the direction of the slide.
+            (Law::Edge(_), Mode::Round(_)) => return Some(Mode::Facet(0)),
+            (Law::Edge(edge), _) => edge,
+            // It has just stuck.
+            (Law::Bonded, _) => return Some(Mode::Sticking),
+            // At the apex of a round cone there is no telling which way it slid.
+            (Law::Absent, _) | (Law::Cone { .. }, Mode::Round(_)) => return None,
+            (Law::Cone { .. }, _) => return Some(state),
+        };
         let facets = self.facets();
         let [first, second] = state.own_facets(facets.len());
         let at = |k: usize| edge.iter().position(|h| *h == facets[k]);

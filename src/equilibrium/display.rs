@@ -145,6 +145,17 @@ impl<const C: usize> Equilibrium<C> {
     }
 }
 
+impl<const C: usize> ContactAnswer<C> {
+    /// What the contact does: "sticks"; "touches" where it is closed and nothing presses.
+    #[must_use]
+    pub fn doing(&self) -> &'static str {
+        match self.state {
+            ContactState::Separated if self.gap == 0.0 => "touches",
+            state => state.verb(),
+        }
+    }
+}
+
 impl<const C: usize> ContactState<C> {
     /// What the contact does: "sticks".
     #[must_use]

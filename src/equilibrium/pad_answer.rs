@@ -128,7 +128,7 @@ impl<const C: usize> WholeAnswer<'_, C> {
     #[must_use]
     pub fn doing(&self) -> String {
         match self {
-            Self::Point(contact) => contact.state.verb().to_owned(),
+            Self::Point(contact) => contact.doing().to_owned(),
             Self::Pad(pad) => pad.doing(),
         }
     }

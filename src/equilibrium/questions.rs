@@ -12,6 +12,7 @@ use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{
     Doubt, Effort, Found, Rung, Settings, Settled, combinations, on_the_whole_line, search, settle,
+    settle_at_rest,
 };
 
 /// Largest residual of an equilibrium. Usual residuals are below 1e-15; only scenes whose numbers lie apart by more than the working precision come
@@ -26,7 +27,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Grasp::solve`](crate::ask::Grasp::solve).
     pub(crate) fn solve(&self, load: &Wrench<C>, settings: &Settings) -> Result<Outcome<C>, Error> {
         let problem = self.problem_under(load, settings)?;
-        let (mut settled, effort) = settle(&problem, settings);
+        let (mut settled, effort) = settle_at_rest(&problem, settings);
         if let Settled::Found(found, rule) = settled {
             settled = Settled::Found(on_the_whole_line(&problem, found), rule);
         }

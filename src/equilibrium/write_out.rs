@@ -6,7 +6,7 @@ use super::answer::{Equilibrium, LocalAnswer, WorkDone};
 use super::cone::{AnswerFor, Cone};
 use super::contact_answer::{ContactAnswer, ContactState};
 use super::too_far::Standing;
-use crate::contact::{LocalLaw, Mode, State};
+use crate::contact::{LocalLaw, Mode, State, ZERO_SLACK};
 use crate::forms::{LeftOut, Why};
 use crate::grasp::{Contact, Coordinates, Engine, Hold, Stiffness, Twist, Wrench};
 use crate::numerics::{Size, Vector};
@@ -200,6 +200,8 @@ impl<const C: usize> SolvedContact<'_, C> {
             Stiffness::Series(_) => (None, None),
         };
         let gap = self.moved[0] - self.drive[0];
+        // What touches has a gap of the rounding of both.
+        let is_none = gap <= ZERO_SLACK * (self.moved.norm() + self.drive.norm());
         ContactAnswer {
             contact: contact.label(index),
             state,
@@ -209,7 +211,7 @@ impl<const C: usize> SolvedContact<'_, C> {
             body_surface,
             distinct: None,
             finger_surface,
-            gap: if state == ContactState::Separated { gap.max(0.0) } else { 0.0 },
+            gap: if state == ContactState::Separated && !is_none { gap } else { 0.0 },
             slip: slip + self.memory,
             margin,
         }

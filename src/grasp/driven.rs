@@ -51,6 +51,25 @@ impl<D: Size, const C: usize> Engine<D, C> {
         Ok(grasp)
     }
 
+    /// The torques that hold joints whatever they do.
+    pub(crate) fn held_torques(&self) -> Vec<f64> {
+        self.linkage()
+            .map_or_else(Vec::new, |linkage| linkage.joints.iter().map(|joint| joint.held).collect())
+    }
+
+    /// With other torques that hold joints, as many as there are.
+    pub(crate) fn with_held_torques(&self, torques: &[f64]) -> Self {
+        let mut grasp = self.clone();
+        if let Some(linkage) = &mut grasp.linkage {
+            for (j, torque) in torques.iter().enumerate() {
+                let k = of_the_object::<C>() + j;
+                linkage.held[k] += (torque - linkage.joints[j].held) / linkage.lengths[k];
+                linkage.joints[j].held = *torque;
+            }
+        }
+        grasp
+    }
+
     /// [`Grasp::squeezed`](crate::ask::Grasp::squeezed).
     pub(crate) fn squeezed(&self, factor: f64) -> Result<Self, Error> {
         if !is_moderate(factor) {

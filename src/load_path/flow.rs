@@ -35,6 +35,8 @@ const LOOSER: [f64; 4] = [1.0, 10.0, 100.0, 1000.0];
 const UNPUSHED: f64 = 1e-9;
 /// A slip against the friction force by this part of the displacements of the contact is rounding.
 const BACKWARDS: f64 = 1e-13;
+/// A load factor that falls by less than this part of the way stays: at its top it is known to the square of that.
+const TURNS_BACK: f64 = 1e-8;
 /// The error of a friction force that vanishes is this part of it at most, for each part of the largest force that others may have: it keeps its direction.
 const OF_ITSELF: f64 = 1e-6;
 /// Works and their turnover are integrated along with the rest.
@@ -105,7 +107,7 @@ pub(super) struct Reached<D: Size, const C: usize> {
     pub(super) energy: LegEnergy,
     /// Estimated relative error: of forces over the largest of them, of the twist over the largest displacement; the larger of both.
     pub(super) error: f64,
-    /// Some contact slipped against its friction force on the way.
+    /// Some contact slipped against its friction force on the way, or the load went back.
     pub(super) backwards: bool,
 }
 
@@ -245,7 +247,7 @@ impl<'s, 'g, D: Size, const C: usize> Flow<'s, 'g, D, C> {
         Vector::from_fn(self.size(), |k| y[first + k])
     }
 
-    /// Rates of the variables, which count from the start, and whether a contact slips against its friction force.
+    /// Rates of the variables, which count from the start, and whether a contact slips against its friction force or the load goes back.
     fn rate(&self, y: &[f64], out: &mut [f64]) -> Option<bool> {
         let [load, works] = self.places();
         let segment = self.arc.segment;
@@ -273,7 +275,7 @@ impl<'s, 'g, D: Size, const C: usize> Flow<'s, 'g, D, C> {
         let worked = segment.course.at(self.from + y[load]).component_mul(&way.twist);
         turnover += fingers.abs() + worked.map(f64::abs).sum();
         out[works..].copy_from_slice(&[fingers, heat, worked.sum(), turnover]);
-        Some(backwards > 0.0)
+        Some(backwards > 0.0 || way.factor < -TURNS_BACK)
     }
 
     /// Friction forces of the sliding contacts, in order, after these changes of the variables.

@@ -15,7 +15,7 @@ use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Size, Vector};
 use crate::object::{Load, Problem};
 use crate::prelude::*;
-use crate::search::{Doubt, Effort, Found, Rung, Settings, Settled, settle};
+use crate::search::{Doubt, Effort, Found, Rung, Settings, Settled, settle_at_rest};
 
 /// The settled equilibrium to start from.
 pub(crate) type Rest<D, const C: usize> = (Settled<D, C>, Effort);
@@ -57,7 +57,7 @@ impl<'g, D: Size, const C: usize> Journey<'g, D, C> {
 
     /// The equilibrium to start from; else how the path ends before it begins.
     pub(super) fn start(&self, problem: &Problem<'g, D, C>) -> Result<Found<D, C>, PathEnd<C>> {
-        match self.rest.clone().unwrap_or_else(|| settle(problem, &self.settings)) {
+        match self.rest.clone().unwrap_or_else(|| settle_at_rest(problem, &self.settings)) {
             (Settled::Found(found, _), _) => Ok(found),
             (nothing, effort) => {
                 let load = self.program.load_at(0.0);
@@ -91,6 +91,7 @@ impl<'g, D: Size, const C: usize> Journey<'g, D, C> {
     ) -> Equilibrium<C> {
         let (load, effort) = (self.program.load_at(fraction), Effort::default());
         let grasp = self.program.bodies.put_on(self.grasp, fraction);
+        let grasp = self.program.torques.put_on(grasp, fraction);
         grasp.equilibrium(problem, &load, found, Rung::LoadPath, &effort, self.answer_for())
     }
 

@@ -46,6 +46,7 @@ pub struct Leg<const C: usize> {
     pub(super) load: LegLoad<C>,
     pub(super) commands: LegGoal<Vec<SVector<f64, C>>>,
     pub(super) joints: LegGoal<Vec<f64>>,
+    pub(super) torques: LegGoal<Vec<f64>>,
     /// Of several bodies those whose own loads change.
     pub(super) bodies: Vec<BodyGoal<C>>,
 }
@@ -62,6 +63,7 @@ impl<const C: usize> Leg<C> {
         load: LegLoad::Straight(LegGoal::Stay),
         commands: LegGoal::Stay,
         joints: LegGoal::Stay,
+        torques: LegGoal::Stay,
         bodies: Vec::new(),
     };
 
@@ -197,6 +199,7 @@ impl<const C: usize> Leg<C> {
             load: LegLoad::Straight(LegGoal::By(ramp.direction)),
             commands: ramp.command_change.as_ref().map_or(LegGoal::Stay, by),
             joints: ramp.joint_change.as_ref().map_or(LegGoal::Stay, |change| LegGoal::By(change.clone())),
+            torques: LegGoal::Stay,
             bodies: Vec::new(),
         }
     }
@@ -233,6 +236,7 @@ impl<const C: usize> Leg<C> {
         if let LegGoal::By(commands) | LegGoal::To(commands) = &self.joints {
             grasp.check_joint_commands(commands, "joint commands of a leg")?;
         }
+        self.check_torques(grasp)?;
         self.check_bodies(grasp)
     }
 }

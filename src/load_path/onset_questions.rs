@@ -24,7 +24,7 @@ use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Memory, Size};
 use crate::object::{Load, Problem, are_many};
 use crate::prelude::*;
-use crate::search::{Effort, Found, Rung, Settings, Settled, settle};
+use crate::search::{Effort, Found, Rung, Settings, Settled, settle, settle_at_rest};
 
 impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Grasp::onset`](crate::ask::Grasp::onset).
@@ -75,7 +75,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             return Ok(first.onset(segment, load, memory));
         }
         let course = Trajectory::Straight { from: ramp.base, rate: ramp.direction };
-        let rest = settle(&segment.problem, settings);
+        let rest = settle_at_rest(&segment.problem, settings);
         let onset = self.walked(segment, &rest, (course, f64::INFINITY), settings).onset;
         memory.rest = Some(rest);
         Ok(onset)

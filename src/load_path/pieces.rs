@@ -49,6 +49,8 @@ pub(crate) struct Pieces<'g, D: Size, const C: usize> {
     pub(super) pace: Pace,
     /// Where events that follow each other ever faster were last taken as one; not a number before that.
     pub(super) gathered: f64,
+    /// The contacts whose slip came to its end on an arc last, and where.
+    pub(super) stopped: (f64, Vec<usize>),
     /// Sum of the estimated errors of the steps along sliding arcs.
     pub(super) step_error: f64,
     /// An event to report before the path starts: a contact slides at rest, and its friction falls.
@@ -92,6 +94,7 @@ impl<'g, D: Size, const C: usize> Follower<'g, D, C> for Pieces<'g, D, C> {
         self.factor = 0.0;
         self.pace = Pace::new();
         self.gathered = f64::NAN;
+        self.stopped.0 = f64::NAN;
         self.energy.push(LegEnergy::default());
         self.at_node = true;
         Ok(())
@@ -191,6 +194,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
             stalls: 0,
             pace: Pace::new(),
             gathered: f64::NAN,
+            stopped: (f64::NAN, Vec::new()),
             step_error: 0.0,
             first: None,
             fallen: None,
@@ -295,6 +299,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
             course: self.segment.course.clone(),
             load: journey.program.course,
             bodies: journey.program.bodies.clone(),
+            torques: journey.program.torques.clone(),
             states: self.node.states.clone(),
             here,
             there,

@@ -5,6 +5,7 @@ use alloc::sync::Arc;
 use nalgebra::{Matrix, SVector};
 
 use super::body_loads::BodyLoads;
+use super::held_torques::HeldTorques;
 use super::leg::{Leg, LegLoad};
 use super::trajectory::Trajectory;
 use super::turn::inside;
@@ -33,6 +34,9 @@ pub(super) struct Program<const C: usize> {
     /// Names of several bodies, and their loads along the present leg.
     names: Vec<Arc<str>>,
     pub(super) bodies: BodyLoads<C>,
+    /// The torques that hold the joints of the hand, and what becomes of them along the present leg.
+    held: Vec<f64>,
+    pub(super) torques: HeldTorques,
 }
 
 impl<const C: usize> Program<C> {
@@ -50,6 +54,8 @@ impl<const C: usize> Program<C> {
             joints: [joints.clone(), joints],
             names: grasp.bodies().map_or_else(Vec::new, |bodies| bodies.names.clone()),
             bodies: BodyLoads::default(),
+            held: grasp.held_torques(),
+            torques: HeldTorques::default(),
         }
     }
 
@@ -80,6 +86,7 @@ impl<const C: usize> Program<C> {
         leg.commands.lead_on(&mut self.commands);
         leg.joints.lead_on(&mut self.joints);
         self.bodies.lead_on(&self.names, &leg.bodies);
+        self.torques.lead_on(&self.held, &leg.torques);
         true
     }
 
@@ -99,6 +106,7 @@ impl<const C: usize> Program<C> {
             largest(&mut commands.iter().map(Matrix::amax)),
             largest(&mut joints.iter().map(|x| x.abs())),
             on_bodies(&self.bodies, 0),
+            largest(&mut self.held.iter().map(|x| x.abs())),
         ];
         let mut goes = gone.goes();
         while goes {
@@ -106,6 +114,7 @@ impl<const C: usize> Program<C> {
             most[1] = most[1].max(largest(&mut gone.commands[1].iter().map(Matrix::amax)));
             most[2] = most[2].max(largest(&mut gone.joints[1].iter().map(|x| x.abs())));
             most[3] = most[3].max(on_bodies(&gone.bodies, 1));
+            most[4] = most[4].max(largest(&mut gone.torques.at_end(1).iter().map(|x| x.abs())));
             goes = gone.next_leg();
         }
         let off = [
@@ -114,8 +123,12 @@ impl<const C: usize> Program<C> {
             largest(&mut gone.joints[1].iter().zip(&joints).map(|(end, start)| (end - start).abs())),
             // A cycle begins without them.
             on_bodies(&gone.bodies, 1),
+            largest(
+                &mut gone.torques.at_end(1).iter().zip(&self.held).map(|(end, start)| (end - start).abs()),
+            ),
         ];
-        let what = ["load", "commands of contacts", "commands of joints", "load of a body"];
+        let what =
+            ["load", "commands of contacts", "commands of joints", "load of a body", "torques of joints"];
         match (0..what.len()).find(|&k| off[k] > part * most[k]) {
             Some(k) => Err(Error::NotClosed { what: what[k], off: off[k] }),
             None => Ok(()),
@@ -128,6 +141,7 @@ impl<const C: usize> Program<C> {
         self.commands[1] = grasp.contacts().iter().map(|contact| contact.command).collect();
         self.joints[1] = grasp.joint_commands().to_vec();
         self.bodies = BodyLoads::default();
+        self.torques = HeldTorques::default();
     }
 
     /// Whether there is a leg to follow.
@@ -165,7 +179,7 @@ impl<const C: usize> Program<C> {
         match &self.course {
             Trajectory::Straight { from, .. } => {
                 let [mut from, mut to] = [from, &self.goal].map(|load| grasp.load_unchecked(load));
-                if let Some([first, last]) = self.bodies.inside(grasp) {
+                for [first, last] in self.beside(grasp).into_iter().flatten() {
                     (from, to) = (from + first, to + last);
                 }
                 let rate = to - &from;
@@ -173,12 +187,17 @@ impl<const C: usize> Program<C> {
             }
             Trajectory::Turn { load, angle } => {
                 let mut load = inside(grasp, load);
-                if let Some([constant, _]) = self.bodies.inside(grasp) {
+                for [constant, _] in self.beside(grasp).into_iter().flatten() {
                     load.constant += constant;
                 }
                 Trajectory::Turn { load, angle: *angle }
             }
         }
+    }
+
+    /// What acts beside the load of the question, at the beginning and at the end of the leg.
+    fn beside<D: Size>(&self, grasp: &Engine<D, C>) -> [Option<[Vector<D>; 2]>; 2] {
+        [self.bodies.inside(grasp), self.torques.inside(grasp)]
     }
 
     /// The leg of which this fraction has been gone: the last one when all are done.

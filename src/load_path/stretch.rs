@@ -5,6 +5,8 @@ use nalgebra::SVector;
 
 use super::body_loads::BodyLoads;
 use super::flow::{Flow, Rule, StepGoal};
+use super::held_torques::HeldTorques;
+use super::path_state::carries_nothing;
 use super::segment::{Here, Segment};
 use super::trajectory::Trajectory;
 use crate::contact::{Line, State};
@@ -13,7 +15,7 @@ use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Size, Vector};
 use crate::object::{PieceState, Problem};
 use crate::prelude::*;
-use crate::search::{Effort, Found, Rung};
+use crate::search::{Effort, Found, Rung, told_at_rest};
 
 /// Most parts into which a step is divided where it cannot be repeated at once: each is half as long as the one before.
 const MOST_PARTS: usize = 60;
@@ -34,6 +36,8 @@ pub(super) struct Stretch<'g, D: Size, const C: usize> {
     pub(super) load: Trajectory<Wrench<C>>,
     /// Loads of bodies with goals of their own.
     pub(super) bodies: BodyLoads<C>,
+    /// And the torques that hold joints.
+    pub(super) torques: HeldTorques,
     pub(super) states: Vec<State<C>>,
     /// State at `from`, with rates.
     pub(super) here: Here<D, C>,
@@ -75,7 +79,11 @@ impl<'g, D: Size, const C: usize> Stretch<'g, D, C> {
         fraction: f64,
     ) -> Option<Equilibrium<C>> {
         let (problem, found) = self.found_at(grasp, answer_for, fraction)?;
-        let (load, grasp) = (self.load.at(fraction), self.bodies.put_on(grasp, fraction));
+        let load = self.load.at(fraction);
+        // Contacts without force all touch at a state without any force: there is no scale then.
+        let nothing = carries_nothing(&problem, &found.forces, &found.twist);
+        let found = if nothing { found } else { told_at_rest(&problem, found) };
+        let grasp = self.torques.put_on(self.bodies.put_on(grasp, fraction), fraction);
         Some(grasp.equilibrium(&problem, &load, found, Rung::LoadPath, &Effort::default(), answer_for))
     }
 

@@ -12,7 +12,7 @@ use crate::error::Error;
 use crate::grasp::Engine;
 use crate::numerics::Size;
 use crate::prelude::*;
-use crate::search::{Settings, settle};
+use crate::search::{Settings, settle_at_rest};
 
 /// The answer to "at which angle does the first contact stop sticking?"
 #[derive(Debug, Clone)]
@@ -44,7 +44,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             return Ok(TurnOnset { onset, touches: Vec::new() });
         }
         let course = Trajectory::Turn { load: turn.load, angle: 1.0 };
-        let rest = settle(&segment.problem, settings);
+        let rest = settle_at_rest(&segment.problem, settings);
         Ok(self.walked(segment, &rest, (course, turn.angle), settings))
     }
 }

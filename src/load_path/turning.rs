@@ -22,6 +22,7 @@ use super::pieces::Pieces;
 use super::segment::Here;
 use super::trajectory::Trajectory;
 use super::watch::{Watch, WatchedCondition, watch};
+use super::within_a_step::first_dip;
 use crate::contact::{ActiveSet, Exit, Line, Mode, State, ZERO_SLACK, tangential};
 use crate::numerics::Size;
 use crate::prelude::*;
@@ -46,6 +47,8 @@ const NO_WAY: f64 = 1e-12;
 const APPROACH: f64 = 0.5;
 /// Events are gathered at places this part of the leg apart: nearer ones are the same once more.
 const GATHERED_AGAIN: f64 = 1e-9;
+/// A step is made shorter so often at most where a condition may be broken on the way.
+const MOST_LOOKS: usize = 20;
 /// Steps shorter than this part of the way gone are none: the arc ends here.
 const SHORTEST: f64 = 1e-13;
 
@@ -83,6 +86,8 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         if length <= SHORTEST * self.factor.max(f64::EPSILON) {
             if self.node.let_go(&here) {
                 self.at_node = true;
+            } else if self.stops_for_good(tolerance) {
+                return Err(self.lost(journey, LossKind::Corner, &here));
             } else if !self.pace.loosen(1.0 - self.factor) {
                 let gathered = if self.may_gather() { self.node.gather(&self.segment, &here) } else { None };
                 let Some(apart) = gathered else {
@@ -99,22 +104,40 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
             self.pace.refuse(length, missed);
             return Ok(false);
         };
-        let backwards = end.reached.backwards;
-        let end = self.up_to_a_crossing(&here, end);
-        let Some(end) = end.filter(|end| end.located.is_some() || !backwards) else {
+        let end = self.up_to_a_crossing(&here, end, tolerance);
+        let Some(end) = end.filter(|end| end.located.is_some() || !end.reached.backwards) else {
             self.pace.refuse(length, f64::INFINITY);
             return Ok(false);
         };
         self.arrive_at(journey, &here, &end)
     }
 
-    /// A step as it is, or made again up to the first condition that it breaks.
-    fn up_to_a_crossing(&self, here: &Here<D, C>, end: StepEnd<D, C>) -> Option<StepEnd<D, C>> {
+    /// A step as it is, or made again up to the first condition that it breaks, at its end or on the way.
+    fn up_to_a_crossing(
+        &self,
+        here: &Here<D, C>,
+        mut end: StepEnd<D, C>,
+        tolerance: f64,
+    ) -> Option<StepEnd<D, C>> {
         let start = watch(&self.segment, &self.node.states, (self.factor, here));
-        match Self::first_crossing(&start, &end) {
-            None => Some(end),
-            Some(condition) => self.locate(here, &start, end, condition),
+        let mut looks = 0;
+        loop {
+            if let Some(condition) = Self::first_crossing(&start, &end) {
+                end = self.locate(here, &start, end, condition)?;
+            }
+            let ends = [here, &end.reached.here];
+            let dip = first_dip(&self.segment, &self.node.states, ends, (end.length, tolerance));
+            let Some(part) = dip.filter(|_| looks < MOST_LOOKS) else { return Some(end) };
+            looks += 1;
+            end = self.step(here, (part * end.length, 0), end.rule)?;
         }
+    }
+
+    /// Whether a contact whose slip came to its end here can go on in no way.
+    fn stops_for_good(&self, tolerance: f64) -> bool {
+        let (at, contacts) = &self.stopped;
+        let here = (self.factor - at).abs() <= GATHERED_AGAIN;
+        here && contacts.iter().any(|contact| self.neither_sticks_nor_slides(*contact, tolerance))
     }
 
     /// Whether there has been a way since events were last gathered at one place.
@@ -249,6 +272,9 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         };
         stops |= !standing.is_empty() || !sticks.is_empty() || (0..self.node.states.len()).any(weightless);
         let idle = self.stands_still(here, &sticks);
+        if !sticks.is_empty() {
+            self.stopped = (to, sticks.clone());
+        }
         self.take(journey, here, (end.length, end.rule), &end.reached);
         self.node.reach(&standing);
         // What has stood still all the way is for whatever else happens here to decide.

@@ -1,6 +1,7 @@
 //! The conditions that must stay positive along a sliding arc.
 
 use super::segment::{Here, Segment};
+use super::trajectory::Trajectory;
 use crate::contact::{Line, Mode, State, ZERO_SLACK, tangential, tangential_norm};
 use crate::numerics::Size;
 use crate::prelude::*;
@@ -11,6 +12,12 @@ const ERROR_OF_STEPS: f64 = 1e-13;
 /// Scale of the rate of the load factor, which is at most 1. At a maximum of the load factor a rate of 1e-8 counts as zero: the factor is known to
 /// its square.
 const AT_THE_TOP: f64 = 1e-8 / (ZERO_SLACK + ERROR_OF_STEPS);
+
+/// Of a leg there is no less left than this part, for what changes on the rest of it.
+const LEAST_REST: f64 = 0.01;
+
+/// So many times what counts as zero is none.
+const CLEARLY: f64 = 1e3;
 
 /// The normal force of a sliding contact on its way to zero is known, and with it the direction of its friction, to the error of the steps over this
 /// part of its size: too little below.
@@ -32,7 +39,8 @@ pub(super) enum WatchedCondition {
 pub(super) struct Watch {
     pub(super) what: WatchedCondition,
     pub(super) value: f64,
-    rate: Option<f64>,
+    /// With the size that its rounding is measured against.
+    rate: Option<[f64; 2]>,
     size: f64,
 }
 
@@ -47,14 +55,19 @@ impl Watch {
         self.value.abs() <= (ZERO_SLACK + ERROR_OF_STEPS) * self.size
     }
 
-    /// Not known to grow.
+    /// Negative by so much that neither rounding nor the errors of steps have done it.
+    pub(super) fn is_broken(&self) -> bool {
+        self.value < -CLEARLY * (ZERO_SLACK + ERROR_OF_STEPS) * self.size
+    }
+
+    /// Not known to grow, or to stay but for rounding: what slides on while others stand still leaves them at their edge.
     pub(super) fn falls(&self) -> bool {
-        self.rate.is_none_or(|rate| rate < 0.0)
+        self.rate.is_none_or(|[rate, size]| rate < -(ZERO_SLACK + ERROR_OF_STEPS) * size)
     }
 
     /// The way to zero along the tangent.
     pub(super) fn way(&self) -> Option<f64> {
-        self.rate.map(|rate| self.value / -rate).filter(|way| way.is_finite())
+        self.rate.map(|[rate, _]| self.value / -rate).filter(|way| way.is_finite())
     }
 }
 
@@ -76,27 +89,42 @@ pub(super) fn watch<D: Size, const C: usize>(
 ) -> Vec<Watch> {
     let mut list = vec![
         Watch { what: WatchedCondition::Growth, value: here.factor_rate, rate: None, size: AT_THE_TOP },
-        Watch { what: WatchedCondition::Leg, value: 1.0 - factor, rate: Some(-here.factor_rate), size: 1.0 },
+        Watch {
+            what: WatchedCondition::Leg,
+            value: 1.0 - factor,
+            rate: Some([-here.factor_rate, 1.0]),
+            size: 1.0,
+        },
     ];
+    // What changes by less than its rounding on the rest of a straight leg does not change. While the load turns rates may be none and grow.
+    let straight = matches!(segment.course, Trajectory::Straight { .. });
+    let per_length = here.factor_rate / (1.0 - factor).max(LEAST_REST);
     for (contact, state) in states.iter().enumerate() {
         let (line, local) = (&here.lines[contact], segment.problem.local(contact));
-        let mut push = |value, rate, size| {
+        let mut push = |value, rate: Option<[f64; 2]>, size: f64| {
+            let slow = |rate_size: f64| if straight { rate_size.max(size * per_length) } else { 0.0 };
+            let rate = rate.map(|[rate, rate_size]| [rate, slow(rate_size)]);
             list.push(Watch { what: WatchedCondition::Contact(contact), value, rate, size });
         };
         match state {
             Mode::Open if local.is_absent() => {}
             Mode::Open => {
                 let gap = &here.gaps[contact];
-                push(gap.gap, Some(gap.rate), gap.size);
+                push(gap.gap, Some([gap.rate, gap.rate_size]), gap.size);
             }
             Mode::Sticking if local.may_slide() => {
                 let (friction, change) = (tangential(&line.force), tangential(&line.rate));
                 let used = friction.norm();
                 let rate = if used > 0.0 { friction.dot(&change) / used } else { change.norm() };
-                let (cone, size) = (local.cone(), line.force_size * local.cone().round_weight());
-                push(cone.limit(line.force[0]) - used, Some(cone.limit(line.rate[0]) - rate), size);
+                let cone = local.cone();
+                let [size, rate_size] =
+                    [line.force_size, line.rate_size].map(|size| size * cone.round_weight());
+                let rate = cone.limit(line.rate[0]) - rate;
+                push(cone.limit(line.force[0]) - used, Some([rate, rate_size]), size);
             }
-            Mode::Sticking if local.may_open() => push(line.force[0], Some(line.rate[0]), line.force_size),
+            Mode::Sticking if local.may_open() => {
+                push(line.force[0], Some([line.rate[0], line.rate_size]), line.force_size);
+            }
             Mode::Sticking => {}
             // Rounding decides whether a contact with a vanishing force sticks on the way there.
             _ if is_vanishing(line) => push(f64::INFINITY, None, 1.0),

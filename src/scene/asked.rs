@@ -69,6 +69,11 @@ impl<const C: usize> Setup<C> {
                 out = out.and_joints_to(self.of_joints(commands, "joint commands of a leg")?);
             }
         }
+        match &leg.torques {
+            None => {}
+            Some(Goal::By(change)) => out = out.and_torques_by(change.iter().copied()),
+            Some(Goal::To(torques)) => out = out.and_torques_to(torques.iter().copied()),
+        }
         for (name, goal) in &leg.body_loads {
             self.has_body(name)?;
             out = match goal {

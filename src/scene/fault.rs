@@ -39,6 +39,8 @@ pub enum FaultKind {
     Scene,
     /// The scene asks what cannot be asked of its grasp.
     Question,
+    /// The scene made this library fail: a fault of the library and not of the scene.
+    Internal,
 }
 
 /// A place in the text.
@@ -106,6 +108,13 @@ impl Fault {
     /// A fault of the scene as a whole.
     pub(crate) fn of_scene(message: String) -> Self {
         Self { kind: FaultKind::Scene, message, field: None, at: None }
+    }
+
+    /// A scene that made the library fail, which said this.
+    pub(crate) fn internal(fault: &str) -> Self {
+        let message =
+            format!("internal: this scene made the library fail, which is a fault of the library ({fault})");
+        Self { kind: FaultKind::Internal, message, field: None, at: None }
     }
 
     /// A question that the grasp refuses.

@@ -153,9 +153,10 @@
 //!
 //! Wrenches that are left out are zero. `command_change` and all other commands are one row for
 //! each contact of the scene (m, in its contact frame); all points of a soft fingertip follow it. A
-//! leg has `load_by` or `load_to` (a wrench), `commands_by` or `commands_to` (rows), `joints_by` or `joints_to`, or one of
-//! each, or a `turn` alone: the load then changes as the turn does, from what it is when the leg begins. What a leg does not mention stays. Of several bodies
-//! `body_loads_by` or `body_loads_to` have loads by name, each on its own way beside the load. `joint_change` and these lists have one number for each joint and then each tendon.
+//! leg has `load_by` or `load_to` (a wrench), `commands_by` or `commands_to` (rows), `joints_by` or `joints_to`, `torques_by` or `torques_to`,
+//! or one of each, or a `turn` alone: the load then changes as the turn does, from what it is when the leg begins. What a leg does not mention stays. Of several bodies
+//! `body_loads_by` or `body_loads_to` have loads by name, each on its own way beside the load. `joint_change` and `joints_by` have one number for each joint and then each
+//! tendon, `torques_by` one for each joint: what holds it whatever it does, N m or N, with the slides of contacts that are held by a force behind all others.
 //!
 //! A turn (see [`Turn`](crate::load_path::Turn)) is a `weight` while the object is tilted with its grasp, or a `force` that turns, or three
 //! wrenches. In the plane it goes from x to y, in space about the axis by the right-hand rule:

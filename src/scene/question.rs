@@ -205,6 +205,8 @@ pub struct LegAsked<const C: usize> {
     pub commands: Option<Goal<Commands<C>>>,
     /// The change of a hand's commands, one for each joint and then each tendon, rad or m; `None` if they are constant.
     pub joints: Option<Goal<Vec<f64>>>,
+    /// What becomes of the torques that hold the joints of a hand: one for each joint, N m or N, slides of contacts that are held by a force behind all others.
+    pub torques: Option<Goal<Vec<f64>>>,
     /// Of several bodies those whose own loads change, by name.
     pub body_loads: BTreeMap<String, Goal<Wrench<C>>>,
 }
@@ -213,20 +215,27 @@ impl<const C: usize> LegAsked<C> {
     /// A leg with a change of the load, of the commands, or of both.
     #[must_use]
     pub fn new(load: Option<Goal<Wrench<C>>>, commands: Option<Goal<Commands<C>>>) -> Self {
-        Self { load: load.map(LoadGoal::Straight), commands, joints: None, body_loads: BTreeMap::new() }
+        let load = load.map(LoadGoal::Straight);
+        Self { load, commands, joints: None, torques: None, body_loads: BTreeMap::new() }
     }
 
     /// A leg along which the load changes as a turn does; all commands stay.
     #[must_use]
     pub fn turn(turn: Turn<C>) -> Self {
         let load = Some(LoadGoal::Turn(turn));
-        Self { load, commands: None, joints: None, body_loads: BTreeMap::new() }
+        Self { load, commands: None, joints: None, torques: None, body_loads: BTreeMap::new() }
     }
 
     /// This leg with commands of a hand.
     #[must_use]
     pub fn with_joints(self, joints: Goal<Vec<f64>>) -> Self {
         Self { joints: Some(joints), ..self }
+    }
+
+    /// This leg with torques that hold the joints of a hand.
+    #[must_use]
+    pub fn with_torques(self, torques: Goal<Vec<f64>>) -> Self {
+        Self { torques: Some(torques), ..self }
     }
 
     /// This leg with a load on a body of its own.
@@ -259,6 +268,12 @@ struct WrittenLeg<const C: usize> {
     /// The commands of joints and then tendons at the end of the leg, instead of `joints_by`.
     #[serde(default, with = "AsGiven::<Option<Vec<f64>>>", skip_serializing_if = "Option::is_none")]
     joints_to: Option<Vec<f64>>,
+    /// What the leg adds to the torques that hold joints, N m or N: one for each joint, slides of contacts that are held by a force behind all others.
+    #[serde(default, with = "AsGiven::<Option<Vec<f64>>>", skip_serializing_if = "Option::is_none")]
+    torques_by: Option<Vec<f64>>,
+    /// These torques at its end, in place of `torques_by`.
+    #[serde(default, with = "AsGiven::<Option<Vec<f64>>>", skip_serializing_if = "Option::is_none")]
+    torques_to: Option<Vec<f64>>,
     /// What the leg adds to loads of bodies, by name.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     body_loads_by: BTreeMap<String, Wrench<C>>,
@@ -331,6 +346,7 @@ impl<const C: usize> Serialize for LegAsked<C> {
         let (load_by, load_to) = split(straight);
         let (commands_by, commands_to) = split(self.commands.as_ref());
         let (joints_by, joints_to) = split(self.joints.as_ref());
+        let (torques_by, torques_to) = split(self.torques.as_ref());
         let [mut body_loads_by, mut body_loads_to] = [BTreeMap::new(), BTreeMap::new()];
         for (name, goal) in &self.body_loads {
             match goal {
@@ -345,6 +361,8 @@ impl<const C: usize> Serialize for LegAsked<C> {
             commands_to,
             joints_by,
             joints_to,
+            torques_by,
+            torques_to,
             body_loads_by,
             body_loads_to,
             turn,
@@ -358,13 +376,23 @@ impl<'de, const C: usize> Deserialize<'de> for LegAsked<C> {
         object::read(deserializer, "a leg", |written: WrittenLeg<C>| {
             let load = written.load()?;
             let body_loads = written.body_loads()?;
-            let WrittenLeg { commands_by, commands_to, joints_by, joints_to, turn, .. } = written;
+            let WrittenLeg {
+                commands_by,
+                commands_to,
+                joints_by,
+                joints_to,
+                torques_by,
+                torques_to,
+                turn,
+                ..
+            } = written;
             let commands = goal(commands_by, commands_to, ["commands_by", "commands_to"])?;
             let joints = goal(joints_by, joints_to, ["joints_by", "joints_to"])?;
-            if turn.is_some() && (commands.is_some() || joints.is_some()) {
+            let torques = goal(torques_by, torques_to, ["torques_by", "torques_to"])?;
+            if turn.is_some() && (commands.is_some() || joints.is_some() || torques.is_some()) {
                 return Err(Error::CommandsWhileTurning.to_string());
             }
-            Ok(Self { load, commands, joints, body_loads })
+            Ok(Self { load, commands, joints, torques, body_loads })
         })
     }
 }

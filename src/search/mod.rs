@@ -14,6 +14,7 @@
 //! | `round_pieces`, `polish` | to the round cone, from the trial or from a polygon's answer |
 //! | `enumerate` | every combination of states |
 //! | `whole_line` | a twist that is one end of an interval |
+//! | `without_force` | what touches without force is open |
 //! | `tree`, `relaxed` | on the round cone: branch and bound over what contacts do |
 
 mod a_few;
@@ -34,6 +35,7 @@ mod small_motions;
 mod touching;
 mod tree;
 mod whole_line;
+mod without_force;
 #[cfg(test)]
 mod yields_or_moves;
 
@@ -49,3 +51,4 @@ pub(crate) use polish::{polish, solution_near};
 pub(crate) use proposals::dense_is_affordable;
 pub(crate) use tree::refute;
 pub(crate) use whole_line::on_the_whole_line;
+pub(crate) use without_force::{settle_at_rest, told_at_rest};

@@ -10,7 +10,7 @@
 //! | `answers` | one answer for each question, in order |
 //! | `brief` | the same in short ([`Brief`](crate::scene::Brief)), where [`StreamOptions::brief`] asks for it |
 //! | `warnings` | what the scene says and hardly means ([`Warning`](crate::scene::Warning)), if anything |
-//! | `error` | in place of the answers: `kind`, `message`, `field`, `column`; see [`Fault`](crate::scene::Fault) |
+//! | `error` | in place of the answers: `kind`, `message`, `field`, `column`; see [`Fault`](crate::scene::Fault). Of kind `internal` where this library failed: all other lines are answered |
 //! | `begins` | of a line that is no scene and has no id: its first characters |
 //! | `blank` | `true` for a line of white space, with nothing else |
 //!

@@ -28,12 +28,22 @@ pub struct StreamOptions {
     pub most_states: usize,
     /// No leg takes more steps along sliding arcs than this, whatever the settings of a scene say. 20 000 unless said otherwise.
     pub most_steps: usize,
+    /// A scene whose line number is a multiple of this panics: tests look at what becomes of the other lines. None does where it is 0.
+    #[doc(hidden)]
+    pub fails_every: usize,
 }
 
 impl Default for StreamOptions {
     fn default() -> Self {
         let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-        Self { threads, brief: false, most_points: 2000, most_states: 20_000, most_steps: 20_000 }
+        Self {
+            threads,
+            brief: false,
+            most_points: 2000,
+            most_states: 20_000,
+            most_steps: 20_000,
+            fails_every: 0,
+        }
     }
 }
 

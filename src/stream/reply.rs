@@ -6,6 +6,7 @@ use super::line::{InputLine, LONGEST_LINE};
 use super::options::StreamOptions;
 use crate::error::Error;
 use crate::scene::{Answers, Brief, Fault, Id, Scene, Setup, Space, Warning};
+use crate::sweep::fault_in;
 
 /// Characters of a line that its reply repeats if nothing else identifies the line.
 const BEGINNING: usize = 60;
@@ -58,21 +59,28 @@ impl Reply {
             reply.blank = true;
             return reply;
         }
-        match Scene::from_json(text) {
-            Ok(mut scene) => {
-                reply.id = scene.id.take();
-                if let Err(fault) = reply.answer(scene, options) {
-                    reply.error = Some(fault);
-                }
-            }
-            Err(fault) => {
-                reply.id = Fault::id_of(text);
-                reply.begins = reply.id.is_none().then(|| beginning(text));
-                reply.error = Some(fault);
-            }
+        if let Some(fault) = fault_in(&mut || reply.read(text, options)) {
+            (reply.answers, reply.brief) = (None, None);
+            reply.error = Some(Fault::internal(&fault));
         }
         reply.hash = reply.id.is_none().then(|| format!("{:016x}", fnv1a(text)));
         reply
+    }
+
+    /// Reads a scene and answers it.
+    fn read(&mut self, text: &[u8], options: &StreamOptions) {
+        match Scene::from_json(text) {
+            Ok(mut scene) => {
+                self.id = scene.id.take();
+                assert!(!self.line.is_multiple_of(options.fails_every), "made to fail");
+                self.error = self.answer(scene, options).err();
+            }
+            Err(fault) => {
+                self.id = Fault::id_of(text);
+                self.begins = self.id.is_none().then(|| beginning(text));
+                self.error = Some(fault);
+            }
+        }
     }
 
     /// Whether it has answers; `None` for a blank line.

@@ -1,6 +1,6 @@
 //! One question for many loads, ramps, turns or grasps.
 
-use super::in_order::map_in_order;
+use super::caught::each_answered;
 use crate::equilibrium::{Outcome, Settings};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
@@ -15,12 +15,12 @@ impl<D: Size, const C: usize> Engine<D, C> {
         loads: &[Wrench<C>],
         settings: &Settings,
     ) -> Vec<Result<Outcome<C>, Error>> {
-        map_in_order(loads, |load| self.solve(load, settings))
+        each_answered(loads, &|load| self.solve(load, settings))
     }
 
     /// [`Grasp::onset_each`](crate::ask::Grasp::onset_each).
     pub(crate) fn onset_each(&self, ramps: &[Ramp<C>], settings: &Settings) -> Vec<Result<Onset<C>, Error>> {
-        map_in_order(ramps, |ramp| self.onset(ramp, settings))
+        each_answered(ramps, &|ramp| self.onset(ramp, settings))
     }
 
     /// [`Grasp::onset_of_turn_each`](crate::ask::Grasp::onset_of_turn_each).
@@ -29,6 +29,6 @@ impl<D: Size, const C: usize> Engine<D, C> {
         turns: &[Turn<C>],
         settings: &Settings,
     ) -> Vec<Result<TurnOnset<C>, Error>> {
-        map_in_order(turns, |turn| self.onset_of_turn(turn, settings))
+        each_answered(turns, &|turn| self.onset_of_turn(turn, settings))
     }
 }

@@ -6,6 +6,7 @@
 //! the sums over very many contacts of one scene use threads; they give the same bits, too.
 
 mod batch;
+mod caught;
 mod courses;
 mod datum;
 mod failure;
@@ -20,6 +21,9 @@ mod sticking;
 mod uncertainty;
 
 pub use batch::{least_squeezes_of_batch, onset_gradients_of_batch, onsets_of_batch, turn_onsets_of_batch};
+pub(crate) use caught::each_answered;
+#[cfg(feature = "json")]
+pub(crate) use caught::fault_in;
 pub use in_order::map_in_order;
 pub use progress::{Progress, map_watched};
 pub use reserve::Reserve;

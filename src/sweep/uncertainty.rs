@@ -3,7 +3,7 @@
 
 use nalgebra::SVector;
 
-use super::in_order::map_in_order;
+use super::caught::each_answered;
 use super::off::Off;
 use crate::equilibrium::Settings;
 use crate::error::Error;
@@ -177,7 +177,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         settings: &Settings,
     ) -> Vec<Result<Onset<C>, Error>> {
         let numbers: Vec<u64> = (0..samples).collect();
-        map_in_order(&numbers, |number| {
+        each_answered(&numbers, &|number| {
             let sample = self.sample(uncertainty, *number)?;
             if uncertainty.load == 0.0 {
                 return sample.onset(ramp, settings);

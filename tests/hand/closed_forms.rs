@@ -292,3 +292,29 @@ fn a_force_that_is_held_stays() -> Tested {
     assert!(grasp.solve(&Wrench::force([-8.1, 0.0]))?.equilibrium().is_none());
     Ok(())
 }
+
+/// A vice is tightened to 20 N and a weight is hung on, and then it is opened: the jaws slide where 2 μ F is the weight. States on the way have the
+/// torques of their places.
+#[test]
+fn a_vice_is_tightened_and_opened() -> Tested {
+    let jaw = |x: f64| {
+        Finger::new([Joint::prismatic([-x, 0.0]).torque(5.0)])
+            .contact(Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 1e3).friction(0.5))
+    };
+    let grasp: Grasp = Hand::new([jaw(-1.0), jaw(1.0)]).grasp()?;
+    let legs = [
+        Leg::torques_by([15.0, 15.0]),
+        Leg::load_to(Wrench::force([0.0, -12.0])),
+        Leg::torques_to([4.0, 4.0]),
+    ];
+    let mut path = grasp.follow(&Wrench::ZERO, &legs)?;
+    path.run();
+    let lost = path.end().and_then(|end| end.loss()).ok_or("slides")?;
+    assert!(lost.leg == 2 && (lost.fraction - 0.5).abs() < 1e-14, "{lost:?}");
+    let half = path.state_at(0, 0.5).ok_or("has passed")?;
+    assert!((half.joints[0].torque - 12.5).abs() < 1e-13 && half.residuals.worst() < 1e-14, "{half:?}");
+    assert!((half.contacts[1].normal_force() - 12.5).abs() < 1e-13);
+    let refused = grasp.follow(&Wrench::ZERO, &[Leg::torques_by([1.0])]).unwrap_err();
+    assert_eq!(refused.to_string(), "torques of a leg: 1 given, must be 2, one a joint and one a tendon");
+    Ok(())
+}

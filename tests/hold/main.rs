@@ -10,6 +10,7 @@ mod seals;
 mod slides_to_a_stop;
 mod small_motions;
 mod suction;
+mod touching;
 mod ways_out;
 mod within_small_motions;
 mod words;

@@ -145,3 +145,66 @@ fn the_other_way_to_begin_is_told() -> Tested {
     assert!(matches!(steps.end(), Some(PathEnd::Completed)), "{:?}", steps.end());
     Ok(())
 }
+
+/// A finger lets go, and another comes to rest on the edge of its cone while the first slides on: from there on no force changes, and it stays there.
+#[test]
+fn a_slip_dies_out_on_the_edge_of_its_cone() -> Tested {
+    let (grasp, start, legs) = in_space(include_str!("scenes/slip_dies_out.json"))?;
+    let mut path = grasp.follow(&start, &legs)?;
+    path.run();
+    assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
+    let mut steps = grasp.follow_in_steps(&start, &legs[..1], 1e-7)?;
+    steps.by_ref().for_each(drop);
+    let (there, near) = (path.state_at(0, 1.0).ok_or("has passed")?, steps.state().ok_or("at its end")?);
+    for (a, b) in there.contacts.iter().zip(&near.contacts) {
+        assert!((a.force - b.force).norm() < 1e-4 * there.largest_force(), "{} and {}", a.force, b.force);
+    }
+    Ok(())
+}
+
+/// A slip comes to its end just before the load has a maximum: to slide on would be against friction, and a force that sticks leaves its cone.
+#[test]
+fn what_neither_sticks_nor_slides_ends_the_path() -> Tested {
+    let (grasp, start, legs) = in_space(include_str!("scenes/stops_beside_a_maximum.json"))?;
+    let mut path = grasp.follow(&start, &legs)?;
+    path.run();
+    let lost = path.end().and_then(PathEnd::loss).ok_or("is lost")?;
+    assert!(lost.kind == LossKind::Corner && lost.leg == 0, "{lost:?}");
+    let mut steps = grasp.follow_in_steps(&start, &legs, 1e-7)?;
+    steps.by_ref().for_each(drop);
+    let (leg, fraction) = steps.place();
+    assert!(leg == 0 && (fraction - lost.fraction).abs() < 1e-3, "{fraction} and {}", lost.fraction);
+    Ok(())
+}
+
+/// A contact slides and sticks again within a twentieth of a leg: where it does is the same however far the leg goes, and no state on the way is out of its cone.
+#[test]
+fn a_slip_that_comes_and_goes_is_told_however_long_the_leg() -> Tested {
+    let (grasp, start, legs) = in_space(include_str!("scenes/slips_and_sticks_again.json"))?;
+    let load = |path: &mut LoadPath| -> Vec<_> {
+        let events = path.run();
+        let of_it = |event: &&grasp_lcp::spatial::Event| {
+            event.fraction > 0.0 && event.changes.iter().any(|change| change.contact.index == 1)
+        };
+        events.iter().filter(of_it).map(|event| event.load.resultant()[0]).collect()
+    };
+    let mut whole = grasp.follow(&start, &legs)?;
+    let told = load(&mut whole);
+    assert_eq!(told.len(), 2, "{told:?}");
+    // The same way in ten legs.
+    let part = |k: u8| whole.state_at(0, f64::from(k) / 10.0).map(|state| Leg::load_to(state.load));
+    let parts: Option<Vec<_>> = (1..=10).map(part).collect();
+    let in_parts = load(&mut grasp.follow(&start, &parts.ok_or("has passed")?)?);
+    assert_eq!(in_parts.len(), 2, "{in_parts:?}");
+    for (a, b) in told.iter().zip(&in_parts) {
+        assert!((a - b).abs() < 1e-8, "{told:?} {in_parts:?}");
+    }
+    for fraction in (0..=400).map(|k| f64::from(k) / 400.0) {
+        let state = whole.state_at(0, fraction).ok_or("has passed")?;
+        for (contact, answer) in grasp.contacts().iter().zip(&state.contacts) {
+            let over = answer.friction_force() - contact.friction_coefficient() * answer.normal_force();
+            assert!(over < 1e-9 * state.largest_force(), "{fraction}: {over}");
+        }
+    }
+    Ok(())
+}

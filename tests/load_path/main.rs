@@ -37,5 +37,6 @@ mod soft_tips;
 mod start_at_rest;
 mod stepped;
 mod story;
+mod told_as_solved;
 mod turning;
 mod wedged;

@@ -174,7 +174,7 @@ fn what_cannot_be_followed_exactly_is_refused() {
     let turn = radial(1.0);
     let both = Leg::turn(&turn).and_commands_by([[1e-3, 0.0]; 8]);
     let refused = grasp.follow(&Wrench::ZERO, &[both]).expect_err("refused");
-    assert_eq!(refused.to_string(), "commands of a leg: change while the load turns, must stay");
+    assert_eq!(refused.to_string(), "commands or torques of a leg: change while the load turns, must stay");
     let refused = grasp.follow_patch(&Wrench::ZERO, &[Leg::turn(&turn)]).map(|_| ()).expect_err("refused");
     assert_eq!(refused.to_string(), "follow_patch: the load of a leg turns, must go straight");
     let refused = grasp.follow(&Wrench::ZERO, &[Leg::turn(&turn.up_to(f64::NAN))]).expect_err("refused");

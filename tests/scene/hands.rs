@@ -52,7 +52,7 @@ fn planar_scene() -> Value {
             "questions": [
                 { "solve": { "load": { "force": [0.25, -0.5], "moment": 0.125 } } },
                 { "onset": { "direction": { "force": [0.0, 1.0] } } },
-                { "follow": { "legs": [{ "joints_by": [0.0, 0.0, 0.004, 0.0, 0.0] }, { "load_to": { "force": [0.0, 6.0] } }] } }
+                { "follow": { "legs": [{ "joints_by": [0.0, 0.0, 0.004, 0.0, 0.0] }, { "load_to": { "force": [0.0, 6.0] } }, { "torques_by": [0.05, 0.0, 0.0, 0.5], "load_by": { "force": [0.0, -1.0] } }] } }
             ]
         }
     })
@@ -129,7 +129,11 @@ fn a_written_hand_reads_back_and_answers_as_the_one_that_is_built() -> Tested {
     assert_eq!((told.leaving.len(), told.drives.len()), (event.leaving.len(), event.drives.len()));
 
     let Answer::Follow(told) = path else { return Err(format!("{path:?}").into()) };
-    let legs = [Leg::joints_by([0.0, 0.0, 0.004, 0.0, 0.0]), Leg::load_to(Wrench::force([0.0, 6.0]))];
+    let legs = [
+        Leg::joints_by([0.0, 0.0, 0.004, 0.0, 0.0]),
+        Leg::load_to(Wrench::force([0.0, 6.0])),
+        Leg::torques_by([0.05, 0.0, 0.0, 0.5]).and_load_by(Wrench::force([0.0, -1.0])),
+    ];
     let mut path = grasp.follow(&Wrench::ZERO, &legs)?;
     let events = path.run();
     assert_eq!(told.events.len(), events.len());
@@ -230,7 +234,7 @@ fn what_is_wrong_with_a_hand_is_named() {
         change(&mut scene["planar"]);
         serde_json::from_value::<Scene>(scene).expect_err("wrong").to_string()
     };
-    let cases: [(Change, &str); 14] = [
+    let cases: [(Change, &str); 16] = [
         (&|s| s["fingers"][0]["joints"][0]["stiffness"] = json!(-1.0), "joint 0 (base): stiffness is -1"),
         (&|s| s["fingers"][1]["joints"][0]["limit"] = json!({ "saturates": 0.0 }), "joint 2: limit is 0"),
         (&|s| s["fingers"][1]["joints"][0]["limit"] = json!({ "stalls": 1.0 }), "unknown variant `stalls`"),
@@ -268,6 +272,14 @@ fn what_is_wrong_with_a_hand_is_named() {
         (
             &|s| s["questions"][2]["follow"]["legs"][0]["joints_by"] = json!([0.0]),
             "questions[2]: joint commands of a leg: 1 given, must be 5, one a joint and one a tendon",
+        ),
+        (
+            &|s| s["questions"][2]["follow"]["legs"][2]["torques_by"] = json!([0.0]),
+            "questions[2]: torques of a leg: 1 given, must be 4",
+        ),
+        (
+            &|s| s["questions"][2]["follow"]["legs"][2]["torques_to"] = json!([0.0, 0.0, 0.0, 0.0]),
+            "torques_by and torques_to: a leg has one of them",
         ),
     ];
     for (change, expected) in cases {

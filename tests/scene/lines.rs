@@ -5,7 +5,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Duration;
 
-use grasp_lcp::stream::{BLOCK_BYTES, LONGEST_LINE, StreamOptions, Tally, answer_lines, most_ahead};
+use grasp_lcp::stream::{
+    BLOCK_BYTES, LONGEST_LINE, StreamOptions, Tally, answer_line, answer_lines, most_ahead,
+};
 use serde_json::{Value, json};
 
 /// A pinch that is held, slides or drops its load, with an id.
@@ -284,4 +286,40 @@ fn what_was_read_before_reading_failed_is_answered() {
     let error = answer_lines(before.as_bytes().chain(Torn), &mut output, &on(2)).unwrap_err();
     assert_eq!(error.to_string(), "the disk is gone");
     assert_eq!(replies(&String::from_utf8(output).unwrap()).len(), 2);
+}
+
+/// Every line of a stream is answered, whatever another one does: one whose scene makes the library fail says so for itself.
+#[test]
+fn a_scene_that_panics_takes_no_other_line_with_it() {
+    let input: String = (1..=300).map(|id| line(id) + "\n").collect();
+    let (_, untouched) = run(&input, 1);
+    let untouched = replies(&untouched);
+    for threads in [1, 3] {
+        let mut options = on(threads);
+        options.fails_every = 7;
+        let mut output = Vec::new();
+        let tally = answer_lines(input.as_bytes(), &mut output, &options).unwrap();
+        assert_eq!(tally, Tally { lines: 300, answered: 258, errors: 42 });
+        let told = replies(std::str::from_utf8(&output).unwrap());
+        assert_eq!(told.len(), 300);
+        for (number, (reply, before)) in (1..).zip(told.iter().zip(&untouched)) {
+            if number % 7 > 0 {
+                assert_eq!(reply, before);
+                continue;
+            }
+            assert_eq!((&reply["line"], &reply["id"]), (&json!(number), &json!(number)));
+            assert_eq!(reply["error"]["kind"], "internal");
+            assert!(reply["error"]["message"].as_str().unwrap().ends_with("(made to fail)"), "{reply}");
+            assert!(reply.get("answers").is_none(), "{reply}");
+        }
+    }
+}
+
+/// A page asks line by line, and goes on after one that fails.
+#[test]
+fn a_line_that_panics_is_answered_by_an_error() {
+    let mut options = on(1);
+    options.fails_every = 1;
+    let told: Value = serde_json::from_str(&answer_line(line(3).as_bytes(), &options).unwrap()).unwrap();
+    assert_eq!((&told["id"], &told["error"]["kind"]), (&json!(3), &json!("internal")));
 }

@@ -141,7 +141,7 @@ fn commands_stay_along_a_leg_that_turns() {
         &[(
             "\"weight\": [0, -1]}}]",
             "\"weight\": [0, -1]}, \"commands_by\": [[0, 0], [0, 0]]}]",
-            "line 5, column 112: planar.questions[1].follow.legs[0]: commands of a leg: change while the load turns, must stay",
+            "line 5, column 112: planar.questions[1].follow.legs[0]: commands or torques of a leg: change while the load turns, must stay",
         )],
     );
 }

@@ -32,7 +32,7 @@ const asking = (() => {
     } catch (error) {
       // The state of a module that has stopped is unknown: the next question uses a new instance.
       module = new WebAssembly.Instance(compiled, {});
-      reply = { error: { message: `The module stopped: ${error.message}.` } };
+      reply = { error: { kind: "internal", message: `The module stopped: ${error.message}.` } };
     }
     times.push(performance.now() - before);
     if (times.length > MEAN_OVER) times.shift();

@@ -36,8 +36,8 @@ class Leg(TypedDict, total=False):
     """One leg of a load program: the changes along it. Quantities without an entry stay constant.
 
     A load is an array of a force (N) or of a force and a moment (N m). Commands of contacts have one row a contact, in its frame (m). Commands
-    of joints have one number a joint, then one a tendon (rad or m). Loads of single bodies are mappings from names of bodies. A ``turn`` must be
-    the only entry; its keys are the arguments of :meth:`Grasp.turn`.
+    of joints have one number a joint, then one a tendon (rad or m); torques that hold joints have one number a joint (N m or N). Loads of single
+    bodies are mappings from names of bodies. A ``turn`` must be the only entry; its keys are the arguments of :meth:`Grasp.turn`.
     """
 
     load_by: ArrayLike | Mapping[str, Any]
@@ -46,6 +46,8 @@ class Leg(TypedDict, total=False):
     commands_to: ArrayLike
     joints_by: ArrayLike
     joints_to: ArrayLike
+    torques_by: ArrayLike
+    torques_to: ArrayLike
     body_loads_by: Mapping[str, ArrayLike | Mapping[str, Any]]
     body_loads_to: Mapping[str, ArrayLike | Mapping[str, Any]]
     turn: Mapping[str, Any]

@@ -8,4 +8,5 @@ mod nearly_static;
 mod overdamped;
 mod pad;
 mod programs;
+mod unequal;
 mod with_joints;

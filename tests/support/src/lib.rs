@@ -37,6 +37,7 @@ pub mod pointed_arch;
 pub mod programs;
 pub mod ramps;
 pub mod random;
+pub mod samples;
 pub mod scene;
 pub mod shaken;
 pub mod soft_tips;

@@ -1,0 +1,125 @@
+//! Torques that joints are held with, along a program of legs: what drives them whatever they do, such as a screw that is tightened.
+
+use alloc::borrow::Cow;
+use alloc::sync::Arc;
+
+use super::leg::{Leg, LegGoal, LegLoad};
+use crate::error::{Error, MODERATE, is_moderate};
+use crate::grasp::{Engine, of_the_object};
+use crate::numerics::{Size, Vector};
+use crate::prelude::*;
+
+impl<const C: usize> Leg<C> {
+    /// The torques (forces of prismatic joints) with which the joints of a hand are held change by this much, N m or N: one for each joint, slides of contacts
+    /// that are [held by a force](crate::grasp::Contact::force) behind all others.
+    ///
+    /// ```
+    /// use grasp_lcp::planar::hand::{Finger, Hand, Joint};
+    /// use grasp_lcp::planar::{Contact, Leg, Wrench};
+    ///
+    /// // Two jaws on slides that are pressed with 10 N each; μ = 0.5.
+    /// let jaw = |x: f64| {
+    ///     Finger::new([Joint::prismatic([-x, 0.0]).torque(10.0)])
+    ///         .contact(Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 1e3).friction(0.5))
+    /// };
+    /// let grasp = Hand::new([jaw(-1.0), jaw(1.0)]).grasp()?;
+    /// // Both press with 20 N, and then a weight is hung on: it is lost at 2 · 0.5 · 20 N.
+    /// let legs = [Leg::torques_by([10.0, 10.0]), Leg::load_to(Wrench::force([0.0, -40.0]))];
+    /// let mut path = grasp.follow(&Wrench::ZERO, &legs)?;
+    /// path.run();
+    /// let lost = path.end().and_then(|end| end.loss()).expect("both slide at last");
+    /// assert!(lost.leg == 1 && (lost.fraction - 0.5).abs() < 1e-14);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[must_use]
+    pub fn torques_by(change: impl IntoIterator<Item = f64>) -> Self {
+        Self::STAY.and_torques_by(change)
+    }
+
+    /// The torques with which joints are held change to these, in the order of [`Self::torques_by`].
+    #[must_use]
+    pub fn torques_to(torques: impl IntoIterator<Item = f64>) -> Self {
+        Self::STAY.and_torques_to(torques)
+    }
+
+    /// Meanwhile the torques with which joints are held change by this much.
+    #[must_use]
+    pub fn and_torques_by(self, change: impl IntoIterator<Item = f64>) -> Self {
+        Self { torques: LegGoal::By(change.into_iter().collect()), ..self }
+    }
+
+    /// Meanwhile the torques with which joints are held change to these.
+    #[must_use]
+    pub fn and_torques_to(self, torques: impl IntoIterator<Item = f64>) -> Self {
+        Self { torques: LegGoal::To(torques.into_iter().collect()), ..self }
+    }
+
+    /// Refuses another number of torques than there are joints, torques that are no numbers, and any that change while the load turns.
+    pub(super) fn check_torques<D: Size>(&self, grasp: &Engine<D, C>) -> Result<(), Error> {
+        let (LegGoal::By(torques) | LegGoal::To(torques)) = &self.torques else { return Ok(()) };
+        let what = "torques of a leg";
+        let expected = grasp.held_torques().len();
+        if torques.len() != expected {
+            return Err(Error::JointCommands { what, given: torques.len(), expected });
+        }
+        if matches!(self.load, LegLoad::Turn(_)) {
+            return Err(Error::CommandsWhileTurning);
+        }
+        match torques.iter().position(|x| !is_moderate(*x)) {
+            Some(k) => Err(Error::Hand {
+                what: format!("{what}, number {k}"),
+                field: "torque",
+                value: torques[k],
+                allowed: MODERATE,
+            }),
+            None => Ok(()),
+        }
+    }
+}
+
+/// The held torques of all joints at the beginning and at the end of a leg; none where no leg so far changes them.
+#[derive(Debug, Clone, Default)]
+pub(super) struct HeldTorques(Option<Arc<[Vec<f64>; 2]>>);
+
+impl HeldTorques {
+    /// From the torques at the end of the last leg on, or those of a hand, by the goal of this one.
+    pub(super) fn lead_on(&mut self, of_the_hand: &[f64], goal: &LegGoal<Vec<f64>>) {
+        if self.0.is_none() && *goal == LegGoal::Stay {
+            return;
+        }
+        let from = self.0.as_ref().map_or(of_the_hand, |torques| &torques[1]).to_vec();
+        let mut both = [Vec::new(), from];
+        goal.lead_on(&mut both);
+        self.0 = Some(Arc::new(both));
+    }
+
+    /// What they exert beyond those of the hand, in inside coordinates, at the beginning and at the end of the leg.
+    pub(super) fn inside<D: Size, const C: usize>(&self, grasp: &Engine<D, C>) -> Option<[Vector<D>; 2]> {
+        let (torques, linkage) = self.0.as_ref().zip(grasp.linkage())?;
+        Some([0, 1].map(|end| {
+            let mut inside = Vector::all_zero(grasp.size());
+            for (j, torque) in torques[end].iter().enumerate() {
+                let k = of_the_object::<C>() + j;
+                inside[k] = (torque - linkage.joints[j].held) / linkage.lengths[k];
+            }
+            inside
+        }))
+    }
+
+    /// The torques at an end of the leg: 0 for its beginning, 1 for its end.
+    pub(super) fn at_end(&self, end: usize) -> &[f64] {
+        self.0.as_ref().map_or(&[], |torques| &torques[end])
+    }
+
+    /// The hand with its joints held as they are at a fraction of the leg.
+    pub(super) fn put_on<'g, D: Size, const C: usize>(
+        &self,
+        grasp: Cow<'g, Engine<D, C>>,
+        fraction: f64,
+    ) -> Cow<'g, Engine<D, C>> {
+        let Some(torques) = &self.0 else { return grasp };
+        let [from, to] = &**torques;
+        let now: Vec<f64> = from.iter().zip(to).map(|(from, to)| from + (to - from) * fraction).collect();
+        Cow::Owned(grasp.with_held_torques(&now))
+    }
+}

@@ -1,0 +1,54 @@
+//! A contact whose slip has come to its end on an arc, and that can neither stick nor slide on from there.
+//!
+//! Where it stops, sticking and sliding have the same rates: what tells them apart comes a little later. As a rule one of them lasts. Beside a maximum of the
+//! load both may fail: sticking takes its force out of the cone, and to slide on it would slip against friction. There the path ends.
+
+use super::flow::{Flow, Rule, StepGoal};
+use super::pieces::Pieces;
+use super::watch::{Watch, WatchedCondition, watch};
+use crate::contact::{Mode, State};
+use crate::numerics::Size;
+
+/// Trial steps are ever shorter by this part, from what is left of the leg on.
+const SHORTER: f64 = 0.25;
+const MOST_TRIALS: usize = 40;
+/// So many of them in a row must fail, none of them by rounding.
+const FAILURES: usize = 3;
+
+impl<D: Size, const C: usize> Pieces<'_, D, C> {
+    /// Whether it is so for a contact.
+    pub(super) fn neither_sticks_nor_slides(&self, contact: usize, tolerance: f64) -> bool {
+        let slides = State::sliding_along(&self.node.at.forces[contact]);
+        [Mode::Sticking, slides].into_iter().all(|state| self.fails_at_once(contact, state, tolerance))
+    }
+
+    /// Whether a contact in this state breaks its condition clearly on steps of this error, however short they are.
+    fn fails_at_once(&self, contact: usize, state: State<C>, tolerance: f64) -> bool {
+        let mut states = self.node.states.clone();
+        states[contact] = state;
+        let Ok(here) = self.segment.tangent(&states, self.factor, &self.node.at, None) else { return false };
+        let unit = here.twist_rate.norm();
+        if unit == 0.0 {
+            return false;
+        }
+        let here = here.slowed(core::f64::consts::FRAC_1_SQRT_2);
+        let flow = Flow::new(&self.segment, &states, self.factor, &here, unit);
+        let mut length = (1.0 - self.factor) / here.factor_rate;
+        let mut failures = 0;
+        for _ in 0..MOST_TRIALS {
+            length *= SHORTER;
+            let reached = flow.reach(length, StepGoal::after(1.0, 0), Rule::Explicit);
+            let Some(reached) = reached.filter(|reached| reached.error <= tolerance) else { continue };
+            let watches = watch(&self.segment, &states, (reached.to, &reached.here));
+            let of_it = watches.iter().find(|watch| watch.what == WatchedCondition::Contact(contact));
+            if !of_it.is_some_and(Watch::is_broken) {
+                return false;
+            }
+            failures += 1;
+            if failures == FAILURES {
+                return true;
+            }
+        }
+        false
+    }
+}

@@ -1,0 +1,137 @@
+//! Whether a contact reaches its edge within a step along an arc and is away from it again at the end.
+//!
+//! Forces of sticking contacts, and gaps, are linear in twist and load factor. Between both ends of a step they follow the cubic through the values and rates
+//! there, but for an error `s²(1 - s)² g` at the part s of the step. A margin `μ F_n - |F_t|` is concave: on a piece of the cubic it is nowhere less than the
+//! least at the four points that the piece is a mean of (Bézier's). Halved pieces have points ever nearer to the curve.
+//!
+//! ```text
+//! F(s) = Σ_i B_i(s) P_i,   B_i >= 0,  Σ B_i = 1:      margin(F(s)) >= min_i margin(P_i)
+//! ```
+
+use nalgebra::SVector;
+
+use super::segment::{Here, Segment};
+use crate::contact::{Coulomb, Mode, State};
+use crate::numerics::Size;
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
+
+/// Steps whose error is asked for have terms that fall by this part from order to order at least: the fourth, which the cubic leaves out, is taken for no less
+/// than the third, and than this part of the second.
+const NEXT_ORDER: f64 = 0.05;
+/// So many pieces are looked at before a step is called too long to tell.
+const MOST_PIECES: usize = 200;
+/// A step that is too long to tell is made again as this part of it.
+const SHORTER: f64 = 0.5;
+/// Margins that are used up by this part of the error of a step are not.
+const WITHIN_THE_ERROR: f64 = 0.02;
+/// They are known no better than by this part of their size.
+const ROUNDED: f64 = 2e-13;
+
+/// The points of a piece.
+type Points<const C: usize> = [SVector<f64, C>; 4];
+
+/// Something that stays positive, on its way through a step.
+struct Bounded<const C: usize> {
+    points: Points<C>,
+    /// The cone of a force; `None` where the first component counts.
+    cone: Option<Coulomb>,
+    /// g, as the margin feels it.
+    bend: f64,
+    /// What is none.
+    nothing: f64,
+}
+
+/// The part of a step, from one place to another with rates for one unit of its length, that is to be made in its place: where a contact that sticks or is open
+/// comes to its edge, or shorter where that cannot be told. `None` where none does.
+pub(super) fn first_dip<D: Size, const C: usize>(
+    segment: &Segment<'_, D, C>,
+    states: &[State<C>],
+    [from, to]: [&Here<D, C>; 2],
+    (length, step_error): (f64, f64),
+) -> Option<f64> {
+    let mut first: Option<f64> = None;
+    for (i, state) in states.iter().enumerate() {
+        let local = segment.problem.local(i);
+        let (values, rates, size, cone) = match state {
+            Mode::Open if !local.is_absent() => {
+                let [a, b] = [&from.gaps[i], &to.gaps[i]];
+                ([a.gap, b.gap].map(along), [a.rate, b.rate].map(along), a.size.max(b.size), None)
+            }
+            Mode::Sticking if local.may_slide() || local.may_open() => {
+                let [a, b] = [&from.lines[i], &to.lines[i]];
+                let cone = local.may_slide().then(|| local.cone());
+                ([a.force, b.force], [a.rate, b.rate], a.force_size.max(b.force_size), cone)
+            }
+            _ => continue,
+        };
+        let weight = cone.map_or(1.0, Coulomb::round_weight);
+        let nothing = (WITHIN_THE_ERROR * step_error).max(ROUNDED) * size * weight;
+        let bounded = Bounded::new(values, rates.map(|rate| rate * length), cone, (weight, nothing));
+        if let Some(part) = bounded.dip() {
+            first = Some(first.map_or(part, |first| first.min(part)));
+        }
+    }
+    first
+}
+
+fn along<const C: usize>(value: f64) -> SVector<f64, C> {
+    let mut vector = SVector::zeros();
+    vector[0] = value;
+    vector
+}
+
+impl<const C: usize> Bounded<C> {
+    fn new(
+        [a, b]: [SVector<f64, C>; 2],
+        [da, db]: [SVector<f64, C>; 2],
+        cone: Option<Coulomb>,
+        (weight, nothing): (f64, f64),
+    ) -> Self {
+        let third = (a - b) * 2.0 + da + db;
+        let second = b - a - da - third;
+        let bend = third.norm().max(NEXT_ORDER * second.norm()) * weight;
+        Self { points: [a, a + da / 3.0, b - db / 3.0, b], cone, bend, nothing }
+    }
+
+    fn margin(&self, point: &SVector<f64, C>) -> f64 {
+        self.cone.map_or(point[0], |cone| cone.round_margin(point))
+    }
+
+    /// Where it is used up first, or a shorter way where that cannot be told.
+    fn dip(&self) -> Option<f64> {
+        let mut pieces = vec![(0.0_f64, 1.0_f64, self.points)];
+        for _ in 0..MOST_PIECES {
+            let (from, to, points) = pieces.pop()?;
+            let least = points.iter().map(|point| self.margin(point)).fold(f64::INFINITY, f64::min);
+            let farthest = if to <= 0.5 { to } else { from.max(0.5) };
+            if least - self.off(farthest) >= -self.nothing {
+                continue;
+            }
+            let middle = 0.5 * (from + to);
+            let [before, after] = halves(&points);
+            if self.margin(&after[0]) + self.off(middle) < -self.nothing {
+                return Some(middle);
+            }
+            pieces.push((middle, to, after));
+            pieces.push((from, middle, before));
+        }
+        Some(SHORTER)
+    }
+
+    /// The error of the cubic.
+    fn off(&self, part: f64) -> f64 {
+        let square = part * (1.0 - part);
+        self.bend * square * square
+    }
+}
+
+/// De Casteljau's halves of a piece.
+fn halves<const C: usize>(points: &Points<C>) -> [Points<C>; 2] {
+    let mean = |a: &SVector<f64, C>, b: &SVector<f64, C>| (a + b) * 0.5;
+    let [p, q, r, s] = points;
+    let [pq, qr, rs] = [mean(p, q), mean(q, r), mean(r, s)];
+    let [pqr, qrs] = [mean(&pq, &qr), mean(&qr, &rs)];
+    let middle = mean(&pqr, &qrs);
+    [[*p, pq, pqr, middle], [middle, qrs, rs, *s]]
+}

@@ -1,0 +1,38 @@
+//! A question that panics is a fault of this library: it is an error of that question alone, whatever else is asked beside it.
+
+use super::in_order::map_in_order;
+use crate::error::Error;
+use crate::prelude::*;
+
+/// The answer to a question about each of the items, in their order: an error in one, a panic among them, does not stop the rest.
+pub(crate) fn each_answered<T: Sync, R: Send>(
+    items: &[T],
+    ask: &(dyn Fn(&T) -> Result<R, Error> + Sync),
+) -> Vec<Result<R, Error>> {
+    map_in_order(items, |item| caught(&|| ask(item)))
+}
+
+/// The answer to a question, or [`Error::Internal`] where it panics.
+fn caught<R>(ask: &dyn Fn() -> Result<R, Error>) -> Result<R, Error> {
+    let mut answer = None;
+    let fault = fault_in(&mut || answer = Some(ask()));
+    fault.map_or_else(
+        || answer.unwrap_or(Err(Error::Internal { fault: String::new() })),
+        |fault| Err(Error::Internal { fault }),
+    )
+}
+
+/// What a panic says, where this work panics. Without the standard library there is nothing to catch it.
+#[cfg(feature = "std")]
+pub(crate) fn fault_in(work: &mut dyn FnMut()) -> Option<String> {
+    let panic = std::panic::catch_unwind(std::panic::AssertUnwindSafe(work)).err()?;
+    let said = panic.downcast_ref::<String>().map(String::as_str);
+    Some(said.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("no message").to_owned())
+}
+
+/// See above.
+#[cfg(not(feature = "std"))]
+fn fault_in(work: &mut dyn FnMut()) -> Option<String> {
+    work();
+    None
+}

@@ -1,0 +1,74 @@
+//! A contact that touches with no force, and that the load does not push, neither sticks nor slides: what is said of a verdict does not hang on its rounding.
+
+use grasp_lcp::equilibrium::ContactState;
+use grasp_lcp::hold::Holding;
+use grasp_lcp::spatial::{Contact, Grasp, Ramp, Wrench};
+use grasp_lcp::{Error, planar};
+
+/// A plate on three pins, against an end pin that nothing presses it on, under a strap.
+fn plate(strap: f64) -> Result<Grasp, Error> {
+    let pin = |point: [f64; 3], normal: [f64; 3]| {
+        Contact::new(point, normal).series_stiffness(5e7, 5e7).friction(0.2)
+    };
+    let up = [0.0, 0.0, 1.0];
+    let strap = Contact::new([0.0, 0.0, 0.04], [0.0, 0.0, -1.0])
+        .series_stiffness(2e7, 2e7)
+        .friction(0.2)
+        .force(strap);
+    Grasp::new([
+        pin([-0.08, -0.05, 0.0], up),
+        pin([0.08, -0.05, 0.0], up),
+        pin([0.0, 0.06, 0.0], up),
+        pin([-0.1, 0.0, 0.02], [1.0, 0.0, 0.0]).name("end"),
+        strap.name("strap"),
+    ])
+}
+
+/// Forces are in proportion to the strap's, so that the first slip is, too, and its words are the same.
+#[test]
+fn an_end_pin_that_nothing_presses_on_is_told_as_touching() -> Result<(), Error> {
+    let push = Wrench::force_at([0.0, 0.0, -1500.0], [0.0, 0.0, 0.04]);
+    let mut per_newton: Option<f64> = None;
+    for strap in (0..=220).map(|k| 1000.0 + 10.0 * f64::from(k)) {
+        let verdict = plate(strap)?.hold(Ramp::load(Wrench::ZERO, push))?;
+        assert!(matches!(verdict.holding, Holding::Sticks), "{strap}: {verdict}");
+        let first = verdict.first_slip.as_ref().expect("slides at last");
+        assert_eq!(first.slide.iter().map(ToString::to_string).collect::<Vec<_>>(), ["strap"], "{strap}");
+        let factor = first.factor / strap;
+        let before = *per_newton.get_or_insert(factor);
+        assert!((factor / before - 1.0).abs() < 1e-12, "{strap}: {factor} {before}");
+        let state = verdict.state.as_ref().expect("holds");
+        assert!(state.contacts[3].state == ContactState::Separated && state.contacts[3].force.norm() == 0.0);
+        assert!(state.to_string().contains("end: touches, force (0, 0, 0) N"), "{state}");
+    }
+    Ok(())
+}
+
+/// In the plane: a block between two jaws, on a stop that carries nothing.
+#[test]
+fn a_stop_below_a_block_in_a_vice_is_told_as_touching() -> Result<(), Error> {
+    for press in [3.0, 7.0, 11.0, 13.0, 17.1, 23.3] {
+        let jaw = |x: f64| {
+            planar::Contact::new([x, 0.3], [-x, 0.0])
+                .series_stiffness(1e3, 7e2)
+                .friction(0.3)
+                .pressed_with(press)
+        };
+        let stop = planar::Contact::new([0.1, -1.0], [0.0, 1.0])
+            .series_stiffness(1e3, 1e3)
+            .friction(0.2)
+            .name("stop");
+        let grasp = planar::Grasp::new([jaw(-1.0), jaw(1.0), stop])?;
+        // Lifted, it leaves the stop; pushed onto it, the stop takes its part.
+        let lifted =
+            grasp.hold(planar::Ramp::load(planar::Wrench::ZERO, planar::Wrench::force([0.0, 0.1])))?;
+        assert!(matches!(lifted.holding, Holding::Sticks), "{lifted}");
+        let pushed =
+            grasp.hold(planar::Ramp::load(planar::Wrench::ZERO, planar::Wrench::force([0.0, -0.1])))?;
+        assert!(pushed.state.as_ref().expect("holds").contacts[2].normal_force() > 0.01, "{pushed}");
+        let rest = grasp.solve(&planar::Wrench::ZERO)?;
+        let rest = rest.equilibrium().expect("holds");
+        assert!(rest.contacts[2].doing() == "touches", "{rest}");
+    }
+    Ok(())
+}
