@@ -184,6 +184,14 @@ pub enum Error {
         /// The fault, and the allowed values.
         fault: String,
     },
+    /// A part whose force is sought presses with nothing of its own, or is not there.
+    #[error("part {name:?} has no load, command or force of its own, must be one of {allowed}")]
+    Part {
+        /// The name that was given.
+        name: String,
+        /// Parts that may press.
+        allowed: String,
+    },
     /// One datum of a link between bodies is out of range.
     #[error("{kind} {name:?}: {field} is {value}, must be {allowed}")]
     Link {

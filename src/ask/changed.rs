@@ -8,7 +8,7 @@ use super::grasp::Grasp;
 use super::questions::Questions;
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
-use crate::grasp::{Contact, Wrench};
+use crate::grasp::{Contact, Pressing, Wrench};
 use crate::prelude::*;
 
 impl<const C: usize> Grasp<C> {
@@ -155,6 +155,12 @@ impl<const C: usize> Grasp<C> {
     /// This grasp with other data of its contacts, equally many; its joints stay.
     pub(crate) fn with_contacts(&self, contacts: Vec<Contact<C>>) -> Result<Self, Error> {
         self.changed(self.engine.with_contacts(contacts))
+    }
+
+    /// The force with which the named part presses, and this grasp with that force multiplied by `factor`.
+    pub(crate) fn scaled(&self, part: &str, factor: f64) -> Result<(Pressing, Self), Error> {
+        let (pressing, engine) = self.engine.scaled(part, factor)?;
+        Ok((pressing, self.changed(Ok(engine))?))
     }
 
     /// This grasp with its squeeze multiplied by `factor`: commands of contacts, joints and tendons, torques that hold joints, forces that hold

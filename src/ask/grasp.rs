@@ -179,6 +179,32 @@ impl<const C: usize> Grasp<C> {
         self.engine.presses()
     }
 
+    /// Whether a command, a held force or a vacuum presses, all of which a [squeeze](Self::squeezed) scales.
+    #[must_use]
+    pub fn is_squeezed(&self) -> bool {
+        self.engine.is_squeezed()
+    }
+
+    /// Whether everything that acts beside the loads of questions is in proportion to the squeeze.
+    pub(crate) fn is_proportional(&self) -> bool {
+        self.engine.is_proportional()
+    }
+
+    /// Bodies whose own loads press, beside their weights.
+    pub(crate) fn loaded_bodies(&self) -> Vec<String> {
+        self.engine.loaded_bodies()
+    }
+
+    /// A motion which proves that no contact forces balance this load and the constant loads beside it.
+    pub(crate) fn unbalanced_along(&self, load: &Wrench<C>) -> Result<Option<Vec<f64>>, Error> {
+        self.engine.unbalanced_along(load, &self.settings)
+    }
+
+    /// The work of this load and of the constant loads beside it along such a motion.
+    pub(crate) fn work_along(&self, load: &Wrench<C>, motion: &[f64]) -> Result<f64, Error> {
+        self.engine.work_along(load, motion)
+    }
+
     /// Static questions: loads that some contact forces could balance, whatever springs and commands.
     #[must_use]
     pub fn statics(&self) -> Statics<'_, C> {

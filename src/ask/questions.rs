@@ -13,7 +13,7 @@ use crate::energy::{
 use crate::equilibrium::{Accuracy, Bracket, Decomposition, Equilibrium, Outcome, Refutation, Settings};
 use crate::error::Error;
 use crate::forms::Form;
-use crate::grasp::{BodyLoad, Contact, Engine, HandPart, Wrench};
+use crate::grasp::{BodyLoad, Contact, Engine, HandPart, Pressing, Wrench};
 use crate::hold::Verdict;
 use crate::load_path::{
     Beyond, Derivative, GeometryGradient, Leg, LoadPath, Onset, OnsetEvent, OnsetGradient, Parameter,
@@ -65,6 +65,7 @@ macro_rules! questions {
             fn with_body_loads(&self, loads: &[BodyLoad<C>]) -> Changed<C>;
             fn with_friction(&self, friction: &dyn Fn(usize, f64) -> f64) -> Changed<C>;
             fn squeezed(&self, factor: f64) -> Changed<C>;
+            fn scaled(&self, part: &str, factor: f64) -> Scaled<C>;
             fn with_contacts(&self, contacts: Vec<Contact<C>>) -> Changed<C>;
             fn sample(&self, uncertainty: &Uncertainty, number: u64) -> Changed<C>;
         }
@@ -110,6 +111,11 @@ macro_rules! questions {
             Ok(Arc::new(Engine::squeezed(self, factor)?))
         }
 
+        fn scaled(&self, part: &str, factor: f64) -> Scaled<C> {
+            let (pressing, engine) = Engine::scaled(self, part, factor)?;
+            Ok((pressing, Arc::new(engine)))
+        }
+
         fn with_contacts(&self, contacts: Vec<Contact<C>>) -> Changed<C> {
             Ok(Arc::new(Engine::with_data(self, contacts, &|_| 1.0)?))
         }
@@ -123,12 +129,20 @@ macro_rules! questions {
 /// An engine with other data.
 type Changed<const C: usize> = Result<Arc<dyn Questions<C>>, Error>;
 
+/// What one part presses with, and the engine where it presses otherwise.
+type Scaled<const C: usize> = Result<(Pressing, Arc<dyn Questions<C>>), Error>;
+
 questions! {
     any {
         fn contacts(&self) -> &[Contact<C>];
         fn refuse_hands(&self, question: &'static str) -> Result<(), Error>;
         fn frame(&self, contact: usize) -> &SMatrix<f64, C, C>;
         fn presses(&self) -> bool;
+        fn is_squeezed(&self) -> bool;
+        fn is_proportional(&self) -> bool;
+        fn loaded_bodies(&self) -> Vec<String>;
+        fn unbalanced_along(&self, load: &Wrench<C>, settings: &Settings) -> Result<Option<Vec<f64>>, Error>;
+        fn work_along(&self, load: &Wrench<C>, motion: &[f64]) -> Result<f64, Error>;
         fn links(&self) -> &[[SVector<f64, C>; 2]];
         fn joint_centres(&self) -> &[Option<SVector<f64, C>>];
         fn joint_commands(&self) -> &[f64];

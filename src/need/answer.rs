@@ -18,16 +18,58 @@ pub struct Needed {
     pub demand: Demand,
     /// How much of it that takes, or allows, on the numbers given.
     pub amount: Amount,
-    /// The same where friction and squeeze are less than said; `None` if that was not asked, or does not count for this quantity.
+    /// Where it is to be held: how much of it takes, or allows, that nothing slides.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub sticks: Option<Amount>,
+    /// The same as `amount` where friction and squeeze are less than said, and loads larger; `None` if that was not asked, or does not count here.
     pub safe: Option<Amount>,
     /// What friction and squeeze were taken to be less by then.
     pub lower: [f64; 2],
+    /// How many times as large the loads were taken to be then.
+    #[cfg_attr(feature = "serde", serde(default = "once", skip_serializing_if = "is_once"))]
+    pub safety: f64,
     /// Where so many times a load is sought that is one force: its size, N.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub force: Option<f64>,
+    /// Of a force the part that presses with it.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub of: Option<PressedBy>,
+    /// Whether a squeeze was asked for where no command presses. Then the force is sought of what presses in its place, if there is one such part.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
+    pub in_place_of_squeeze: bool,
     /// Whether the object turns [too far](crate::equilibrium::Equilibrium::is_beyond_small_motions) under that for the answer to say much.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub beyond_small_motions: bool,
+}
+
+#[cfg(feature = "serde")]
+const fn once() -> f64 {
+    1.0
+}
+
+#[cfg(feature = "serde")]
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes references")]
+fn is_once(times: &f64) -> bool {
+    *times == 1.0
+}
+
+/// What presses with a force that is sought.
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[non_exhaustive]
+pub struct PressedBy {
+    /// A body, a contact, a link or a joint by its name; `None` for the load at rest.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub part: Option<String>,
+    /// Whether it is a body, which presses by its load.
+    pub is_body: bool,
+    /// The size that amounts are multiples of; `None` where it is neither one force nor one moment.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub size: Option<f64>,
+    /// The unit of that.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub unit: Option<String>,
 }
 
 /// A quantity that people set.
@@ -46,13 +88,15 @@ pub enum Quantity {
     Arm,
     /// An angle, rad.
     Angle,
+    /// The force of one part that presses, as a multiple of the one given.
+    Force,
 }
 
 impl Quantity {
     /// Whether the least of it is sought, or else the greatest.
     #[must_use]
     pub fn is_least(self) -> bool {
-        matches!(self, Self::Squeeze | Self::Friction)
+        matches!(self, Self::Squeeze | Self::Friction | Self::Force)
     }
 }
 
@@ -71,6 +115,9 @@ pub enum Amount {
         does_not: f64,
         /// What happens with that: a sentence.
         otherwise: String,
+        /// An amount between both of which it is not known.
+        #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+        unknown: Option<f64>,
         /// How often the verdict changed among the amounts that were looked at; once as a rule.
         changes: usize,
         /// Where that amount goes on to do no longer, as with a squeeze under which something else is pressed away; `None` if it does as far as was looked.
@@ -90,13 +137,19 @@ pub enum Amount {
         /// The last amount.
         to: f64,
     },
-    /// No amount does, as far as was looked.
+    /// No amount does: by a proof, or as far as was tried.
     #[non_exhaustive]
     None {
-        /// The least amount that was tried.
+        /// The least amount that was tried, or that the proof is for.
         from: f64,
         /// The greatest.
         to: f64,
+        /// How many were tried.
+        #[cfg_attr(feature = "serde", serde(default))]
+        tried: usize,
+        /// Whether no amount between these can do: no forces of the contacts balance the loads with any of them.
+        #[cfg_attr(feature = "serde", serde(default))]
+        is_proved: bool,
         /// The one among them that carries most.
         best: f64,
         /// What happens with that: a sentence.

@@ -1,15 +1,17 @@
 //! What lies around a bound: whether amounts beyond it do throughout, and whether others do.
 
 use super::answer::AmountWindow;
-use super::search::{Threshold, Tries};
+use super::search::{Course, Threshold, Tries};
 use super::trial::Trial;
 use crate::error::Error;
 use crate::prelude::*;
 
 /// Amounts are looked at so many times below and above the bound.
 const SCANNED: f64 = 4.0;
-/// A squeeze is looked at in doublings beyond, to 4000 times the bound and to as small a part of it: drives reach their limits far from there, too.
-const DOUBLINGS_BEYOND: i32 = 10;
+/// A squeeze or a force is looked at farther away, too: drives reach their limits far from there.
+const FAR: [f64; 3] = [16.0, 256.0, 4096.0];
+/// Amounts this far inside and outside an end that statics has found are looked at, relatively.
+const AT_AN_END: f64 = 1e-8;
 /// So many changes of verdict are told by their amounts.
 const MOST_CHANGES: usize = 8;
 
@@ -25,56 +27,69 @@ pub(super) struct Around {
 }
 
 impl Around {
-    /// Looks at so many amounts on both sides of a bound, and `far` beyond.
+    /// Looks at so many amounts on both sides of a bound, and `far` beyond, as far as forces can balance what acts.
     pub(super) fn of(
         bound: &Threshold,
         scan: usize,
-        is_least: bool,
         far: bool,
+        course: &Course,
         tries: Tries<'_>,
     ) -> Result<Self, Error> {
         let mut around = Self { changes: 1, until: None, elsewhere: Vec::new() };
+        if course.is_monotone {
+            return Ok(around);
+        }
         let half = scan / 2;
         for (up, count) in [(false, half), (true, scan - half)] {
-            let is_beyond = up == is_least;
+            let is_beyond = up == course.is_least;
             let fine = (1..=count).map(|k| SCANNED.powf(k as f64 / count as f64));
-            let coarse = (1..=DOUBLINGS_BEYOND).map(|k| SCANNED * 2.0_f64.powi(k));
-            let parts = fine.chain(coarse.filter(|_| far && count > 0));
-            let amounts = parts.map(|part| if up { bound.does * part } else { bound.does / part });
+            let coarse = FAR.into_iter().filter(|_| far && count > 0);
+            let parts = fine.chain(coarse).map(|part| if up { bound.does * part } else { bound.does / part });
+            let mut amounts: Vec<f64> = parts.filter(|amount| course.contains(*amount)).collect();
+            if let Some(end) = course.end(up).filter(|_| is_beyond) {
+                let [inside, outside] =
+                    [1.0 - AT_AN_END, 1.0 + AT_AN_END].map(|part| if up { end * part } else { end / part });
+                amounts.extend([inside, outside]);
+            }
             let from = if is_beyond {
-                (bound.does, Trial::Does)
+                (bound.does, None)
             } else {
-                (bound.does_not.0, bound.does_not.1.clone())
+                (bound.does_not.0, Some(bound.does_not.1.clone()))
             };
-            around.side(from, up, is_beyond, amounts, tries)?;
+            around.side(from, up, is_beyond, &amounts, tries)?;
         }
         around.elsewhere.sort_by(|one, other| low(one).total_cmp(&low(other)));
         Ok(around)
     }
 
-    /// Goes from the bound to one side.
+    /// Goes from the bound to one side; what it begins with does, unless a trial says otherwise. Amounts of which it is not known are passed over.
     fn side(
         &mut self,
-        from: (f64, Trial),
+        (mut at, mut trial): (f64, Option<Trial>),
         up: bool,
         mut is_bounds_own: bool,
-        amounts: impl Iterator<Item = f64>,
+        amounts: &[f64],
         tries: Tries<'_>,
     ) -> Result<(), Error> {
-        let (mut at, mut trial) = from;
         let mut window = None;
-        for amount in amounts {
+        for &amount in amounts {
+            if (amount > at) != up {
+                continue;
+            }
             let now = tries(amount)?;
-            let (did, does) = (trial == Trial::Does, now == Trial::Does);
+            let (did, does) = (trial.as_ref().is_none_or(Trial::does), now.does());
+            if let Trial::Unknown(_) = now {
+                continue;
+            }
             if did != does {
                 self.changes += 1;
                 if self.changes <= MOST_CHANGES {
-                    let edge = if did {
-                        Threshold { does: at, does_not: (amount, now.clone()) }
-                    } else {
-                        Threshold { does: amount, does_not: (at, trial) }
-                    };
-                    let edge = edge.halved(tries)?;
+                    let (inner, outer) = ((at, trial.clone()), (amount, Some(now.clone())));
+                    let (does, does_not) = if did { (inner, outer) } else { (outer, inner) };
+                    let carried = does.1.and_then(|trial| trial.carried());
+                    let Some(does_not) = does_not.1.map(|trial| (does_not.0, trial)) else { continue };
+                    let edge =
+                        Threshold { does: does.0, does_not, unknown: None }.narrowed(tries, carried)?;
                     match (did, is_bounds_own) {
                         (true, true) => (self.until, is_bounds_own) = (Some(edge), false),
                         (true, false) => {
@@ -85,7 +100,7 @@ impl Around {
                     }
                 }
             }
-            (at, trial) = (amount, now);
+            (at, trial) = (amount, Some(now));
         }
         self.elsewhere.extend(window.map(|near| between(near, None, up)));
         Ok(())

@@ -1,13 +1,16 @@
 //! What is asked, searched for and answered.
 
-use super::answer::{Amount, FarEnd, Needed, Press, Quantity, check_part};
+use core::cell::{Cell, RefCell};
+
+use super::answer::{Amount, FarEnd, Needed, Press, PressedBy, Quantity, check_part};
 use super::around::Around;
-use super::question::{Need, Sought};
-use super::search::{Searched, Threshold, search};
-use super::trial::{Trial, is_far, try_amount};
+use super::question::{Demand, Need, Safety, Sought};
+use super::range::Range;
+use super::search::{Course, Guess, Searched, Threshold, search};
+use super::trial::{Loading, MOST_LOADS, Trial, Trials};
 use crate::ask::Grasp;
 use crate::equilibrium::{DriveState, Outcome};
-use crate::error::Error;
+use crate::error::{Error, is_moderate};
 use crate::grasp::{WholeContacts, Wrench};
 use crate::prelude::*;
 use crate::squeeze::Loads;
@@ -24,7 +27,7 @@ impl<const C: usize> Grasp<C> {
     /// let gripper = Grasp::new([jaw(-0.03, "left"), jaw(0.03, "right")])?;
     /// let needed = gripper.need(&Need::squeeze(Wrench::force([0.0, -12.0])).if_lower_by(0.1, 0.0))?;
     /// assert!((needed.amount.bound().expect("1.2 times as much") - 1.2).abs() < 1e-12);
-    /// assert!(needed.to_string().starts_with("NEEDS 12 N at left and right so that nothing slides, 13.3333 N if friction is 10 % less"), "{needed}");
+    /// assert!(needed.to_string().starts_with("NEEDS 12 N at left and right so that it holds and nothing slides, 13.3333 N if friction is 10 % less"), "{needed}");
     /// # Ok::<(), grasp_lcp::Error>(())
     /// ```
     ///
@@ -34,16 +37,38 @@ impl<const C: usize> Grasp<C> {
     #[doc(alias = "required")]
     pub fn need(&self, need: &Need<C>) -> Result<Needed, Error> {
         need.check()?;
-        let quantity = need.quantity();
-        let amount = amount(self, need, [0.0; 2])?;
-        let is_uncertain = need.lower.iter().any(|part| *part != 0.0);
-        let safe = is_uncertain.then(|| self::amount(self, need, need.lower)).transpose()?;
+        let asked = need.instead(self)?;
+        let is_in_place = asked != *need;
+        let is_squeezed = self.is_squeezed();
+        let mut safety = asked.safety;
+        if !is_squeezed {
+            safety.lower[1] = 0.0;
+        }
+        let trials = Tried::new(self, &asked, Safety::NONE);
+        let amount = amount(&trials, asked.demand, true)?;
+        let sticks = match asked.demand {
+            Demand::Held => Some(self::amount(&trials, Demand::Sticks, false)?),
+            _ => None,
+        };
+        let safe = (safety != Safety::NONE)
+            .then(|| self::amount(&Tried::new(self, &asked, safety), asked.demand, true));
         let beyond_small_motions = match &amount {
-            Amount::Bound { does, .. } | Amount::Any { to: does } => is_far(self, need, *does)?,
+            Amount::Bound { does, .. } | Amount::Any { to: does } => trials.is_far(*does),
             Amount::None { .. } | Amount::Undecided { .. } => false,
         };
-        let (demand, lower, force) = (need.demand, need.lower, need.force());
-        Ok(Needed { quantity, demand, amount, safe, lower, force, beyond_small_motions })
+        Ok(Needed {
+            quantity: asked.quantity(),
+            demand: asked.demand,
+            amount,
+            sticks,
+            safe: safe.transpose()?,
+            lower: safety.lower,
+            safety: safety.load,
+            force: asked.force_of_load(),
+            of: asked.pressed_by(self)?,
+            in_place_of_squeeze: is_in_place || need.quantity() == Quantity::Squeeze && !is_squeezed,
+            beyond_small_motions,
+        })
     }
 }
 
@@ -51,31 +76,72 @@ impl<const C: usize> Need<C> {
     /// Refuses numbers that no grasp would take.
     pub(crate) fn check(&self) -> Result<(), Error> {
         self.base.check("base load")?;
-        check_part("part by which friction is less", self.lower[0])?;
-        check_part("part by which the squeeze is less", self.lower[1])?;
-        if let (true, Sought::Squeeze { loads } | Sought::Friction { loads, .. } | Sought::Load { loads }) =
-            (self.demand.repeats(), &self.sought)
-            && matches!(loads, Loads::AnyForce { .. })
-        {
+        check_part("part by which friction is less", self.safety.lower[0])?;
+        check_part("part by which the squeeze is less", self.safety.lower[1])?;
+        if !(self.safety.load > 0.0 && is_moderate(self.safety.load)) {
+            let (what, allowed) = ("factor of safety", "more than 0 and at most 1e50");
+            return Err(Error::Argument { what, value: self.safety.load, allowed });
+        }
+        if let (true, Some(Loads::AnyForce { .. })) = (self.demand.repeats(), self.loads()) {
             let fault = "is one of loads that repeat, must be another for a force of any direction";
             return Err(Error::Question { question: "need", field: "demand", fault });
         }
+        if let Sought::Force { of: None, .. } = self.sought
+            && self.base == Wrench::ZERO
+        {
+            let fault =
+                "is missing, must be the load at rest whose force is sought, or `of` the part whose force is";
+            return Err(Error::Question { question: "need", field: "base", fault });
+        }
+        self.loads().map_or(Ok(()), Loads::check_size)
+    }
+
+    fn loads(&self) -> Option<&Loads<C>> {
         match &self.sought {
-            Sought::Squeeze { loads } | Sought::Friction { loads, .. } | Sought::Load { loads } => {
-                loads.check_size()
-            }
-            Sought::Arm { .. } | Sought::Angle { .. } => Ok(()),
+            Sought::Squeeze { loads }
+            | Sought::Friction { loads, .. }
+            | Sought::Load { loads }
+            | Sought::Force { loads, .. } => Some(loads),
+            Sought::Arm { .. } | Sought::Angle { .. } => None,
         }
     }
 
+    /// What is sought in place of a squeeze where no command presses: the load of the one body that has one, or else the load at rest.
+    pub(super) fn instead(&self, grasp: &Grasp<C>) -> Result<Self, Error> {
+        let Sought::Squeeze { loads } = &self.sought else { return Ok(self.clone()) };
+        let bodies = grasp.loaded_bodies();
+        let of = match (grasp.is_squeezed(), &bodies[..]) {
+            (true, _) | (false, [_, _, ..]) => return Ok(self.clone()),
+            (false, [body]) => Some(body.clone()),
+            (false, []) if self.base == Wrench::ZERO => return Ok(self.clone()),
+            (false, []) => None,
+        };
+        Ok(Self { sought: Sought::Force { of, loads: loads.clone() }, ..self.clone() })
+    }
+
     /// The size of a single force that is sought so many times.
-    fn force(&self) -> Option<f64> {
+    fn force_of_load(&self) -> Option<f64> {
         match &self.sought {
             Sought::Load { loads: Loads::Each(list) } if list.len() == 1 => {
                 list[0].measure().filter(|(_, unit)| *unit == "N").map(|(size, _)| size)
             }
             _ => None,
         }
+    }
+
+    /// The part whose force is sought.
+    fn pressed_by(&self, grasp: &Grasp<C>) -> Result<Option<PressedBy>, Error> {
+        let Sought::Force { of, .. } = &self.sought else { return Ok(None) };
+        let (part, is_body, size) = match of {
+            Some(part) => {
+                let pressing = grasp.scaled(part, 1.0)?.0;
+                (Some(pressing.name), pressing.is_body, pressing.size)
+            }
+            None => (None, false, self.base.measure()),
+        };
+        let (size, unit) =
+            size.filter(|(size, _)| *size > 0.0).map(|(size, unit)| (size, unit.to_owned())).unzip();
+        Ok(Some(PressedBy { part, is_body, size, unit }))
     }
 
     fn quantity(&self) -> Quantity {
@@ -85,6 +151,7 @@ impl<const C: usize> Need<C> {
             Sought::Load { .. } => Quantity::Load,
             Sought::Arm { .. } => Quantity::Arm,
             Sought::Angle { .. } => Quantity::Angle,
+            Sought::Force { .. } => Quantity::Force,
         }
     }
 }
@@ -93,7 +160,7 @@ impl<const C: usize> Need<C> {
 fn start<const C: usize>(grasp: &Grasp<C>, need: &Need<C>) -> f64 {
     let contacts = grasp.contacts();
     match &need.sought {
-        Sought::Squeeze { .. } | Sought::Load { .. } => 1.0,
+        Sought::Squeeze { .. } | Sought::Load { .. } | Sought::Force { .. } => 1.0,
         Sought::Friction { contacts: those, .. } => {
             let is_meant = |i: &usize| those.as_ref().is_none_or(|those| those.contains(i));
             let all = contacts.iter().enumerate().filter(|(i, _)| is_meant(i));
@@ -112,38 +179,105 @@ fn start<const C: usize>(grasp: &Grasp<C>, need: &Need<C>) -> f64 {
     }
 }
 
-fn amount<const C: usize>(grasp: &Grasp<C>, need: &Need<C>, less: [f64; 2]) -> Result<Amount, Error> {
+/// Amounts that were tried, each once.
+struct Tried<'q, const C: usize> {
+    grasp: &'q Grasp<C>,
+    need: &'q Need<C>,
+    safety: Safety,
+    known: RefCell<Vec<(f64, Trials)>>,
+    /// The load that was not carried last.
+    first: Cell<usize>,
+}
+
+impl<'q, const C: usize> Tried<'q, C> {
+    const fn new(grasp: &'q Grasp<C>, need: &'q Need<C>, safety: Safety) -> Self {
+        Self { grasp, need, safety, known: RefCell::new(Vec::new()), first: Cell::new(0) }
+    }
+
+    fn at(&self, amount: f64, demand: Demand) -> Result<Trial, Error> {
+        let found =
+            self.known.borrow().iter().find(|(at, _)| *at == amount).and_then(|(_, t)| t.of(demand).cloned());
+        if let Some(trial) = found {
+            return Ok(trial);
+        }
+        let trials = Loading::of(self.grasp, self.need, amount, self.safety)?.put_on(demand, &self.first)?;
+        let trial = trials.of(demand).cloned();
+        self.known.borrow_mut().push((amount, trials));
+        Ok(trial.unwrap_or_else(|| Trial::Unknown(String::new())))
+    }
+
+    fn known(&self, demand: Demand) -> Vec<(f64, Trial)> {
+        let known = self.known.borrow();
+        known.iter().filter_map(|(at, trials)| Some((*at, trials.of(demand)?.clone()))).collect()
+    }
+
+    fn is_far(&self, amount: f64) -> bool {
+        self.known.borrow().iter().any(|(at, trials)| *at == amount && trials.far)
+    }
+
+    /// Where an amount is looked for; `everywhere` if it may be anywhere, else in a few amounts towards more of it.
+    fn course(&self, everywhere: bool) -> Result<Course, Error> {
+        let (grasp, need) = (self.grasp, self.need);
+        let (start, repeats) = (start(grasp, need), need.demand.repeats());
+        let limits = match need.sought {
+            Sought::Angle { .. } => [start / MOST_LOADS, start],
+            Sought::Squeeze { .. } if !grasp.is_squeezed() => [start; 2],
+            _ => [start / MOST_LOADS, start * MOST_LOADS],
+        };
+        let is_monotone = match need.sought {
+            // Of a load that is put on from rest all less was on before.
+            Sought::Load { .. } | Sought::Angle { .. } => true,
+            Sought::Squeeze { .. } => grasp.is_proportional() && need.base == Wrench::ZERO,
+            Sought::Friction { .. } | Sought::Arm { .. } | Sought::Force { .. } => false,
+        };
+        let guess = match need.sought {
+            Sought::Load { .. } | Sought::Angle { .. } => Guess::Times,
+            Sought::Squeeze { .. } | Sought::Friction { .. } | Sought::Force { .. } => Guess::Divided,
+            Sought::Arm { .. } => Guess::Nothing,
+        };
+        let range = Range::of(grasp, need, self.safety, limits)?;
+        let is_least = need.quantity().is_least();
+        let guess = if repeats { Guess::Nothing } else { guess };
+        Ok(Course { start, limits, range, is_least, guess, is_monotone: is_monotone && !repeats, everywhere })
+    }
+}
+
+fn amount<const C: usize>(tried: &Tried<'_, C>, demand: Demand, everywhere: bool) -> Result<Amount, Error> {
+    let (grasp, need) = (tried.grasp, tried.need);
     if let Sought::Friction { contacts: Some(contacts), .. } = &need.sought
         && let Some(contact) = contacts.iter().find(|contact| **contact >= grasp.len())
     {
         let (what, allowed) = ("number of the contact", "less than the number of contacts");
         return Err(Error::Argument { what, value: *contact as f64, allowed });
     }
-    let tries = |amount: f64| try_amount(grasp, need, amount, less);
-    let is_least = need.quantity().is_least();
-    let start = start(grasp, need);
-    // Of a load that is put on from rest all less was on before. An angle is not turned beyond what was asked for.
-    let everywhere = match need.sought {
-        Sought::Squeeze { .. } | Sought::Friction { .. } | Sought::Arm { .. } => true,
-        Sought::Angle { .. } if tries(start)? == Trial::Does => return Ok(Amount::Any { to: start }),
-        Sought::Angle { .. } | Sought::Load { .. } => false,
-    };
-    let bound = match search(&tries, start, is_least, everywhere)? {
-        Searched::Threshold(edge) => edge.halved(&tries)?,
+    let tries = |amount: f64| tried.at(amount, demand);
+    let course = tried.course(everywhere)?;
+    if course.range.is_empty {
+        let trial = tries(course.start)?;
+        return Ok(nothing_does(vec![(course.start, trial)], course.limits, true));
+    }
+    // An angle is not turned beyond what was asked for.
+    if matches!(need.sought, Sought::Angle { .. }) && tries(course.start)?.does() {
+        return Ok(Amount::Any { to: course.start });
+    }
+    let bound = match search(&tries, &course, &tried.known(demand))? {
+        Searched::Threshold(edge) => edge,
         Searched::All(to) => return Ok(Amount::Any { to }),
-        Searched::Nothing(vain) => return Ok(nothing_does(vain)),
+        Searched::Nothing(vain) => return Ok(nothing_does(vain, course.limits, false)),
     };
     let (does, does_not) = (bound.does, bound.does_not.0);
     let otherwise = match &bound.does_not.1 {
         Trial::Unknown(doubt) => return Ok(Amount::Undecided { at: does_not, doubt: doubt.clone() }),
         Trial::DoesNot { says, .. } => says.clone(),
-        Trial::Does => String::new(),
+        Trial::Does { .. } => String::new(),
     };
     let is_squeeze = matches!(need.sought, Sought::Squeeze { .. });
+    let is_far = is_squeeze || matches!(need.sought, Sought::Force { .. });
     let at_rest = |does: f64| if is_squeeze { presses(grasp, does) } else { Ok(Default::default()) };
-    let Around { changes, until, elsewhere } = Around::of(&bound, need.scan, is_least, is_squeeze, &tries)?;
+    let scan = if everywhere { need.scan } else { 0 };
+    let Around { changes, until, elsewhere } = Around::of(&bound, scan, is_far, &course, &tries)?;
     let far_end = |edge: Threshold| {
-        let Threshold { does, does_not: (does_not, trial) } = edge;
+        let Threshold { does, does_not: (does_not, trial), .. } = edge;
         let (Trial::DoesNot { says: otherwise, .. } | Trial::Unknown(otherwise)) = trial else {
             return Ok::<_, Error>(None);
         };
@@ -152,24 +286,40 @@ fn amount<const C: usize>(grasp: &Grasp<C>, need: &Need<C>, less: [f64; 2]) -> R
     };
     let until = until.map(far_end).transpose()?.flatten();
     let (presses, at_their_limit) = at_rest(does)?;
-    Ok(Amount::Bound { does, does_not, otherwise, changes, until, elsewhere, presses, at_their_limit })
+    let unknown = bound.unknown.map(|(at, _)| at);
+    Ok(Amount::Bound {
+        does,
+        does_not,
+        otherwise,
+        unknown,
+        changes,
+        until,
+        elsewhere,
+        presses,
+        at_their_limit,
+    })
 }
 
 /// Told from amounts of which none does: by one of which it is not known, or by the one that carries most, the first of them if several do.
-fn nothing_does(vain: Vec<(f64, Trial)>) -> Amount {
+fn nothing_does(vain: Vec<(f64, Trial)>, limits: [f64; 2], is_proved: bool) -> Amount {
     let amounts = || vain.iter().map(|(amount, _)| *amount);
-    let [from, to] = [amounts().fold(f64::INFINITY, f64::min), amounts().fold(0.0, f64::max)];
-    let mut none = Amount::None { from, to, best: to, otherwise: String::new() };
+    let [from, to] = if is_proved {
+        limits
+    } else {
+        [amounts().fold(f64::INFINITY, f64::min), amounts().fold(0.0, f64::max)]
+    };
+    let tried = vain.len();
+    let mut none = Amount::None { from, to, best: to, tried, is_proved, otherwise: String::new() };
     let mut most = f64::NEG_INFINITY;
     for (amount, trial) in vain {
-        let carried = trial.carried();
+        let carried = trial.carried().unwrap_or(f64::NEG_INFINITY);
         match trial {
-            Trial::Unknown(doubt) => return Amount::Undecided { at: amount, doubt },
+            Trial::Unknown(doubt) if !is_proved => return Amount::Undecided { at: amount, doubt },
             Trial::DoesNot { says: otherwise, .. } if carried > most => {
                 most = carried;
-                none = Amount::None { from, to, best: amount, otherwise };
+                none = Amount::None { from, to, best: amount, tried, is_proved, otherwise };
             }
-            Trial::DoesNot { .. } | Trial::Does => {}
+            _ => {}
         }
     }
     none

@@ -12,11 +12,11 @@ use crate::words::Words;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Demand {
-    /// Nothing slides, on the way either.
+    /// The object is held; contacts may slide. The amount with which nothing slides is told beside it.
     #[default]
-    Sticks,
-    /// The object is not lost; contacts may slide.
     Held,
+    /// Nothing slides, on the way either.
+    Sticks,
     /// The loads are put on and taken off in turn, again and again, and it comes to rest; see [`Grasp::shake`](crate::ask::Grasp::shake).
     Rests,
     /// The same, and contacts may slide to and fro for ever, as long as the object does not walk.
@@ -37,8 +37,8 @@ pub struct Need<const C: usize> {
     /// What acts besides, whatever the amount.
     pub(super) base: Wrench<C>,
     pub(super) demand: Demand,
-    /// Relative uncertainty of friction and of the squeeze, for the safe amount.
-    pub(super) lower: [f64; 2],
+    /// What the safe amount is safe against.
+    pub(super) safety: Safety,
     pub(super) scan: usize,
     /// In which what becomes of other amounts is told.
     pub(super) words: Words,
@@ -47,17 +47,48 @@ pub struct Need<const C: usize> {
 /// The quantity.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Sought<const C: usize> {
-    Squeeze { loads: Loads<C> },
-    Friction { loads: Loads<C>, contacts: Option<Vec<usize>> },
-    Load { loads: Loads<C> },
-    Arm { at: Wrench<C>, per_metre: Wrench<C> },
-    Angle { turn: Turn<C> },
+    Squeeze {
+        loads: Loads<C>,
+    },
+    Friction {
+        loads: Loads<C>,
+        contacts: Option<Vec<usize>>,
+    },
+    Load {
+        loads: Loads<C>,
+    },
+    Arm {
+        at: Wrench<C>,
+        per_metre: Wrench<C>,
+    },
+    Angle {
+        turn: Turn<C>,
+    },
+    /// Of a part by its name, or of the load at rest.
+    Force {
+        of: Option<String>,
+        loads: Loads<C>,
+    },
+}
+
+/// What is worse than said, for a safe amount.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Safety {
+    /// The parts by which friction and squeeze are less.
+    pub(super) lower: [f64; 2],
+    /// How many times as large the loads are.
+    pub(super) load: f64,
+}
+
+impl Safety {
+    /// Everything is as it is said to be.
+    pub(super) const NONE: Self = Self { lower: [0.0; 2], load: 1.0 };
 }
 
 impl<const C: usize> Need<C> {
     fn of(sought: Sought<C>) -> Self {
-        let words = Words::default();
-        Self { sought, base: Wrench::ZERO, demand: Demand::Sticks, lower: [0.1, 0.05], scan: 16, words }
+        let (words, safety) = (Words::default(), Safety { lower: [0.1, 0.05], load: 1.0 });
+        Self { sought, base: Wrench::ZERO, demand: Demand::default(), safety, scan: 4, words }
     }
 
     /// The least squeeze for these loads: all commands in proportion, those of joints and torques that hold joints by force included.
@@ -106,6 +137,36 @@ impl<const C: usize> Need<C> {
         Self::of(Sought::Arm { at, per_metre })
     }
 
+    /// The least load of a body, a lever or a screw for these loads, or the least command or force of a contact, a cable or a joint: that of the part of
+    /// this name alone, as a multiple of what it has. Where more of it is too much the greatest is told, too.
+    ///
+    /// ```
+    /// use grasp_lcp::need::Need;
+    /// use grasp_lcp::planar::{Bodies, Body, Contact, Link, Wrench};
+    ///
+    /// // A screw drives the jaw of a vice with 500 N; the part is pulled across with 250 N, μ = 0.3 at both jaws.
+    /// let jaw = |x: f64, way: f64| Contact::new([x, 0.0], [way, 0.0]).series_stiffness(1e7, 1e7).friction(0.3).on("part");
+    /// let vice = Bodies::new([Body::new("part"), Body::new("jaw").load(Wrench::force([-500.0, 0.0]))])
+    ///     .contacts([jaw(0.0, 1.0), jaw(0.06, -1.0).against("jaw")])
+    ///     .links([Link::slide([0.08, 0.0], [1.0, 0.0], 0.03).to_ground("jaw")])
+    ///     .grasp()?;
+    /// let needed = vice.need(&Need::force("jaw", Wrench::force_at([0.0, 250.0], [0.03, 0.0])))?;
+    /// assert!((needed.amount.bound().expect("some does") * 500.0 - 250.0 / 0.6).abs() < 1e-8);
+    /// assert!(needed.to_string().starts_with("NEEDS 416.667 N on jaw so that it holds"), "{needed}");
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[doc(alias = "screw force", alias = "clamping force")]
+    #[must_use]
+    pub fn force(part: impl Into<String>, loads: impl Into<Loads<C>>) -> Self {
+        Self::of(Sought::Force { of: Some(part.into()), loads: loads.into() })
+    }
+
+    /// The least load at rest for these loads, as a multiple of that [on top of which](Self::on_top_of) they come: a weight that presses an object on.
+    #[must_use]
+    pub fn load_at_rest(loads: impl Into<Loads<C>>) -> Self {
+        Self::of(Sought::Force { of: None, loads: loads.into() })
+    }
+
     /// The greatest angle by which a load may turn.
     #[doc(alias = "tilt")]
     #[must_use]
@@ -133,7 +194,27 @@ impl<const C: usize> Need<C> {
         self
     }
 
-    /// This need where contacts may slide, as long as the object is not lost.
+    /// This need where nothing may slide.
+    ///
+    /// ```
+    /// use grasp_lcp::need::Need;
+    /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
+    ///
+    /// // Of two jaws of unequal friction one slides before both do.
+    /// let jaw = |x: f64, mu: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 8e2).friction(mu).pressed_with(10.0);
+    /// let gripper = Grasp::new([jaw(-0.03, 0.4), jaw(0.03, 0.6)])?;
+    /// let need = Need::squeeze(Wrench::force([0.0, -10.0])).if_lower_by(0.0, 0.0);
+    /// let sticks = gripper.need(&need.to_stick())?.amount.bound().expect("some does");
+    /// assert!((sticks - 5.0 / 4.0).abs() < 1e-11);
+    /// # Ok::<(), grasp_lcp::Error>(())
+    /// ```
+    #[must_use]
+    pub fn to_stick(mut self) -> Self {
+        self.demand = Demand::Sticks;
+        self
+    }
+
+    /// This need where contacts may slide, as long as the object is held: the default.
     #[must_use]
     pub fn to_hold(mut self) -> Self {
         self.demand = Demand::Held;
@@ -174,7 +255,16 @@ impl<const C: usize> Need<C> {
     /// This need with a safe amount for friction and squeeze that are by these parts less than said (default 0.1 and 0.05; none for zeros).
     #[must_use]
     pub fn if_lower_by(mut self, friction: f64, squeeze: f64) -> Self {
-        self.lower = [friction, squeeze];
+        self.safety.lower = [friction, squeeze];
+        self
+    }
+
+    /// This need with a safe amount for loads so many times as large as said, in place of less friction and squeeze; [`Self::if_lower_by`] after it
+    /// asks for both.
+    #[doc(alias = "factor of safety")]
+    #[must_use]
+    pub fn with_safety(mut self, factor: f64) -> Self {
+        self.safety = Safety { lower: [0.0; 2], load: factor };
         self
     }
 
@@ -185,7 +275,7 @@ impl<const C: usize> Need<C> {
         self
     }
 
-    /// This need with so many amounts looked at beside the search (default 16), to see whether more than one change of verdict lies among them.
+    /// This need with so many amounts looked at beside the search (default 4), to see whether more than one change of verdict lies among them.
     #[must_use]
     pub fn with_scan(mut self, amounts: usize) -> Self {
         self.scan = amounts;

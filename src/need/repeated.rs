@@ -26,7 +26,7 @@ impl<const C: usize> Loading<C> {
         self.watch(shaken.state.as_deref());
         let does = if demand == Demand::Rests { shaken.rests() } else { shaken.stays() };
         Ok(match does {
-            Some(true) => Trial::Does,
+            Some(true) => Trial::Does { carried: f64::INFINITY },
             Some(false) => Trial::DoesNot { says: self.said(&shaken), carried: carried(&shaken, legs.len()) },
             None => Trial::Unknown(self.said(&shaken)),
         })

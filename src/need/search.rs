@@ -1,17 +1,27 @@
 //! The search for an amount that does, beside one that does not.
 
+use super::range::Range;
 use super::trial::Trial;
 use crate::error::Error;
 use crate::prelude::*;
 
-/// From what is given amounts are doubled or halved so many times at most.
-pub(super) const MOST_DOUBLINGS: usize = 20;
 /// Amounts this close together are one, relatively.
 const CLOSE: f64 = 1e-13;
-/// At the bound itself rounding may keep a verdict from being told: what does not is then looked for this far beyond, relatively.
-const BLURRED: f64 = 1e-9;
-/// Where no doubled amount does, the best of them is refined in so many steps of a golden section.
+/// An end that statics has found is tried this far inside and outside, relatively: nearer by than proofs tell apart, or else by what they do.
+const NEAR_AN_END: [f64; 2] = [1e-12, 1e-8];
+/// A guess is followed so many times.
+const MOST_GUESSES: usize = 4;
+/// From one amount to the next on the way to one that does, and where amounts that do are left.
+const DOUBLED: f64 = 2.0;
+const QUADRUPLED: f64 = 4.0;
+/// Where no such amount does, the best of them is refined in so many steps of a golden section.
 const MOST_SECTIONS: usize = 40;
+/// More steps towards a bound are made by rounding.
+const MOST_STEPS: usize = 120;
+/// Where a trial is undecided these others are made beside it, as parts of what is left between two amounts.
+const BESIDE: [f64; 6] = [0.01, -0.01, 0.1, -0.1, 0.3, -0.3];
+/// And of an amount alone these.
+const BESIDE_ONE: [f64; 6] = [1e-9, -1e-9, 1e-6, -1e-6, 1e-3, -1e-3];
 
 /// Tries an amount.
 pub(super) type Tries<'t> = &'t dyn Fn(f64) -> Result<Trial, Error>;
@@ -21,6 +31,8 @@ pub(super) type Tries<'t> = &'t dyn Fn(f64) -> Result<Trial, Error>;
 pub(super) struct Threshold {
     pub(super) does: f64,
     pub(super) does_not: (f64, Trial),
+    /// An amount between both of which it is not known.
+    pub(super) unknown: Option<(f64, String)>,
 }
 
 /// What a search has found.
@@ -33,71 +45,238 @@ pub(super) enum Searched {
     Nothing(Vec<(f64, Trial)>),
 }
 
+/// How an amount that does is guessed from how much of the load another one carries.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Guess {
+    /// The load itself is sought.
+    Times,
+    /// As much more of it carries as much more.
+    Divided,
+    Nothing,
+}
+
+/// Where amounts are looked for, and how.
+#[derive(Debug)]
+pub(super) struct Course {
+    pub(super) start: f64,
+    /// The least and the greatest amount that is looked at.
+    pub(super) limits: [f64; 2],
+    pub(super) range: Range,
+    pub(super) is_least: bool,
+    pub(super) guess: Guess,
+    /// Whether what does is known to do with more of it where the least is sought, or with less of it.
+    pub(super) is_monotone: bool,
+    /// Whether it is looked for wherever it may be, or in a few amounts towards more of it.
+    pub(super) everywhere: bool,
+}
+
+impl Course {
+    fn low(&self) -> f64 {
+        self.range.low.unwrap_or(self.limits[0])
+    }
+
+    fn high(&self) -> f64 {
+        self.range.high.unwrap_or(self.limits[1])
+    }
+
+    pub(super) fn contains(&self, amount: f64) -> bool {
+        self.low() <= amount && amount <= self.high()
+    }
+
+    /// The end of what is looked at to one side, if beyond it nothing does.
+    pub(super) fn end(&self, up: bool) -> Option<f64> {
+        if up { self.range.high } else { self.range.low }
+    }
+
+    fn guessed(&self, at: f64, trial: &Trial) -> Option<f64> {
+        let carried = trial.carried().filter(|carried| *carried > 0.0 && carried.is_finite())?;
+        let guess = match self.guess {
+            Guess::Times => at * carried,
+            Guess::Divided => at / carried,
+            Guess::Nothing => return None,
+        };
+        self.contains(guess).then_some(guess)
+    }
+
+    /// Where the search begins: what is given, or the middle of what forces can balance.
+    fn begin(&self) -> f64 {
+        match (self.range.low, self.range.high) {
+            _ if self.contains(self.start) => self.start,
+            (Some(low), Some(high)) => 0.5 * (low + high),
+            (Some(low), None) => (DOUBLED * low).min(self.limits[1]),
+            (None, _) => (self.high() / DOUBLED).max(self.limits[0]),
+        }
+    }
+}
+
 /// From a start that does towards less of it, from one that does not towards more. Where no more of it does, either, some do perhaps on the other side,
-/// or between two of them: asked for with `everywhere`.
-pub(super) fn search(
-    tries: Tries<'_>,
-    start: f64,
-    is_least: bool,
-    everywhere: bool,
-) -> Result<Searched, Error> {
-    let (more, less) = if is_least { (2.0, 0.5) } else { (0.5, 2.0) };
-    let first = tries(start)?;
-    if first == Trial::Does {
-        return edge_from(tries, start, less);
+/// or between two of them. What is known of amounts from before is used.
+pub(super) fn search(tries: Tries<'_>, course: &Course, known: &[(f64, Trial)]) -> Result<Searched, Error> {
+    let more = course.is_least;
+    let (does, mut vain): (Vec<_>, Vec<_>) = known.iter().cloned().partition(|(_, trial)| trial.does());
+    let nearest = does.into_iter().reduce(|one, other| if (one.0 < other.0) == more { one } else { other });
+    if let Some(does) = nearest {
+        return edge_from(tries, course, does, &vain);
     }
-    let mut vain = vec![(start, first)];
-    if let Some(does) = walk(tries, start, more, &mut vain)? {
-        return Ok(vain
-            .pop()
-            .map_or(Searched::All(does), |does_not| Searched::Threshold(Threshold { does, does_not })));
+    let first = decided(tries, course.begin(), None)?;
+    if first.1.does() {
+        return edge_from(tries, course, first, &vain);
     }
-    if everywhere {
-        if let Some(does) = walk(tries, start, less, &mut vain)? {
-            return edge_from(tries, does, less);
+    let is_hopeless =
+        course.is_monotone && course.guess == Guess::Times && first.1.carried().is_some_and(|c| c < 0.0);
+    vain.push(first.clone());
+    if is_hopeless {
+        return Ok(Searched::Nothing(vain));
+    }
+    if let Some(does) = guessed(tries, course, first.clone(), &mut vain)? {
+        return edge_from(tries, course, does, &vain);
+    }
+    if course.everywhere {
+        for up in [!more, more] {
+            for near in NEAR_AN_END {
+                let Some(end) = course.end(up) else { continue };
+                let at = if up { end * (1.0 - near) } else { end * (1.0 + near) };
+                let trial = tries(at)?;
+                if trial.does() {
+                    return edge_from(tries, course, (at, trial), &vain);
+                }
+                vain.push((at, trial));
+            }
         }
-        if let Some((does, [low, high])) = refined(tries, &mut vain)? {
-            let beside = if is_least { low } else { high };
-            return Ok(Searched::Threshold(Threshold { does, does_not: (beside, tries(beside)?) }));
+    }
+    let factor = if course.everywhere { DOUBLED } else { QUADRUPLED };
+    let begin = first.0;
+    for (up, is_asked) in [(more, true), (!more, course.everywhere && !course.is_monotone)] {
+        if is_asked && let Some(does) = walk(tries, course, (begin, up, factor), &mut vain)? {
+            return edge_from(tries, course, does, &vain);
         }
+    }
+    if course.everywhere
+        && !course.is_monotone
+        && let Some(does) = refined(tries, &mut vain)?
+    {
+        return edge_from(tries, course, does, &vain);
     }
     Ok(Searched::Nothing(vain))
 }
 
-/// The first amount that does, so many times larger from one to the next; those that do not are put down.
-fn walk(
-    tries: Tries<'_>,
-    start: f64,
-    factor: f64,
-    vain: &mut Vec<(f64, Trial)>,
-) -> Result<Option<f64>, Error> {
-    let mut at = start;
-    for _ in 0..MOST_DOUBLINGS {
-        at *= factor;
-        match tries(at)? {
-            Trial::Does => return Ok(Some(at)),
-            trial => vain.push((at, trial)),
+/// An amount, or one beside it if it is not known of this one; inside an interval of this width.
+fn decided(tries: Tries<'_>, at: f64, width: Option<f64>) -> Result<(f64, Trial), Error> {
+    let first = tries(at)?;
+    if let Trial::Unknown(_) = first {
+        let beside = |part: f64| width.map_or(at * (1.0 + part), |width| at + part * width);
+        for part in if width.is_some() { BESIDE } else { BESIDE_ONE } {
+            let trial = tries(beside(part))?;
+            if !matches!(trial, Trial::Unknown(_)) {
+                return Ok((beside(part), trial));
+            }
         }
+    }
+    Ok((at, first))
+}
+
+/// The first amount that does, guessed from what others carry, and a little beyond where one is as good as found.
+fn guessed(
+    tries: Tries<'_>,
+    course: &Course,
+    (mut at, mut trial): (f64, Trial),
+    vain: &mut Vec<(f64, Trial)>,
+) -> Result<Option<(f64, Trial)>, Error> {
+    let mut beyond = CLOSE;
+    for _ in 0..MOST_GUESSES {
+        let Some(guess) = course.guessed(at, &trial) else { break };
+        beyond *= 2.0;
+        let guess = if course.is_least { guess * (1.0 + beyond) } else { guess * (1.0 - beyond) };
+        (at, trial) = (guess, tries(guess)?);
+        if trial.does() {
+            return Ok(Some((at, trial)));
+        }
+        vain.push((at, trial.clone()));
+        beyond *= 32.0;
     }
     Ok(None)
 }
 
-/// Where an amount that does ends to do, so many times larger from one to the next.
-fn edge_from(tries: Tries<'_>, start: f64, factor: f64) -> Result<Searched, Error> {
-    let mut does = start;
-    for _ in 0..MOST_DOUBLINGS {
-        match tries(does * factor)? {
-            Trial::Does => does *= factor,
-            trial => return Ok(Searched::Threshold(Threshold { does, does_not: (does * factor, trial) })),
+/// The first amount that does to one side, so many times larger or smaller from one to the next.
+fn walk(
+    tries: Tries<'_>,
+    course: &Course,
+    (begin, up, factor): (f64, bool, f64),
+    vain: &mut Vec<(f64, Trial)>,
+) -> Result<Option<(f64, Trial)>, Error> {
+    let mut at = begin;
+    loop {
+        at *= if up { factor } else { factor.recip() };
+        if !course.contains(at) {
+            return Ok(None);
         }
+        let trial = tries(at)?;
+        if trial.does() {
+            return Ok(Some((at, trial)));
+        }
+        vain.push((at, trial));
     }
-    Ok(Searched::All(does))
 }
 
-/// An amount that does between amounts of which none does, and the two around it. While the states of contacts and drives are the same, what is
-/// carried is a concave function of a squeeze. So its greatest value is looked for around the best of them.
-fn refined(tries: Tries<'_>, vain: &mut Vec<(f64, Trial)>) -> Result<Option<(f64, [f64; 2])>, Error> {
-    let mut in_order: Vec<_> = vain.iter().map(|(at, trial)| (*at, trial.carried())).collect();
+/// Where amounts end to do, from one that does towards less of it.
+fn edge_from(
+    tries: Tries<'_>,
+    course: &Course,
+    (mut does, mut trial): (f64, Trial),
+    vain: &[(f64, Trial)],
+) -> Result<Searched, Error> {
+    let up = !course.is_least;
+    let is_beyond = |at: f64, from: f64| if up { at > from } else { at < from };
+    let nearest = vain.iter().filter(|(at, trial)| is_beyond(*at, does) && trial.carried().is_some());
+    let mut does_not =
+        nearest.reduce(|one, other| if is_beyond(one.0, other.0) { other } else { one }).cloned();
+    let mut unknown = None;
+    // What is carried guesses where it ends, and a proof knows where it has ended.
+    let guess = course.guessed(does, &trial).filter(|guess| is_beyond(*guess, does));
+    let guess = guess.map(|guess| guess * if up { 1.0 + CLOSE } else { 1.0 - CLOSE });
+    let end = course.end(up).filter(|end| is_beyond(*end, does));
+    let inside = NEAR_AN_END.map(|near| end.map(|end| end * if up { 1.0 - near } else { 1.0 + near }));
+    let outside = end.map(|end| end * if up { 1.0 + NEAR_AN_END[0] } else { 1.0 - NEAR_AN_END[0] });
+    for at in [guess, inside[0], inside[1], outside].into_iter().flatten() {
+        if does_not.as_ref().is_some_and(|not: &(f64, Trial)| !is_beyond(not.0, at)) || !is_beyond(at, does) {
+            continue;
+        }
+        match tries(at)? {
+            now @ Trial::Does { .. } => (does, trial) = (at, now),
+            now @ Trial::DoesNot { .. } => does_not = Some((at, now)),
+            Trial::Unknown(_) => {}
+        }
+    }
+    let mut at = does;
+    while does_not.is_none() {
+        at *= if up { QUADRUPLED } else { QUADRUPLED.recip() };
+        if !course.contains(at) {
+            break;
+        }
+        match decided(tries, at, None)? {
+            (at, now @ Trial::Does { .. }) => (does, trial) = (at, now),
+            (_, Trial::Unknown(why)) => unknown = unknown.or(Some((at, why))),
+            (at, now @ Trial::DoesNot { .. }) => does_not = Some((at, now)),
+        }
+    }
+    match (does_not, unknown) {
+        (Some(does_not), unknown) => {
+            let edge = Threshold { does, does_not, unknown };
+            Ok(Searched::Threshold(edge.narrowed(tries, trial.carried())?))
+        }
+        (None, Some(why)) if is_beyond(why.0, does) => {
+            let does_not = (why.0, Trial::Unknown(why.1.clone()));
+            Ok(Searched::Threshold(Threshold { does, does_not, unknown: Some(why) }))
+        }
+        (None, _) => Ok(Searched::All(does)),
+    }
+}
+
+/// An amount that does between amounts of which none does. While the states of contacts and drives are the same, what is carried is a concave function
+/// of a squeeze. So its greatest value is looked for around the best of them.
+fn refined(tries: Tries<'_>, vain: &mut Vec<(f64, Trial)>) -> Result<Option<(f64, Trial)>, Error> {
+    let known = vain.iter().filter_map(|(at, trial)| Some((*at, trial.carried()?)));
+    let mut in_order: Vec<_> = known.collect();
     in_order.sort_by(|one, other| one.0.total_cmp(&other.0));
     let carries_most = |i: &usize, j: &usize| in_order[*i].1.total_cmp(&in_order[*j].1);
     let Some(best) = (0..in_order.len()).max_by(carries_most) else { return Ok(None) };
@@ -115,12 +294,15 @@ fn refined(tries: Tries<'_>, vain: &mut Vec<(f64, Trial)>) -> Result<Option<(f64
         for k in 0..2 {
             if parts[k].is_none() {
                 let trial = tries(inner[k])?;
-                if trial == Trial::Does {
-                    return Ok(Some((inner[k], [low, high])));
+                if trial.does() {
+                    return Ok(Some((inner[k], trial)));
                 }
-                parts[k] = Some(trial.carried());
+                parts[k] = Some(trial.carried().unwrap_or(f64::NEG_INFINITY));
                 vain.push((inner[k], trial));
             }
+        }
+        if high - low <= CLOSE * high {
+            break;
         }
         if parts[0] < parts[1] {
             low = inner[0];
@@ -134,29 +316,61 @@ fn refined(tries: Tries<'_>, vain: &mut Vec<(f64, Trial)>) -> Result<Option<(f64
 }
 
 impl Threshold {
-    /// This edge to the last digits; where rounding keeps it from being told, what does not lies a little beyond.
-    pub(super) fn halved(mut self, tries: Tries<'_>) -> Result<Self, Error> {
-        while (self.does - self.does_not.0).abs() > CLOSE * self.does.abs() {
-            let middle = 0.5 * (self.does + self.does_not.0);
-            if middle == self.does || middle == self.does_not.0 {
+    /// This edge to the last digits: by secants of what is carried, and by halves where that is not known or jumps.
+    pub(super) fn narrowed(mut self, tries: Tries<'_>, carried: Option<f64>) -> Result<Self, Error> {
+        let short = |trial: &Trial| trial.carried().map(|carried| carried - 1.0).filter(|x| x.is_finite());
+        let mut over = carried.map(|carried| carried - 1.0).filter(|x| x.is_finite());
+        let mut under = short(&self.does_not.1);
+        // Whether the last step kept the same side, how far it is pushed to the other one, and the width three steps ago.
+        let (mut kept, mut push, mut widths) = (None, 0.5 * CLOSE, [f64::INFINITY; 3]);
+        for step in 0..MOST_STEPS {
+            let (from, to) = (self.does, self.does_not.0);
+            let (width, tolerance) = ((to - from).abs(), CLOSE * from.abs().max(to.abs()));
+            if width <= tolerance {
                 break;
             }
-            match tries(middle)? {
-                Trial::Does => self.does = middle,
-                trial => self.does_not = (middle, trial),
+            let is_slow = width > 0.125 * widths[step % 3];
+            widths[step % 3] = width;
+            let secant = over.zip(under).filter(|(over, under)| *over >= 0.0 && *under < 0.0);
+            let at = match secant {
+                Some((over, under)) if !(step >= 3 && is_slow && kept.is_none()) => {
+                    let least = (push * from.abs().max(to.abs()) / width).min(0.5);
+                    from + (to - from) * (over / (over - under)).clamp(least, 1.0 - least)
+                }
+                _ => middle(from, to),
+            };
+            if at == from || at == to {
+                break;
             }
-        }
-        if let Trial::Unknown(_) = self.does_not.1 {
-            let mut gap = self.does_not.0 - self.does;
-            while gap.abs() <= 0.25 * BLURRED * self.does.abs() {
-                gap *= 4.0;
-                let at = self.does + gap;
-                if let trial @ Trial::DoesNot { .. } = tries(at)? {
-                    self.does_not = (at, trial);
+            let (at, now) = decided(tries, at, Some(width))?;
+            // What keeps its side twice counts half (Illinois), and the next step is pushed on.
+            let is_over = now.does();
+            let again = kept == Some(is_over);
+            push = if again { 16.0 * push } else { 0.5 * CLOSE };
+            kept = if step % 4 == 3 && is_slow { None } else { Some(is_over) };
+            match now {
+                Trial::Does { .. } => {
+                    over = short(&now);
+                    under = under.map(|under| if again { 0.5 * under } else { under });
+                    self.does = at;
+                }
+                Trial::DoesNot { .. } => {
+                    under = short(&now);
+                    over = over.map(|over| if again { 0.5 * over } else { over });
+                    self.does_not = (at, now);
+                }
+                Trial::Unknown(why) => {
+                    self.unknown = Some((at, why));
                     break;
                 }
             }
         }
         Ok(self)
     }
+}
+
+/// The middle of two amounts, of their logarithms where they lie far apart.
+fn middle(from: f64, to: f64) -> f64 {
+    let is_far = from > 0.0 && to > 0.0 && (from / to).max(to / from) > QUADRUPLED;
+    if is_far { (from * to).sqrt() } else { 0.5 * (from + to) }
 }

@@ -4,7 +4,7 @@ use core::cell::Cell;
 use core::f64::consts::{PI, TAU};
 use core::fmt;
 
-use super::question::{Demand, Need, Sought};
+use super::question::{Demand, Need, Safety, Sought};
 use crate::ask::Grasp;
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
@@ -18,15 +18,25 @@ use crate::words::Words;
 /// Forces of any direction are put on in so many of them where the object may slide: to tell a loss there is no closed form.
 const DIRECTIONS_IN_THE_PLANE: usize = 72;
 const DIRECTIONS_IN_SPACE: usize = 200;
+/// A load that turns is looked at after so many parts of its angle where forces have to balance it.
+const TURNED: u32 = 8;
 /// A force in some direction presses an open contact on, and no closed form compares directions then.
 const OPEN: &str = "a contact is open or at its edge before the force acts, and directions are compared only where all of them press";
 /// What is carried where what acts at rest has no equilibrium at all.
 pub(super) const NOT_AT_REST: f64 = -1.0;
 
+/// A load is followed up to so many times itself, so that an amount that does tells how near it is to one that does not; where the load itself is sought, up
+/// to so many times.
+const FOLLOWED: f64 = 32.0;
+pub(super) const MOST_LOADS: f64 = (1u32 << 20) as f64;
+
 /// What becomes of an amount.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Trial {
-    Does,
+    Does {
+        /// How many times the load is carried; infinite where that was not found.
+        carried: f64,
+    },
     DoesNot {
         /// A sentence that says what happens.
         says: String,
@@ -43,31 +53,54 @@ impl Trial {
         Self::DoesNot { says: says.into(), carried: 0.0 }
     }
 
-    /// How much of the load is carried: 1 where all of it is.
-    pub(super) fn carried(&self) -> f64 {
+    /// What does whatever the load.
+    const fn always() -> Self {
+        Self::Does { carried: f64::INFINITY }
+    }
+
+    pub(super) fn does(&self) -> bool {
+        matches!(self, Self::Does { .. })
+    }
+
+    /// How many times the load is carried, where that is known.
+    pub(super) fn carried(&self) -> Option<f64> {
         match self {
-            Self::Does => 1.0,
-            Self::DoesNot { carried, .. } => *carried,
-            Self::Unknown(_) => NOT_AT_REST,
+            Self::Does { carried } | Self::DoesNot { carried, .. } => Some(*carried),
+            Self::Unknown(_) => None,
         }
+    }
+
+    /// Of two loads the one that carries less, or else the one of which it is not known.
+    fn or_worse(self, other: Self) -> Self {
+        let rank = |trial: &Self| match trial {
+            Self::DoesNot { .. } => 0,
+            Self::Unknown(_) => 1,
+            Self::Does { .. } => 2,
+        };
+        let order = rank(&self).cmp(&rank(&other));
+        let by_load = || self.carried().unwrap_or(0.0).total_cmp(&other.carried().unwrap_or(0.0));
+        if order.then_with(by_load).is_le() { self } else { other }
     }
 }
 
-/// Tries an amount, friction and squeeze being less by these parts.
-pub(super) fn try_amount<const C: usize>(
-    grasp: &Grasp<C>,
-    need: &Need<C>,
-    amount: f64,
-    less: [f64; 2],
-) -> Result<Trial, Error> {
-    Loading::of(grasp, need, amount, less)?.put_on(need.demand)
+/// What becomes of an amount as far as it was tried: whether it is held, and whether nothing slides.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Trials {
+    pub(super) held: Option<Trial>,
+    pub(super) sticks: Option<Trial>,
+    /// Whether the object turns [too far](crate::equilibrium::Equilibrium::is_beyond_small_motions) on the way.
+    pub(super) far: bool,
 }
 
-/// Whether an amount that does turns the object [too far](crate::equilibrium::Equilibrium::is_beyond_small_motions) for that to say much.
-pub(super) fn is_far<const C: usize>(grasp: &Grasp<C>, need: &Need<C>, amount: f64) -> Result<bool, Error> {
-    let loading = Loading::of(grasp, need, amount, [0.0; 2])?;
-    loading.put_on(need.demand)?;
-    Ok(loading.far.get())
+impl Trials {
+    pub(super) fn of(&self, demand: Demand) -> Option<&Trial> {
+        if demand == Demand::Sticks { self.sticks.as_ref() } else { self.held.as_ref() }
+    }
+
+    fn only(demand: Demand, trial: Trial) -> Self {
+        let (held, sticks) = if demand == Demand::Sticks { (None, Some(trial)) } else { (Some(trial), None) };
+        Self { held, sticks, far: false }
+    }
 }
 
 /// Loads that are put on a grasp, so many times as large.
@@ -78,62 +111,102 @@ pub(super) struct Loading<const C: usize> {
     pub(super) base: Wrench<C>,
     pub(super) times: f64,
     words: Words,
+    /// How many times the load is followed.
+    followed: f64,
     /// Set where the object turns too far on the way.
     far: Cell<bool>,
 }
 
 impl<const C: usize> Loading<C> {
-    /// The grasp and its loads with an amount of what is sought, friction and squeeze being less by these parts.
-    pub(super) fn of(grasp: &Grasp<C>, need: &Need<C>, amount: f64, less: [f64; 2]) -> Result<Self, Error> {
-        let [friction, squeeze] = less.map(|part| 1.0 - part);
-        let changed = |squeezed: f64, mu: &dyn Fn(usize, f64) -> f64| {
-            let grasp = if squeezed == 1.0 { grasp.clone() } else { grasp.squeezed(squeezed)? };
-            let grasp = grasp.with_friction(|i, given| friction * mu(i, given))?;
-            Ok::<_, Error>(grasp.with(&grasp.settings().with_most_load(1.0)))
-        };
-        let given = |_: usize, mu: f64| mu;
-        let (grasp, loads, times) = match &need.sought {
-            Sought::Squeeze { loads } => (changed(squeeze * amount, &given)?, loads.clone(), 1.0),
+    /// The grasp and its loads with an amount of what is sought, where everything is as much worse as is to be safe against.
+    pub(super) fn of(grasp: &Grasp<C>, need: &Need<C>, amount: f64, safety: Safety) -> Result<Self, Error> {
+        let [friction, squeeze] = safety.lower.map(|part| 1.0 - part);
+        let changed =
+            |squeezed: f64| if squeezed == 1.0 { Ok(grasp.clone()) } else { grasp.squeezed(squeezed) };
+        let (mut times, mut base) = (safety.load, need.base);
+        let (grasp, loads) = match &need.sought {
+            Sought::Squeeze { loads } => (changed(squeeze * amount)?, loads.clone()),
             Sought::Friction { loads, contacts } => {
                 let is_meant =
                     |i: usize, mu: f64| contacts.as_ref().map_or(mu > 0.0, |those| those.contains(&i));
                 let with = |i: usize, mu: f64| if is_meant(i, mu) { amount } else { mu };
-                (changed(squeeze, &with)?, loads.clone(), 1.0)
+                (changed(squeeze)?.with_friction(with)?, loads.clone())
             }
-            Sought::Load { loads } => (changed(squeeze, &given)?, loads.clone(), amount),
-            Sought::Arm { at, per_metre } => {
-                (changed(squeeze, &given)?, Loads::from(*at + *per_metre * amount), 1.0)
+            Sought::Load { loads } => {
+                times *= amount;
+                (changed(squeeze)?, loads.clone())
             }
-            Sought::Angle { turn } => (changed(squeeze, &given)?, Loads::Turn(turn.up_to(amount)), 1.0),
+            Sought::Arm { at, per_metre } => (changed(squeeze)?, Loads::from(*at + *per_metre * amount)),
+            Sought::Angle { turn } => (changed(squeeze)?, Loads::Turn(turn.up_to(amount))),
+            Sought::Force { of: Some(part), loads } => {
+                (changed(squeeze)?.scaled(part, amount)?.1, loads.clone())
+            }
+            Sought::Force { of: None, loads } => {
+                base = base * amount;
+                (changed(squeeze)?, loads.clone())
+            }
         };
-        Ok(Self { grasp, loads, base: need.base, times, words: need.words, far: Cell::new(false) })
+        let grasp = if friction == 1.0 { grasp } else { grasp.with_friction(|_, mu| friction * mu)? };
+        let followed =
+            if matches!(need.sought, Sought::Load { .. }) { MOST_LOADS / amount.max(1.0) } else { FOLLOWED };
+        let grasp = grasp.with(&grasp.settings().with_most_load(followed.max(1.0)));
+        Ok(Self { grasp, loads, base, times, words: need.words, followed, far: Cell::new(false) })
     }
 
-    fn put_on(&self, demand: Demand) -> Result<Trial, Error> {
+    /// Loads that forces have to balance for the amount to do: what acts at rest, and what acts with each load.
+    pub(super) fn to_balance(&self) -> Vec<Wrench<C>> {
+        let mut list = vec![self.base];
+        match &self.loads {
+            Loads::Each(loads) => list.extend(loads.iter().map(|load| self.base + *load * self.times)),
+            Loads::AnyForce { base, size, point } => {
+                let along = |k: usize| {
+                    let signed = if k % 2 == 0 { size * self.times } else { -size * self.times };
+                    force_at(core::array::from_fn(|a| if a == k / 2 { signed } else { 0.0 }), *point)
+                };
+                list.extend((0..2 * C).map(|k| self.base + *base * self.times + along(k)));
+            }
+            Loads::Turn(turn) => {
+                let turn = self.so_many(turn);
+                list = (0..=TURNED)
+                    .map(|k| turn.load_at(turn.angle() * f64::from(k) / f64::from(TURNED)))
+                    .collect();
+            }
+        }
+        list
+    }
+
+    /// Puts the loads on. The one of this number comes first, and the number of one that is not carried takes its place: it decides the next amount
+    /// with a single verdict as a rule.
+    pub(super) fn put_on(&self, demand: Demand, first: &Cell<usize>) -> Result<Trials, Error> {
         if demand.repeats() {
-            return self.again_and_again(demand);
+            return Ok(Trials::only(demand, self.again_and_again(demand)?));
         }
         let (besides, times) = (self.base, self.times);
-        match &self.loads {
+        let mut trials = match &self.loads {
             Loads::Each(loads) => {
-                let ramps = loads.iter().map(|load| Ramp::load(besides, *load * times));
-                self.all(ramps, demand)
+                let ramps: Vec<_> = loads.iter().map(|load| Ramp::load(besides, *load * times)).collect();
+                self.all(&ramps, demand, first)?
             }
             Loads::AnyForce { base, size, point } => {
-                let trial = self.any_force(*base * times, *size * times, *point)?;
-                match (demand, trial) {
-                    (Demand::Held, Trial::DoesNot { .. } | Trial::Unknown(_)) => {
-                        let forces = directions::<C>().into_iter().map(|d| {
-                            let force = force_at(d.map(|x| x * *size * times), *point);
-                            Ramp::load(besides + *base * times, force)
-                        });
-                        self.all(forces, demand)
+                let trial = self.any_force(*base * times, *size * times, *point, demand)?;
+                match (demand, &trial) {
+                    (Demand::Held, Some(Trial::Does { .. })) | (Demand::Sticks, _) => {
+                        Trials::only(demand, trial.unwrap_or_else(Trial::always))
                     }
-                    (_, trial) => Ok(trial),
+                    _ => {
+                        // What acts at rest and the load beside the force come before it.
+                        let force = |d: [f64; C]| force_at(d.map(|x| x * *size * times), *point);
+                        let loaded = besides + *base * times;
+                        let mut ramps = vec![Ramp::load(besides, *base * times)];
+                        ramps.extend(directions::<C>().into_iter().map(|d| Ramp::load(loaded, force(d))));
+                        Trials { sticks: None, ..self.all(&ramps, demand, first)? }
+                    }
                 }
             }
-            Loads::Turn(turn) => self.turn(&self.so_many(turn), demand),
-        }
+            Loads::Turn(turn) => Trials::only(demand, self.turn(&self.so_many(turn), demand)?),
+        };
+        trials.far = self.far.get();
+        Ok(trials)
     }
 
     /// A turn of loads so many times as large, beside what acts anyway.
@@ -142,30 +215,52 @@ impl<const C: usize> Loading<C> {
         Turn::new(self.base + constant, cosine, sine).up_to(turn.angle())
     }
 
-    fn all(&self, ramps: impl Iterator<Item = Ramp<C>>, demand: Demand) -> Result<Trial, Error> {
-        let mut unknown = None;
-        for ramp in ramps {
-            let verdict = self.grasp.hold(ramp)?;
+    /// Each of these is put on, until one is not carried.
+    fn all(&self, ramps: &[Ramp<C>], demand: Demand, first: &Cell<usize>) -> Result<Trials, Error> {
+        let (mut held, mut sticks) = (Trial::always(), Trial::always());
+        for k in 0..ramps.len() {
+            let which = (first.get() + k) % ramps.len();
+            let verdict = self.grasp.hold(ramps[which].clone())?;
             self.watch(verdict.state.as_deref());
-            match self.judged(&verdict, demand) {
-                Trial::Does => {}
-                trial @ Trial::DoesNot { .. } => return Ok(trial),
-                Trial::Unknown(why) => unknown = Some(why),
+            held = held.or_worse(self.judged(&verdict, Demand::Held));
+            sticks = sticks.or_worse(self.judged(&verdict, Demand::Sticks));
+            let wanted = if demand == Demand::Sticks { &sticks } else { &held };
+            if let Trial::DoesNot { .. } = wanted {
+                first.set(which);
+                // What is not held slides, and of what slides it is not known whether all loads are held.
+                let held = (!held.does() || k + 1 == ramps.len()).then_some(held);
+                return Ok(Trials { held, sticks: Some(sticks), far: false });
             }
         }
-        Ok(unknown.map_or(Trial::Does, Trial::Unknown))
+        Ok(Trials { held: Some(held), sticks: Some(sticks), far: false })
     }
 
     pub(super) fn watch(&self, state: Option<&Equilibrium<C>>) {
         self.far.set(self.far.get() || state.is_some_and(Equilibrium::is_beyond_small_motions));
     }
 
-    /// Whether everything sticks under a force of any direction.
-    fn any_force(&self, load: Wrench<C>, size: f64, point: [f64; C]) -> Result<Trial, Error> {
+    /// Whether everything sticks under a force of any direction, at rest and with the load alone, too; `None` where that is not asked and not so.
+    fn any_force(
+        &self,
+        load: Wrench<C>,
+        size: f64,
+        point: [f64; C],
+        demand: Demand,
+    ) -> Result<Option<Trial>, Error> {
         let base = &(self.base + load);
-        Ok(match self.grasp.weakest_direction(base, point)? {
-            WeakestDirection::Never => Trial::Does,
-            WeakestDirection::Force { size: most, .. } if most >= size => Trial::Does,
+        let at_rest = self.judged(&self.grasp.hold(Ramp::load(self.base, load))?, Demand::Sticks);
+        if !at_rest.does() {
+            return Ok((demand == Demand::Sticks).then_some(match at_rest {
+                Trial::DoesNot { says, carried } => Trial::DoesNot { says, carried: carried - 1.0 },
+                other => other,
+            }));
+        }
+        Ok(Some(match self.grasp.weakest_direction(base, point)? {
+            WeakestDirection::Never => Trial::always(),
+            WeakestDirection::Force { size: most, .. } if most >= size => {
+                Trial::Does { carried: most / size }
+            }
+            WeakestDirection::Force { .. } if demand != Demand::Sticks => return Ok(None),
             WeakestDirection::Force { load, size: most, .. } => {
                 let first = self.grasp.hold(Ramp::load(*base, load - *base))?;
                 self.watch(first.state.as_deref());
@@ -173,19 +268,11 @@ impl<const C: usize> Loading<C> {
                 Trial::DoesNot { says: format!("{who} under a force of one direction"), carried: most / size }
             }
             WeakestDirection::GivesWay { .. } => Trial::nothing("nothing resists a force of one direction"),
-            WeakestDirection::NotSticking => {
-                // Put on, what is not held is told by its path; at rest it would be searched for.
-                let put_on = self.grasp.hold(Ramp::load(self.base, load))?;
-                match self.judged(&put_on, Demand::Sticks) {
-                    Trial::DoesNot { says, carried } => Trial::DoesNot { says, carried: carried - 1.0 },
-                    Trial::Does => Trial::Unknown(OPEN.to_owned()),
-                    unknown @ Trial::Unknown(_) => unknown,
-                }
-            }
+            WeakestDirection::NotSticking => Trial::Unknown(OPEN.to_owned()),
             WeakestDirection::Undecided => {
                 Trial::Unknown("rounding keeps the weakest direction from being told".to_owned())
             }
-        })
+        }))
     }
 
     pub(super) fn said(&self, what: &impl fmt::Display) -> String {
@@ -199,7 +286,14 @@ impl<const C: usize> Loading<C> {
             _ => verdict.holds(),
         };
         match does {
-            Some(true) => Trial::Does,
+            Some(true) => {
+                let lost = verdict.lost.as_ref().map(|lost| lost.factor);
+                // What was followed to the end is carried at least so far.
+                let held = lost.or((verdict.held_to < self.followed).then_some(verdict.held_to));
+                let slides = verdict.first_slip.as_ref().map(|first| first.factor);
+                let carried = if demand == Demand::Sticks { slides.or(held) } else { held };
+                Trial::Does { carried: carried.map_or(f64::INFINITY, |carried| carried.max(1.0)) }
+            }
             Some(false) => {
                 let (says, part) = match (&verdict.first_slip, verdict.holds()) {
                     (Some(first), Some(true)) => (self.said(first), first.factor),
@@ -223,7 +317,7 @@ impl<const C: usize> Loading<C> {
         let part_of_it = |says: String, angle: f64| Trial::DoesNot { says, carried: angle / turn.angle() };
         if demand == Demand::Sticks {
             return Ok(match self.grasp.onset_of_turn(turn)?.onset {
-                Onset::Never => Trial::Does,
+                Onset::Never => Trial::always(),
                 Onset::Undecided(undecided) => Trial::Unknown(self.said(&undecided)),
                 Onset::At(event) => {
                     part_of_it(format!("something slides at {}", degrees(event.factor)), event.factor)
@@ -239,7 +333,7 @@ impl<const C: usize> Loading<C> {
         path.run();
         self.watch(path.state().as_ref());
         Ok(match path.end() {
-            Some(PathEnd::Completed) => Trial::Does,
+            Some(PathEnd::Completed) => Trial::always(),
             Some(PathEnd::Lost(loss)) => {
                 let angle = loss.fraction * turn.angle();
                 part_of_it(format!("it is lost at {}", degrees(angle)), angle)

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use super::answer::{Amount, AmountWindow, Needed, Press, Quantity};
+use super::answer::{Amount, AmountWindow, Needed, Press, PressedBy, Quantity};
 use super::question::Demand;
 use crate::prelude::*;
 use crate::words::{TOO_FAR, Words, listed, printable};
@@ -22,34 +22,46 @@ impl fmt::Display for Needed {
 impl Needed {
     fn amount(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
-        let aim = match self.demand {
+        let (is_least, how) = (self.quantity.is_least(), self.demand);
+        let aim = match how {
             Demand::Sticks => "nothing slides",
-            Demand::Held => "it is not lost",
+            Demand::Held if is_least => "it holds",
+            Demand::Held => "holds",
             Demand::Rests => "it comes to rest however often the load is put on",
             Demand::Stays => "it does not walk however often the load is put on",
         };
         match &self.amount {
-            Amount::Bound { does, otherwise, changes, until, elsewhere, presses, at_their_limit, .. } => {
-                let mut much = self.quantity.much(words, *does, presses);
-                if let Some(force) = self.force {
-                    much = format!("{much}, {} N,", words.number(does * force));
-                }
-                if self.quantity.is_least() {
+            Amount::Bound {
+                does,
+                otherwise,
+                unknown,
+                changes,
+                until,
+                elsewhere,
+                presses,
+                at_their_limit,
+                ..
+            } => {
+                let much = self.much(words, *does, presses);
+                if is_least {
                     write!(f, "NEEDS {much} so that {aim}")?;
                 } else {
                     write!(f, "TAKES {much} and {aim}")?;
                 }
-                self.safe_amount(f, *does, presses)?;
-                write!(f, ". With {} {otherwise}", if self.quantity.is_least() { "less:" } else { "more:" })?;
+                let is_one_amount = self.beside(f, *does)?;
+                self.safe_amount(f, (*does, presses), is_one_amount)?;
+                write!(f, ". With {} {otherwise}", if is_least { "less:" } else { "more:" })?;
+                if let Some(unknown) = unknown {
+                    write!(f, ". With {} it is not known", self.short(words, *unknown, &[]))?;
+                }
                 if let Some(limit) = at_limit(at_their_limit) {
                     write!(f, ". At rest {limit}")?;
                 }
                 let mut told = 1;
                 if let Some(end) = until {
                     told += 1;
-                    let [more, too] =
-                        if self.quantity.is_least() { ["More", "much"] } else { ["Less", "little"] };
-                    let much = self.quantity.much(words, end.does, &end.presses);
+                    let [more, too] = if is_least { ["More", "much"] } else { ["Less", "little"] };
+                    let much = self.much(words, end.does, &end.presses);
                     write!(f, ". {more} than {much} is too {too}: {}", end.otherwise)?;
                     if let Some(limit) = at_limit(&end.at_their_limit) {
                         write!(f, ". There, at rest, {limit}")?;
@@ -57,9 +69,9 @@ impl Needed {
                 }
                 for window in elsewhere {
                     told += [window.from, window.to].iter().flatten().count();
-                    let much = |amount: f64| self.quantity.much(words, amount, &[]);
+                    let much = |amount: f64| self.much(words, amount, &[]);
                     let range = match (window.from, window.to) {
-                        (Some(from), Some(to)) => self.quantity.range(words, from, to),
+                        (Some(from), Some(to)) => self.range(words, from, to),
                         (Some(one), None) => format!("{} and more", much(one)),
                         (None, one) => format!("{} and less", much(one.unwrap_or(0.0))),
                     };
@@ -68,36 +80,107 @@ impl Needed {
                 if *changes > told {
                     write!(f, ". The verdict changes {changes} times among the amounts that were looked at")?;
                 }
-                Ok(())
             }
-            Amount::Any { to } if self.quantity.is_least() => {
-                write!(f, "NEEDS none: {aim} down to {}", self.quantity.much(words, roughly(*to, true), &[]))
+            Amount::Any { .. } if self.has_no_squeeze() => write!(f, "NEEDS no squeeze: {aim}")?,
+            Amount::Any { to } if is_least => {
+                write!(f, "NEEDS none: {aim} down to {}", self.much(words, roughly(*to, true), &[]))?;
+                self.beside(f, *to)?;
             }
             Amount::Any { to } => {
-                let to = if self.quantity == Quantity::Angle { *to } else { roughly(*to, false) };
-                write!(f, "TAKES any: {aim} up to {}", self.quantity.much(words, to, &[]))
+                let amount = if self.quantity == Quantity::Angle { *to } else { roughly(*to, false) };
+                let aim = if how == Demand::Held { "it holds" } else { aim };
+                write!(f, "TAKES any: {aim} up to {}", self.much(words, amount, &[]))?;
+                self.beside(f, *to)?;
             }
-            Amount::None { from, to, best, otherwise } => {
+            Amount::None { otherwise, .. } if self.has_no_squeeze() => {
+                write!(f, "NO squeeze does: {otherwise}")?;
+            }
+            Amount::None { from, to, best, tried, is_proved, otherwise } => {
                 let range = match self.quantity {
-                    Quantity::Angle => self.quantity.range(words, *from, *to),
-                    quantity => quantity.range(words, roughly(*from, true), roughly(*to, false)),
+                    Quantity::Angle => self.range(words, *from, *to),
+                    _ => self.range(words, roughly(*from, true), roughly(*to, false)),
                 };
-                let best = self.quantity.much(words, *best, &[]);
-                write!(f, "NO {} does, from {range}. With {best}: {otherwise}", self.quantity)
+                let best = self.much(words, *best, &[]);
+                let what = self.quantity;
+                if *is_proved {
+                    write!(
+                        f,
+                        "NO {what} does, from {range}: no forces of the contacts balance the load with any"
+                    )?;
+                } else {
+                    write!(f, "NO {what} that was tried does, of {tried} from {range}")?;
+                }
+                write!(f, ". With {best}: {otherwise}")?;
             }
             Amount::Undecided { at, doubt } => {
-                write!(f, "UNDECIDED at {}: {doubt}", self.quantity.much(words, *at, &[]))
+                write!(f, "UNDECIDED at {}: {doubt}", self.much(words, *at, &[]))?;
             }
+        }
+        match &self.of {
+            _ if !self.in_place_of_squeeze => Ok(()),
+            None => f.write_str(". Nothing presses by command: what does is sought as a force, by its name"),
+            Some(PressedBy { part: Some(part), .. }) => {
+                write!(
+                    f,
+                    ". Nothing presses by command, so that there is no squeeze to seek; the load on {} presses",
+                    printable(part)
+                )
+            }
+            Some(_) => f.write_str(
+                ". Nothing presses by command, so that there is no squeeze to seek; the load at rest presses",
+            ),
         }
     }
 
-    /// What is safe where friction and squeeze are less than said.
-    fn safe_amount(&self, f: &mut fmt::Formatter<'_>, does: f64, presses: &[Press]) -> fmt::Result {
+    /// Whether a squeeze is sought where nothing presses that one could be.
+    fn has_no_squeeze(&self) -> bool {
+        self.in_place_of_squeeze && self.quantity == Quantity::Squeeze
+    }
+
+    /// With how much nothing slides, beside with how much it holds. Returns whether both are one.
+    fn beside(&self, f: &mut fmt::Formatter<'_>, does: f64) -> Result<bool, fmt::Error> {
+        let words = Words::of(f);
+        let is_least = self.quantity.is_least();
+        match &self.sticks {
+            None => return Ok(true),
+            Some(Amount::Bound { does: sticks, .. }) if (sticks - does).abs() <= ALIKE * does.abs() => {
+                f.write_str(if is_least { " and nothing slides" } else { ", and nothing slides" })?;
+                return Ok(true);
+            }
+            Some(Amount::Bound { does: sticks, presses, .. }) => {
+                let much = self.short(words, *sticks, presses);
+                write!(
+                    f,
+                    ", {much} {}",
+                    if is_least { "so that nothing slides" } else { "and nothing slides" }
+                )?;
+            }
+            Some(Amount::Any { .. }) => {
+                f.write_str(", and nothing slides")?;
+                return Ok(true);
+            }
+            Some(Amount::None { .. }) => f.write_str(", and something slides with any amount")?,
+            Some(Amount::Undecided { .. }) => f.write_str("; with how much nothing slides is not known")?,
+        }
+        Ok(false)
+    }
+
+    /// What is safe where friction and squeeze are less than said, or loads are larger.
+    fn safe_amount(
+        &self,
+        f: &mut fmt::Formatter<'_>,
+        (does, presses): (f64, &[Press]),
+        is_one_amount: bool,
+    ) -> fmt::Result {
         let words = Words::of(f);
         let less = [("friction", self.lower[0]), ("the squeeze", self.lower[1])];
         let less = less.into_iter().filter(|(_, part)| *part > 0.0);
-        let less: Vec<_> =
+        let mut less: Vec<_> =
             less.map(|(what, part)| format!("{what} is {} % less", words.number(100.0 * part))).collect();
+        if self.safety != 1.0 {
+            less.push(format!("the load is {} times as large", words.number(self.safety)));
+        }
+        let (if_less, takes) = (listed(&less), if self.quantity.is_least() { "needs" } else { "takes" });
         match &self.safe {
             Some(Amount::Bound { does: safe, presses: safe_presses, .. }) => {
                 let much = match (alike(presses), alike(safe_presses)) {
@@ -105,9 +188,10 @@ impl Needed {
                     (Some(one), Some(other)) if (one - other).abs() <= ALIKE * one.abs() && *safe != does => {
                         format!("{} times that command", words.number(safe / does))
                     }
-                    (Some(_), Some(force)) => format!("{} N", words.number(force)),
-                    _ if presses.is_empty() => self.quantity.much(words, *safe, &[]),
-                    _ => format!("{} times as much", words.number(safe / does)),
+                    (None, _) if !presses.is_empty() => {
+                        format!("{} times as much", words.number(safe / does))
+                    }
+                    _ => self.short(words, *safe, safe_presses),
                 };
                 // What is safe against less may be too much, or too little, for what was given.
                 let beside = if self.amount.takes(*safe, self.quantity.is_least()) {
@@ -115,12 +199,109 @@ impl Needed {
                 } else {
                     " (which does not do as given)"
                 };
-                write!(f, ", {much} if {}{beside}", listed(&less))
+                if is_one_amount {
+                    write!(f, ", {much} if {if_less}{beside}")
+                } else {
+                    write!(f, ". It {takes} {much} if {if_less}{beside}")
+                }
             }
-            Some(Amount::None { .. }) => write!(f, ", and no amount does if {}", listed(&less)),
-            Some(Amount::Undecided { .. }) => write!(f, ", and it is not known if {}", listed(&less)),
+            Some(Amount::None { .. }) if is_one_amount => write!(f, ", and no amount does if {if_less}"),
+            Some(Amount::None { .. }) => write!(f, ". No amount does if {if_less}"),
+            Some(Amount::Undecided { .. }) if is_one_amount => {
+                write!(f, ", and it is not known if {if_less}")
+            }
+            Some(Amount::Undecided { .. }) => write!(f, ". It is not known how much it {takes} if {if_less}"),
             Some(Amount::Any { .. }) | None => Ok(()),
         }
+    }
+
+    /// "0.1 to 3 times the load".
+    fn range(&self, words: Words, from: f64, to: f64) -> String {
+        let [low, high] = [from, to].map(|amount| words.number(amount));
+        match self.quantity {
+            Quantity::Squeeze => format!("{low} to {high} times the squeeze given"),
+            Quantity::Friction => format!("{low} to {high}"),
+            Quantity::Load => format!("{low} to {high} times the load"),
+            Quantity::Arm => format!("{low} m to {high} m"),
+            Quantity::Angle => format!("{} to {}", words.angle(from), words.angle(to)),
+            Quantity::Force => match self.of.as_ref().and_then(PressedBy::unit_size) {
+                Some((size, unit)) => format!(
+                    "{} to {} {unit}{}",
+                    words.number(size * from),
+                    words.number(size * to),
+                    self.at()
+                ),
+                None => format!("{low} to {high} times the load given{}", self.at()),
+            },
+        }
+    }
+
+    /// An amount in the unit that people set, with where it is.
+    fn much(&self, words: Words, amount: f64, presses: &[Press]) -> String {
+        match self.quantity {
+            Quantity::Squeeze => {
+                let times = format!("{} times the squeeze given", words.number(amount));
+                if presses.is_empty() {
+                    return times;
+                }
+                if let Some(force) = alike(presses) {
+                    let names: Vec<_> = presses.iter().map(|press| press.part.text()).collect();
+                    let at = if names.len() > MANY { "every contact".to_owned() } else { listed(&names) };
+                    return format!("{} N at {at}", words.number(force));
+                }
+                let each = presses
+                    .iter()
+                    .map(|press| format!("{} N at {}", words.number(press.force), press.part.text()));
+                if presses.len() > MANY {
+                    times
+                } else {
+                    format!("{} ({times})", listed(&each.collect::<Vec<_>>()))
+                }
+            }
+            Quantity::Friction => format!("a coefficient of friction of {}", words.number(amount)),
+            Quantity::Load => match self.force {
+                Some(force) => {
+                    format!("{}, {} N,", self.short(words, amount, &[]), words.number(amount * force))
+                }
+                None => self.short(words, amount, &[]),
+            },
+            Quantity::Arm => format!("an arm of {} m", words.number(amount)),
+            Quantity::Angle | Quantity::Force => format!("{}{}", self.short(words, amount, &[]), self.at()),
+        }
+    }
+
+    /// The same where it was said before where it is.
+    fn short(&self, words: Words, amount: f64, presses: &[Press]) -> String {
+        match self.quantity {
+            Quantity::Squeeze => match alike(presses) {
+                Some(force) => format!("{} N", words.number(force)),
+                None => format!("{} times the squeeze given", words.number(amount)),
+            },
+            Quantity::Friction => words.number(amount),
+            Quantity::Load => format!("{} times the load", words.number(amount)),
+            Quantity::Arm => format!("{} m", words.number(amount)),
+            Quantity::Angle => format!("{}°", words.number(amount.to_degrees())),
+            Quantity::Force => match self.of.as_ref().and_then(PressedBy::unit_size) {
+                Some((size, unit)) => format!("{} {unit}", words.number(amount * size)),
+                None => format!("{} times what is given", words.number(amount)),
+            },
+        }
+    }
+
+    /// " on jaw".
+    fn at(&self) -> String {
+        match &self.of {
+            None => String::new(),
+            Some(PressedBy { part: Some(part), is_body: true, .. }) => format!(" on {}", printable(part)),
+            Some(PressedBy { part: Some(part), .. }) => format!(" at {}", printable(part)),
+            Some(_) => " at rest".to_owned(),
+        }
+    }
+}
+
+impl PressedBy {
+    fn unit_size(&self) -> Option<(f64, &str)> {
+        Some((self.size?, self.unit.as_deref()?))
     }
 }
 
@@ -167,48 +348,6 @@ fn alike(presses: &[Press]) -> Option<f64> {
     presses.iter().all(|press| (press.force - first).abs() <= ALIKE * first.abs()).then_some(first)
 }
 
-impl Quantity {
-    /// "0.1 to 3 times the load".
-    fn range(self, words: Words, from: f64, to: f64) -> String {
-        let [low, high] = [from, to].map(|amount| words.number(amount));
-        match self {
-            Self::Squeeze => format!("{low} to {high} times the squeeze given"),
-            Self::Friction => format!("{low} to {high}"),
-            Self::Load => format!("{low} to {high} times the load"),
-            Self::Arm => format!("{low} m to {high} m"),
-            Self::Angle => format!("{} to {}", words.angle(from), words.angle(to)),
-        }
-    }
-
-    fn much(self, words: Words, amount: f64, presses: &[Press]) -> String {
-        match self {
-            Self::Squeeze => {
-                let times = format!("{} times the squeeze given", words.number(amount));
-                if presses.is_empty() {
-                    return times;
-                }
-                if let Some(force) = alike(presses) {
-                    let names: Vec<_> = presses.iter().map(|press| press.part.text()).collect();
-                    let at = if names.len() > MANY { "every contact".to_owned() } else { listed(&names) };
-                    return format!("{} N at {at}", words.number(force));
-                }
-                let each = presses
-                    .iter()
-                    .map(|press| format!("{} N at {}", words.number(press.force), press.part.text()));
-                if presses.len() > MANY {
-                    times
-                } else {
-                    format!("{} ({times})", listed(&each.collect::<Vec<_>>()))
-                }
-            }
-            Self::Friction => format!("a coefficient of friction of {}", words.number(amount)),
-            Self::Load => format!("{} times the load", words.number(amount)),
-            Self::Arm => format!("an arm of {} m", words.number(amount)),
-            Self::Angle => format!("{}°", words.number(amount.to_degrees())),
-        }
-    }
-}
-
 impl fmt::Display for Quantity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
@@ -217,6 +356,7 @@ impl fmt::Display for Quantity {
             Self::Load => "multiple of the load",
             Self::Arm => "arm",
             Self::Angle => "angle",
+            Self::Force => "force",
         })
     }
 }

@@ -28,7 +28,7 @@ use crate::squeeze::Loads;
 ///     }
 /// }"#)?;
 /// let answers = serde_json::to_value(scene.answers()?)?;
-/// assert_eq!(answers[0]["need"]["says"], "NEEDS 12 N at left and right so that nothing slides, 12.6316 N if the squeeze is 5 % less. With less: left and right slide");
+/// assert_eq!(answers[0]["need"]["says"], "NEEDS 12 N at left and right so that it holds and nothing slides, 12.6316 N if the squeeze is 5 % less. With less: left and right slide");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -37,7 +37,7 @@ use crate::squeeze::Loads;
 pub struct NeedAsked<const C: usize> {
     /// What is sought.
     pub quantity: Quantity,
-    /// What is to be kept: nothing slides unless said otherwise.
+    /// What is to be kept: it is held unless said otherwise, and with how much nothing slides is told beside it.
     #[serde(default)]
     pub demand: Demand,
     /// What acts besides, whatever the amount.
@@ -65,28 +65,29 @@ pub struct NeedAsked<const C: usize> {
     /// Of friction: the contact that it is sought of, from 0; all if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub contact: Option<usize>,
+    /// Of a force: the body whose load it is, or the contact, link or joint whose command or force; the load at rest, `base`, if left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub of: Option<String>,
     /// Of several bodies those that have loads which grow with the one load; then without a base.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub together_with: BTreeMap<String, Wrench<C>>,
-    /// For the safe amount: friction may be less by this part.
-    #[serde(default = "a_tenth")]
-    pub friction_less: f64,
-    /// The squeeze may be less by this part.
-    #[serde(default = "a_twentieth")]
-    pub squeeze_less: f64,
+    /// For the safe amount: loads may be so many times as large.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub safety: Option<f64>,
+    /// For the safe amount: friction may be less by this part; a tenth if left out, nothing beside `safety`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub friction_less: Option<f64>,
+    /// The squeeze may be less by this part; a twentieth if left out, nothing beside `safety`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub squeeze_less: Option<f64>,
 }
 
 fn wrong(field: &'static str, fault: &'static str) -> Error {
     Error::Question { question: "need", field, fault }
 }
 
-const fn a_tenth() -> f64 {
-    0.1
-}
-
-const fn a_twentieth() -> f64 {
-    0.05
-}
+/// By what friction and squeeze may be less where nothing else is said.
+const LESS: [f64; 2] = [0.1, 0.05];
 
 impl<const C: usize> NeedAsked<C> {
     /// A question for a quantity, for no loads yet.
@@ -94,7 +95,7 @@ impl<const C: usize> NeedAsked<C> {
     pub fn of(quantity: Quantity) -> Self {
         Self {
             quantity,
-            demand: Demand::Sticks,
+            demand: Demand::default(),
             base: None,
             load: None,
             loads: Vec::new(),
@@ -103,9 +104,11 @@ impl<const C: usize> NeedAsked<C> {
             turn: None,
             per_metre: None,
             contact: None,
+            of: None,
             together_with: BTreeMap::new(),
-            friction_less: a_tenth(),
-            squeeze_less: a_twentieth(),
+            safety: None,
+            friction_less: None,
+            squeeze_less: None,
         }
     }
 
@@ -147,7 +150,7 @@ impl<const C: usize> NeedAsked<C> {
     /// The load, where it is the only one and its amount or what holds it is sought.
     pub(super) fn only_load(&self) -> Option<Wrench<C>> {
         let others = self.loads.is_empty() && self.any_force.is_none() && self.turn.is_none();
-        let sought = matches!(self.quantity, Quantity::Squeeze | Quantity::Load | Quantity::Friction);
+        let sought = !matches!(self.quantity, Quantity::Arm | Quantity::Angle);
         self.load.filter(|_| others && sought)
     }
 
@@ -177,6 +180,12 @@ impl<const C: usize> Setup<C> {
                 "contact",
                 "is given, must be left out unless friction is sought",
             ),
+            (
+                asked.of.is_some(),
+                Quantity::Force,
+                "of",
+                "is given, must be left out unless a force is sought",
+            ),
         ];
         if let Some((.., field, fault)) =
             of_its_own.iter().find(|(given, of, ..)| *given && *of != asked.quantity)
@@ -192,6 +201,10 @@ impl<const C: usize> Setup<C> {
         let need = match asked.quantity {
             Quantity::Squeeze => Need::squeeze(asked.loads()?),
             Quantity::Load => Need::load(asked.loads()?),
+            Quantity::Force => match &asked.of {
+                Some(part) => Need::force(part.as_str(), asked.loads()?),
+                None => Need::load_at_rest(asked.loads()?),
+            },
             Quantity::Friction => match asked.contact {
                 None => Need::friction(asked.loads()?),
                 Some(contact) => Need::friction_of(self.points_of(contact)?, asked.loads()?),
@@ -209,11 +222,13 @@ impl<const C: usize> Setup<C> {
                 Need::angle(asked.turn.ok_or_else(|| wrong("turn", missing))?)
             }
         };
+        let need = need.on_top_of(asked.base.unwrap_or(Wrench::ZERO));
+        let [friction, squeeze] = if asked.safety.is_some() { [0.0; 2] } else { LESS };
         let need = need
-            .on_top_of(asked.base.unwrap_or(Wrench::ZERO))
-            .if_lower_by(asked.friction_less, asked.squeeze_less);
+            .with_safety(asked.safety.unwrap_or(1.0))
+            .if_lower_by(asked.friction_less.unwrap_or(friction), asked.squeeze_less.unwrap_or(squeeze));
         let need = match asked.demand {
-            Demand::Sticks => need,
+            Demand::Sticks => need.to_stick(),
             Demand::Held => need.to_hold(),
             Demand::Rests => need.to_rest(),
             Demand::Stays => need.to_stay(),

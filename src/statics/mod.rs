@@ -14,8 +14,10 @@
 //! | `budget` | bounds of the normal forces, and the scale of moments |
 //! | `wrench_set` | the wrenches within a budget, by their support points |
 //! | `ferrari_canny` | the largest ball in that set |
+//! | `balance` | a motion which proves that no forces balance a load |
 //! | `load_limit` | the largest multiple of a load in it |
 
+mod balance;
 mod budget;
 mod closure;
 mod ferrari_canny;

@@ -10,7 +10,7 @@ use crate::identifies::Identifies;
 use crate::map::Unsure;
 use crate::new::{FIELDS, Template};
 pub(crate) use crate::numbers::{BodyPush, Numbers};
-use crate::numbers::{acceleration, count, kilograms, newtons, percent};
+use crate::numbers::{acceleration, count, kilograms, newtons, percent, times};
 
 /// Does the grasp hold? At which load does a contact start to slide, and what comes after?
 ///
@@ -305,7 +305,13 @@ pub(crate) struct Wanted {
     /// Of friction: the contact that it is sought of, by name.
     #[arg(long)]
     pub(crate) contact: Option<String>,
-    /// Contacts may slide, as long as the object is not lost.
+    /// Of a force: the body whose load is sought, or the contact, link or joint whose command or force is; the load at rest (--base) if left out.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) of: Option<String>,
+    /// With how much nothing slides, alone; without it that stands beside what holds.
+    #[arg(long, conflicts_with_all = ["may_slide", "repeats"])]
+    pub(crate) sticks: bool,
+    /// Contacts may slide, as long as the object is held, which is the default; beside --repeats they may slide to and fro for ever.
     #[arg(long)]
     pub(crate) may_slide: bool,
     /// The load is put on and taken off again and again, until it comes to rest; with --may-slide it only must not walk.
@@ -314,12 +320,15 @@ pub(crate) struct Wanted {
     /// Accelerations of this size, m/s², to and fro along every axis in turn, beside the weight of --mass, or of bodies with masses under gravity.
     #[arg(long, allow_hyphen_values = true, value_parser = acceleration, value_name = "A")]
     pub(crate) acceleration: Option<f64>,
-    /// For the safe amount friction is less by so many percent.
-    #[arg(long, allow_hyphen_values = true, value_parser = percent, default_value_t = 10.0, value_name = "PERCENT")]
-    pub(crate) friction_less: f64,
-    /// For the safe amount the squeeze is less by so many percent.
-    #[arg(long, allow_hyphen_values = true, value_parser = percent, default_value_t = 5.0, value_name = "PERCENT")]
-    pub(crate) squeeze_less: f64,
+    /// For the safe amount the load is so many times as large.
+    #[arg(long, allow_hyphen_values = true, value_parser = times, value_name = "TIMES")]
+    pub(crate) safety: Option<f64>,
+    /// For the safe amount friction is less by so many percent; 10 if left out, 0 beside --safety.
+    #[arg(long, allow_hyphen_values = true, value_parser = percent, value_name = "PERCENT")]
+    pub(crate) friction_less: Option<f64>,
+    /// For the safe amount the squeeze is less by so many percent; 5 if left out, 0 beside --safety.
+    #[arg(long, allow_hyphen_values = true, value_parser = percent, value_name = "PERCENT")]
+    pub(crate) squeeze_less: Option<f64>,
 }
 
 /// A quantity that `need` seeks.
@@ -335,6 +344,8 @@ pub(crate) enum QuantityAsked {
     Arm,
     /// The largest angle by which the load may be tilted.
     Angle,
+    /// The least load of a body, lever or screw, or command of one contact or cable.
+    Force,
 }
 
 /// A load that replaces those of the scene.

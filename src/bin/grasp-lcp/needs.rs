@@ -26,15 +26,18 @@ impl<const C: usize> Meaning<C> {
             QuantityAsked::Load => Quantity::Load,
             QuantityAsked::Arm => Quantity::Arm,
             QuantityAsked::Angle => Quantity::Angle,
+            QuantityAsked::Force => Quantity::Force,
         });
-        asked.friction_less = 0.01 * wanted.friction_less;
-        asked.squeeze_less = 0.01 * wanted.squeeze_less;
+        asked.of.clone_from(&wanted.of);
+        asked.safety = wanted.safety;
+        [asked.friction_less, asked.squeeze_less] =
+            [wanted.friction_less, wanted.squeeze_less].map(|percent| percent.map(|percent| 0.01 * percent));
         if wanted.base.is_some() {
             asked.base = Some(self.base(wanted.base.as_ref(), wanted.load.at.as_ref())?);
         }
         asked.demand = match (wanted.repeats, wanted.may_slide) {
-            (false, false) => Demand::Sticks,
-            (false, true) => Demand::Held,
+            (false, _) if wanted.sticks => Demand::Sticks,
+            (false, _) => Demand::Held,
             (true, false) => Demand::Rests,
             (true, true) => Demand::Stays,
         };
@@ -107,6 +110,7 @@ fn refuse_others(wanted: &Wanted, sought: QuantityAsked) -> Result<(), Failure> 
         (wanted.along.is_some(), QuantityAsked::Arm, "--along", "an arm"),
         (wanted.axis.is_some(), QuantityAsked::Angle, "--axis", "an angle"),
         (wanted.contact.is_some(), QuantityAsked::Friction, "--contact", "friction"),
+        (wanted.of.is_some(), QuantityAsked::Force, "--of", "a force"),
     ];
     if let Some((.., option, of)) = of_its_own.iter().find(|(given, of, ..)| *given && *of != sought) {
         return Err(Failure::Usage(format!("{option}: given, must be left out unless {of} is sought")));

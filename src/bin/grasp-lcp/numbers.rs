@@ -75,6 +75,11 @@ pub(crate) fn percent(text: &str) -> Result<f64, String> {
     within(text, 0.0..=100.0_f64.next_down(), "a number of percent, from 0 to less than 100, such as 10")
 }
 
+/// How many times as large a load may be.
+pub(crate) fn times(text: &str) -> Result<f64, String> {
+    within(text, f64::MIN_POSITIVE..=1e6, "how many times, above 0, at most 1e6, such as 2")
+}
+
 /// Standard deviations in reserve.
 pub(crate) fn deviations(text: &str) -> Result<f64, String> {
     within(text, f64::MIN_POSITIVE..=8.0, "a number of standard deviations, above 0, at most 8")

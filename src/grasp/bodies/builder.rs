@@ -167,7 +167,8 @@ impl<const C: usize> Bodies<C> {
             Loaded::First | Loaded::Body(_) => Sharing::OnObject,
         };
         let loads = bodies.iter().map(|body| body.load + body.weight(&gravity)).collect();
-        Ok((hand, PlacedBodies::new(names, object, loads, sharing)))
+        let given = bodies.iter().map(|body| body.load).collect();
+        Ok((hand, PlacedBodies::new(names, object, (loads, given), sharing)))
     }
 }
 

@@ -43,6 +43,8 @@ pub(crate) struct PlacedBodies<const C: usize> {
     pub(crate) object: usize,
     /// Constant load on each body, in addition to the loads of questions.
     pub(crate) loads: Vec<Wrench<C>>,
+    /// The part of `loads` that was given as loads, without weights.
+    pub(crate) given: Vec<Wrench<C>>,
     /// The part of `loads` that a load program has applied; usually empty.
     pub(super) put_on: Vec<Wrench<C>>,
     pub(super) sharing: Sharing<C>,
@@ -55,10 +57,11 @@ impl<const C: usize> PlacedBodies<C> {
     pub(super) fn new(
         names: Vec<Arc<str>>,
         object: usize,
-        loads: Vec<Wrench<C>>,
+        (loads, given): (Vec<Wrench<C>>, Vec<Wrench<C>>),
         sharing: Sharing<C>,
     ) -> Self {
-        Self { names, object, loads, put_on: Vec::new(), sharing, places: Vec::new(), sides: Vec::new() }
+        let (put_on, places, sides) = (Vec::new(), Vec::new(), Vec::new());
+        Self { names, object, loads, given, put_on, sharing, places, sides }
     }
 
     /// Assigns coordinates to every body, beginning at `first`, and returns the first index after them.

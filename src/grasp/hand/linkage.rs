@@ -122,11 +122,14 @@ impl<D: Size, const C: usize> Linkage<D, C> {
     /// Multiplies commands, and torques that hold joints, by `factor`.
     pub(crate) fn squeeze(&mut self, factor: f64) {
         self.commands.iter_mut().for_each(|command| *command *= factor);
-        for (j, joint) in self.joints.iter_mut().enumerate() {
-            let k = of_the_object::<C>() + j;
-            self.held[k] += (factor - 1.0) * (joint.held / self.lengths[k]);
-            joint.held *= factor;
-        }
+        (0..self.joints.len()).for_each(|joint| self.hold_joint(joint, factor));
+    }
+
+    /// With the torque that holds a joint so many times as large.
+    pub(crate) fn hold_joint(&mut self, joint: usize, factor: f64) {
+        let (k, joint) = (of_the_object::<C>() + joint, &mut self.joints[joint]);
+        self.held[k] += (factor - 1.0) * (joint.held / self.lengths[k]);
+        joint.held *= factor;
     }
 
     /// Replaces the forces that hold contacts by those of `now`.

@@ -1,0 +1,113 @@
+//! What presses in a grasp, and the same grasp where one part of it presses so many times as much.
+
+use super::engine::Engine;
+use super::whole_contact::WholeContacts;
+use super::wrench::Wrench;
+use crate::error::{Error, MODERATE, is_moderate};
+use crate::numerics::Size;
+use crate::prelude::*;
+use crate::words::{listed, printable};
+
+/// A part that presses: a body by its load, or a contact, a cable or a joint by its command.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Pressing {
+    pub(crate) name: String,
+    pub(crate) is_body: bool,
+    /// The size of its force or moment with the unit, where it is one.
+    pub(crate) size: Option<(f64, &'static str)>,
+}
+
+impl<D: Size, const C: usize> Engine<D, C> {
+    /// Whether some command, some held force or some vacuum presses, all of which a squeeze scales.
+    pub(crate) fn is_squeezed(&self) -> bool {
+        let commanded = |i: usize| {
+            let contact = &self.contacts[i];
+            contact.command.amax() > 0.0 || contact.force.unwrap_or(0.0) != 0.0 || contact.suction != 0.0
+        };
+        let by_joints = self.linkage().is_some_and(|linkage| {
+            linkage.commands.iter().any(|command| *command != 0.0)
+                || linkage.joints.iter().any(|joint| joint.held != 0.0)
+        });
+        by_joints || (0..self.len()).any(commanded)
+    }
+
+    /// Whether everything that acts beside the loads of questions is in proportion to the squeeze. Then twice the squeeze takes twice the load.
+    pub(crate) fn is_proportional(&self) -> bool {
+        let stays = self.linkage().is_some_and(|linkage| {
+            let loads = linkage.bodies.as_ref().map_or(&[][..], |bodies| &bodies.loads);
+            loads.iter().any(|load| *load != Wrench::ZERO)
+                || linkage.pulled.norm() > 0.0
+                || !linkage.tendons.is_empty()
+                || linkage.joints.iter().any(|joint| joint.limit.is_some())
+        });
+        !stays && self.contacts.iter().all(|contact| contact.clearance == 0.0)
+    }
+
+    /// Bodies whose own loads press.
+    pub(crate) fn loaded_bodies(&self) -> Vec<String> {
+        let Some(bodies) = self.bodies() else { return Vec::new() };
+        let loaded = bodies.names.iter().zip(&bodies.given).filter(|(_, load)| **load != Wrench::ZERO);
+        loaded.map(|(name, _)| name.to_string()).collect()
+    }
+
+    /// The part of this name, and this grasp with what it presses with so many times as large: the load of a body without its weight, the command or
+    /// the force of a contact or a link, the command and the torque of a joint.
+    ///
+    /// # Errors
+    /// [`Error::Part`] where no part has this name, or it presses with nothing.
+    pub(crate) fn scaled(&self, name: &str, factor: f64) -> Result<(Pressing, Self), Error> {
+        if !is_moderate(factor) {
+            return Err(Error::Argument { what: "factor of a force", value: factor, allowed: MODERATE });
+        }
+        let of = |is_body, size| Pressing { name: name.to_owned(), is_body, size };
+        if let Some(bodies) = self.bodies()
+            && let Some(body) = bodies.names.iter().position(|other| **other == *name)
+            && bodies.given[body] != Wrench::ZERO
+        {
+            let given = bodies.given[body];
+            let mut bodies = bodies.clone();
+            bodies.loads[body] = bodies.loads[body] + given * (factor - 1.0);
+            bodies.given[body] = given * factor;
+            return Ok((of(true, given.measure()), self.with_bodies(bodies)));
+        }
+        let parts = WholeContacts::of(&self.contacts).with(&|_| true);
+        if let Some(part) = parts.iter().find(|part| *part.label == *name) {
+            let mut contacts = self.contacts.clone();
+            let (mut size, mut presses) = (Some(0.0), false);
+            let first: usize =
+                parts.iter().take_while(|other| other.contact < part.contact).map(|p| p.of).sum();
+            for contact in &mut contacts[first..first + part.of] {
+                let force = contact
+                    .force
+                    .unwrap_or(contact.suction + contact.stiffness.series()[0] * contact.command[0]);
+                presses |= contact.command.amax() > 0.0 || force != 0.0;
+                size = size.filter(|_| contact.clearance == 0.0).map(|sum| sum + force);
+                contact.command *= factor;
+                contact.force = contact.force.map(|force| force * factor);
+                contact.suction *= factor;
+            }
+            if presses {
+                return Ok((
+                    of(false, size.map(|size: f64| (size.abs(), "N"))),
+                    self.with_data(contacts, &|_| 1.0)?,
+                ));
+            }
+        }
+        if let Some(linkage) = self.linkage()
+            && let Some(joint) = linkage.joints.iter().position(|joint| joint.name.as_deref() == Some(name))
+            && (linkage.commands[joint] != 0.0 || linkage.joints[joint].held != 0.0)
+        {
+            let mut grasp = self.clone();
+            if let Some(linkage) = &mut grasp.linkage {
+                linkage.hold_joint(joint, factor);
+                linkage.commands[joint] *= factor;
+            }
+            return Ok((of(false, None), grasp));
+        }
+        let mut pressing = self.loaded_bodies();
+        let labels = parts.into_iter().map(|part| part.label.to_string());
+        pressing.extend(labels.filter(|label| label != name));
+        let all: Vec<_> = pressing.iter().map(|name| printable(name)).collect();
+        Err(Error::Part { name: name.to_owned(), allowed: listed(&all) })
+    }
+}

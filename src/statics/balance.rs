@@ -1,0 +1,36 @@
+//! Whether any contact forces could balance a load, whatever springs and commands do.
+
+use crate::contact::Polygon;
+use crate::error::Error;
+use crate::grasp::{Engine, Wrench};
+use crate::numerics::{Size, Vector};
+use crate::object::{Load, are_many};
+use crate::prelude::*;
+use crate::proofs::{separating_motion, separating_motion_in_a_band};
+use crate::search::Settings;
+
+impl<D: Size, const C: usize> Engine<D, C> {
+    /// A motion which proves that no contact forces inside their cones balance this load and what acts beside it: no contact force works against
+    /// the motion, and the loads work along it. `None` where no such proof was found.
+    pub(crate) fn unbalanced_along(
+        &self,
+        load: &Wrench<C>,
+        settings: &Settings,
+    ) -> Result<Option<Vec<f64>>, Error> {
+        let load = Load::from(&self.load_alone(load, "load")?);
+        let polygon = Polygon::shared(&settings.cone);
+        let problem = self.problem(polygon, settings.is_round::<C>(), self.drives(), &load);
+        let motion = if are_many(self.size()) {
+            separating_motion_in_a_band(&problem)
+        } else {
+            separating_motion(&problem)
+        };
+        Ok(motion.map(|v| v.as_slice().to_vec()))
+    }
+
+    /// The work of this load and of what acts beside it along such a motion.
+    pub(crate) fn work_along(&self, load: &Wrench<C>, motion: &[f64]) -> Result<f64, Error> {
+        let load = self.load_alone(load, "load")?;
+        Ok(load.dot(&Vector::from_fn(self.size(), |k| motion.get(k).copied().unwrap_or(0.0))))
+    }
+}
