@@ -28,7 +28,7 @@
 //!
 //! ```text
 //! $ grasp-lcp need wedge.json
-//! NEEDS a coefficient of friction of 0.131653 so that nothing slides, a coefficient of friction of 0.146281 if friction is 10 % less and the squeeze is 5 % less. With less: GOES TOO FAR at rest already: left face slips by more than 1 mm, and all this is good for small motions
+//! NEEDS a coefficient of friction of 0.131653 so that it holds and nothing slides, 0.146281 if friction is 10 % less. With less: GOES TOO FAR at rest already: right face slips by more than 1 mm, and all this is good for small motions
 //! ```
 //!
 //! The value is tan 7.5°, however hard the wedge is driven in.
@@ -47,7 +47,7 @@
 //!
 //! ```text
 //! $ grasp-lcp need ladder.json
-//! TAKES an arm of 1.98101 m and it is not lost. With more: TURNS OUT at once, under any part of 950 N: the object turns about (0, 4.532) m. Nothing holds all of it within 0.691007 mm and 0.0158355° of there
+//! TAKES an arm of 1.98101 m and holds, and something slides with every amount that was tried. With more: TURNS OUT at once, under any part of 950 N: the object turns about (-6.9726, 2.266) m. Nothing holds all of it within 0.691007 mm and 0.0158355° of there
 //! ```
 //!
 //! The arm is the horizontal distance from the foot, 4.69 m along the 5 m of the ladder. There friction of foot and wall is used up at the same time.
@@ -56,28 +56,28 @@
 //!
 //! ```text
 //! $ grasp-lcp need fixture.json
-//! NEEDS 204.657 N at lower left, 192.933 N at lower right, 214.652 N at side, 427.898 N at upper clamp and 267.436 N at side clamp (0.534872 times the squeeze given) so that nothing slides, 1.13976 times as much if friction is 10 % less and the squeeze is 5 % less. With less: lower right slides under a force of one direction
+//! NEEDS 72.764 N at lower left, 68.5957 N at lower right, 76.3178 N at side, 152.135 N at upper clamp and 95.0846 N at side clamp (0.190169 times the squeeze given) so that it holds, 0.534872 times the squeeze given so that nothing slides. It needs 1.09912 times as much if friction is 10 % less and the squeeze is 5 % less. With less: TURNS OUT at 100 N of 100 N: the object turns about (-0.03, 0) m, lower left, side, upper clamp and side clamp slide (gross slip). Nothing holds all of it within 15.0896 mm and 20.0253° of there
 //! ```
 //!
 //! # How hard do three fingers have to press to carry a full mug of 400 g?
 //!
 //! ```text
 //! $ grasp-lcp need mug.json squeeze --mass 0.4 --at 0.006,0,-0.02
-//! NEEDS 3.49237 N at thumb, 2.01635 N at index and 2.01635 N at middle (0.349227 times the squeeze given) so that nothing slides, 1.16959 times as much if friction is 10 % less and the squeeze is 5 % less. With less: index and middle slide
+//! NEEDS 3.49237 N at thumb, 2.01635 N at index and 2.01635 N at middle (0.349227 times the squeeze given) so that it holds and nothing slides, 1.16959 times as much if friction is 10 % less and the squeeze is 5 % less. With less: TURNS OUT at 3.924 N of 3.924 N: the object turns about thumb, index and middle slide
 //! ```
 //!
 //! # How far can I tip a bottle before it slips in my hand?
 //!
 //! ```text
 //! $ grasp-lcp need bottle.json
-//! TAKES 36.4669° and nothing slides, 28.2407° if friction is 10 % less and the squeeze is 5 % less. With more: something slides at 36.4669°
+//! TAKES 36.4985° and holds, 36.4669° and nothing slides. It takes 28.3438° if friction is 10 % less and the squeeze is 5 % less. With more: from 36.4985° on it turns by more than 5.7°
 //! ```
 //!
 //! # How hard do I have to pull to get a book out of a row?
 //!
 //! ```text
 //! $ grasp-lcp need book.json
-//! TAKES 7 times the load, 7 N, and it is not lost. With more: SLIPS OUT at 7 N of 7 N: the object moves along −y, left front, left back, right front and right back slide (gross slip). Nothing holds all of it within 0.86424 mm and 0.919513° of there
+//! TAKES 7 times the load, 7 N, and holds, and nothing slides. With more: SLIPS OUT at 7 N of 7 N: the object moves along −y, left front, left back, right front and right back slide (gross slip). Nothing holds all of it within 0.86424 mm and 0.919513° of there
 //! ```
 //!
 //! The book is held at four places with 5 N each and friction 0.35; the load of the scene is 1 N.
@@ -103,7 +103,7 @@
 //!
 //! ```text
 //! $ grasp-lcp need tray.json
-//! TAKES 23.1986° and it is not lost, 23.1986° if friction is 10 % less and the squeeze is 5 % less. With more: it is lost at 23.1986°
+//! TAKES 23.1986° and holds, 12.9946° and nothing slides. It takes 23.1986° if friction is 10 % less. With more: it is lost at 23.1986°
 //! ```
 //!
 //! The glass tips: half its foot of 30 mm over the 70 mm of its centre of mass is tan 23.2°. It would slide at tan⁻¹ 0.5 = 26.6°.

@@ -40,7 +40,7 @@
 //!
 //! ```text
 //! $ grasp-lcp need scissor.json
-//! NEEDS a coefficient of friction of 0.6 so that nothing slides, a coefficient of friction of 0.666667 if friction is 10 % less and the squeeze is 5 % less. With less: SLIPS OUT at once, under any part of 200 N: block moves along −y. Nothing holds all of it within 0.0333333 mm and 0.00763944° of there
+//! NEEDS a coefficient of friction of 0.6 so that it holds and nothing slides, 0.666667 if friction is 10 % less. With less: SLIPS OUT at once, under any part of 200 N: block moves along −y. Nothing holds all of it within 0.0333333 mm and 0.00763944° of there
 //! ```
 //!
 //! Ropes at 45° pull the levers up with W/2 each, and together with the same force. About the pin the arms are 0.2 m and 0.15 m above it, 0.15 m and
@@ -60,7 +60,7 @@
 //!
 //! ```text
 //! $ grasp-lcp need tray.json
-//! TAKES 21.8014° and it is not lost, 19.7989° if friction is 10 % less and the squeeze is 5 % less. With more: it is lost at 21.8014°
+//! TAKES 21.8014° and holds, 17.5855° and nothing slides. It takes 19.7989° if friction is 10 % less. With more: it is lost at 21.8014°
 //! ```
 //!
 //! All weights turn together. The stack slides on the tray at tan θ = 0.4, before its upper box slides or tips.

@@ -37,9 +37,6 @@ pub struct Needed {
     /// Whether a squeeze was asked for where no command presses. Then the force is sought of what presses in its place, if there is one such part.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub in_place_of_squeeze: bool,
-    /// Whether the object turns [too far](crate::equilibrium::Equilibrium::is_beyond_small_motions) under that for the answer to say much.
-    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
-    pub beyond_small_motions: bool,
 }
 
 #[cfg(feature = "serde")]
@@ -133,9 +130,13 @@ pub enum Amount {
         at_their_limit: Vec<String>,
     },
     /// Any amount does, down or up to this one, which was tried.
+    #[non_exhaustive]
     Any {
         /// The last amount.
         to: f64,
+        /// Where the others end to do, as an arm which jams from some length on; `None` if they do as far as was looked.
+        #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+        until: Option<FarEnd>,
     },
     /// No amount does: by a proof, or as far as was tried.
     #[non_exhaustive]

@@ -6,10 +6,10 @@ use super::trial::Trial;
 use crate::error::Error;
 use crate::prelude::*;
 
-/// Amounts are looked at so many times below and above the bound.
+/// Amounts are looked at up to so many times below and above the bound, closer to each other near it.
 const SCANNED: f64 = 4.0;
-/// A squeeze or a force is looked at farther away, too: drives reach their limits far from there.
-const FAR: [f64; 3] = [16.0, 256.0, 4096.0];
+/// Of a squeeze or a force so much more is looked at, too: drives reach their limits there.
+const FAR: f64 = 16.0;
 /// Amounts this far inside and outside an end that statics has found are looked at, relatively.
 const AT_AN_END: f64 = 1e-8;
 /// So many changes of verdict are told by their amounts.
@@ -24,6 +24,16 @@ pub(super) struct Around {
     pub(super) until: Option<Threshold>,
     /// Amounts apart from them that do.
     pub(super) elsewhere: Vec<AmountWindow>,
+}
+
+impl Course {
+    /// Amounts just inside and outside an end that statics has found.
+    fn at_the_end(&self, up: bool) -> Vec<f64> {
+        let end = |end: f64| {
+            [1.0 - AT_AN_END, 1.0 + AT_AN_END].map(|part| if up { end * part } else { end / part })
+        };
+        self.end(up).map_or(Vec::new(), |at| end(at).to_vec())
+    }
 }
 
 impl Around {
@@ -42,15 +52,11 @@ impl Around {
         let half = scan / 2;
         for (up, count) in [(false, half), (true, scan - half)] {
             let is_beyond = up == course.is_least;
-            let fine = (1..=count).map(|k| SCANNED.powf(k as f64 / count as f64));
-            let coarse = FAR.into_iter().filter(|_| far && count > 0);
+            let fine = (1..=count).map(|k| SCANNED.powf((k as f64 / count as f64).powi(3)));
+            let coarse = (far && is_beyond && count > 0).then_some(FAR);
             let parts = fine.chain(coarse).map(|part| if up { bound.does * part } else { bound.does / part });
             let mut amounts: Vec<f64> = parts.filter(|amount| course.contains(*amount)).collect();
-            if let Some(end) = course.end(up).filter(|_| is_beyond) {
-                let [inside, outside] =
-                    [1.0 - AT_AN_END, 1.0 + AT_AN_END].map(|part| if up { end * part } else { end / part });
-                amounts.extend([inside, outside]);
-            }
+            amounts.extend(course.at_the_end(up).into_iter().filter(|_| is_beyond));
             let from = if is_beyond {
                 (bound.does, None)
             } else {
@@ -60,6 +66,22 @@ impl Around {
         }
         around.elsewhere.sort_by(|one, other| low(one).total_cmp(&low(other)));
         Ok(around)
+    }
+
+    /// Where amounts do no longer on the other side of one with which all that were looked at do: from there through amounts that are known.
+    pub(super) fn far_end(
+        to: f64,
+        course: &Course,
+        known: &[(f64, Trial)],
+        tries: Tries<'_>,
+    ) -> Result<Option<Threshold>, Error> {
+        let mut around = Self { changes: 0, until: None, elsewhere: Vec::new() };
+        let up = course.is_least;
+        let mut amounts: Vec<f64> = known.iter().map(|(at, _)| *at).collect();
+        amounts.extend(course.at_the_end(up));
+        amounts.sort_by(|one, other| if up { one.total_cmp(other) } else { other.total_cmp(one) });
+        around.side((to, None), up, true, &amounts, tries)?;
+        Ok(around.until)
     }
 
     /// Goes from the bound to one side; what it begins with does, unless a trial says otherwise. Amounts of which it is not known are passed over.
@@ -88,8 +110,7 @@ impl Around {
                     let (does, does_not) = if did { (inner, outer) } else { (outer, inner) };
                     let carried = does.1.and_then(|trial| trial.carried());
                     let Some(does_not) = does_not.1.map(|trial| (does_not.0, trial)) else { continue };
-                    let edge =
-                        Threshold { does: does.0, does_not, unknown: None }.narrowed(tries, carried)?;
+                    let edge = Threshold { does: does.0, does_not, unknown: None }.beside(tries, carried)?;
                     match (did, is_bounds_own) {
                         (true, true) => (self.until, is_bounds_own) = (Some(edge), false),
                         (true, false) => {

@@ -6,7 +6,7 @@ use super::answer::{Amount, FarEnd, Needed, Press, PressedBy, Quantity, check_pa
 use super::around::Around;
 use super::question::{Demand, Need, Safety, Sought};
 use super::range::Range;
-use super::search::{Course, Guess, Searched, Threshold, search};
+use super::search::{Course, EXACT, Guess, SECOND, Searched, Threshold, search};
 use super::trial::{Loading, MOST_LOADS, Trial, Trials};
 use crate::ask::Grasp;
 use crate::equilibrium::{DriveState, Outcome};
@@ -44,18 +44,20 @@ impl<const C: usize> Grasp<C> {
         if !is_squeezed {
             safety.lower[1] = 0.0;
         }
-        let trials = Tried::new(self, &asked, Safety::NONE);
-        let amount = amount(&trials, asked.demand, true)?;
+        let trials = Tried::new(self, &asked, Safety::NONE, start(self, &asked));
+        let amount = amount(&trials, asked.demand, Look::Around)?;
         let sticks = match asked.demand {
-            Demand::Held => Some(self::amount(&trials, Demand::Sticks, false)?),
+            Demand::Held => Some(self::amount(&trials, Demand::Sticks, Look::Towards)?),
             _ => None,
         };
+        let worse = (1.0 - safety.lower[0]) * (1.0 - safety.lower[1]) / safety.load;
+        let begin = amount.bound().map_or(trials.start, |does| match asked.sought {
+            Sought::Angle { .. } => trials.start,
+            _ if asked.quantity().is_least() => does / worse,
+            _ => does * worse,
+        });
         let safe = (safety != Safety::NONE)
-            .then(|| self::amount(&Tried::new(self, &asked, safety), asked.demand, true));
-        let beyond_small_motions = match &amount {
-            Amount::Bound { does, .. } | Amount::Any { to: does } => trials.is_far(*does),
-            Amount::None { .. } | Amount::Undecided { .. } => false,
-        };
+            .then(|| self::amount(&Tried::new(self, &asked, safety, begin), asked.demand, Look::Everywhere));
         Ok(Needed {
             quantity: asked.quantity(),
             demand: asked.demand,
@@ -67,7 +69,6 @@ impl<const C: usize> Grasp<C> {
             force: asked.force_of_load(),
             of: asked.pressed_by(self)?,
             in_place_of_squeeze: is_in_place || need.quantity() == Quantity::Squeeze && !is_squeezed,
-            beyond_small_motions,
         })
     }
 }
@@ -179,19 +180,32 @@ fn start<const C: usize>(grasp: &Grasp<C>, need: &Need<C>) -> f64 {
     }
 }
 
+/// How far is looked for an amount.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Look {
+    /// Wherever one may be, and around it for others.
+    Around,
+    /// Wherever one may be.
+    Everywhere,
+    /// In a few amounts towards more of it.
+    Towards,
+}
+
 /// Amounts that were tried, each once.
 struct Tried<'q, const C: usize> {
     grasp: &'q Grasp<C>,
     need: &'q Need<C>,
     safety: Safety,
+    /// Where the search begins.
+    start: f64,
     known: RefCell<Vec<(f64, Trials)>>,
     /// The load that was not carried last.
     first: Cell<usize>,
 }
 
 impl<'q, const C: usize> Tried<'q, C> {
-    const fn new(grasp: &'q Grasp<C>, need: &'q Need<C>, safety: Safety) -> Self {
-        Self { grasp, need, safety, known: RefCell::new(Vec::new()), first: Cell::new(0) }
+    const fn new(grasp: &'q Grasp<C>, need: &'q Need<C>, safety: Safety, start: f64) -> Self {
+        Self { grasp, need, safety, start, known: RefCell::new(Vec::new()), first: Cell::new(0) }
     }
 
     fn at(&self, amount: f64, demand: Demand) -> Result<Trial, Error> {
@@ -211,14 +225,9 @@ impl<'q, const C: usize> Tried<'q, C> {
         known.iter().filter_map(|(at, trials)| Some((*at, trials.of(demand)?.clone()))).collect()
     }
 
-    fn is_far(&self, amount: f64) -> bool {
-        self.known.borrow().iter().any(|(at, trials)| *at == amount && trials.far)
-    }
-
-    /// Where an amount is looked for; `everywhere` if it may be anywhere, else in a few amounts towards more of it.
-    fn course(&self, everywhere: bool) -> Result<Course, Error> {
+    fn course(&self, look: Look) -> Result<Course, Error> {
         let (grasp, need) = (self.grasp, self.need);
-        let (start, repeats) = (start(grasp, need), need.demand.repeats());
+        let (start, repeats) = (self.start, need.demand.repeats());
         let limits = match need.sought {
             Sought::Angle { .. } => [start / MOST_LOADS, start],
             Sought::Squeeze { .. } if !grasp.is_squeezed() => [start; 2],
@@ -238,11 +247,20 @@ impl<'q, const C: usize> Tried<'q, C> {
         let range = Range::of(grasp, need, self.safety, limits)?;
         let is_least = need.quantity().is_least();
         let guess = if repeats { Guess::Nothing } else { guess };
-        Ok(Course { start, limits, range, is_least, guess, is_monotone: is_monotone && !repeats, everywhere })
+        Ok(Course {
+            start,
+            limits,
+            range,
+            is_least,
+            guess,
+            is_monotone: is_monotone && !repeats,
+            everywhere: look != Look::Towards,
+            enough: if look == Look::Around { EXACT } else { SECOND },
+        })
     }
 }
 
-fn amount<const C: usize>(tried: &Tried<'_, C>, demand: Demand, everywhere: bool) -> Result<Amount, Error> {
+fn amount<const C: usize>(tried: &Tried<'_, C>, demand: Demand, look: Look) -> Result<Amount, Error> {
     let (grasp, need) = (tried.grasp, tried.need);
     if let Sought::Friction { contacts: Some(contacts), .. } = &need.sought
         && let Some(contact) = contacts.iter().find(|contact| **contact >= grasp.len())
@@ -251,31 +269,17 @@ fn amount<const C: usize>(tried: &Tried<'_, C>, demand: Demand, everywhere: bool
         return Err(Error::Argument { what, value: *contact as f64, allowed });
     }
     let tries = |amount: f64| tried.at(amount, demand);
-    let course = tried.course(everywhere)?;
+    let course = tried.course(look)?;
     if course.range.is_empty {
         let trial = tries(course.start)?;
         return Ok(nothing_does(vec![(course.start, trial)], course.limits, true));
     }
     // An angle is not turned beyond what was asked for.
     if matches!(need.sought, Sought::Angle { .. }) && tries(course.start)?.does() {
-        return Ok(Amount::Any { to: course.start });
+        return Ok(Amount::Any { to: course.start, until: None });
     }
-    let bound = match search(&tries, &course, &tried.known(demand))? {
-        Searched::Threshold(edge) => edge,
-        Searched::All(to) => return Ok(Amount::Any { to }),
-        Searched::Nothing(vain) => return Ok(nothing_does(vain, course.limits, false)),
-    };
-    let (does, does_not) = (bound.does, bound.does_not.0);
-    let otherwise = match &bound.does_not.1 {
-        Trial::Unknown(doubt) => return Ok(Amount::Undecided { at: does_not, doubt: doubt.clone() }),
-        Trial::DoesNot { says, .. } => says.clone(),
-        Trial::Does { .. } => String::new(),
-    };
     let is_squeeze = matches!(need.sought, Sought::Squeeze { .. });
-    let is_far = is_squeeze || matches!(need.sought, Sought::Force { .. });
     let at_rest = |does: f64| if is_squeeze { presses(grasp, does) } else { Ok(Default::default()) };
-    let scan = if everywhere { need.scan } else { 0 };
-    let Around { changes, until, elsewhere } = Around::of(&bound, scan, is_far, &course, &tries)?;
     let far_end = |edge: Threshold| {
         let Threshold { does, does_not: (does_not, trial), .. } = edge;
         let (Trial::DoesNot { says: otherwise, .. } | Trial::Unknown(otherwise)) = trial else {
@@ -284,6 +288,29 @@ fn amount<const C: usize>(tried: &Tried<'_, C>, demand: Demand, everywhere: bool
         let (presses, at_their_limit) = at_rest(does)?;
         Ok(Some(FarEnd { does, does_not, otherwise, presses, at_their_limit }))
     };
+    let bound = match search(&tries, &course, &tried.known(demand))? {
+        Searched::Threshold(edge) => edge,
+        Searched::All(to) => {
+            let until = Around::far_end(to, &course, &tried.known(demand), &tries)?;
+            return Ok(Amount::Any { to, until: until.map(far_end).transpose()?.flatten() });
+        }
+        Searched::Nothing(mut vain) => {
+            // Beside what holds, amounts that are not decided are stepped over.
+            if look == Look::Towards && vain.iter().any(|(_, trial)| trial.carried().is_some()) {
+                vain.retain(|(_, trial)| trial.carried().is_some());
+            }
+            return Ok(nothing_does(vain, course.limits, false));
+        }
+    };
+    let (does, does_not) = (bound.does, bound.does_not.0);
+    let otherwise = match &bound.does_not.1 {
+        Trial::Unknown(doubt) => return Ok(Amount::Undecided { at: does_not, doubt: doubt.clone() }),
+        Trial::DoesNot { says, .. } => says.clone(),
+        Trial::Does { .. } => String::new(),
+    };
+    let is_far = is_squeeze || matches!(need.sought, Sought::Force { .. });
+    let scan = if look == Look::Around { need.scan } else { 0 };
+    let Around { changes, until, elsewhere } = Around::of(&bound, scan, is_far, &course, &tries)?;
     let until = until.map(far_end).transpose()?.flatten();
     let (presses, at_their_limit) = at_rest(does)?;
     let unknown = bound.unknown.map(|(at, _)| at);

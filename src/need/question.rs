@@ -88,7 +88,7 @@ impl Safety {
 impl<const C: usize> Need<C> {
     fn of(sought: Sought<C>) -> Self {
         let (words, safety) = (Words::default(), Safety { lower: [0.1, 0.05], load: 1.0 });
-        Self { sought, base: Wrench::ZERO, demand: Demand::default(), safety, scan: 4, words }
+        Self { sought, base: Wrench::ZERO, demand: Demand::default(), safety, scan: 6, words }
     }
 
     /// The least squeeze for these loads: all commands in proportion, those of joints and torques that hold joints by force included.
@@ -275,7 +275,7 @@ impl<const C: usize> Need<C> {
         self
     }
 
-    /// This need with so many amounts looked at beside the search (default 4), to see whether more than one change of verdict lies among them.
+    /// This need with so many amounts looked at beside the search (default 6), to see whether more than one change of verdict lies among them.
     #[must_use]
     pub fn with_scan(mut self, amounts: usize) -> Self {
         self.scan = amounts;

@@ -18,6 +18,8 @@ const SAME: f64 = 1e-13;
 /// Coefficients this close together, relatively, are one, and so many halvings lead there from any two.
 const SAME_FRICTION: f64 = 1e-10;
 const HALVINGS: usize = 80;
+/// Where coefficients are this close, relatively, what is left of the load changes evenly.
+const NEAR: f64 = 1e-2;
 
 /// An interval of amounts; what lies beyond an end that is given is refuted.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,6 +27,8 @@ pub(super) struct Range {
     pub(super) low: Option<f64>,
     pub(super) high: Option<f64>,
     pub(super) is_empty: bool,
+    /// Where the lower end is likely to be, closer than proofs tell.
+    pub(super) likely: Option<f64>,
 }
 
 impl Range {
@@ -35,7 +39,7 @@ impl Range {
         safety: Safety,
         [least, most]: [f64; 2],
     ) -> Result<Self, Error> {
-        let mut range = Self { low: None, high: None, is_empty: false };
+        let mut range = Self { low: None, high: None, is_empty: false, likely: None };
         let loading = |amount: f64| Loading::of(grasp, need, amount, safety);
         match need.sought {
             Sought::Angle { .. } => {}
@@ -86,37 +90,50 @@ impl Range {
         Ok(())
     }
 
-    /// The least coefficient with which forces balance all loads.
+    /// The least coefficient with which forces balance all loads. What they leave vanishes there, and secants of that lead closer to it than proofs do.
     fn least_friction<const C: usize>(
         &mut self,
         loading: &dyn Fn(f64) -> Result<Loading<C>, Error>,
         [least, most]: [f64; 2],
     ) -> Result<(), Error> {
-        let refuted = |amount: f64| {
+        // How much of a load is left, as its work along the motion that proves it.
+        let left = |amount: f64| {
             let here = loading(amount)?;
             for load in here.to_balance() {
-                if here.grasp.unbalanced_along(&load)?.is_some() {
-                    return Ok::<_, Error>(true);
+                if let Some(motion) = here.grasp.unbalanced_along(&load)? {
+                    return Ok::<_, Error>(Some(here.grasp.work_along(&load, &motion)?));
                 }
             }
-            Ok(false)
+            Ok(None)
         };
-        if refuted(most)? {
+        if left(most)?.is_some() {
             self.is_empty = true;
             return Ok(());
         }
-        let (mut low, mut high) = (least, most);
-        if !refuted(low)? {
-            return Ok(());
-        }
+        let (Some(mut last), mut low, mut high) = (left(least)?, least, most) else { return Ok(()) };
+        let mut secant = None;
         for _ in 0..HALVINGS {
             if high - low <= SAME_FRICTION * high {
                 break;
             }
             let middle = if high > 2.0 * low { (low * high).sqrt() } else { 0.5 * (low + high) };
-            *(if refuted(middle)? { &mut low } else { &mut high }) = middle;
+            let is_near = high - low <= NEAR * high;
+            let at = secant.filter(|at| is_near && low < *at && *at < high).unwrap_or(middle);
+            match left(at)? {
+                Some(now) => {
+                    secant = (now < last).then(|| at + now * (at - low) / (last - now));
+                    (low, last) = (at, now);
+                }
+                None => {
+                    high = at;
+                    // Beyond the end of what proofs tell apart the secant has found it.
+                    if secant == Some(at) {
+                        break;
+                    }
+                }
+            }
         }
-        self.low = Some(low);
+        (self.low, self.likely) = (Some(low), secant);
         Ok(())
     }
 }

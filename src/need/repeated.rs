@@ -23,7 +23,6 @@ impl<const C: usize> Loading<C> {
             return Ok(Trial::Unknown("a force of any direction comes in no order".to_owned()));
         };
         let shaken = self.grasp.shake(&base, &legs)?;
-        self.watch(shaken.state.as_deref());
         let does = if demand == Demand::Rests { shaken.rests() } else { shaken.stays() };
         Ok(match does {
             Some(true) => Trial::Does { carried: f64::INFINITY },

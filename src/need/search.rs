@@ -1,14 +1,23 @@
 //! The search for an amount that does, beside one that does not.
 
 use super::range::Range;
-use super::trial::Trial;
+use super::trial::{NOT_AT_REST, Trial};
 use crate::error::Error;
 use crate::prelude::*;
 
-/// Amounts this close together are one, relatively.
+/// A step towards the other side of a bound, relatively.
 const CLOSE: f64 = 1e-13;
-/// An end that statics has found is tried this far inside and outside, relatively: nearer by than proofs tell apart, or else by what they do.
-const NEAR_AN_END: [f64; 2] = [1e-12, 1e-8];
+/// Amounts this close together are one, relatively: at first, and after so many steps, when rounding or jumps of what is carried keep them apart.
+pub(super) type Enough = &'static [(usize, f64)];
+pub(super) const EXACT: Enough = &[(0, 2e-12), (14, 5e-10)];
+/// The same of an amount that is told beside another.
+pub(super) const SECOND: Enough = &[(0, 2e-12), (5, 1e-8)];
+/// The same of what lies beside a bound.
+const BESIDE_A_BOUND: Enough = &[(0, 1e-10), (8, 1e-8), (10, 1e-4)];
+/// An end that statics has found is tried this far inside and outside, relatively: nearer than proofs tell amounts apart, or else by what they tell apart.
+const NEAR_AN_END: [f64; 3] = [1e-12, 1e-8, 1e-5];
+/// An end that is likely is tried this far to both sides, relatively.
+const LIKELY: f64 = 3e-12;
 /// A guess is followed so many times.
 const MOST_GUESSES: usize = 4;
 /// From one amount to the next on the way to one that does, and where amounts that do are left.
@@ -68,6 +77,8 @@ pub(super) struct Course {
     pub(super) is_monotone: bool,
     /// Whether it is looked for wherever it may be, or in a few amounts towards more of it.
     pub(super) everywhere: bool,
+    /// How exactly.
+    pub(super) enough: Enough,
 }
 
 impl Course {
@@ -231,13 +242,21 @@ fn edge_from(
     let mut does_not =
         nearest.reduce(|one, other| if is_beyond(one.0, other.0) { other } else { one }).cloned();
     let mut unknown = None;
-    // What is carried guesses where it ends, and a proof knows where it has ended.
-    let guess = course.guessed(does, &trial).filter(|guess| is_beyond(*guess, does));
-    let guess = guess.map(|guess| guess * if up { 1.0 + CLOSE } else { 1.0 - CLOSE });
+    // What is carried guesses where it ends, from both sides, and a proof knows where it has ended.
+    let beyond = |at: f64, trial: &Trial, part: f64| {
+        let guess = course.guessed(at, trial).filter(|guess| is_beyond(*guess, does) || *guess == does);
+        guess.map(|guess| if up { guess * (1.0 + part) } else { guess * (1.0 - part) })
+    };
+    let from_beyond =
+        |part: f64| does_not.as_ref().and_then(|(at, trial): &(f64, Trial)| beyond(*at, trial, part));
+    let guesses = [beyond(does, &trial, CLOSE), from_beyond(CLOSE), from_beyond(64.0 * CLOSE)];
     let end = course.end(up).filter(|end| is_beyond(*end, does));
-    let inside = NEAR_AN_END.map(|near| end.map(|end| end * if up { 1.0 - near } else { 1.0 + near }));
-    let outside = end.map(|end| end * if up { 1.0 + NEAR_AN_END[0] } else { 1.0 - NEAR_AN_END[0] });
-    for at in [guess, inside[0], inside[1], outside].into_iter().flatten() {
+    let near = |part: f64| end.map(|end| end * if up { 1.0 + part } else { 1.0 - part });
+    let [nearest, near_enough, nearby] = NEAR_AN_END;
+    let ends = [near(-nearest), near(-near_enough), near(-nearby), near(nearest), near(near_enough)];
+    let likely = course.range.likely.filter(|_| !up);
+    let likely = [likely.map(|at| at * (1.0 + LIKELY)), likely.map(|at| at * (1.0 - LIKELY))];
+    for at in guesses.into_iter().chain(likely).chain(ends).flatten() {
         if does_not.as_ref().is_some_and(|not: &(f64, Trial)| !is_beyond(not.0, at)) || !is_beyond(at, does) {
             continue;
         }
@@ -251,6 +270,12 @@ fn edge_from(
     while does_not.is_none() {
         at *= if up { QUADRUPLED } else { QUADRUPLED.recip() };
         if !course.contains(at) {
+            // Beyond the end a proof stands in for a verdict that is not decided.
+            let says = || Trial::DoesNot {
+                says: "no forces of the contacts balance it".to_owned(),
+                carried: NOT_AT_REST,
+            };
+            does_not = near(near_enough).map(|end| (end, says()));
             break;
         }
         match decided(tries, at, None)? {
@@ -262,7 +287,7 @@ fn edge_from(
     match (does_not, unknown) {
         (Some(does_not), unknown) => {
             let edge = Threshold { does, does_not, unknown };
-            Ok(Searched::Threshold(edge.narrowed(tries, trial.carried())?))
+            Ok(Searched::Threshold(edge.narrowed(tries, trial.carried(), course.enough)?))
         }
         (None, Some(why)) if is_beyond(why.0, does) => {
             let does_not = (why.0, Trial::Unknown(why.1.clone()));
@@ -316,8 +341,13 @@ fn refined(tries: Tries<'_>, vain: &mut Vec<(f64, Trial)>) -> Result<Option<(f64
 }
 
 impl Threshold {
+    /// An edge beside a bound, as exactly as it takes few amounts.
+    pub(super) fn beside(self, tries: Tries<'_>, carried: Option<f64>) -> Result<Self, Error> {
+        self.narrowed(tries, carried, BESIDE_A_BOUND)
+    }
+
     /// This edge to the last digits: by secants of what is carried, and by halves where that is not known or jumps.
-    pub(super) fn narrowed(mut self, tries: Tries<'_>, carried: Option<f64>) -> Result<Self, Error> {
+    fn narrowed(mut self, tries: Tries<'_>, carried: Option<f64>, enough: Enough) -> Result<Self, Error> {
         let short = |trial: &Trial| trial.carried().map(|carried| carried - 1.0).filter(|x| x.is_finite());
         let mut over = carried.map(|carried| carried - 1.0).filter(|x| x.is_finite());
         let mut under = short(&self.does_not.1);
@@ -325,13 +355,16 @@ impl Threshold {
         let (mut kept, mut push, mut widths) = (None, 0.5 * CLOSE, [f64::INFINITY; 3]);
         for step in 0..MOST_STEPS {
             let (from, to) = (self.does, self.does_not.0);
-            let (width, tolerance) = ((to - from).abs(), CLOSE * from.abs().max(to.abs()));
-            if width <= tolerance {
+            let width = (to - from).abs();
+            let close =
+                enough.iter().rev().find(|(steps, _)| *steps <= step).map_or(0.0, |(_, close)| *close);
+            if width <= close * from.abs().max(to.abs()) {
                 break;
             }
             let is_slow = width > 0.125 * widths[step % 3];
             widths[step % 3] = width;
-            let secant = over.zip(under).filter(|(over, under)| *over >= 0.0 && *under < 0.0);
+            let secant =
+                over.zip(under).filter(|(over, under)| *over >= 0.0 && *under <= 0.0 && over > under);
             let at = match secant {
                 Some((over, under)) if !(step >= 3 && is_slow && kept.is_none()) => {
                     let least = (push * from.abs().max(to.abs()) / width).min(0.5);

@@ -6,7 +6,6 @@ use core::fmt;
 
 use super::question::{Demand, Need, Safety, Sought};
 use crate::ask::Grasp;
-use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::hold::{Holding, Verdict};
@@ -88,8 +87,6 @@ impl Trial {
 pub(super) struct Trials {
     pub(super) held: Option<Trial>,
     pub(super) sticks: Option<Trial>,
-    /// Whether the object turns [too far](crate::equilibrium::Equilibrium::is_beyond_small_motions) on the way.
-    pub(super) far: bool,
 }
 
 impl Trials {
@@ -99,7 +96,7 @@ impl Trials {
 
     fn only(demand: Demand, trial: Trial) -> Self {
         let (held, sticks) = if demand == Demand::Sticks { (None, Some(trial)) } else { (Some(trial), None) };
-        Self { held, sticks, far: false }
+        Self { held, sticks }
     }
 }
 
@@ -113,8 +110,6 @@ pub(super) struct Loading<const C: usize> {
     words: Words,
     /// How many times the load is followed.
     followed: f64,
-    /// Set where the object turns too far on the way.
-    far: Cell<bool>,
 }
 
 impl<const C: usize> Loading<C> {
@@ -150,7 +145,7 @@ impl<const C: usize> Loading<C> {
         let followed =
             if matches!(need.sought, Sought::Load { .. }) { MOST_LOADS / amount.max(1.0) } else { FOLLOWED };
         let grasp = grasp.with(&grasp.settings().with_most_load(followed.max(1.0)));
-        Ok(Self { grasp, loads, base, times, words: need.words, followed, far: Cell::new(false) })
+        Ok(Self { grasp, loads, base, times, words: need.words, followed })
     }
 
     /// Loads that forces have to balance for the amount to do: what acts at rest, and what acts with each load.
@@ -182,7 +177,7 @@ impl<const C: usize> Loading<C> {
             return Ok(Trials::only(demand, self.again_and_again(demand)?));
         }
         let (besides, times) = (self.base, self.times);
-        let mut trials = match &self.loads {
+        Ok(match &self.loads {
             Loads::Each(loads) => {
                 let ramps: Vec<_> = loads.iter().map(|load| Ramp::load(besides, *load * times)).collect();
                 self.all(&ramps, demand, first)?
@@ -204,9 +199,7 @@ impl<const C: usize> Loading<C> {
                 }
             }
             Loads::Turn(turn) => Trials::only(demand, self.turn(&self.so_many(turn), demand)?),
-        };
-        trials.far = self.far.get();
-        Ok(trials)
+        })
     }
 
     /// A turn of loads so many times as large, beside what acts anyway.
@@ -221,7 +214,6 @@ impl<const C: usize> Loading<C> {
         for k in 0..ramps.len() {
             let which = (first.get() + k) % ramps.len();
             let verdict = self.grasp.hold(ramps[which].clone())?;
-            self.watch(verdict.state.as_deref());
             held = held.or_worse(self.judged(&verdict, Demand::Held));
             sticks = sticks.or_worse(self.judged(&verdict, Demand::Sticks));
             let wanted = if demand == Demand::Sticks { &sticks } else { &held };
@@ -229,14 +221,10 @@ impl<const C: usize> Loading<C> {
                 first.set(which);
                 // What is not held slides, and of what slides it is not known whether all loads are held.
                 let held = (!held.does() || k + 1 == ramps.len()).then_some(held);
-                return Ok(Trials { held, sticks: Some(sticks), far: false });
+                return Ok(Trials { held, sticks: Some(sticks) });
             }
         }
-        Ok(Trials { held: Some(held), sticks: Some(sticks), far: false })
-    }
-
-    pub(super) fn watch(&self, state: Option<&Equilibrium<C>>) {
-        self.far.set(self.far.get() || state.is_some_and(Equilibrium::is_beyond_small_motions));
+        Ok(Trials { held: Some(held), sticks: Some(sticks) })
     }
 
     /// Whether everything sticks under a force of any direction, at rest and with the load alone, too; `None` where that is not asked and not so.
@@ -263,7 +251,6 @@ impl<const C: usize> Loading<C> {
             WeakestDirection::Force { .. } if demand != Demand::Sticks => return Ok(None),
             WeakestDirection::Force { load, size: most, .. } => {
                 let first = self.grasp.hold(Ramp::load(*base, load - *base))?;
-                self.watch(first.state.as_deref());
                 let who = first.first_slip.map_or_else(|| "it slides".to_owned(), |first| self.said(&first));
                 Trial::DoesNot { says: format!("{who} under a force of one direction"), carried: most / size }
             }
@@ -330,8 +317,11 @@ impl<const C: usize> Loading<C> {
             });
         }
         let mut path = self.grasp.follow(&turn.load_at(0.0), &[Leg::turn(turn)])?;
-        path.run();
-        self.watch(path.state().as_ref());
+        path.run_while_small();
+        if let Some(end) = path.end_of_small_motions() {
+            let angle = end.fraction * turn.angle();
+            return Ok(part_of_it(format!("from {} on {}", degrees(angle), end.what), angle));
+        }
         Ok(match path.end() {
             Some(PathEnd::Completed) => Trial::always(),
             Some(PathEnd::Lost(loss)) => {

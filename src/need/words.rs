@@ -2,10 +2,10 @@
 
 use core::fmt;
 
-use super::answer::{Amount, AmountWindow, Needed, Press, PressedBy, Quantity};
+use super::answer::{Amount, AmountWindow, FarEnd, Needed, Press, PressedBy, Quantity};
 use super::question::Demand;
 use crate::prelude::*;
-use crate::words::{TOO_FAR, Words, listed, printable};
+use crate::words::{Words, listed, printable};
 
 /// Forces and amounts this close are called one.
 const ALIKE: f64 = 1e-6;
@@ -15,7 +15,17 @@ const MANY: usize = 9;
 impl fmt::Display for Needed {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.amount(f)?;
-        if self.beyond_small_motions { write!(f, ". {TOO_FAR}") } else { Ok(()) }
+        match &self.of {
+            _ if !self.in_place_of_squeeze => Ok(()),
+            None => f.write_str(". Nothing presses by command: what does is sought as a force, by its name"),
+            Some(of) => {
+                f.write_str(". Nothing presses by command, so that there is no squeeze to seek; the load ")?;
+                match &of.part {
+                    Some(part) => write!(f, "on {} presses", printable(part)),
+                    None => f.write_str("at rest presses"),
+                }
+            }
+        }
     }
 }
 
@@ -58,15 +68,8 @@ impl Needed {
                     write!(f, ". At rest {limit}")?;
                 }
                 let mut told = 1;
-                if let Some(end) = until {
-                    told += 1;
-                    let [more, too] = if is_least { ["More", "much"] } else { ["Less", "little"] };
-                    let much = self.much(words, end.does, &end.presses);
-                    write!(f, ". {more} than {much} is too {too}: {}", end.otherwise)?;
-                    if let Some(limit) = at_limit(&end.at_their_limit) {
-                        write!(f, ". There, at rest, {limit}")?;
-                    }
-                }
+                told += usize::from(until.is_some());
+                self.far_end(f, until.as_ref())?;
                 for window in elsewhere {
                     told += [window.from, window.to].iter().flatten().count();
                     let much = |amount: f64| self.much(words, amount, &[]);
@@ -82,11 +85,22 @@ impl Needed {
                 }
             }
             Amount::Any { .. } if self.has_no_squeeze() => write!(f, "NEEDS no squeeze: {aim}")?,
-            Amount::Any { to } if is_least => {
+            Amount::Any { to, until } if is_least => {
                 write!(f, "NEEDS none: {aim} down to {}", self.much(words, roughly(*to, true), &[]))?;
                 self.beside(f, *to)?;
+                self.far_end(f, until.as_ref())?;
             }
-            Amount::Any { to } => {
+            Amount::Any { to, until: Some(end) } => {
+                let much = self.much(words, end.does, &[]);
+                write!(
+                    f,
+                    "TAKES {much} and more: it holds up to {}",
+                    self.short(words, roughly(*to, false), &[])
+                )?;
+                self.beside(f, *to)?;
+                self.far_end(f, Some(end))?;
+            }
+            Amount::Any { to, .. } => {
                 let amount = if self.quantity == Quantity::Angle { *to } else { roughly(*to, false) };
                 let aim = if how == Demand::Held { "it holds" } else { aim };
                 write!(f, "TAKES any: {aim} up to {}", self.much(words, amount, &[]))?;
@@ -116,25 +130,22 @@ impl Needed {
                 write!(f, "UNDECIDED at {}: {doubt}", self.much(words, *at, &[]))?;
             }
         }
-        match &self.of {
-            _ if !self.in_place_of_squeeze => Ok(()),
-            None => f.write_str(". Nothing presses by command: what does is sought as a force, by its name"),
-            Some(PressedBy { part: Some(part), .. }) => {
-                write!(
-                    f,
-                    ". Nothing presses by command, so that there is no squeeze to seek; the load on {} presses",
-                    printable(part)
-                )
-            }
-            Some(_) => f.write_str(
-                ". Nothing presses by command, so that there is no squeeze to seek; the load at rest presses",
-            ),
-        }
+        Ok(())
     }
 
     /// Whether a squeeze is sought where nothing presses that one could be.
     fn has_no_squeeze(&self) -> bool {
         self.in_place_of_squeeze && self.quantity == Quantity::Squeeze
+    }
+
+    /// Where more of it is too much, or less too little.
+    fn far_end(&self, f: &mut fmt::Formatter<'_>, end: Option<&FarEnd>) -> fmt::Result {
+        let Some(end) = end else { return Ok(()) };
+        let [more, too] = if self.quantity.is_least() { ["More", "much"] } else { ["Less", "little"] };
+        let much = self.much(Words::of(f), end.does, &end.presses);
+        write!(f, ". {more} than {much} is too {too}: {}", end.otherwise)?;
+        let limit = at_limit(&end.at_their_limit);
+        limit.map_or(Ok(()), |limit| write!(f, ". There, at rest, {limit}"))
     }
 
     /// With how much nothing slides, beside with how much it holds. Returns whether both are one.
@@ -159,7 +170,9 @@ impl Needed {
                 f.write_str(", and nothing slides")?;
                 return Ok(true);
             }
-            Some(Amount::None { .. }) => f.write_str(", and something slides with any amount")?,
+            Some(Amount::None { .. }) => {
+                f.write_str(", and something slides with every amount that was tried")?
+            }
             Some(Amount::Undecided { .. }) => f.write_str("; with how much nothing slides is not known")?,
         }
         Ok(false)

@@ -40,7 +40,7 @@ fn a_billionth_decides(held: bool, least: usize, one_in: usize) -> Result<(), gr
         let (grasp, load) = scene(&mut random)?;
         let aimed = |need: Need<2>| {
             let need = need.if_lower_by(0.0, 0.0).with_scan(0);
-            if held { need.to_hold() } else { need }
+            if held { need.to_hold() } else { need.to_stick() }
         };
         let squeeze = |amount: f64| verdict(&grasp.squeezed(amount)?, load, held);
         let friction = |amount: f64| verdict(&grasp.with_friction(|_, _| amount)?, load, held);

@@ -1,6 +1,7 @@
 //! How much it needs: by closed forms, and tried from both sides.
 
 mod both_sides;
+mod brute_force;
 mod closed_forms;
 mod repeated;
 mod windows;

@@ -103,7 +103,7 @@ fn a_load_that_turns_goes_there_and_back() -> Result<(), Error> {
     let need = Need::angle(turn).if_lower_by(0.0, 0.0);
     let most = grasp.need(&need.clone().to_rest())?.amount.bound().expect("some angle");
     assert!((most - 7.0 / 6.0 * PI).abs() < 1e-8, "{most}");
-    assert_eq!(grasp.need(&need.to_hold())?.amount, Amount::Any { to: 4.7 });
+    assert!(matches!(grasp.need(&need.to_hold())?.amount, Amount::Any { to: 4.7, .. }));
     Ok(())
 }
 

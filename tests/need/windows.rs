@@ -38,7 +38,7 @@ fn a_window_is_found_from_wherever_the_search_begins() -> Tested {
         let grasp = pushed_from_above(given, "")?;
         // The last two are narrower than a doubling by far.
         for weight in [3.0, 4.4, 4.4999] {
-            for demanded in [|need| need, Need::to_hold] {
+            for demanded in [Need::to_stick, Need::to_hold] {
                 let need = demanded(Need::squeeze(Wrench::force([0.0, -weight]))).if_lower_by(0.0, 0.0);
                 let needed = grasp.need(&need)?;
                 let Amount::Bound { does, until: Some(end), changes, elsewhere, .. } = &needed.amount else {
@@ -56,30 +56,30 @@ fn a_window_is_found_from_wherever_the_search_begins() -> Tested {
 
 #[test]
 fn it_is_told() -> Tested {
-    let need = |weight: f64| Need::squeeze(Wrench::force([0.0, -weight])).if_lower_by(0.0, 0.0);
+    let need = |weight: f64| Need::squeeze(Wrench::force([0.0, -weight])).to_stick().if_lower_by(0.0, 0.0);
     assert_eq!(
         pushed_from_above(4.0, "")?.need(&need(3.0))?.to_string(),
         "NEEDS 4 N at right, 1 N at pusher and 4 N at left (0.25 times the squeeze given) so that nothing slides. With less: right and left slide. \
-        More than 6 N at right, 3 N at pusher and 6 N at left (0.75 times the squeeze given) is too much: right and left slide. \
+        More than 6 N at right, 3 N at pusher and 6 N at left (0.75 times the squeeze given) is too much: SLIPS OUT at 3 N of 3 N: the object moves along −y, right and left slide. Nothing holds all of it within a kilometre of there. \
         There, at rest, motor is at its limit and presses no harder"
     );
-    // At most `6 - 1.5` is carried, by 1.5 squeezes.
+    // Beyond a squeeze no friction carries the load and the push, and there the jaws press with 4 N.
     let needed = pushed_from_above(4.0, "")?.need(&need(5.0))?;
     let Amount::None { best, .. } = needed.amount else { panic!("{needed}") };
-    assert!((best * 4.0 - 1.5).abs() < 1e-6, "{needed}");
+    assert!((best * 4.0 - 1.0).abs() < 1e-6, "{needed}");
     let says = needed.to_string();
-    assert!(says.starts_with("NO squeeze does, from 1e-6 to 1000000 times the squeeze given. With 0.375 times the squeeze given: SLIPS OUT at 4.5 N of 5 N"), "{says}");
+    assert!(says.starts_with("NO squeeze that was tried does, of "), "{says}");
+    assert!(says.contains("With 0.25 times the squeeze given: SLIPS OUT at 3 N of 5 N"), "{says}");
     Ok(())
 }
 
 /// Where only half of the squeeze may come, what is safe against that is too much where all of it does.
 #[test]
 fn what_is_safe_may_not_do_as_given() -> Tested {
-    let half = Need::squeeze(Wrench::force([0.0, -4.2])).if_lower_by(0.0, 0.5);
+    let half = Need::squeeze(Wrench::force([0.0, -4.2])).to_stick().if_lower_by(0.0, 0.5);
     let needed = pushed_from_above(1.0, "")?.need(&half)?;
-    let Some(Amount::Bound { does, until: Some(end), .. }) = &needed.safe else { panic!("{needed}") };
+    let Some(Amount::Bound { does, .. }) = &needed.safe else { panic!("{needed}") };
     is(*does, 2.8, 1.0);
-    is(end.does, 3.6, 1.0);
     let says = needed.to_string();
     assert!(
         says.contains(", 2 times as much if the squeeze is 50 % less (which does not do as given). "),
@@ -101,7 +101,7 @@ fn a_second_window_is_told_beside_the_first() -> Tested {
         )
     };
     let grasp = |given: f64| pushed_from_above(given, &(late(given, -0.03) + &late(given, 0.03)));
-    for given in [1.0, 0.5] {
+    for given in [1.0, 0.5, 10.0] {
         let needed = grasp(given)?.need(&need)?;
         let Amount::Bound { does, until: Some(end), elsewhere, .. } = &needed.amount else {
             panic!("{needed}")
@@ -109,17 +109,7 @@ fn a_second_window_is_told_beside_the_first() -> Tested {
         is(*does, 1.0, given);
         is(end.does, 3.0, given);
         let [AmountWindow { from: Some(from), to: None, .. }] = elsewhere[..] else { panic!("{needed}") };
-        is(from, 7.0, given);
+        assert!((from * given / 7.0 - 1.0).abs() < 1e-4, "{needed}");
     }
-    let needed = grasp(10.0)?.need(&need)?;
-    let Amount::Bound { does, until: None, elsewhere, .. } = &needed.amount else { panic!("{needed}") };
-    is(*does, 7.0, 10.0);
-    let [AmountWindow { from: Some(from), to: Some(to), .. }] = elsewhere[..] else { panic!("{needed}") };
-    is(from, 1.0, 10.0);
-    is(to, 3.0, 10.0);
-    assert!(
-        needed.to_string().ends_with("Apart from that 0.1 to 0.3 times the squeeze given would do"),
-        "{needed}"
-    );
     Ok(())
 }

@@ -313,8 +313,14 @@ class Needed(Sentence):
         return None if found is None else number(found["does"])
 
     @property
+    def sticks(self) -> float | None:
+        """The amount with which nothing slides, beside the amount that holds; None unless there is a bound."""
+        found = (self._tree.get("sticks") or {}).get("bound")
+        return None if found is None else number(found["does"])
+
+    @property
     def safe(self) -> float | None:
-        """The amount that suffices with reduced friction and squeeze; None unless that outcome is a bound."""
+        """The amount that suffices with reduced friction and squeeze, or with larger loads; None unless that outcome is a bound."""
         found = (self._tree.get("safe") or {}).get("bound")
         return None if found is None else number(found["does"])
 

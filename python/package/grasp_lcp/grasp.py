@@ -382,12 +382,15 @@ class Grasp:
         contact: int | str | None = None,
         turn: Mapping[str, Any] | None = None,
         together_with: Mapping[str, ArrayLike | Mapping[str, Any]] | None = None,
+        of: str | None = None,
+        sticks: bool = False,
         may_slide: bool = False,
         repeats: bool = False,
-        friction_less: float = 0.1,
-        squeeze_less: float = 0.05,
+        safety: float | None = None,
+        friction_less: float | None = None,
+        squeeze_less: float | None = None,
     ) -> Needed:
-        """How much does it need? The least ``"squeeze"`` or ``"friction"``, or the greatest ``"load"``, ``"arm"`` or ``"angle"``.
+        """How much does it need? The least ``"squeeze"``, ``"friction"`` or ``"force"``, or the greatest ``"load"``, ``"arm"`` or ``"angle"``.
 
         :param quantity: the quantity sought.
         :param load: the load. With ``any_force`` it acts in addition to that force.
@@ -398,12 +401,19 @@ class Grasp:
         :param contact: for friction, the contact whose coefficient is sought, by number from 0 or by name; all contacts by default.
         :param turn: for an angle, the load that turns, with the arguments of :meth:`turn`. For other quantities, loads all along the turn.
         :param together_with: loads on single bodies by name, which grow with the single load.
-        :param may_slide: whether contacts may slide, as long as the object is not lost.
+        :param of: for a force, the body whose load it is, or the contact, link or joint that presses; by default the load at rest.
+        :param sticks: whether the amount with which nothing slides is sought alone. By default it stands beside the amount that holds.
+        :param may_slide: whether contacts may slide, as long as the object is held; the default unless loads repeat.
         :param repeats: whether loads are applied and removed in turn, again and again. The grasp must come to rest; with ``may_slide`` the object
             only must not walk.
-        :param friction_less, squeeze_less: relative reductions of friction and squeeze for the safe amount.
+        :param safety: factor on the loads for the safe amount.
+        :param friction_less, squeeze_less: relative reductions of friction and squeeze for the safe amount; by default 0.1 and 0.05, and 0 with
+            ``safety``.
         """
-        asked: dict[str, Any] = {"quantity": quantity, "friction_less": friction_less, "squeeze_less": squeeze_less}
+        asked: dict[str, Any] = {"quantity": quantity}
+        for name, part in (("safety", safety), ("friction_less", friction_less), ("squeeze_less", squeeze_less), ("of", of)):
+            if part is not None:
+                asked[name] = part
         for name, wrench_given in (("base", base), ("load", load), ("per_metre", per_metre)):
             if wrench_given is not None:
                 asked[name] = wrench_json(name, wrench_given, self.axes)
@@ -420,7 +430,7 @@ class Grasp:
             if not isinstance(turn, Mapping):
                 raise TypeError(f"turn: {type(turn).__name__} given, must be a mapping with the words of Grasp.turn, such as weight")
             asked["turn"] = self._turn_words(turn)
-        asked["demand"] = [["sticks", "rests"], ["held", "stays"]][bool(may_slide)][bool(repeats)]
+        asked["demand"] = ("stays" if may_slide else "rests") if repeats else "sticks" if sticks else "held"
         asked.update(self._together(together_with))
         return Needed(self._held.ask(dumped({"need": asked})))
 

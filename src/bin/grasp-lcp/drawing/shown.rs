@@ -140,7 +140,7 @@ fn needed<const C: usize>(
     let says = needed.to_string();
     let (amount, label) = match &needed.amount {
         Amount::Bound { does, .. } => (Some(*does), "with what it needs"),
-        Amount::Any { to } => (Some(*to), "with an amount that does"),
+        Amount::Any { to, .. } => (Some(*to), "with an amount that does"),
         _ => (None, "what does it need?"),
     };
     let found = amount.map(|amount| grasp.with_amount(&need, amount)).transpose()?.flatten();
