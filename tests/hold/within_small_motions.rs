@@ -158,7 +158,10 @@ fn units_and_order_do_not_matter() {
         let drawn = around(&mut random);
         let order: Vec<_> = (0..drawn.points.len()).collect();
         let other: Vec<_> = order.iter().rev().copied().collect();
-        let scale = [2.0_f64.powi(random.integer(-8, 8) as i32), 2.0_f64.powi(random.integer(-8, 8) as i32)];
+        let scale = [
+            2.0_f64.powi(i32::try_from(random.integer(-8, 8)).expect("small")),
+            2.0_f64.powi(i32::try_from(random.integer(-8, 8)).expect("small")),
+        ];
         let one = verdict_in_the_plane(&drawn, [1.0, 1.0], &order);
         // Where squeezing itself makes contacts slide there may be several states of rest, and the search finds one.
         if one.first_slip.as_ref().is_some_and(|first| first.factor == 0.0) {
