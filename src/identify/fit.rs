@@ -83,10 +83,13 @@ impl<const C: usize> Model<'_, C> {
     }
 }
 
+/// Logarithms, and what is predicted there: all slips, or not the one named.
+type Begun = (Vec<f64>, Result<Linear, (usize, NoSlip)>);
+
 /// Where all slips are predicted the first time: at the values given, or with all friction so many times as large, the same logarithm for all. Where the
 /// object holds too well it is halved, where it holds too little doubled, and once both were seen the middle is tried. Without unknown friction squeezes and
 /// carried loads are changed so.
-fn begun<const C: usize>(model: &Model<'_, C>) -> Result<(Vec<f64>, Result<Linear, (usize, NoSlip)>), Error> {
+fn begun<const C: usize>(model: &Model<'_, C>) -> Result<Begun, Error> {
     let unknowns = &model.asked.unknowns;
     let begin: Vec<f64> = unknowns.iter().map(|unknown| unknown.begins_at(model.layouts).ln()).collect();
     let first = model.linear(&begin)?;
