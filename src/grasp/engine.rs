@@ -9,7 +9,6 @@ use super::remembered::Remembered;
 use super::rotation::assert_plane_or_space;
 use super::site::Site;
 use super::vacuum::Vacuum;
-#[cfg(feature = "serde")]
 use super::wrench::Wrench;
 use crate::error::{Error, LARGEST};
 use crate::numerics::{Fixed, Size};

@@ -83,10 +83,13 @@ impl<const C: usize> Model<'_, C> {
     }
 }
 
+/// Logarithms of the unknowns, and the prediction there: of all slips, or the first slip without one.
+type Begun = (Vec<f64>, Result<Linear, (usize, NoSlip)>);
+
 /// The first point at which the model predicts all slips: the given values, or these with all friction times a common factor. The factor is halved
 /// if the object holds too well and doubled if it holds too little; once both occurred, bisection in the logarithm follows. Without unknown friction,
 /// squeezes and carried loads have the factor instead.
-fn begun<const C: usize>(model: &Model<'_, C>) -> Result<(Vec<f64>, Result<Linear, (usize, NoSlip)>), Error> {
+fn begun<const C: usize>(model: &Model<'_, C>) -> Result<Begun, Error> {
     let unknowns = &model.asked.unknowns;
     let begin: Vec<f64> = unknowns.iter().map(|unknown| unknown.begins_at(model.layouts).ln()).collect();
     let first = model.linear(&begin)?;

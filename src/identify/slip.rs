@@ -6,8 +6,6 @@ use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::{Contact, Hold, Wrench};
 use crate::load_path::Turn;
-#[cfg(not(feature = "std"))]
-use crate::prelude::*;
 
 /// Mean length of the unit normals below which they are opposed, as those of two jaws: no load presses on all contacts.
 const OPPOSED: f64 = 1e-6;

@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use super::fingertip::Fingertip;
-use super::question::Question;
+use super::question::{LegAsked, Question};
 use super::setup::Setup;
 use super::warning::Warning;
 use crate::ask::Grasp;
@@ -176,7 +176,7 @@ pub(super) fn put_on<const C: usize>(question: &Question<C>) -> Vec<Wrench<C>> {
         Question::Improve(asked) => asked.load.iter().chain(&asked.loads).copied().collect(),
         Question::Onset(asked) => vec![asked.direction],
         Question::OnsetOfTurn(_) => Vec::new(),
-        Question::Follow { legs, .. } => legs.iter().filter_map(|leg| leg.straight_load()).collect(),
+        Question::Follow { legs, .. } => legs.iter().filter_map(LegAsked::straight_load).collect(),
         Question::Shake(asked) => asked.loads.clone(),
         Question::Shakedown(asked) => asked.loads.clone(),
         Question::Identify(asked) => asked.slips.iter().filter_map(|slip| slip.load).collect(),

@@ -35,7 +35,9 @@ fn name(path: &Path) -> String {
 /// Prints warnings about a scene and its questions on standard error.
 pub(crate) fn warn(path: &Path, scene: &Scene) -> Result<(), Failure> {
     let warnings = scene.warnings().map_err(|error| refused(path, &error))?;
-    warnings.iter().for_each(|warning| eprintln!("warning: {}: {warning}", name(path)));
+    for warning in &warnings {
+        eprintln!("warning: {}: {warning}", name(path));
+    }
     Ok(())
 }
 
