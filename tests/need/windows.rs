@@ -60,7 +60,7 @@ fn it_is_told() -> Tested {
     assert_eq!(
         pushed_from_above(4.0, "")?.need(&need(3.0))?.to_string(),
         "NEEDS 4 N at right, 1 N at pusher and 4 N at left (0.25 times the squeeze given) so that nothing slides. With less: right and left slide. \
-        More than 6 N at right, 3 N at pusher and 6 N at left (0.75 times the squeeze given) is too much: SLIPS OUT at 3 N of 3 N: the object moves along −y, right and left slide. Nothing holds all of it within a kilometre of there. \
+        More than 6 N at right, 3 N at pusher and 6 N at left (0.75 times the squeeze given) is too much: right and left slide. \
         There, at rest, motor is at its limit and presses no harder"
     );
     // Beyond a squeeze no friction carries the load and the push, and there the jaws press with 4 N.
