@@ -82,9 +82,10 @@ fn run(command: Command) -> Result<ExitCode, Failure> {
             );
         }
         Command::Identify { ask, slips } => return asking::ask(&ask, &Asked::Identify(slips)),
-        Command::Map { scene, at, unsure, json, output } => {
+        Command::Map { scene, at, unsure, json, progress, output } => {
             let pictures = Pictures::new(&output, &scene);
-            map::map(&files::read(&scene)?, at.as_ref(), &unsure, (!json).then_some(&pictures))?;
+            let asked = (&unsure, map::Watch { lines: progress });
+            map::map(&files::read(&scene)?, at.as_ref(), asked, (!json).then_some(&pictures))?;
         }
         Command::Draw { scene, output } => {
             drawing::draw(&files::read(&scene)?, &Pictures::new(&output, &scene))?;
