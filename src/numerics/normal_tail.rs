@@ -33,14 +33,18 @@ pub(crate) fn normal_tail(x: f64) -> f64 {
     }
     // Φ(-x) = φ(x) / (x + 1/(x + 2/(x + 3/(x + …))))
     let mut fraction = x;
-    for k in (1..=TERMS).rev() {
-        fraction = x + f64::from(k) / fraction;
+    let mut k = (TERMS / (x * x)).ceil() + LEAST_TERMS;
+    while k > 0.0 {
+        fraction = x + k / fraction;
+        k -= 1.0;
     }
     normal_density(x) / fraction
 }
 
-/// Terms of the continued fraction; at [`SERIES`] the last one no longer changes the result.
-const TERMS: u32 = 120;
+/// Terms of the continued fraction at x are this number over x². Farther terms no longer change the result.
+const TERMS: f64 = 1080.0;
+/// The least number of terms.
+const LEAST_TERMS: f64 = 4.0;
 
 #[cfg(test)]
 mod tests {

@@ -87,22 +87,31 @@ struct PushedBack<const C: usize> {
     stiffness: f64,
 }
 
-/// What is left of a load of many coordinates, of length one, after each round until there is next to nothing; `judged` says whether it is a proof, and it is the answer then.
+/// What forces that push back leave of a load of many coordinates.
+pub(super) enum Left<D: Size> {
+    /// A motion that is a proof.
+    Proof(Vector<D>),
+    /// A part that is no proof.
+    Unclear,
+    /// Nothing, or coordinates are few.
+    Nothing,
+}
+
+/// What is left of a load, of length one, after each round until there is next to nothing; `judged` says whether it is a proof.
 pub(super) fn left_of_many<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     judged: &dyn Fn(&Vector<D>) -> bool,
-) -> Option<Vector<D>> {
-    if !are_many(problem.size()) {
-        return None;
-    }
-    let mut pushed = PushedBack::of(problem)?;
+) -> Left<D> {
+    let Some(mut pushed) = are_many(problem.size()).then(|| PushedBack::of(problem)).flatten() else {
+        return Left::Nothing;
+    };
     let mut v = pushed.load.clone();
     let (mut more, mut clearer, mut proof) = (0, 0, None);
     while more < MORE && clearer < CLEARER {
         let enough = if proof.is_some() { LEFT[1] } else { (LEFT[0] / pushed.stiffness).max(LEFT[1]) };
         let Some(left) = pushed.round(&mut v, enough) else { break };
         if left < BALANCED {
-            return None;
+            return Left::Nothing;
         }
         let motion = Vector::from_fn(problem.size(), |k| v[pushed.numbers[k]]);
         if judged(&motion) {
@@ -115,7 +124,7 @@ pub(super) fn left_of_many<D: Size, const C: usize>(
             more += 1;
         }
     }
-    proof
+    proof.map_or(Left::Unclear, Left::Proof)
 }
 
 impl<const C: usize> PushedBack<C> {

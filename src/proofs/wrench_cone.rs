@@ -16,7 +16,7 @@
 use nalgebra::SVector;
 
 use super::escape::{ESCAPE, LEAST_WORK, counts_from_here_on};
-use super::separating_many::left_of_many;
+use super::separating_many::{Left, left_of_many};
 use crate::contact::{Law, tangential, tangential_norm};
 use crate::grasp::Site;
 use crate::numerics::{NearestPoint, Size, Vector, unit};
@@ -27,8 +27,12 @@ use crate::prelude::*;
 const CLEAR: f64 = 1e-9;
 /// A generator that works against the residual by less than this part of it does not join.
 const JOINS: f64 = 1e-13;
-/// Generators that may join: near the boundary of round cones each comes closer to the last by a part only.
+/// Generators that may join, and for each coordinate: of straight cones there are so many that carry a load as a rule, and near the boundary of round cones each comes closer to
+/// the last by a part only.
 const MOST_JOINING: usize = 200;
+const MOST_JOINING_EACH: usize = 4;
+/// With more coordinates no more than [`MOST_JOINING`] may join: each takes as long as the square of their number, which makes seconds for all.
+const MOST_COORDINATES: usize = 600;
 
 /// A force of one contact whose wrench is one unit long.
 #[derive(Debug, Clone)]
@@ -69,7 +73,8 @@ pub(crate) fn nearest_forces<D: Size, const C: usize>(
     let mut nearest = NearestPoint::new(target.as_slice());
     // By its number a straight generator joins once; generators of round cones are all different.
     let mut joined: Vec<Generator<D, C>> = Vec::new();
-    let mut joins_left = MOST_JOINING;
+    let each = if size.count() <= MOST_COORDINATES { MOST_JOINING_EACH } else { 0 };
+    let mut joins_left = MOST_JOINING + each * size.count();
     let (motion, against) = loop {
         let residual = nearest.residual();
         let v = Vector::<D>::from_fn(size, |k| -residual[k]);
@@ -123,6 +128,15 @@ impl<'p, 'g, D: Size, const C: usize> LoadAndCones<'p, 'g, D, C> {
         distance > CLEAR && escape >= ESCAPE * self.data
     }
 
+    /// What the nearest forces leave of the load, if that is a clear proof.
+    fn separating_motion(&self) -> Option<Vector<D>> {
+        let target = -&self.problem.wrench / self.load;
+        let round = |v: &Vector<D>| round_generators(self.problem, v).collect();
+        let NearestForces { motion: v, against, .. } =
+            nearest_forces(self.problem.size(), &self.straight, &round, &target);
+        self.separates(&v, v.norm_squared(), against).then(|| v.normalize())
+    }
+
     /// Whether a motion separates, whoever has found it.
     fn is_proof(&self, v: &Vector<D>) -> bool {
         let round = round_generators(self.problem, v);
@@ -133,19 +147,20 @@ impl<'p, 'g, D: Size, const C: usize> LoadAndCones<'p, 'g, D, C> {
 
 /// The unit separating motion in inside coordinates, if there is a clear one.
 pub(crate) fn separating_motion<D: Size, const C: usize>(problem: &Problem<D, C>) -> Option<Vector<D>> {
-    let all = LoadAndCones::of(problem)?;
-    let target = -&problem.wrench / all.load;
-    let NearestForces { motion: v, against, .. } =
-        nearest_forces(problem.size(), &all.straight, &|v| round_generators(problem, v).collect(), &target);
-    all.separates(&v, v.norm_squared(), against).then(|| v.normalize())
+    LoadAndCones::of(problem)?.separating_motion()
 }
 
-/// The same of many coordinates, where it does not take long.
+/// The same of many coordinates, where it does not take long: by forces that push back, and where these leave a part of the load that proves nothing, of no more coordinates than
+/// [`MOST_COORDINATES`] by the nearest forces.
 pub(crate) fn separating_motion_in_a_band<D: Size, const C: usize>(
     problem: &Problem<D, C>,
 ) -> Option<Vector<D>> {
     let all = LoadAndCones::of(problem)?;
-    left_of_many(problem, &|v| all.is_proof(v)).map(|v| v.normalize())
+    match left_of_many(problem, &|v| all.is_proof(v)) {
+        Left::Proof(v) => Some(v.normalize()),
+        Left::Unclear if problem.size().count() <= MOST_COORDINATES => all.separating_motion(),
+        Left::Unclear | Left::Nothing => None,
+    }
 }
 
 /// The sum of the wrenches of springs that the commands alone stretch.

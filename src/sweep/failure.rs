@@ -14,20 +14,24 @@ use core::f64::consts::{PI, TAU};
 
 use nalgebra::SVector;
 
-use super::margin::{FacetMargin, MarginRow, UncertainForce};
+use super::margin::{FacetMargin, FirstOrder, MarginRow, UncertainForce};
 use crate::contact::Coulomb;
-use crate::numerics::normal_tail;
+use crate::numerics::{normal_tail, unit};
 use crate::prelude::*;
 
-/// Directions around the circle among which the worst is looked for, and those of the integral about it.
+/// Directions around the circle among which the worst is looked for.
 const AROUND: usize = 16;
+/// Directions of the integral about it: as the density falls at both of its ends like a normal one, these are as good as all.
+const SUMMED: usize = 12;
+/// By this part the integral narrows at once.
+const NARROWER: f64 = 0.75;
 /// The integral ends where the density is less by the exponential of this.
 const LEFT_OUT: f64 = 9.0;
 /// The integral is never narrower than the distance of two directions among which the worst was looked for: it must contain it.
 const HALF_AT_LEAST: f64 = TAU / AROUND as f64;
 
-/// What fails, to first order, with so many deviations more than are in reserve counts as little as it looks: in 16 million one.
-const SELDOM: f64 = 5.0;
+/// What fails, to first order, with so many deviations more than are in reserve counts as little as it looks: a thousandth of what may fail or less.
+const SELDOM: f64 = 3.0;
 
 /// The conditions that keep a contact in its state.
 #[derive(Debug, Clone)]
@@ -56,17 +60,50 @@ impl<const C: usize> LimitState<C> {
         let mut two = TwoLoads { here, also, margins };
         match self {
             Self::None => 0.0,
-            Self::Opens => {
-                let mut row = SVector::zeros();
-                row[0] = 1.0;
-                two.failure_of(row, false)
-            }
+            Self::Opens => two.failure_of(unit(0), false),
             Self::Facets(cone, facets) => {
                 facets.iter().map(|h| two.failure_of(cone.facet_row(h), true)).sum::<f64>().min(1.0)
             }
             Self::Round(cone) => two.failure_of_round(*cone),
         }
     }
+
+    /// How often the contact leaves under one load where its force is linear in the data: near enough to tell where to look.
+    pub(super) fn roughly(&self, here: &UncertainForce<'_, C>) -> f64 {
+        let first_order = here.first_order();
+        let fails = |row, rubs| normal_tail(first_order.reliability(&MarginRow { row, rubs }));
+        match self {
+            Self::None => 0.0,
+            Self::Opens => fails(unit(0), false),
+            Self::Facets(cone, facets) => {
+                facets.iter().map(|h| fails(cone.facet_row(h), true)).sum::<f64>().min(1.0)
+            }
+            Self::Round(cone) => normal_tail(worst_around(&first_order, *cone).1),
+        }
+    }
+}
+
+/// The facet of a round cone that is turned by so much.
+fn facet<const C: usize>(cone: Coulomb, angle: f64) -> MarginRow<C> {
+    MarginRow { row: cone.facet_row(&along(angle.cos(), angle.sin())), rubs: true }
+}
+
+/// A tangential direction.
+fn along<const C: usize>(x: f64, y: f64) -> SVector<f64, C> {
+    SVector::from_fn(|a, _| [0.0, x, y][a])
+}
+
+/// The direction in which a round cone fails most often to first order, and the reliability there.
+fn worst_around<const C: usize>(first_order: &FirstOrder<C>, cone: Coulomb) -> (f64, f64) {
+    let mut worst = (0.0, f64::INFINITY);
+    for k in 0..AROUND {
+        let angle = TAU * k as f64 / AROUND as f64;
+        let reliability = first_order.reliability(&facet(cone, angle));
+        if reliability < worst.1 {
+            worst = (angle, reliability);
+        }
+    }
+    worst
 }
 
 /// The forces of a contact under a load, and under another one, if given.
@@ -99,15 +136,9 @@ impl<const C: usize> TwoLoads<'_, C> {
     }
 
     fn failure_of_round(&mut self, cone: Coulomb) -> f64 {
-        let along = |x: f64, y: f64| SVector::<f64, C>::from_fn(|a, _| [0.0, x, y][a]);
-        let facet =
-            |angle: f64| MarginRow { row: cone.facet_row(&along(angle.cos(), angle.sin())), rubs: true };
         let first_order = self.here.first_order();
-        let roughly = |angle: f64| first_order.reliability(&facet(angle));
-        let all_around =
-            (0..AROUND).map(|k| TAU * k as f64 / AROUND as f64).map(|angle| (angle, roughly(angle)));
-        let (worst, least) =
-            all_around.fold((0.0, f64::INFINITY), |worst, new| if new.1 < worst.1 { new } else { worst });
+        let roughly = |angle: f64| first_order.reliability(&facet(cone, angle));
+        let (worst, least) = worst_around(&first_order, cone);
         if least <= 0.0 {
             return 1.0;
         }
@@ -118,17 +149,17 @@ impl<const C: usize> TwoLoads<'_, C> {
         let enough = (least * least + 2.0 * LEFT_OUT).sqrt();
         let mut half = PI;
         while half > HALF_AT_LEAST
-            && roughly(worst - 0.5 * half) > enough
-            && roughly(worst + 0.5 * half) > enough
+            && roughly(worst - NARROWER * half) > enough
+            && roughly(worst + NARROWER * half) > enough
         {
-            half *= 0.5;
+            half *= NARROWER;
         }
         self.margins[0].start_over(self.here.changes.len());
-        let mut sum = normal_tail(self.find(&facet(worst - half)).reliability());
-        let width = 2.0 * half / AROUND as f64;
-        for k in 0..AROUND {
+        let mut sum = normal_tail(self.find(&facet(cone, worst - half)).reliability());
+        let width = 2.0 * half / SUMMED as f64;
+        for k in 0..SUMMED {
             let angle = worst - half + width * (k as f64 + 0.5);
-            let (facet, turned) = (facet(angle), -along(-angle.sin(), angle.cos()));
+            let (facet, turned) = (facet(cone, angle), -along(-angle.sin(), angle.cos()));
             self.find(&facet);
             let crossings = self.here.crossings(&self.margins[0], &turned);
             if crossings > 0.0 {

@@ -6,7 +6,8 @@
 //!
 //! Data are off by z, in standard deviations. What each changes of the force is a polynomial through values that were looked at; what two change together beyond that is left out, but for
 //! friction, which multiplies the normal force as it does. The reliability β is the distance of the nearest z at which the margin vanishes (Hasofer and
-//! Lind, Exact and invariant second-moment code format, 1974).
+//! Lind, Exact and invariant second-moment code format, 1974). Steps towards it are shortened until distance and margin together fall (Zhang and Der
+//! Kiureghian, Two improved algorithms for reliability analysis, 1995), and none leads beyond where failing is too seldom to count.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -50,6 +51,8 @@ pub(super) struct MarginRow<const C: usize> {
 pub(super) struct FacetMargin {
     /// Where it fails: data in the order of the changes, friction last.
     fails_at: Vec<f64>,
+    /// There the last step began.
+    from: Vec<f64>,
     /// What each datum changes of both parts of the margin: the normal one, which friction multiplies, and the other.
     parts: Vec<[[f64; 2]; LOOKED_AT.len()]>,
     /// The point of the last linearisation.
@@ -63,6 +66,11 @@ pub(super) struct FacetMargin {
 const STEPS: usize = 30;
 /// Of a standard deviation.
 const NEAR: f64 = 1e-3;
+/// A margin is looked for no more than this beyond the standard deviations in reserve: one in 16 million fails there.
+const FARTHEST: f64 = 5.0;
+/// A step lowers the sum of distance and margin by this part of what its length promises, or is halved; so short a part of it is made anyway.
+const LEVEL: f64 = 0.1;
+const SHORTEST: f64 = 1e-2;
 
 impl<const C: usize> UncertainForce<'_, C> {
     /// What all facets share as long as data are as known: where to look.
@@ -75,7 +83,7 @@ impl<const C: usize> UncertainForce<'_, C> {
         FirstOrder { force: self.force, spread, friction: self.friction }
     }
 
-    /// Looks for where the margin fails.
+    /// Looks for where the margin fails. A margin that fails nowhere within the distance that counts has that distance as its reliability.
     pub(super) fn find(&self, facet: &MarginRow<C>, margin: &mut FacetMargin) {
         if margin.fails_at.len() != self.changes.len() + 1 {
             margin.start_over(self.changes.len());
@@ -85,16 +93,21 @@ impl<const C: usize> UncertainForce<'_, C> {
             .parts
             .extend(self.changes.iter().map(|change| change.each_ref().map(|c| parts(&facet.row, c))));
         let known = parts(&facet.row, &self.force);
+        let farthest = self.sigmas + FARTHEST;
+        let mut value = self.linearise(known, facet.rubs, margin);
         let mut arrived = false;
         for _ in 0..STEPS {
-            let value = self.linearise(known, facet.rubs, margin);
             if margin.steepness == 0.0 {
                 margin.reliability = ratio(known[0] + known[1], 0.0);
                 return;
             }
-            let along: f64 = margin.gradient.iter().zip(&margin.fails_at).map(|(g, z)| g * z).sum();
+            // The nearest point of the linearised margin, or what lies on the way to it.
+            let along = dot(&margin.gradient, &margin.fails_at);
             let step = (along - value) / (margin.steepness * margin.steepness);
+            let reach = (step * margin.steepness).abs();
+            let step = if reach > farthest { step * (farthest / reach) } else { step };
             let mut moved = 0.0;
+            margin.from.clone_from(&margin.fails_at);
             for (z, g) in margin.fails_at.iter_mut().zip(&margin.gradient) {
                 moved = f64::max(moved, (step * g - *z).abs());
                 *z = step * g;
@@ -103,15 +116,45 @@ impl<const C: usize> UncertainForce<'_, C> {
             if arrived {
                 break;
             }
+            value = self.shortened(known, facet.rubs, margin, (value, along));
         }
-        let mut nearest = margin.fails_at.iter().map(|z| z * z).sum::<f64>().sqrt();
+        let mut nearest = dot(&margin.fails_at, &margin.fails_at).sqrt();
         if !arrived {
-            // A search that goes round in circles says less than the derivative: the nearer of both is safe.
+            // A search that does not end says less than the derivative: the nearer of both is safe.
             margin.start_over(self.changes.len());
             let value = self.linearise(known, facet.rubs, margin);
             nearest = nearest.min(ratio(value, margin.steepness).abs());
         }
         margin.reliability = nearest.copysign(known[0] + known[1]);
+    }
+
+    /// Shortens the step that was just made until the sum of distance and margin falls; the margin there, which is linearised.
+    fn shortened(
+        &self,
+        known: [f64; 2],
+        rubs: bool,
+        margin: &mut FacetMargin,
+        (value, along): (f64, f64),
+    ) -> f64 {
+        let [from, to] = [&margin.from, &margin.fails_at].map(|z| dot(z, z));
+        // So dear is the margin that a step to where it vanishes pays.
+        let dear = 2.0 * from.max(to).sqrt() / margin.steepness;
+        let here = 0.5 * from + dear * value.abs();
+        let [towards, rises] =
+            [dot(&margin.from, &margin.fails_at) - from, dot(&margin.gradient, &margin.fails_at) - along];
+        let promised = -towards - dear * rises * 1.0_f64.copysign(value);
+        let mut part = 1.0;
+        loop {
+            let there = self.linearise(known, rubs, margin);
+            let left = 0.5 * dot(&margin.fails_at, &margin.fails_at) + dear * there.abs();
+            if left <= here - LEVEL * part * promised || part <= SHORTEST {
+                return there;
+            }
+            part *= 0.5;
+            for (z, from) in margin.fails_at.iter_mut().zip(&margin.from) {
+                *z = 0.5 * (*z + from);
+            }
+        }
     }
 
     /// The margin where the data are off as said, and its gradient there.
@@ -205,8 +248,8 @@ impl Beyond {
 
 impl Default for FacetMargin {
     fn default() -> Self {
-        let [fails_at, linearised_at, gradient] = [const { Vec::new() }; 3];
-        Self { fails_at, parts: Vec::new(), linearised_at, gradient, steepness: 0.0, reliability: 0.0 }
+        let [fails_at, from, linearised_at, gradient] = [const { Vec::new() }; 4];
+        Self { fails_at, from, parts: Vec::new(), linearised_at, gradient, steepness: 0.0, reliability: 0.0 }
     }
 }
 
@@ -224,7 +267,7 @@ impl FacetMargin {
 
     /// How often another margin holds, at most, where this one just fails (Ditlevsen, Narrow reliability bounds for structural systems, 1979).
     pub(super) fn while_holds(&self, other: &Self) -> f64 {
-        let mixed: f64 = self.gradient.iter().zip(&other.gradient).map(|(a, b)| a * b).sum();
+        let mixed = dot(&self.gradient, &other.gradient);
         let correlation = mixed / (self.steepness * other.steepness);
         // Two that nothing moves together, or against each other, say nothing of one another; nor does what does not spread.
         if correlation <= 0.0 || correlation.is_nan() {
@@ -234,6 +277,10 @@ impl FacetMargin {
         let apart = (1.0 - correlation * correlation).max(0.0).sqrt();
         normal_tail(-ratio(left, apart))
     }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 /// A value in deviations; infinite, of its sign, where nothing spreads.

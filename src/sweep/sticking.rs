@@ -14,9 +14,14 @@ use crate::prelude::*;
 const SPARED: f64 = 0.2;
 /// What fails at the base as seldom, as a part of what may, needs not be told apart from what fails farther on.
 const SELDOM: f64 = 1e-3;
-/// Of the factor.
+/// Of the factor, and of that where forces are linear in the data.
 const PRECISE: f64 = 1e-8;
+const ROUGH: f64 = 1e-3;
 const MOST_STEPS: usize = 100;
+/// After so many steps every other one halves: secants are slow where a function is not nearly straight.
+const SECANTS: usize = 12;
+/// The slope is told by values that are this part of the factor apart.
+const APART: f64 = 1e-3;
 /// Loads on a motion that nothing resists, as a part of their size: less is rounding.
 const WORKS: f64 = 1e-12;
 /// A load has no limit if its forces may exceed the forces under the base load by this factor.
@@ -86,30 +91,38 @@ impl<const C: usize> StuckGrasp<C> {
         }
         let rate = Course::of(&self.forces, direction);
         // Nearly straight in the factor, as reliabilities are.
-        let left = |factor: f64| reliability(self.allowed()) - reliability(self.failure(&rate, factor));
-        if left(0.0) >= 0.0 {
+        let allowed = reliability(self.allowed());
+        let left = |factor: f64| allowed - reliability(self.failure(&rate, factor));
+        if allowed >= reliability(self.fails_at_base.iter().sum()) {
             return 0.0;
         }
         let (here, growth) = (self.base.largest().max(self.by_base_load.largest()), rate.largest());
         if growth == 0.0 {
             return f64::INFINITY;
         }
-        let mut high = here.max(f64::MIN_POSITIVE) / growth;
-        let end = FAR * high;
-        let mut low = 0.0;
-        while left(high) < 0.0 {
-            if high > end {
-                return f64::INFINITY;
-            }
-            (low, high) = (high, 2.0 * high);
+        let start = here.max(f64::MIN_POSITIVE) / growth;
+        let roughly = |factor: f64| allowed - reliability(self.roughly(&rate, factor));
+        let guess = root(&roughly, (start, f64::NAN), FAR * start, ROUGH);
+        let guess = if guess > 0.0 && guess.is_finite() { guess } else { start };
+        let slope = (roughly((1.0 + APART) * guess) - roughly(guess)) / (APART * guess);
+        root(&left, (guess, slope), FAR * start, PRECISE)
+    }
+
+    /// How often some contact leaves under the load of this factor to first order.
+    fn roughly(&self, rate: &Course<C>, factor: f64) -> f64 {
+        let mut memory = Vec::new();
+        let mut sum = 0.0;
+        for (i, edges) in self.edges.iter().enumerate() {
+            sum += edges.roughly(&self.spread(i, Some((rate, factor)), &mut memory));
         }
-        root(left, low, high)
+        sum
     }
 
     /// How often some contact leaves on the way to this factor, at most.
     fn failure(&self, rate: &Course<C>, factor: f64) -> f64 {
         let mut memory = [Vec::new(), Vec::new()];
         let mut margins = MarginPair::default();
+        let told_apart = SELDOM * self.allowed();
         let mut sum = 0.0;
         for (i, edges) in
             self.edges.iter().enumerate().filter(|(_, edges)| !matches!(edges, LimitState::None))
@@ -118,7 +131,7 @@ impl<const C: usize> StuckGrasp<C> {
             let there = self.spread(i, Some((rate, factor)), there);
             sum += edges.failure(&there, None, &mut margins);
             let at_base = self.fails_at_base[i];
-            sum += if at_base > SELDOM * self.allowed() {
+            sum += if at_base > told_apart {
                 edges.failure(&self.spread(i, None, base), Some(&there), &mut margins)
             } else {
                 at_base
@@ -158,23 +171,39 @@ fn reliability(fails: f64) -> f64 {
     (-2.0 * fails.clamp(LEAST, 1.0).ln()).sqrt()
 }
 
-/// Where a function that is negative at `low` and not at `high` passes zero, from below: by the method of the false position, after Illinois.
-fn root(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
-    let (mut at_low, mut at_high) = (f(low), f(high));
-    for _ in 0..MOST_STEPS {
-        if high - low <= PRECISE * high {
+/// Where a growing function that is negative at zero passes zero, from below, as well as this part of it tells; infinite where it does not up to the end. By secants from a
+/// guess and a slope on, which may be not a number, between ends that are known.
+fn root(f: &dyn Fn(f64) -> f64, (guess, mut slope): (f64, f64), end: f64, precise: f64) -> f64 {
+    let (mut low, mut high) = (0.0, f64::INFINITY);
+    let (mut at, mut last) = (guess, None);
+    for step in 0..MOST_STEPS {
+        let value = f(at);
+        if value < 0.0 {
+            low = at;
+        } else {
+            high = at;
+        }
+        if low > end {
+            return f64::INFINITY;
+        }
+        if high.is_finite() && high - low <= precise * high.max(precise * guess) {
             break;
         }
-        let next = (low * at_high - high * at_low) / (at_high - at_low);
-        let next = if next > low && next < high { next } else { 0.5 * (low + high) };
-        let value = f(next);
-        if value < 0.0 {
-            (low, at_low) = (next, value);
-            at_high *= 0.5;
-        } else {
-            (high, at_high) = (next, value);
-            at_low *= 0.5;
+        if let Some((from, before)) = last {
+            slope = (value - before) / (at - from);
         }
+        last = Some((at, value));
+        let halves = step >= SECANTS && step % 2 == 0;
+        let next = if halves { f64::NAN } else { at - value / slope };
+        let near = 0.5 * precise * at;
+        at = if next.is_finite() {
+            // Beyond the nearer end by as little as is asked for: where a secant meets it, the next step is the last.
+            next.min(high - near).min(4.0 * at).max(low + near).max(0.1 * at)
+        } else if high.is_finite() {
+            0.5 * (low + high)
+        } else {
+            2.0 * at
+        };
     }
     low
 }

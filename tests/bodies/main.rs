@@ -2,6 +2,7 @@
 
 mod arches;
 mod at_rest;
+mod cards;
 mod closed_forms;
 mod closure;
 mod enumerated;

@@ -199,6 +199,9 @@ pub(crate) enum Command {
         /// Prints the map as one JSON object, and draws nothing.
         #[arg(long)]
         json: bool,
+        /// Where no terminal shows a bar, tells every second on standard error how far the map is.
+        #[arg(long)]
+        progress: bool,
         #[command(flatten)]
         output: Output,
     },

@@ -83,11 +83,12 @@ fn run(command: Command) -> Result<ExitCode, Failure> {
             );
         }
         Command::Identify { ask, slips } => return asking::ask(&ask, &Asked::Identify(slips)),
-        Command::Map { scene, at, unsure, json, output } => {
+        Command::Map { scene, at, unsure, json, progress, output } => {
             let pictures = Pictures::new(&output, &scene);
             let of_map = files::read(&scene)?;
             files::warn(&scene, &of_map)?;
-            map::map(&of_map, at.as_ref(), &unsure, (!json).then_some(&pictures))?;
+            let asked = (&unsure, map::Watch { lines: progress });
+            map::map(&of_map, at.as_ref(), asked, (!json).then_some(&pictures))?;
         }
         Command::Draw { scene, output } => {
             let drawn = files::read(&scene)?;

@@ -11,6 +11,7 @@
 
 mod affine;
 pub mod best_time;
+pub mod cards;
 mod close;
 pub mod closure_margin;
 pub mod compiled;

@@ -20,17 +20,18 @@ use crate::failure::Failure;
 use crate::files::Pictures;
 use crate::loads::point;
 pub(crate) use unsure::Unsure;
+pub(crate) use watch::Watch;
 
 /// Prints a table and draws the maps of a scene, for a force at a point. It comes on top of the base load of the first onset that the scene asks for.
 /// Without a place for pictures all that is known is printed for machines.
 pub(crate) fn map(
     scene: &Scene,
     at: Option<&Numbers>,
-    unsure: &Unsure,
+    asked: (&Unsure, Watch),
     pictures: Option<&Pictures<'_>>,
 ) -> Result<(), Failure> {
     match &scene.space {
-        Space::Planar(setup) => plane::map(setup, point(at)?, unsure, pictures),
-        Space::Spatial(setup) => space::map(setup, point(at)?, unsure, pictures),
+        Space::Planar(setup) => plane::map(setup, point(at)?, asked, pictures),
+        Space::Spatial(setup) => space::map(setup, point(at)?, asked, pictures),
     }
 }

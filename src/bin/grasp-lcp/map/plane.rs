@@ -12,7 +12,7 @@ use super::ask::{self, First};
 use super::limit::{self, Last, LimitEnd};
 use super::rows;
 use super::unsure::Unsure;
-use super::watch;
+use super::watch::Watch;
 use super::written::WrittenMap;
 use crate::failure::Failure;
 use crate::files::Pictures;
@@ -31,7 +31,7 @@ const MOST: Duration = Duration::from_secs(300);
 pub(crate) fn map(
     setup: &Setup<2>,
     at: [f64; 2],
-    unsure: &Unsure,
+    (unsure, watch): (&Unsure, Watch),
     pictures: Option<&Pictures<'_>>,
 ) -> Result<(), Failure> {
     let grasp = setup.grasp()?;
@@ -45,7 +45,8 @@ pub(crate) fn map(
     ask::check_base(&grasp, &ramp(0.0))?;
     let quick = ask::quick(&grasp);
     let angles: Vec<f64> = (0..DIRECTIONS).map(|k| TAU * f64::from(k) / f64::from(DIRECTIONS)).collect();
-    let firsts = watch::sweep("onsets", &angles, MOST, |angle| ask::first(&quick, &ramp(*angle)))?
+    let firsts = watch
+        .sweep("onsets", &angles, MOST, |angle| ask::first(&quick, &ramp(*angle)))?
         .ok_or_else(ask::too_long)?;
     let onsets: Vec<f64> = firsts.iter().map(|first| first.factor).collect();
     let largest = onsets.iter().copied().filter(|x| x.is_finite()).fold(0.0, f64::max);
@@ -56,13 +57,14 @@ pub(crate) fn map(
     }
     let reserve = grasp.reserve(&base, &unsure.uncertainty(), unsure.sigmas)?;
     let kept: Vec<f64> = angles.iter().copied().step_by(KEPT).collect();
-    let reserves = watch::sweep("reserves", &kept, MOST, |angle| Ok(reserve.along(&pull(*angle))))?
+    let reserves = watch
+        .sweep("reserves", &kept, MOST, |angle| Ok(reserve.along(&pull(*angle))))?
         .ok_or_else(ask::too_long)?;
     let reserves: Vec<_> = kept.into_iter().zip(reserves).collect();
     let most = FAR * largest;
-    let lasts =
-        watch::sweep("load paths", &angles, MOST, |angle| limit::last(&grasp, base, pull(*angle), most))?
-            .ok_or_else(ask::too_long)?;
+    let lasts = watch
+        .sweep("load paths", &angles, MOST, |angle| limit::last(&grasp, base, pull(*angle), most))?
+        .ok_or_else(ask::too_long)?;
     let weakest = ask::weakest(&quick, &base, at)?;
     let Some(pictures) = pictures else {
         let along = |angle: &f64| [pull(*angle).components()[0], pull(*angle).components()[1]];

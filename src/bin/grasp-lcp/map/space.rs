@@ -12,7 +12,7 @@ use super::ask::{self, First};
 use super::limit::{self, Last, LimitEnd};
 use super::rows;
 use super::unsure::Unsure;
-use super::watch;
+use super::watch::Watch;
 use super::written::WrittenMap;
 use crate::failure::Failure;
 use crate::files::Pictures;
@@ -32,7 +32,7 @@ const FAR: f64 = 5.0;
 pub(crate) fn map(
     setup: &Setup<3>,
     at: [f64; 3],
-    unsure: &Unsure,
+    (unsure, watch): (&Unsure, Watch),
     pictures: Option<&Pictures<'_>>,
 ) -> Result<(), Failure> {
     let grasp = setup.grasp()?;
@@ -46,7 +46,7 @@ pub(crate) fn map(
     let grid = SphereGrid::new(rings, around);
     let directions = grid.directions();
     let first = |d: [f64; 3]| ask::first(&quick, &ramp(d));
-    let firsts = watch::sweep("onsets", &directions, ALL_ONSETS, |d| first(*d))?.ok_or_else(ask::too_long)?;
+    let firsts = watch.sweep("onsets", &directions, ALL_ONSETS, |d| first(*d))?.ok_or_else(ask::too_long)?;
     let onsets: Vec<f64> = firsts.iter().map(|first| first.factor).collect();
     let finite = || onsets.iter().copied().enumerate().filter(|(_, x)| x.is_finite());
     let largest = finite().map(|(_, x)| x).fold(0.0, f64::max);
@@ -62,9 +62,10 @@ pub(crate) fn map(
     let most = FAR * largest;
     let ways = coarse.directions();
     let reserve = grasp.reserve(&base, &unsure.uncertainty(), unsure.sigmas)?;
-    let reserves = watch::sweep("reserves", &ways, ALL_ONSETS, |d| Ok(reserve.along(&pull(*d))))?
+    let reserves = watch
+        .sweep("reserves", &ways, ALL_ONSETS, |d| Ok(reserve.along(&pull(*d))))?
         .ok_or_else(ask::too_long)?;
-    let lasts = load_paths(&grasp, base, &pull, (&ways, most))?;
+    let lasts = load_paths(&grasp, watch, base, &pull, (&ways, most))?;
 
     let Some(pictures) = pictures else {
         let onsets = directions.iter().copied().zip(&firsts).collect();
@@ -77,7 +78,7 @@ pub(crate) fn map(
     let title = pictures.title();
     let words = ask::words(at, &base).join(", ");
     println!("{title}: {words}");
-    print_table(&grasp, (&first, &reserve), &pull, (base, most), weakest)?;
+    print_table((&grasp, watch), (&first, &reserve), &pull, (base, most), weakest)?;
     println!("  {}", unsure.words().join(" "));
     let number = |x: f64| Words::default().number(x);
     println!("  onsets in {} directions: {} to {} N", directions.len(), number(least), number(largest));
@@ -98,6 +99,7 @@ pub(crate) fn map(
 /// The end of the load path in each of these directions; `None` if they take too long.
 fn load_paths(
     grasp: &Grasp,
+    watch: Watch,
     base: Wrench,
     pull: &(impl Fn([f64; 3]) -> Wrench + Sync),
     (ways, most): (&[[f64; 3]], f64),
@@ -107,7 +109,7 @@ fn load_paths(
     }
     let quick = ask::quick(grasp);
     // What lies beyond the end takes most of the time; it is asked only where without it the end is not known either.
-    Ok(watch::sweep("load paths", ways, ALL_PATHS, |d| {
+    Ok(watch.sweep("load paths", ways, ALL_PATHS, |d| {
         let last = limit::last(&quick, base, pull(*d), most)?;
         let known = last.end != LimitEnd::Unknown;
         if known { Ok(last) } else { limit::last(grasp, base, pull(*d), most) }
@@ -189,26 +191,24 @@ impl Drawing<'_> {
 const MANY: usize = 8;
 
 fn print_table(
-    grasp: &Grasp,
+    (grasp, watch): (&Grasp, Watch),
     (first, reserve): (&impl Fn([f64; 3]) -> Result<First, grasp_lcp::Error>, &Reserve<3>),
-    pull: &impl Fn([f64; 3]) -> Wrench,
+    pull: &(impl Fn([f64; 3]) -> Wrench + Sync),
     (base, most): (Wrench, f64),
     weakest: [f64; 3],
 ) -> Result<(), Failure> {
-    rows::head();
     let (x, y, z) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]);
     let back = |d: [f64; 3]| d.map(|x: f64| 0.0 - x);
-    for (name, d) in [
-        ("+x", x),
-        ("−x", back(x)),
-        ("+y", y),
-        ("−y", back(y)),
-        ("+z", z),
-        ("−z", back(z)),
-        ("weakest", weakest),
-    ] {
-        let last = limit::last(grasp, base, pull(d), most)?;
-        rows::row(name, &first(d)?, reserve.along(&pull(d)), &last, most);
+    let names = ["+x", "−x", "+y", "−y", "+z", "−z", "weakest"];
+    let ways = [x, back(x), y, back(y), z, back(z), weakest];
+    // Of many contacts a proof that nothing lies beyond takes seconds, and is hardly ever found.
+    let quick = if grasp.len() > MANY { &ask::quick(grasp) } else { grasp };
+    let lasts = watch
+        .sweep("load paths of the table", &ways, ALL_PATHS, |d| limit::last(quick, base, pull(*d), most))?
+        .ok_or_else(ask::too_long)?;
+    rows::head();
+    for ((name, d), last) in names.iter().zip(ways).zip(&lasts) {
+        rows::row(name, &first(d)?, reserve.along(&pull(d)), last, most);
     }
     Ok(())
 }

@@ -2,6 +2,7 @@
 
 use std::io::{self, IsTerminal};
 use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
 use grasp_lcp::Error;
@@ -11,28 +12,43 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 /// What is done sooner needs no bar.
 const SOON: Duration = Duration::from_secs(1);
 
-/// All answers in order, or the first error; `None` if they are not there within the time.
-pub(crate) fn sweep<T: Sync, R: Send>(
-    what: &'static str,
-    items: &[T],
-    most: Duration,
-    f: impl Fn(&T) -> Result<R, Error> + Sync + Send,
-) -> Result<Option<Vec<R>>, Error> {
-    let start = Instant::now();
-    let bar = ProgressBar::with_draw_target(Some(items.len() as u64), ProgressDrawTarget::hidden());
-    if let Ok(style) = ProgressStyle::with_template("{msg} {wide_bar} {pos} of {len}, {eta}") {
-        bar.set_style(style);
-    }
-    bar.set_message(what);
-    let answers = map_watched(items, f, |progress| {
-        if bar.is_hidden() && start.elapsed() > SOON && io::stderr().is_terminal() {
-            bar.set_draw_target(ProgressDrawTarget::stderr());
+/// How progress is told: by a bar on a terminal, and elsewhere by a line each second, if that is asked for.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Watch {
+    pub(crate) lines: bool,
+}
+
+impl Watch {
+    /// All answers in order, or the first error; `None` if they are not there within the time.
+    pub(crate) fn sweep<T: Sync, R: Send>(
+        self,
+        what: &'static str,
+        items: &[T],
+        most: Duration,
+        f: impl Fn(&T) -> Result<R, Error> + Sync + Send,
+    ) -> Result<Option<Vec<R>>, Error> {
+        let start = Instant::now();
+        let bar = ProgressBar::with_draw_target(Some(items.len() as u64), ProgressDrawTarget::hidden());
+        if let Ok(style) = ProgressStyle::with_template("{msg} {wide_bar} {pos} of {len}, {eta}") {
+            bar.set_style(style);
         }
-        bar.set_position(progress.answered as u64);
-        if start.elapsed() > most { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    });
-    bar.finish_and_clear();
-    // `None` as soon as one is missing.
-    let answered: Option<Vec<_>> = answers.into_iter().collect();
-    answered.map(|answers| answers.into_iter().collect()).transpose()
+        bar.set_message(what);
+        let is_seen = io::stderr().is_terminal();
+        let seconds_told = AtomicU64::new(0);
+        let answers = map_watched(items, f, |progress| {
+            let seconds = start.elapsed().as_secs();
+            if bar.is_hidden() && start.elapsed() > SOON && is_seen {
+                bar.set_draw_target(ProgressDrawTarget::stderr());
+            }
+            if self.lines && !is_seen && seconds_told.fetch_max(seconds, Ordering::Relaxed) < seconds {
+                eprintln!("{what}: {} of {} after {seconds} s", progress.answered, progress.of);
+            }
+            bar.set_position(progress.answered as u64);
+            if start.elapsed() > most { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        });
+        bar.finish_and_clear();
+        // `None` as soon as one is missing.
+        let answered: Option<Vec<_>> = answers.into_iter().collect();
+        answered.map(|answers| answers.into_iter().collect()).transpose()
+    }
 }
