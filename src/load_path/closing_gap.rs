@@ -28,10 +28,6 @@ use nalgebra::SVector;
 const STILL: f64 = 1e-9;
 /// Friction resists fully where the slip is off its direction by less than the root of twice this, rad.
 const ALONG: f64 = 1e-10;
-/// Small motions turn no body by more than this, rad,
-const SMALL_TURN: f64 = 0.1;
-/// and move no contact that touches by more than this part of the size of the grasp.
-const SMALL_SLIP: f64 = 0.1;
 
 /// The way to the gap that closes first.
 struct FreeWay {
@@ -100,9 +96,10 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         for &i in closing.iter().filter(|i| **i < grasp.len()) {
             fastest = grasp.sites()[i].map.tr_mul(motion).norm().max(fastest);
         }
+        let small = &self.segment.answer_for.small;
         let moves = grasp.each_moves(&(motion * length));
-        let turns_little = moves.iter().all(|body| body.twist.parts().1.size() <= SMALL_TURN);
-        let is_small = turns_little && fastest * length <= SMALL_SLIP * grasp.length();
+        let turns_little = moves.iter().all(|body| body.twist.parts().1.size() <= small.rotation);
+        let is_small = turns_little && fastest * length <= small.slip * grasp.size_of_grasp();
         is_small.then_some(FreeWay { length, closing, still })
     }
 
