@@ -176,7 +176,7 @@ mod tests {
             let course = Trajectory::Straight { from: Vector::zeros(), rate };
             let segment = Segment {
                 grasp: &grasp,
-                answer_for: AnswerFor::of::<3>(&Settings::default()),
+                answer_for: AnswerFor::of::<3>(&crate::search::Settings::default()),
                 problem,
                 change,
                 course,
