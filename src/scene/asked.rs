@@ -71,8 +71,12 @@ impl<const C: usize> Setup<C> {
         }
         match &leg.torques {
             None => {}
-            Some(Goal::By(change)) => out = out.and_torques_by(change.iter().copied()),
-            Some(Goal::To(torques)) => out = out.and_torques_to(torques.iter().copied()),
+            Some(Goal::By(change)) => {
+                out = out.and_torques_by(of_length(change, "torques of a leg", self.joints())?);
+            }
+            Some(Goal::To(torques)) => {
+                out = out.and_torques_to(of_length(torques, "torques of a leg", self.joints())?);
+            }
         }
         for (name, goal) in &leg.body_loads {
             self.has_body(name)?;
@@ -115,12 +119,7 @@ impl<const C: usize> Setup<C> {
 
     /// Commands of joints and tendons, if their number is right.
     fn of_joints(&self, commands: &[f64], what: &'static str) -> Result<Vec<f64>, Error> {
-        let (given, expected) = (commands.len(), self.joints() + self.tendons.len());
-        if given == expected {
-            Ok(commands.to_vec())
-        } else {
-            Err(Error::JointCommands { what, given, expected })
-        }
+        of_length(commands, what, self.joints() + self.tendons.len())
     }
 
     /// Number of all joints, with the slides of contacts that are held by a force behind them.
@@ -211,4 +210,10 @@ impl<const C: usize> Setup<C> {
             }
         })
     }
+}
+
+/// A list of numbers of joints, refused unless it has the expected length.
+fn of_length(list: &[f64], what: &'static str, expected: usize) -> Result<Vec<f64>, Error> {
+    let given = list.len();
+    if given == expected { Ok(list.to_vec()) } else { Err(Error::JointCommands { what, given, expected }) }
 }
