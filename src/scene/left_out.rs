@@ -7,7 +7,7 @@ use super::setup::Setup;
 use super::warning::Warning;
 use crate::ask::Grasp;
 use crate::equilibrium::{ContactAnswer, Outcome};
-use crate::error::Error;
+use crate::error::{Error, LARGEST};
 use crate::grasp::Link;
 use crate::load_path::Ramp;
 
@@ -71,14 +71,16 @@ impl<const C: usize> Setup<C> {
         is_known: impl Fn(&Question<C>) -> bool,
         same_within: f64,
     ) -> Result<Vec<usize>, Error> {
-        let told = self.grasp()?;
+        let given = self.grasp()?;
         let others = [1, 2].map(&trial);
         let mut questions = Vec::new();
         for (number, question) in self.questions.iter().enumerate() {
-            let figures = self.figures(&told, question)?;
-            let mut depends = is_known(question);
+            // Where motions are small depends on stiffness always: it matters where it bounds the answer.
+            let figures = self.figures(&without_limits(&given), question)?;
+            let mut depends =
+                is_known(question) || !same(&figures, &self.figures(&given, question)?, same_within);
             for other in &others {
-                let others = other.figures(&other.grasp()?, question)?;
+                let others = other.figures(&without_limits(&other.grasp()?), question)?;
                 depends |= !same(&figures, &others, same_within);
             }
             if depends {
@@ -164,6 +166,11 @@ impl<const C: usize> Fingertip<C> {
         self.no_stiffness = true;
         self
     }
+}
+
+/// This grasp without limits of small motions.
+fn without_limits<const C: usize>(grasp: &Grasp<C>) -> Grasp<C> {
+    grasp.with(&grasp.settings().with_small_motions(LARGEST, LARGEST))
 }
 
 /// Fractional parts of multiples of the golden ratio fill the interval from 0 to 1 evenly, without repeating.
