@@ -54,7 +54,8 @@ impl<D: Size, const C: usize> Engine<D, C> {
             body_loads: self.body_loads(),
             too_far,
             pads: self.pads(&contacts),
-            open_cups: self.cups_open(|i| contacts[i].state == ContactState::Separated),
+            open_cups: self
+                .cups_open(|i| contacts[i].state == ContactState::Separated && contacts[i].gap > 0.0),
             contacts,
             joints,
             tendons,

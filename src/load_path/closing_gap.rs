@@ -151,7 +151,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         if self.fallen.is_some() || self.pace.steps >= journey.settings.most_steps {
             return None;
         }
-        let before = self.behind.last().and_then(|last| self.state_on(last, last.to));
+        let before = self.state_before_event();
         let state = before.or_else(|| self.present_state(journey))?;
         let goal = self.segment.course.at(self.factor);
         let leg = Self::standing(self.segment.at_rest(self.factor), self.node.clone());

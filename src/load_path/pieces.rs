@@ -219,13 +219,18 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         stretch.state_at(self.segment.grasp, self.segment.answer_for, fraction)
     }
 
+    /// The equilibrium where the path stands, with the contact states that led there.
+    pub(super) fn state_before_event(&self) -> Option<Equilibrium<C>> {
+        self.behind.last()?.state_before_event(self.segment.grasp, self.segment.answer_for)
+    }
+
     /// Decides the continuation of the path from here; an event if a contact changes its state.
     fn decide(&mut self, journey: &Journey<'g, D, C>) -> Result<Option<Event<C>>, PathEnd<C>> {
         if let Some(first) = self.first.take() {
             self.at_node = true;
             return Ok(Some(*first));
         }
-        let before = self.behind.last().and_then(|last| self.state_on(last, last.to));
+        let before = self.state_before_event();
         let rested = if self.friction_falls() && self.factor == 0.0 { self.pause() } else { Vec::new() };
         let mut onward = self.node.go_on(&mut self.segment, journey, self.factor)?;
         onward.changes.splice(0..0, rested);

@@ -71,7 +71,8 @@ pub(super) struct Bend {
 }
 
 impl<'g, D: Size, const C: usize> Stretch<'g, D, C> {
-    /// The equilibrium at a fraction of the leg; `None` where rounding keeps a part of a step from being made.
+    /// The equilibrium at a fraction of the leg, with all contacts open that carry no force. `None` where rounding keeps a part of a step from being
+    /// made.
     pub(super) fn state_at(
         &self,
         grasp: &'g Engine<D, C>,
@@ -79,12 +80,33 @@ impl<'g, D: Size, const C: usize> Stretch<'g, D, C> {
         fraction: f64,
     ) -> Option<Equilibrium<C>> {
         let (problem, found) = self.found_at(grasp, answer_for, fraction)?;
-        let load = self.load.at(fraction);
         // Contacts without force all touch at a state without any force: there is no scale then.
         let nothing = carries_nothing(&problem, &found.forces, &found.twist);
         let found = if nothing { found } else { told_at_rest(&problem, found) };
+        Some(self.answer(grasp, answer_for, fraction, &problem, found))
+    }
+
+    /// The equilibrium at the end of the piece, with the contact states of the piece: an event says what changes from there on.
+    pub(super) fn state_before_event(
+        &self,
+        grasp: &'g Engine<D, C>,
+        answer_for: AnswerFor,
+    ) -> Option<Equilibrium<C>> {
+        let (problem, found) = self.found_at(grasp, answer_for, self.to)?;
+        Some(self.answer(grasp, answer_for, self.to, &problem, found))
+    }
+
+    fn answer(
+        &self,
+        grasp: &Engine<D, C>,
+        answer_for: AnswerFor,
+        fraction: f64,
+        problem: &Problem<'g, D, C>,
+        found: Found<D, C>,
+    ) -> Equilibrium<C> {
+        let load = self.load.at(fraction);
         let grasp = self.torques.put_on(self.bodies.put_on(grasp, fraction), fraction);
-        Some(grasp.equilibrium(&problem, &load, found, Rung::LoadPath, &Effort::default(), answer_for))
+        grasp.equilibrium(problem, &load, found, Rung::LoadPath, &Effort::default(), answer_for)
     }
 
     /// Problem and contact states at a fraction of the leg; `None` where rounding keeps a part of a step from being made.

@@ -117,7 +117,8 @@ fn nothing_presses() -> Tested {
         assert!(start == PlanarWrench::ZERO);
         let mut path = grasp.follow(&start, &legs)?;
         let events = path.run();
-        assert!(events.len() < 5, "{events:?}");
+        // What is loose between fingers goes from gap to gap as soon as a load acts.
+        assert!(events.iter().filter(|event| event.jump.is_none()).count() < 5, "{events:?}");
         let loss = path.end().and_then(PathEnd::loss).ok_or("lost")?;
         assert!(loss.leg == 1 && loss.fraction == 0.0, "{loss:?}");
         assert!(matches!(loss.kind, LossKind::GivesWay | LossKind::Corner));
