@@ -209,7 +209,9 @@ fn seen_from<const C: usize>(
     }
     // What was open before moves on.
     let opens: Vec<_> = parts.with(&|i| sign(i) != 0.0).into_iter().filter(opens).collect();
-    if opens.is_empty() { WayOut::TurnsAbout { about } } else { WayOut::TipsOver { about, opens } }
+    // A cable that goes slack is no edge that lifts: a door turns about its hinge.
+    let tips = opens.iter().any(|part| part.link.is_none());
+    if tips { WayOut::TipsOver { about, opens } } else { WayOut::TurnsAbout { about } }
 }
 
 /// A turn about the point of its axis that is nearest to another one, which moves like this.

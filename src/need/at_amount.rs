@@ -1,6 +1,6 @@
 //! A grasp with an amount of what it needs, under the load that leaves least friction in reserve.
 
-use super::question::{Need, Safety};
+use super::question::{Need, Safety, Sought};
 use super::trial::{Loading, force_at};
 use crate::ask::Grasp;
 use crate::equilibrium::{ContactState, Equilibrium};
@@ -55,6 +55,10 @@ impl<const C: usize> Grasp<C> {
                 let turn = loading.so_many(turn);
                 let mut path = grasp.follow(&turn.load_at(0.0), &[Leg::turn(&turn)])?;
                 path.run();
+                // A greatest angle is where the turn ends.
+                if matches!(need.sought, Sought::Angle { .. }) {
+                    return Ok(path.state().map(|state| (grasp.with(self.settings()), state)));
+                }
                 let on_the_way = (0..ANGLES).map(|k| path.state_at(0, f64::from(k) / f64::from(ANGLES)));
                 on_the_way.chain([path.state()]).collect()
             }

@@ -87,6 +87,8 @@ fn a_long_row_of_books_is_carried() {
     for count in [9, 25, 60] {
         let grasp = books(count).grasp().expect("well posed");
         let weight = 9.81 * count as f64;
+        // The springs of sixty books add up to a turn beyond small motions.
+        let grasp = grasp.with(&grasp.settings().with_small_motions(1.0, 1.0));
         let verdict = grasp.hold(Wrench::force([0.0, -0.1 * weight])).expect("well posed");
         assert_eq!(verdict.holds(), Some(true), "{count}: {verdict}");
         let faces = sums(&grasp, (&Wrench::ZERO, 0.5), |[x, _]| nearest(x, 0.03));

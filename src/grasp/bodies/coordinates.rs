@@ -131,8 +131,9 @@ impl<D: Size, const C: usize> Engine<D, C> {
             let twist = if body == bodies.object {
                 Twist::among(outside)
             } else {
-                let own = &outside.as_slice()[place.first..place.first + of_the_object::<C>()];
-                let about_centre = Twist::<C>::from_components(own).coordinates();
+                // Components behind the end of the vector are zero.
+                let own: Vec<f64> = (0..of_the_object::<C>()).map(|k| outside[place.first + k]).collect();
+                let about_centre = Twist::<C>::from_components(&own).coordinates();
                 Twist::among(&moved_twist::<Fixed<6>, C>(&place.centre, &about_centre))
             };
             BodyMotion { body: bodies.names[body].clone(), twist, centre: place.centre, reach: place.reach }
