@@ -137,7 +137,8 @@ CASES: list[tuple[Callable[[], object], type[Exception], str]] = [
     (
         lambda: pinch().follow([{"load": [0, -1]}]),  # type: ignore[list-item]
         ValueError,
-        "legs[0]: 'load' given, must be one of load_by, load_to, commands_by, commands_to, joints_by, joints_to, torques_by, torques_to, body_loads_by, body_loads_to, turn",
+        "legs[0]: 'load' given, must be one of load_by, load_to, commands_by, commands_to, joints_by, joints_to, torques_by, torques_to, "
+        "body_loads_by, body_loads_to, turn",
     ),
     (
         lambda: pinch().follow([[0, -1], [0, -1, 0, 0]]),

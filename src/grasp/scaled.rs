@@ -105,7 +105,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             return Ok((of(false, None), grasp));
         }
         let mut pressing = self.loaded_bodies();
-        let labels = parts.into_iter().map(|part| part.label.to_string());
+        let labels = parts.into_iter().map(|part| part.label.clone());
         pressing.extend(labels.filter(|label| label != name));
         let all: Vec<_> = pressing.iter().map(|name| printable(name)).collect();
         Err(Error::Part { name: name.to_owned(), allowed: listed(&all) })

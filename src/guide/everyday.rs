@@ -47,7 +47,7 @@
 //!
 //! ```text
 //! $ grasp-lcp need ladder.json
-//! TAKES an arm of 1.98101 m and holds, and something slides with every amount that was tried. With more: TURNS OUT at once, under any part of 950 N: the object turns about (-6.9726, 2.266) m. Nothing holds all of it within 0.691007 mm and 0.0158355° of there
+//! TAKES an arm of 1.98101 m and holds, and something slides with every amount that was tried. With more: TURNS OUT at once, under any part of 950 N: the object turns about (0, 4.532) m. Nothing holds all of it within 0.691007 mm and 0.0158355° of there
 //! ```
 //!
 //! The arm is the horizontal distance from the foot, 4.69 m along the 5 m of the ladder. There friction of foot and wall is used up at the same time.

@@ -31,7 +31,7 @@ impl<const C: usize> Grasp<C> {
     /// # Errors
     /// As for [`Self::need`].
     pub fn with_amount(&self, need: &Need<C>, amount: f64) -> Result<Option<(Self, Equilibrium<C>)>, Error> {
-        let loading = Loading::of(self, &need.instead(self)?, amount, Safety::NONE)?;
+        let loading = Loading::of(self, &need.instead(self), amount, Safety::NONE)?;
         let Loading { loads, times, grasp, base: besides, .. } = &loading;
         let put_on = |ramp: Ramp<C>| Ok::<_, Error>(grasp.hold(ramp)?.state.map(|state| *state));
         let states: Vec<Option<Equilibrium<C>>> = match loads {

@@ -37,7 +37,7 @@ impl<const C: usize> Grasp<C> {
     #[doc(alias = "required")]
     pub fn need(&self, need: &Need<C>) -> Result<Needed, Error> {
         need.check()?;
-        let asked = need.instead(self)?;
+        let asked = need.instead(self);
         let is_in_place = asked != *need;
         let is_squeezed = self.is_squeezed();
         let mut safety = asked.safety;
@@ -108,16 +108,16 @@ impl<const C: usize> Need<C> {
     }
 
     /// What is sought in place of a squeeze where no command presses: the load of the one body that has one, or else the load at rest.
-    pub(super) fn instead(&self, grasp: &Grasp<C>) -> Result<Self, Error> {
-        let Sought::Squeeze { loads } = &self.sought else { return Ok(self.clone()) };
+    pub(super) fn instead(&self, grasp: &Grasp<C>) -> Self {
+        let Sought::Squeeze { loads } = &self.sought else { return self.clone() };
         let bodies = grasp.loaded_bodies();
         let of = match (grasp.is_squeezed(), &bodies[..]) {
-            (true, _) | (false, [_, _, ..]) => return Ok(self.clone()),
+            (true, _) | (false, [_, _, ..]) => return self.clone(),
             (false, [body]) => Some(body.clone()),
-            (false, []) if self.base == Wrench::ZERO => return Ok(self.clone()),
+            (false, []) if self.base == Wrench::ZERO => return self.clone(),
             (false, []) => None,
         };
-        Ok(Self { sought: Sought::Force { of, loads: loads.clone() }, ..self.clone() })
+        Self { sought: Sought::Force { of, loads: loads.clone() }, ..self.clone() }
     }
 
     /// The size of a single force that is sought so many times.

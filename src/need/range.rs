@@ -119,17 +119,14 @@ impl Range {
             let middle = if high > 2.0 * low { (low * high).sqrt() } else { 0.5 * (low + high) };
             let is_near = high - low <= NEAR * high;
             let at = secant.filter(|at| is_near && low < *at && *at < high).unwrap_or(middle);
-            match left(at)? {
-                Some(now) => {
-                    secant = (now < last).then(|| at + now * (at - low) / (last - now));
-                    (low, last) = (at, now);
-                }
-                None => {
-                    high = at;
-                    // Beyond the end of what proofs tell apart the secant has found it.
-                    if secant == Some(at) {
-                        break;
-                    }
+            if let Some(now) = left(at)? {
+                secant = (now < last).then(|| at + now * (at - low) / (last - now));
+                (low, last) = (at, now);
+            } else {
+                high = at;
+                // Beyond the end of what proofs tell apart the secant has found it.
+                if secant == Some(at) {
+                    break;
                 }
             }
         }

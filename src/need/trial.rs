@@ -155,7 +155,7 @@ impl<const C: usize> Loading<C> {
             Loads::Each(loads) => list.extend(loads.iter().map(|load| self.base + *load * self.times)),
             Loads::AnyForce { base, size, point } => {
                 let along = |k: usize| {
-                    let signed = if k % 2 == 0 { size * self.times } else { -size * self.times };
+                    let signed = if k.is_multiple_of(2) { size * self.times } else { -size * self.times };
                     force_at(core::array::from_fn(|a| if a == k / 2 { signed } else { 0.0 }), *point)
                 };
                 list.extend((0..2 * C).map(|k| self.base + *base * self.times + along(k)));

@@ -171,7 +171,7 @@ impl Needed {
                 return Ok(true);
             }
             Some(Amount::None { .. }) => {
-                f.write_str(", and something slides with every amount that was tried")?
+                f.write_str(", and something slides with every amount that was tried")?;
             }
             Some(Amount::Undecided { .. }) => f.write_str("; with how much nothing slides is not known")?,
         }

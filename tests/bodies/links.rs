@@ -1,5 +1,6 @@
 //! Hinges, slides, rigid joints, springs and cables carry what statics says, and leave free what they are to leave free.
 
+use grasp_lcp::equilibrium::ContactAnswer;
 use grasp_lcp::grasp::LinkKind;
 use grasp_lcp::hold::Verdict;
 use grasp_lcp::{Error, planar, spatial};
@@ -309,6 +310,6 @@ fn belts_pull_as_they_are_installed() {
     for (contact, (_, _, pull)) in state.contacts[2..].iter().zip(belts) {
         assert!((contact.normal_force() - pull).abs() < 1e-9 * pull, "{outcome}");
     }
-    let feet: f64 = state.contacts[..2].iter().map(|contact| contact.normal_force()).sum();
+    let feet: f64 = state.contacts[..2].iter().map(ContactAnswer::normal_force).sum();
     assert!((feet - 265.0).abs() < 1e-6, "{outcome}");
 }
