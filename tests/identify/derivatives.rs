@@ -1,7 +1,7 @@
 //! What gross slip gains by a number that grows, of random grasps in the plane and in space: differences of what the grasp itself answers.
 
 use grasp_lcp::identify::{Identify, Slip, Unknown};
-use grasp_lcp::{planar, spatial};
+use grasp_lcp::{Settings, planar, spatial};
 use support::splitmix::Random;
 
 type Tested = Result<(), grasp_lcp::Error>;
@@ -69,8 +69,11 @@ macro_rules! derivatives {
                         let contact = contact.clone().friction(friction * by);
                         contact.pressed_with(command * squeeze)
                     };
-                    $at::Grasp::new(drawn.iter().zip(factors).map(contact).collect::<Vec<_>>())
+                    let contacts = drawn.iter().zip(factors).map(contact).collect::<Vec<_>>();
+                    // Gross slip is where equilibrium is lost, however far the object has moved by then.
+                    $at::Grasp::new(contacts)
                         .expect("valid")
+                        .with(&Settings::default().with_small_motions(1e50, 1e50))
                 };
                 let lost = |factors: &[[f64; 2]]| {
                     let verdict = grasp(factors).hold($at::Ramp::load(base, load * 1000.0)).expect("a load");

@@ -1,5 +1,6 @@
 //! Slips that the grasp's own numbers do not predict: other starting values are tried, and weights lie there at rest.
 
+use grasp_lcp::Settings;
 use grasp_lcp::identify::{Ending, Identify, Slip, Unknown};
 use grasp_lcp::load_path::Ramp;
 use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -29,7 +30,9 @@ fn askew(draw: &mut Random, friction: f64) -> Vec<Contact> {
 fn seen(draw: &mut Random, guess: f64) -> Result<(f64, Grasp, Vec<Wrench>), grasp_lcp::Error> {
     let truth = 0.1 + 0.3 * draw.uniform();
     let contacts = askew(draw, truth);
-    let grasp = Grasp::new(contacts.clone())?;
+    // Loads are those that drag the object out, however far it has moved by then.
+    let however_far = Settings::default().with_small_motions(1e50, 1e50);
+    let grasp = Grasp::new(contacts.clone())?.with(&however_far);
     if !grasp.hold(Ramp::load(Wrench::ZERO, Wrench::force([1e-3, 0.0])))?.sticks().unwrap_or(false) {
         // Fingers that slide off at rest hold nothing.
         return seen(draw, guess);
@@ -42,6 +45,7 @@ fn seen(draw: &mut Random, guess: f64) -> Result<(f64, Grasp, Vec<Wrench>), gras
         loads.push(load * (lost.factor * (0.05 * draw.normal()).exp()));
     }
     let guess = Grasp::new(contacts.into_iter().map(|contact| contact.friction(guess)))?;
+    let guess = guess.with(&however_far);
     Ok((truth, guess, loads))
 }
 
