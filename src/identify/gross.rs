@@ -1,13 +1,18 @@
 //! Prediction of gross slip, the loss of the object.
+//!
+//! An object that leaves is seen to slip, although a gap may close on its way and its load path go on from there. Gross slip is then where it leaves.
 
 use core::f64::consts::TAU;
+
+use nalgebra::SVector;
 
 use super::leaving::GrossSlip;
 use super::model::{NoSlip, Predicted, SlipToPredict};
 use super::slip::Grown;
 use crate::error::Error;
-use crate::grasp::Motion;
+use crate::grasp::{Motion, Twist};
 use crate::load_path::{Leg, PathEnd};
+use crate::prelude::*;
 
 /// The load factor or angle at gross slip.
 pub(super) fn predicted<const C: usize>(
@@ -25,16 +30,26 @@ pub(super) fn predicted<const C: usize>(
         }
     };
     let mut path = seen.grasp.follow(&start, &[leg])?;
-    path.by_ref().for_each(drop);
+    let told = |at: f64, motion: Option<&Twist<C>>, forces: &[SVector<f64, C>]| {
+        let motion = motion.filter(|_| seen.derivatives);
+        let leaving = motion.and_then(|motion| GrossSlip::from_end(seen, at, motion, forces));
+        Predicted { at, exact: leaving.and_then(|leaving| leaving.derivatives()) }
+    };
+    for event in path.by_ref() {
+        let Some(jump) = event.jump.filter(|jump| !jump.reaches.is_empty()) else { continue };
+        let forces: Vec<_> = event.state.contacts.iter().map(|contact| contact.force).collect();
+        let motion = match &jump.moved[..] {
+            [object] if event.drives.is_empty() => Some(&object.twist),
+            _ => None,
+        };
+        return Ok(Ok(told(event.fraction * most, motion, &forces)));
+    }
     Ok(match path.end() {
         Some(PathEnd::Lost(loss)) => {
-            let at = loss.fraction * most;
             let is_one_object = |motion: &&Motion<C>| motion.bodies.is_empty() && motion.joints.is_empty();
-            let is_steady = seen.derivatives && loss.drives.is_empty() && loss.jumped.is_empty();
+            let is_steady = loss.drives.is_empty() && loss.jumped.is_empty();
             let motion = loss.motion.as_ref().filter(|_| is_steady).filter(is_one_object);
-            let leaving =
-                motion.and_then(|motion| GrossSlip::from_end(seen, at, &motion.object, &path.forces()));
-            Ok(Predicted { at, exact: leaving.and_then(|leaving| leaving.derivatives()) })
+            Ok(told(loss.fraction * most, motion.map(|motion| &motion.object), &path.forces()))
         }
         Some(PathEnd::Completed) => Err(NoSlip::HoldsTooWell("it is not lost as far as it was followed")),
         Some(PathEnd::NoStart(_)) => Err(NoSlip::HoldsTooLittle("nothing holds where it begins")),

@@ -36,6 +36,23 @@ fn friction_of_a_pinch() -> Tested {
     Ok(())
 }
 
+/// A floor below the object catches it, but it has slipped by then.
+#[test]
+fn friction_of_a_pinch_above_a_floor() -> Tested {
+    // At 10 N the springs give way by 0.5 mm.
+    let jaw = |x: f64| {
+        Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e4, 1e4).friction(0.5).pressed_with(10.0)
+    };
+    let floor =
+        Contact::new([0.0, -0.02], [0.0, 1.0]).series_stiffness(1e4, 5e3).friction(0.2).clearance(1e-3);
+    let contacts = [jaw(-0.03), jaw(0.03), floor];
+    let found = Identify::new([Unknown::friction().of_contacts([0, 1])], [Slip::gross(down(6.2))])
+        .answered_by(&Grasp::new(contacts)?)?;
+    are(&found, &[0.31]);
+    assert_eq!(found.by_differences, 0, "exact derivatives");
+    Ok(())
+}
+
 /// With friction as given, 0.5, a pinch that holds 12 N presses with 12 N, 1.2 times as hard as was said.
 #[test]
 fn squeeze_of_a_pinch() -> Tested {
