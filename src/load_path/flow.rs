@@ -16,6 +16,7 @@ use super::arc::{Arc, Direction};
 use super::energy::LegEnergy;
 use super::relaxation::Relaxation;
 use super::segment::{Here, Segment};
+use super::trajectory::Trajectory;
 use super::watch::is_vanishing;
 use crate::contact::{State, Tangent, tangential, tangential_norm};
 use crate::numerics::{Size, Stepped, Vector, explicit_step, implicit_step};
@@ -275,7 +276,8 @@ impl<'s, 'g, D: Size, const C: usize> Flow<'s, 'g, D, C> {
         let worked = segment.course.at(self.from + y[load]).component_mul(&way.twist);
         turnover += fingers.abs() + worked.map(f64::abs).sum();
         out[works..].copy_from_slice(&[fingers, heat, worked.sum(), turnover]);
-        Some(backwards > 0.0 || way.factor < -TURNS_BACK)
+        let is_straight = matches!(segment.course, Trajectory::Straight { .. });
+        Some(backwards > 0.0 || is_straight && way.factor < -TURNS_BACK)
     }
 
     /// Friction forces of the sliding contacts, in order, after these changes of the variables.

@@ -126,7 +126,11 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
                 end = self.locate(here, &start, end, condition)?;
             }
             let ends = [here, &end.reached.here];
-            let dip = first_dip(&self.segment, &self.node.states, ends, (end.length, tolerance));
+            // Bounds over a step are those of loads that grow: along a turn they cut steps short in vain.
+            let is_straight = matches!(self.segment.course, Trajectory::Straight { .. });
+            let dip = is_straight
+                .then(|| first_dip(&self.segment, &self.node.states, ends, (end.length, tolerance)))
+                .flatten();
             let Some(part) = dip.filter(|_| looks < MOST_LOOKS) else { return Some(end) };
             looks += 1;
             end = self.step(here, (part * end.length, 0), end.rule)?;
