@@ -9,13 +9,13 @@ use crate::prelude::*;
 const CLOSE: f64 = 1e-13;
 /// Amounts this close together are one, relatively: at first, and after so many steps, when rounding or jumps of what is carried keep them apart.
 pub(super) type Enough = &'static [(usize, f64)];
-pub(super) const EXACT: Enough = &[(0, 2e-12), (14, 5e-10)];
+pub(super) const EXACT: Enough = &[(0, 1e-12), (40, 5e-10)];
 /// The same of an amount that is told beside another.
 pub(super) const SECOND: Enough = &[(0, 2e-12), (5, 1e-8)];
 /// The same of what lies beside a bound.
-const BESIDE_A_BOUND: Enough = &[(0, 1e-10), (8, 1e-8), (10, 1e-4)];
+const BESIDE_A_BOUND: Enough = &[(0, 1e-10), (16, 1e-8), (20, 1e-4)];
 /// An end that statics has found is tried this far inside and outside, relatively: nearer than proofs tell amounts apart, or else by what they tell apart.
-const NEAR_AN_END: [f64; 3] = [1e-12, 1e-8, 1e-5];
+const NEAR_AN_END: [f64; 3] = [4e-13, 1e-8, 1e-5];
 /// An end that is likely is tried this far to both sides, relatively.
 const LIKELY: f64 = 3e-12;
 /// A guess is followed so many times.
