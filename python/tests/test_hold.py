@@ -35,7 +35,7 @@ def test_what_a_pinch_needs() -> None:
 def test_how_far_a_weight_may_be_tilted() -> None:
     # F_n = 8 - W/2 sin θ, F_t = W/2 cos θ at the jaw above: W/2 (cos θ + μ sin θ) = 8 μ, for W = 7.5 N.
     grasp = pinch(0.5, 8.0)
-    needed = grasp.need("angle", turn={"weight": [0, -7.5]})
+    needed = grasp.need("angle", turn={"weight": [0, -7.5]}, sticks=True)
     at = (3.75 * math.cos(needed.amount or 0.0), 3.75 * math.sin(needed.amount or 0.0))
     assert at[0] + 0.5 * at[1] == pytest.approx(4.0, rel=1e-11)
     # The one is halved towards as a verdict, the other is the root of a margin.
@@ -52,7 +52,7 @@ def test_friction_of_one_contact_by_its_name() -> None:
     jaws = Grasp.planar(
         [[-1, 0], [1, 0]], [[1, 0], [-1, 0]], series_stiffness=[1e3, 1e3], friction=[0.1, 0.9], pressed_with=8.0, names=["left", "right"]
     )
-    by_name, by_number = (jaws.need("friction", [0, -10], contact=contact).amount for contact in ("left", 0))
+    by_name, by_number = (jaws.need("friction", [0, -10], contact=contact, sticks=True).amount for contact in ("left", 0))
     assert by_name == by_number == pytest.approx(5 / 8, rel=1e-11)
     with pytest.raises(ValueError, match=r"contact: none is called 'lift', must be the name of one of \['left', 'right'\]"):
         jaws.need("friction", [0, -10], contact="lift")

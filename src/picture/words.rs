@@ -1,7 +1,6 @@
 //! Texts and numbers for pictures and pages.
 
 use crate::equilibrium::Equilibrium;
-use crate::words::TOO_FAR;
 
 /// Sizes in this range are written without an exponent.
 const PLAIN: std::ops::Range<f64> = 1e-3..1e5;
@@ -73,7 +72,7 @@ pub(super) fn caution<'w, const C: usize>(
     mut said: impl Iterator<Item = &'w str>,
 ) -> Option<String> {
     let caution = state?.caution()?;
-    (!said.any(|sentence| sentence.contains(TOO_FAR))).then(|| format!("CAUTION: {caution}"))
+    (!said.any(|sentence| sentence.contains(&caution))).then(|| format!("CAUTION: {caution}"))
 }
 
 /// A name shortened to at most `letters` letters.

@@ -7,7 +7,7 @@ use super::verdict::{Repeats, Shaken};
 use crate::grasp::{BodyMotion, WholeContact};
 use crate::hold::does;
 use crate::prelude::*;
-use crate::words::{TOO_FAR, Words, listed};
+use crate::words::{Words, listed};
 
 /// Relative change of forces below which they count as constant, up to the error of steps along arcs. Even small changes may add up.
 const SAME: f64 = 1e-8;
@@ -24,8 +24,8 @@ impl<const C: usize> fmt::Display for Shaken<C> {
         let at_the_loss =
             || if let Repeats::Lost { lost, .. } = &self.repeats { lost.state.as_ref() } else { None };
         match self.state.as_ref().or_else(at_the_loss) {
-            Some(state) if state.is_beyond_small_motions() => write!(f, ". {TOO_FAR}"),
-            _ => Ok(()),
+            Some(state) => state.caution().map_or(Ok(()), |caution| write!(f, ". CAUTION: {caution}")),
+            None => Ok(()),
         }
     }
 }

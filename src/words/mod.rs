@@ -15,9 +15,6 @@
 //! assert_eq!(printable("left\u{1b}[2J\n"), "left\\u{1b}[2J\\n");
 //! ```
 
-/// The end of a sentence whose answer lies beyond small motions.
-pub(crate) const TOO_FAR: &str = "The object turns too far for that: all this is good for small motions";
-
 mod link_kind;
 mod names;
 mod numbers;

@@ -1,6 +1,7 @@
 //! Amounts against brute force: 200 amounts around each answer, put on by `hold` one by one, on random scenes.
 //!
 //! `GRASP_LCP_SAMPLES` says how many scenes are drawn for each quantity; without it they are few, with fewer amounts.
+#![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few fingers are counted")]
 
 use grasp_lcp::need::{Amount, Need};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};
