@@ -9,7 +9,7 @@ use crate::prelude::*;
 const CLOSE: f64 = 1e-13;
 /// Amounts this close together are one, relatively: at first, and after so many steps, when rounding or jumps of what is carried keep them apart.
 pub(super) type Enough = &'static [(usize, f64)];
-pub(super) const EXACT: Enough = &[(0, 1e-12), (40, 5e-10)];
+pub(super) const EXACT: Enough = &[(0, 1e-12), (64, 5e-10)];
 /// The same of an amount that is told beside another.
 pub(super) const SECOND: Enough = &[(0, 2e-12), (5, 1e-8)];
 /// The same of what lies beside a bound.
@@ -31,6 +31,10 @@ const MOST_STEPS: usize = 120;
 const BESIDE: [f64; 6] = [0.01, -0.01, 0.1, -0.1, 0.3, -0.3];
 /// And of an amount alone these.
 const BESIDE_ONE: [f64; 6] = [1e-9, -1e-9, 1e-6, -1e-6, 1e-3, -1e-3];
+
+/// The carried part jumps at an edge if this part of its fall is left in this part of the interval; a continuous one falls with the interval.
+const JUMP: f64 = 0.25;
+const JUMP_WIDTH: f64 = 1.0 / 16.0;
 
 /// Tries an amount.
 pub(super) type Tries<'t> = &'t dyn Fn(f64) -> Result<Trial, Error>;
@@ -353,6 +357,11 @@ impl Threshold {
         let mut under = short(&self.does_not.1);
         // Whether the last step kept the same side, how far it is pushed to the other one, and the width three steps ago.
         let (mut kept, mut push, mut widths) = (None, 0.5 * CLOSE, [f64::INFINITY; 3]);
+        // The carried part jumps at the edge if it still falls by a quarter where the amounts are much closer than at first: only halves help then.
+        let falls =
+            |does: Option<f64>, does_not: Option<f64>| does.zip(does_not).map(|(over, under)| over - under);
+        let (mut last_over, mut last_under) = (over, under);
+        let (at_first, fall_at_first) = ((self.does_not.0 - self.does).abs(), falls(over, under));
         for step in 0..MOST_STEPS {
             let (from, to) = (self.does, self.does_not.0);
             let width = (to - from).abs();
@@ -365,8 +374,10 @@ impl Threshold {
             widths[step % 3] = width;
             let secant =
                 over.zip(under).filter(|(over, under)| *over >= 0.0 && *under <= 0.0 && over > under);
+            let fall = falls(last_over, last_under).zip(fall_at_first);
+            let jumps = width <= JUMP_WIDTH * at_first && fall.is_some_and(|(now, first)| now > JUMP * first);
             let at = match secant {
-                Some((over, under)) if !(step >= 3 && is_slow && kept.is_none()) => {
+                Some((over, under)) if !jumps && !(step >= 3 && is_slow && kept.is_none()) => {
                     let least = (push * from.abs().max(to.abs()) / width).min(0.5);
                     from + (to - from) * (over / (over - under)).clamp(least, 1.0 - least)
                 }
@@ -384,11 +395,13 @@ impl Threshold {
             match now {
                 Trial::Does { .. } => {
                     over = short(&now);
+                    last_over = over;
                     under = under.map(|under| if again { 0.5 * under } else { under });
                     self.does = at;
                 }
                 Trial::DoesNot { .. } => {
                     under = short(&now);
+                    last_under = under;
                     over = over.map(|over| if again { 0.5 * over } else { over });
                     self.does_not = (at, now);
                 }
