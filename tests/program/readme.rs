@@ -22,7 +22,7 @@ fn the_dialogue_is_what_is_printed() {
     for (arguments, told) in &dialogues {
         assert_eq!(printed(arguments), *told, "{arguments:?}");
     }
-    assert_eq!(dialogues.len(), 2);
+    assert_eq!(dialogues.len(), 3);
 }
 
 #[test]
