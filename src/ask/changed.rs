@@ -8,7 +8,7 @@ use super::grasp::Grasp;
 use super::questions::Questions;
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
-use crate::grasp::{Contact, Pressing, Wrench};
+use crate::grasp::{Contact, PressOfPart, Wrench};
 use crate::prelude::*;
 
 impl<const C: usize> Grasp<C> {
@@ -158,7 +158,7 @@ impl<const C: usize> Grasp<C> {
     }
 
     /// The force with which the named part presses, and this grasp with that force multiplied by `factor`.
-    pub(crate) fn scaled(&self, part: &str, factor: f64) -> Result<(Pressing, Self), Error> {
+    pub(crate) fn scaled(&self, part: &str, factor: f64) -> Result<(PressOfPart, Self), Error> {
         let (pressing, engine) = self.engine.scaled(part, factor)?;
         Ok((pressing, self.changed(Ok(engine))?))
     }

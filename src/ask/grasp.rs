@@ -180,8 +180,7 @@ impl<const C: usize> Grasp<C> {
     }
 
     /// Whether a command, a held force or a vacuum presses, all of which a [squeeze](Self::squeezed) scales.
-    #[must_use]
-    pub fn is_squeezed(&self) -> bool {
+    pub(crate) fn is_squeezed(&self) -> bool {
         self.engine.is_squeezed()
     }
 

@@ -13,7 +13,7 @@ use crate::energy::{
 use crate::equilibrium::{Accuracy, Bracket, Decomposition, Equilibrium, Outcome, Refutation, Settings};
 use crate::error::Error;
 use crate::forms::Form;
-use crate::grasp::{BodyLoad, Contact, Engine, HandPart, Pressing, Wrench};
+use crate::grasp::{BodyLoad, Contact, Engine, HandPart, PressOfPart, Wrench};
 use crate::hold::Verdict;
 use crate::load_path::{
     Beyond, Derivative, GeometryGradient, Leg, LoadPath, Onset, OnsetEvent, OnsetGradient, Parameter,
@@ -130,7 +130,7 @@ macro_rules! questions {
 type Changed<const C: usize> = Result<Arc<dyn Questions<C>>, Error>;
 
 /// What one part presses with, and the engine where it presses otherwise.
-type Scaled<const C: usize> = Result<(Pressing, Arc<dyn Questions<C>>), Error>;
+type Scaled<const C: usize> = Result<(PressOfPart, Arc<dyn Questions<C>>), Error>;
 
 questions! {
     any {

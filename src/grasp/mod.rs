@@ -74,7 +74,7 @@ pub(crate) use rotation::{
     assert_plane_or_space, displacement_of, grasp_map, moved_twist, moved_wrench, object_alone,
     of_the_object, wrench_of,
 };
-pub(crate) use scaled::Pressing;
+pub(crate) use scaled::PressOfPart;
 pub(crate) use site::{Site, size_of};
 pub(crate) use stiffness::Stiffness;
 pub use suction_cup::SuctionCup;

@@ -10,7 +10,7 @@ use crate::words::{listed, printable};
 
 /// A part that presses: a body by its load, or a contact, a cable or a joint by its command.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Pressing {
+pub(crate) struct PressOfPart {
     pub(crate) name: String,
     pub(crate) is_body: bool,
     /// The size of its force or moment with the unit, where it is one.
@@ -55,11 +55,11 @@ impl<D: Size, const C: usize> Engine<D, C> {
     ///
     /// # Errors
     /// [`Error::Part`] where no part has this name, or it presses with nothing.
-    pub(crate) fn scaled(&self, name: &str, factor: f64) -> Result<(Pressing, Self), Error> {
+    pub(crate) fn scaled(&self, name: &str, factor: f64) -> Result<(PressOfPart, Self), Error> {
         if !is_moderate(factor) {
             return Err(Error::Argument { what: "factor of a force", value: factor, allowed: MODERATE });
         }
-        let of = |is_body, size| Pressing { name: name.to_owned(), is_body, size };
+        let of = |is_body, size| PressOfPart { name: name.to_owned(), is_body, size };
         if let Some(bodies) = self.bodies()
             && let Some(body) = bodies.names.iter().position(|other| **other == *name)
             && bodies.given[body] != Wrench::ZERO

@@ -13,7 +13,7 @@
 use super::event::{Change, Event, Loss, LossKind, PathEnd};
 use super::follower::Follower;
 use super::journey::Journey;
-use super::letting_go::Fall;
+use super::letting_go::JumpInProgress;
 use super::pieces::Pieces;
 use crate::contact::{Law, LocalLaw, Mode, Resistance, ZERO_SLACK, tangential};
 use crate::grasp::Coordinates;
@@ -155,7 +155,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         let state = before.or_else(|| self.present_state(journey))?;
         let goal = self.segment.course.at(self.factor);
         let leg = Self::standing(self.segment.at_rest(self.factor), self.node.clone());
-        let mut fall = Fall::of(leg);
+        let mut fall = JumpInProgress::of(leg);
         fall.leg.pace.steps = self.pace.steps + 1;
         let went = fall.go_on_freely(loss, &goal, journey).and_then(|lets_go| {
             let first = core::mem::take(&mut fall.changes);
@@ -181,7 +181,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
     }
 }
 
-impl<'g, D: Size, const C: usize> Fall<'g, D, C> {
+impl<'g, D: Size, const C: usize> JumpInProgress<'g, D, C> {
     /// Continues after a loss on its leg: contacts that begin to slide release the force that their friction loses, or else the object moves until a
     /// gap closes. Whether a force is released.
     ///

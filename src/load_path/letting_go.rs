@@ -35,7 +35,7 @@ use crate::search::{Doubt, Found, Settings, Settled, settle};
 const MOST_OFTEN: usize = 16;
 
 /// A jump in progress.
-pub(super) struct Fall<'g, D: Size, const C: usize> {
+pub(super) struct JumpInProgress<'g, D: Size, const C: usize> {
     /// The leg along which the missing force is released.
     pub(super) leg: Pieces<'g, D, C>,
     /// The slips and states on it so far.
@@ -45,7 +45,7 @@ pub(super) struct Fall<'g, D: Size, const C: usize> {
     pub(super) reaches: Vec<usize>,
 }
 
-impl<'g, D: Size, const C: usize> Fall<'g, D, C> {
+impl<'g, D: Size, const C: usize> JumpInProgress<'g, D, C> {
     /// A jump at the beginning of its leg.
     pub(super) fn of(leg: Pieces<'g, D, C>) -> Self {
         let slips = leg.segment.problem.slips.clone();
@@ -184,7 +184,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
             end => end,
         };
         let Some(leg) = self.let_go(&goal, begin, journey).map_err(end_here)? else { return Ok(None) };
-        let mut fall = Fall::of(leg);
+        let mut fall = JumpInProgress::of(leg);
         fall.fallen.slips.clone_from(&self.segment.problem.slips);
         fall.note(&[]);
         if let Err(end) = fall.go(&goal, journey) {
@@ -202,7 +202,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         &mut self,
         journey: &Journey<'g, D, C>,
         goal: &Vector<D>,
-        fall: Fall<'g, D, C>,
+        fall: JumpInProgress<'g, D, C>,
     ) -> Result<Jump<C>, PathEnd<C>> {
         let slips = fall.slips(journey);
         let mut segment = self.segment.clone();

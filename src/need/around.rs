@@ -1,7 +1,7 @@
 //! What lies around a bound: whether amounts beyond it do throughout, and whether others do.
 
 use super::answer::AmountWindow;
-use super::search::{Course, Threshold, Tries};
+use super::search::{SearchPlan, Threshold, Tries};
 use super::trial::Trial;
 use crate::error::Error;
 use crate::prelude::*;
@@ -26,7 +26,7 @@ pub(super) struct Around {
     pub(super) elsewhere: Vec<AmountWindow>,
 }
 
-impl Course {
+impl SearchPlan {
     /// Amounts just inside and outside an end that statics has found.
     fn at_the_end(&self, up: bool) -> Vec<f64> {
         let end = |end: f64| {
@@ -42,21 +42,21 @@ impl Around {
         bound: &Threshold,
         scan: usize,
         far: bool,
-        course: &Course,
+        plan: &SearchPlan,
         tries: Tries<'_>,
     ) -> Result<Self, Error> {
         let mut around = Self { changes: 1, until: None, elsewhere: Vec::new() };
-        if course.is_monotone {
+        if plan.is_monotone {
             return Ok(around);
         }
         let half = scan / 2;
         for (up, count) in [(false, half), (true, scan - half)] {
-            let is_beyond = up == course.is_least;
+            let is_beyond = up == plan.is_least;
             let fine = (1..=count).map(|k| SCANNED.powf((k as f64 / count as f64).powi(3)));
             let coarse = (far && is_beyond && count > 0).then_some(FAR);
             let parts = fine.chain(coarse).map(|part| if up { bound.does * part } else { bound.does / part });
-            let mut amounts: Vec<f64> = parts.filter(|amount| course.contains(*amount)).collect();
-            amounts.extend(course.at_the_end(up).into_iter().filter(|_| is_beyond));
+            let mut amounts: Vec<f64> = parts.filter(|amount| plan.contains(*amount)).collect();
+            amounts.extend(plan.at_the_end(up).into_iter().filter(|_| is_beyond));
             let from = if is_beyond {
                 (bound.does, None)
             } else {
@@ -71,14 +71,14 @@ impl Around {
     /// Where amounts do no longer on the other side of one with which all that were looked at do: from there through amounts that are known.
     pub(super) fn far_end(
         to: f64,
-        course: &Course,
+        plan: &SearchPlan,
         known: &[(f64, Trial)],
         tries: Tries<'_>,
     ) -> Result<Option<Threshold>, Error> {
         let mut around = Self { changes: 0, until: None, elsewhere: Vec::new() };
-        let up = course.is_least;
+        let up = plan.is_least;
         let mut amounts: Vec<f64> = known.iter().map(|(at, _)| *at).collect();
-        amounts.extend(course.at_the_end(up));
+        amounts.extend(plan.at_the_end(up));
         amounts.sort_by(|one, other| if up { one.total_cmp(other) } else { other.total_cmp(one) });
         around.side((to, None), up, true, &amounts, tries)?;
         Ok(around.until)

@@ -6,7 +6,7 @@ use super::answer::{Amount, FarEnd, Needed, Press, PressedBy, Quantity, check_pa
 use super::around::Around;
 use super::question::{Demand, Need, Safety, Sought};
 use super::range::Range;
-use super::search::{Course, EXACT, Guess, SECOND, Searched, Threshold, search};
+use super::search::{EXACT, Guess, SECOND, SearchPlan, Searched, Threshold, search};
 use super::trial::{Loading, MOST_LOADS, Trial, Trials};
 use crate::ask::Grasp;
 use crate::equilibrium::{DriveState, Outcome};
@@ -225,7 +225,7 @@ impl<'q, const C: usize> Tried<'q, C> {
         known.iter().filter_map(|(at, trials)| Some((*at, trials.of(demand)?.clone()))).collect()
     }
 
-    fn course(&self, look: Look) -> Result<Course, Error> {
+    fn plan(&self, look: Look) -> Result<SearchPlan, Error> {
         let (grasp, need) = (self.grasp, self.need);
         let (start, repeats) = (self.start, need.demand.repeats());
         let limits = match need.sought {
@@ -247,7 +247,7 @@ impl<'q, const C: usize> Tried<'q, C> {
         let range = Range::of(grasp, need, self.safety, limits)?;
         let is_least = need.quantity().is_least();
         let guess = if repeats { Guess::Nothing } else { guess };
-        Ok(Course {
+        Ok(SearchPlan {
             start,
             limits,
             range,
@@ -269,14 +269,14 @@ fn amount<const C: usize>(tried: &Tried<'_, C>, demand: Demand, look: Look) -> R
         return Err(Error::Argument { what, value: *contact as f64, allowed });
     }
     let tries = |amount: f64| tried.at(amount, demand);
-    let course = tried.course(look)?;
-    if course.range.is_empty {
-        let trial = tries(course.start)?;
-        return Ok(nothing_does(vec![(course.start, trial)], course.limits, true));
+    let plan = tried.plan(look)?;
+    if plan.range.is_empty {
+        let trial = tries(plan.start)?;
+        return Ok(nothing_does(vec![(plan.start, trial)], plan.limits, true));
     }
     // An angle is not turned beyond what was asked for.
-    if matches!(need.sought, Sought::Angle { .. }) && tries(course.start)?.does() {
-        return Ok(Amount::Any { to: course.start, until: None });
+    if matches!(need.sought, Sought::Angle { .. }) && tries(plan.start)?.does() {
+        return Ok(Amount::Any { to: plan.start, until: None });
     }
     let is_squeeze = matches!(need.sought, Sought::Squeeze { .. });
     let at_rest = |does: f64| if is_squeeze { presses(grasp, does) } else { Ok(Default::default()) };
@@ -288,10 +288,10 @@ fn amount<const C: usize>(tried: &Tried<'_, C>, demand: Demand, look: Look) -> R
         let (presses, at_their_limit) = at_rest(does)?;
         Ok(Some(FarEnd { does, does_not, otherwise, presses, at_their_limit }))
     };
-    let bound = match search(&tries, &course, &tried.known(demand))? {
+    let bound = match search(&tries, &plan, &tried.known(demand))? {
         Searched::Threshold(edge) => edge,
         Searched::All(to) => {
-            let until = Around::far_end(to, &course, &tried.known(demand), &tries)?;
+            let until = Around::far_end(to, &plan, &tried.known(demand), &tries)?;
             return Ok(Amount::Any { to, until: until.map(far_end).transpose()?.flatten() });
         }
         Searched::Nothing(mut vain) => {
@@ -299,7 +299,7 @@ fn amount<const C: usize>(tried: &Tried<'_, C>, demand: Demand, look: Look) -> R
             if look == Look::Towards && vain.iter().any(|(_, trial)| trial.carried().is_some()) {
                 vain.retain(|(_, trial)| trial.carried().is_some());
             }
-            return Ok(nothing_does(vain, course.limits, false));
+            return Ok(nothing_does(vain, plan.limits, false));
         }
     };
     let (does, does_not) = (bound.does, bound.does_not.0);
@@ -310,7 +310,7 @@ fn amount<const C: usize>(tried: &Tried<'_, C>, demand: Demand, look: Look) -> R
     };
     let is_far = is_squeeze || matches!(need.sought, Sought::Force { .. });
     let scan = if look == Look::Around { need.scan } else { 0 };
-    let Around { changes, until, elsewhere } = Around::of(&bound, scan, is_far, &course, &tries)?;
+    let Around { changes, until, elsewhere } = Around::of(&bound, scan, is_far, &plan, &tries)?;
     let until = until.map(far_end).transpose()?.flatten();
     let (presses, at_their_limit) = at_rest(does)?;
     let unknown = bound.unknown.map(|(at, _)| at);

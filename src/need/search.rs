@@ -70,7 +70,7 @@ pub(super) enum Guess {
 
 /// Where amounts are looked for, and how.
 #[derive(Debug)]
-pub(super) struct Course {
+pub(super) struct SearchPlan {
     pub(super) start: f64,
     /// The least and the greatest amount that is looked at.
     pub(super) limits: [f64; 2],
@@ -85,7 +85,7 @@ pub(super) struct Course {
     pub(super) enough: Enough,
 }
 
-impl Course {
+impl SearchPlan {
     fn low(&self) -> f64 {
         self.range.low.unwrap_or(self.limits[0])
     }
@@ -126,51 +126,51 @@ impl Course {
 
 /// From a start that does towards less of it, from one that does not towards more. Where no more of it does, either, some do perhaps on the other side,
 /// or between two of them. What is known of amounts from before is used.
-pub(super) fn search(tries: Tries<'_>, course: &Course, known: &[(f64, Trial)]) -> Result<Searched, Error> {
-    let more = course.is_least;
+pub(super) fn search(tries: Tries<'_>, plan: &SearchPlan, known: &[(f64, Trial)]) -> Result<Searched, Error> {
+    let more = plan.is_least;
     let (does, mut vain): (Vec<_>, Vec<_>) = known.iter().cloned().partition(|(_, trial)| trial.does());
     let nearest = does.into_iter().reduce(|one, other| if (one.0 < other.0) == more { one } else { other });
     if let Some(does) = nearest {
-        return edge_from(tries, course, does, &vain);
+        return edge_from(tries, plan, does, &vain);
     }
-    let first = decided(tries, course.begin(), None)?;
+    let first = decided(tries, plan.begin(), None)?;
     if first.1.does() {
-        return edge_from(tries, course, first, &vain);
+        return edge_from(tries, plan, first, &vain);
     }
     let is_hopeless =
-        course.is_monotone && course.guess == Guess::Times && first.1.carried().is_some_and(|c| c < 0.0);
+        plan.is_monotone && plan.guess == Guess::Times && first.1.carried().is_some_and(|c| c < 0.0);
     vain.push(first.clone());
     if is_hopeless {
         return Ok(Searched::Nothing(vain));
     }
-    if let Some(does) = guessed(tries, course, first.clone(), &mut vain)? {
-        return edge_from(tries, course, does, &vain);
+    if let Some(does) = guessed(tries, plan, first.clone(), &mut vain)? {
+        return edge_from(tries, plan, does, &vain);
     }
-    if course.everywhere {
+    if plan.everywhere {
         for up in [!more, more] {
             for near in NEAR_AN_END {
-                let Some(end) = course.end(up) else { continue };
+                let Some(end) = plan.end(up) else { continue };
                 let at = if up { end * (1.0 - near) } else { end * (1.0 + near) };
                 let trial = tries(at)?;
                 if trial.does() {
-                    return edge_from(tries, course, (at, trial), &vain);
+                    return edge_from(tries, plan, (at, trial), &vain);
                 }
                 vain.push((at, trial));
             }
         }
     }
-    let factor = if course.everywhere { DOUBLED } else { QUADRUPLED };
+    let factor = if plan.everywhere { DOUBLED } else { QUADRUPLED };
     let begin = first.0;
-    for (up, is_asked) in [(more, true), (!more, course.everywhere && !course.is_monotone)] {
-        if is_asked && let Some(does) = walk(tries, course, (begin, up, factor), &mut vain)? {
-            return edge_from(tries, course, does, &vain);
+    for (up, is_asked) in [(more, true), (!more, plan.everywhere && !plan.is_monotone)] {
+        if is_asked && let Some(does) = walk(tries, plan, (begin, up, factor), &mut vain)? {
+            return edge_from(tries, plan, does, &vain);
         }
     }
-    if course.everywhere
-        && !course.is_monotone
+    if plan.everywhere
+        && !plan.is_monotone
         && let Some(does) = refined(tries, &mut vain)?
     {
-        return edge_from(tries, course, does, &vain);
+        return edge_from(tries, plan, does, &vain);
     }
     Ok(Searched::Nothing(vain))
 }
@@ -193,15 +193,15 @@ fn decided(tries: Tries<'_>, at: f64, width: Option<f64>) -> Result<(f64, Trial)
 /// The first amount that does, guessed from what others carry, and a little beyond where one is as good as found.
 fn guessed(
     tries: Tries<'_>,
-    course: &Course,
+    plan: &SearchPlan,
     (mut at, mut trial): (f64, Trial),
     vain: &mut Vec<(f64, Trial)>,
 ) -> Result<Option<(f64, Trial)>, Error> {
     let mut beyond = CLOSE;
     for _ in 0..MOST_GUESSES {
-        let Some(guess) = course.guessed(at, &trial) else { break };
+        let Some(guess) = plan.guessed(at, &trial) else { break };
         beyond *= 2.0;
-        let guess = if course.is_least { guess * (1.0 + beyond) } else { guess * (1.0 - beyond) };
+        let guess = if plan.is_least { guess * (1.0 + beyond) } else { guess * (1.0 - beyond) };
         (at, trial) = (guess, tries(guess)?);
         if trial.does() {
             return Ok(Some((at, trial)));
@@ -215,14 +215,14 @@ fn guessed(
 /// The first amount that does to one side, so many times larger or smaller from one to the next.
 fn walk(
     tries: Tries<'_>,
-    course: &Course,
+    plan: &SearchPlan,
     (begin, up, factor): (f64, bool, f64),
     vain: &mut Vec<(f64, Trial)>,
 ) -> Result<Option<(f64, Trial)>, Error> {
     let mut at = begin;
     loop {
         at *= if up { factor } else { factor.recip() };
-        if !course.contains(at) {
+        if !plan.contains(at) {
             return Ok(None);
         }
         let trial = tries(at)?;
@@ -236,11 +236,11 @@ fn walk(
 /// Where amounts end to do, from one that does towards less of it.
 fn edge_from(
     tries: Tries<'_>,
-    course: &Course,
+    plan: &SearchPlan,
     (mut does, mut trial): (f64, Trial),
     vain: &[(f64, Trial)],
 ) -> Result<Searched, Error> {
-    let up = !course.is_least;
+    let up = !plan.is_least;
     let is_beyond = |at: f64, from: f64| if up { at > from } else { at < from };
     let nearest = vain.iter().filter(|(at, trial)| is_beyond(*at, does) && trial.carried().is_some());
     let mut does_not =
@@ -248,17 +248,17 @@ fn edge_from(
     let mut unknown = None;
     // What is carried guesses where it ends, from both sides, and a proof knows where it has ended.
     let beyond = |at: f64, trial: &Trial, part: f64| {
-        let guess = course.guessed(at, trial).filter(|guess| is_beyond(*guess, does) || *guess == does);
+        let guess = plan.guessed(at, trial).filter(|guess| is_beyond(*guess, does) || *guess == does);
         guess.map(|guess| if up { guess * (1.0 + part) } else { guess * (1.0 - part) })
     };
     let from_beyond =
         |part: f64| does_not.as_ref().and_then(|(at, trial): &(f64, Trial)| beyond(*at, trial, part));
     let guesses = [beyond(does, &trial, CLOSE), from_beyond(CLOSE), from_beyond(64.0 * CLOSE)];
-    let end = course.end(up).filter(|end| is_beyond(*end, does));
+    let end = plan.end(up).filter(|end| is_beyond(*end, does));
     let near = |part: f64| end.map(|end| end * if up { 1.0 + part } else { 1.0 - part });
     let [nearest, near_enough, nearby] = NEAR_AN_END;
     let ends = [near(-nearest), near(-near_enough), near(-nearby), near(nearest), near(near_enough)];
-    let likely = course.range.likely.filter(|_| !up);
+    let likely = plan.range.likely.filter(|_| !up);
     let likely = [likely.map(|at| at * (1.0 + LIKELY)), likely.map(|at| at * (1.0 - LIKELY))];
     for at in guesses.into_iter().chain(likely).chain(ends).flatten() {
         if does_not.as_ref().is_some_and(|not: &(f64, Trial)| !is_beyond(not.0, at)) || !is_beyond(at, does) {
@@ -273,7 +273,7 @@ fn edge_from(
     let mut at = does;
     while does_not.is_none() {
         at *= if up { QUADRUPLED } else { QUADRUPLED.recip() };
-        if !course.contains(at) {
+        if !plan.contains(at) {
             // Beyond the end a proof stands in for a verdict that is not decided.
             let says = || Trial::DoesNot {
                 says: "no forces of the contacts balance it".to_owned(),
@@ -291,7 +291,7 @@ fn edge_from(
     match (does_not, unknown) {
         (Some(does_not), unknown) => {
             let edge = Threshold { does, does_not, unknown };
-            Ok(Searched::Threshold(edge.narrowed(tries, trial.carried(), course.enough)?))
+            Ok(Searched::Threshold(edge.narrowed(tries, trial.carried(), plan.enough)?))
         }
         (None, Some(why)) if is_beyond(why.0, does) => {
             let does_not = (why.0, Trial::Unknown(why.1.clone()));

@@ -87,7 +87,7 @@ fn run(command: Command) -> Result<ExitCode, Failure> {
             let pictures = Pictures::new(&output, &scene);
             let of_map = files::read(&scene)?;
             files::warn(&scene, &of_map)?;
-            let asked = (&unsure, map::Watch { lines: progress });
+            let asked = (&unsure, map::MapProgress { lines: progress });
             map::map(&of_map, at.as_ref(), asked, (!json).then_some(&pictures))?;
         }
         Command::Draw { scene, output } => {

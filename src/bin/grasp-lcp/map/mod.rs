@@ -20,14 +20,14 @@ use crate::failure::Failure;
 use crate::files::Pictures;
 use crate::loads::point;
 pub(crate) use unsure::Unsure;
-pub(crate) use watch::Watch;
+pub(crate) use watch::MapProgress;
 
 /// Prints a table and draws the maps of a scene, for a force at a point. It comes on top of the base load of the first onset that the scene asks for.
 /// Without a place for pictures all that is known is printed for machines.
 pub(crate) fn map(
     scene: &Scene,
     at: Option<&Numbers>,
-    asked: (&Unsure, Watch),
+    asked: (&Unsure, MapProgress),
     pictures: Option<&Pictures<'_>>,
 ) -> Result<(), Failure> {
     match &scene.space {

@@ -12,7 +12,7 @@ use super::ask::{self, First};
 use super::limit::{self, Last, LimitEnd};
 use super::rows;
 use super::unsure::Unsure;
-use super::watch::Watch;
+use super::watch::MapProgress;
 use super::written::WrittenMap;
 use crate::failure::Failure;
 use crate::files::Pictures;
@@ -31,7 +31,7 @@ const MOST: Duration = Duration::from_secs(300);
 pub(crate) fn map(
     setup: &Setup<2>,
     at: [f64; 2],
-    (unsure, watch): (&Unsure, Watch),
+    (unsure, watch): (&Unsure, MapProgress),
     pictures: Option<&Pictures<'_>>,
 ) -> Result<(), Failure> {
     let grasp = setup.grasp()?;

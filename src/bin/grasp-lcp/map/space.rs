@@ -12,7 +12,7 @@ use super::ask::{self, First};
 use super::limit::{self, Last, LimitEnd};
 use super::rows;
 use super::unsure::Unsure;
-use super::watch::Watch;
+use super::watch::MapProgress;
 use super::written::WrittenMap;
 use crate::failure::Failure;
 use crate::files::Pictures;
@@ -32,7 +32,7 @@ const FAR: f64 = 5.0;
 pub(crate) fn map(
     setup: &Setup<3>,
     at: [f64; 3],
-    (unsure, watch): (&Unsure, Watch),
+    (unsure, watch): (&Unsure, MapProgress),
     pictures: Option<&Pictures<'_>>,
 ) -> Result<(), Failure> {
     let grasp = setup.grasp()?;
@@ -99,7 +99,7 @@ pub(crate) fn map(
 /// The end of the load path in each of these directions; `None` if they take too long.
 fn load_paths(
     grasp: &Grasp,
-    watch: Watch,
+    watch: MapProgress,
     base: Wrench,
     pull: &(impl Fn([f64; 3]) -> Wrench + Sync),
     (ways, most): (&[[f64; 3]], f64),
@@ -191,7 +191,7 @@ impl Drawing<'_> {
 const MANY: usize = 8;
 
 fn print_table(
-    (grasp, watch): (&Grasp, Watch),
+    (grasp, watch): (&Grasp, MapProgress),
     (first, reserve): (&impl Fn([f64; 3]) -> Result<First, grasp_lcp::Error>, &Reserve<3>),
     pull: &(impl Fn([f64; 3]) -> Wrench + Sync),
     (base, most): (Wrench, f64),

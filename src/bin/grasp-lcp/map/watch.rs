@@ -14,11 +14,11 @@ const SOON: Duration = Duration::from_secs(1);
 
 /// How progress is told: by a bar on a terminal, and elsewhere by a line each second, if that is asked for.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Watch {
+pub(crate) struct MapProgress {
     pub(crate) lines: bool,
 }
 
-impl Watch {
+impl MapProgress {
     /// All answers in order, or the first error; `None` if they are not there within the time.
     pub(crate) fn sweep<T: Sync, R: Send>(
         self,
