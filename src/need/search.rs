@@ -377,7 +377,7 @@ impl Threshold {
             let fall = falls(last_over, last_under).zip(fall_at_first);
             let jumps = width <= JUMP_WIDTH * at_first && fall.is_some_and(|(now, first)| now > JUMP * first);
             let at = match secant {
-                Some((over, under)) if !jumps && !(step >= 3 && is_slow && kept.is_none()) => {
+                Some((over, under)) if !(jumps || step >= 3 && is_slow && kept.is_none()) => {
                     let least = (push * from.abs().max(to.abs()) / width).min(0.5);
                     from + (to - from) * (over / (over - under)).clamp(least, 1.0 - least)
                 }
