@@ -13,11 +13,11 @@ use crate::prelude::*;
 use crate::serial::AsComputed;
 use crate::words::{Words, listed};
 
-/// A body that moves by less than this part of the fastest is not named in the sentence.
+/// A body that moves by less than this part of the largest motion is not named in the sentence.
 const SEEN: f64 = 1e-6;
 
-/// A jump from one equilibrium to another under one load: contacts begin to slide, and with [kinetic friction](crate::grasp::Contact::kinetic) they carry
-/// less.
+/// A jump from one equilibrium to another under one load: contacts begin to slide, and with [kinetic friction](crate::grasp::Contact::kinetic) they
+/// carry less.
 ///
 /// The lost force is taken off as slowly as necessary, so that other contacts take it over. Contacts that reach their friction at rest on the way
 /// begin to slide, too, and lose theirs. The object comes to rest where forces balance again. This is the overdamped answer: the object does not
