@@ -103,17 +103,17 @@ pub struct Equilibrium<const C: usize> {
     /// Energy stored in the springs, those of joints included, `Σ ½ F²/k`, J.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub stored_energy: f64,
-    /// Unit motions that no contact resists in its present state, m and rad: the twist is known up to them, the forces do not feel
-    /// them. Of length one about the centroid of the contact points, a rotation counted in radians times their root mean square distance
-    /// from it, and joints as in the norm of `twist`; either sign is meant. None where every motion is resisted.
+    /// Unit motions that no contact resists in its present state, m and rad: the twist is known up to them, and the forces do not depend on
+    /// them. Their length is one about the centroid of the contact points, with a rotation counted in radians times the root mean square distance
+    /// of the points from it, and joints as in the norm of `twist`. Both signs are allowed. Empty where every motion is resisted.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub free_motions: Vec<Motion<C>>,
     /// Unit motions along which the object stays in equilibrium while its forces change: this equilibrium is one of
-    /// a whole line. Lengths as for `free_motions`. Empty but at loads where friction just balances on a wedge.
+    /// a whole line. Lengths as for `free_motions`. Empty except at loads where friction just balances on a wedge.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub neutral_motions: Vec<Motion<C>>,
-    /// On the round cone: the largest change of a contact force, N, from the answer of the polygon that the search started from.
-    /// `None` where there was no polygon: nothing slides, Newton's method found it, the state is one of a load path, or the answer is for the polygon itself.
+    /// On the round cone: the largest change of a contact force, N, from the answer of the polygon with which the search started.
+    /// `None` without a polygon: no contact slides, Newton's method found the answer, it is a state of a load path, or it is for the polygon itself.
     #[cfg_attr(
         feature = "serde",
         serde(default, with = "AsComputed::<Option<f64>>", skip_serializing_if = "Option::is_none")

@@ -1,7 +1,7 @@
 //! Free motion after a loss of equilibrium, until a gap closes.
 //!
 //! If nothing resists the motion v of a loss, forces stay constant along it: no spring is stretched further, and friction is exhausted already. So
-//! every place on the way is in balance under the load of the loss. The way ends where the first open contact closes, and its slips are kept:
+//! the object is in balance under the load of the loss all along the motion. It ends where the first open contact closes, and its slips are kept:
 //!
 //! ```text
 //! δ = min gap_i / (-n_i·G_iᵀv)

@@ -1,4 +1,5 @@
-//! Jumps at one load: friction falls as a contact begins to slide, or nothing resists the object any more, until other contacts catch it.
+//! Jumps at one load, because friction falls as a contact begins to slide or because nothing resists the object. They end where other contacts
+//! catch it.
 
 use core::fmt;
 

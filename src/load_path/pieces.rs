@@ -55,7 +55,7 @@ pub(crate) struct Pieces<'g, D: Size, const C: usize> {
     pub(super) step_error: f64,
     /// An event to report before the path starts: a contact slides at rest, and its friction falls.
     pub(super) first: Option<Box<Event<C>>>,
-    /// The problem at the end of a jump that nothing caught.
+    /// The problem at the end of a jump that no contact stopped.
     pub(super) fallen: Option<Problem<'g, D, C>>,
     /// Where motions cease to be small, if they do.
     pub(super) end_of_small_motions: Option<EndOfSmallMotions>,

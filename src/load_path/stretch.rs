@@ -1,5 +1,5 @@
-//! One piece of a path, along which every contact keeps its state. If no contact slides on a round cone, everything is affine in the fraction of the
-//! leg, or turns with the load. Otherwise the piece is a step of the integration, repeated up to the place asked for.
+//! One piece of a path, along which every contact keeps its state. If no contact slides on a round cone, forces and motions are affine in the
+//! fraction of the leg, or turn with the load. Otherwise the piece is a step of the integration, which is repeated up to the requested fraction.
 
 use nalgebra::SVector;
 

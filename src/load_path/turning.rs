@@ -43,9 +43,9 @@ const ALL_BUT_GONE: f64 = 1e-10;
 const SETTING_OUT: f64 = 1e-6;
 /// Forces that would double within this part of the rest of the leg are rounding.
 const NO_WAY: f64 = 1e-12;
-/// Part of the way to where a sliding contact loses its normal force that a step leaves: directions may turn ever faster there.
+/// A step leaves this part of the way to the place where a sliding contact loses its normal force: directions may turn ever faster there.
 const APPROACH: f64 = 0.5;
-/// Events are gathered at places this part of the leg apart: nearer ones are the same once more.
+/// Least distance of two places at which events are gathered, as a part of the leg.
 const GATHERED_AGAIN: f64 = 1e-9;
 /// Most times that a step is shortened because a condition may be violated within it.
 const MOST_LOOKS: usize = 20;
@@ -126,7 +126,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
                 end = self.locate(here, &start, end, condition)?;
             }
             let ends = [here, &end.reached.here];
-            // Bounds over a step are those of loads that grow: along a turn they cut steps short in vain.
+            // The bounds within a step are for straight legs: while the load turns, they would only shorten steps in vain.
             let is_straight = matches!(self.segment.course, Trajectory::Straight { .. });
             let dip = is_straight
                 .then(|| first_dip(&self.segment, &self.node.states, ends, (end.length, tolerance)))

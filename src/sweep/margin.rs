@@ -4,11 +4,11 @@
 //! m(z) = μ exp(σ z_f) F_n(z) - h·F_t(z),      F(z) = F + Σ_i Δ_i(z_i)
 //! ```
 //!
-//! Data are off by z, in standard deviations. The change Δ_i of the force by one datum is a polynomial through evaluated changes. Joint effects of two
-//! data beyond the sum are neglected, except that friction multiplies the normal force exactly. The reliability β is the distance of the nearest z at
-//! which the margin vanishes (Hasofer and Lind, Exact and invariant second-moment code format, 1974). Steps towards it are shortened until a merit
-//! function of distance and margin falls (Zhang and Der Kiureghian, Two improved algorithms for reliability analysis, 1995). No step leads to a
-//! distance at which the failure probability is negligible.
+//! Data are off by z, in standard deviations. The change Δ_i of the force by one datum is a polynomial through evaluated changes. Joint effects of
+//! two data beyond the sum are neglected, except that friction multiplies the normal force exactly. The reliability β is the distance of the nearest
+//! z at which the margin vanishes (Hasofer and Lind, Exact and invariant second-moment code format, 1974). Steps towards it are shortened until a
+//! merit function of distance and margin falls (Zhang and Der Kiureghian, Two improved algorithms for reliability analysis, 1995). No step leads to
+//! a distance at which the failure probability is negligible.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -267,8 +267,8 @@ impl FacetMargin {
         self.reliability
     }
 
-    /// Upper bound of the probability that another margin holds where this one just fails (Ditlevsen, Narrow reliability bounds for structural systems,
-    /// 1979).
+    /// Upper bound of the probability that another margin holds where this one just fails (Ditlevsen, Narrow reliability bounds for structural
+    /// systems, 1979).
     pub(super) fn while_holds(&self, other: &Self) -> f64 {
         let mixed = dot(&self.gradient, &other.gradient);
         let correlation = mixed / (self.steepness * other.steepness);

@@ -171,7 +171,7 @@ fn reliability(fails: f64) -> f64 {
     (-2.0 * fails.clamp(LEAST, 1.0).ln()).sqrt()
 }
 
-/// The root of an increasing function that is negative at zero, from below, to the relative accuracy `precise`; infinite if there is none up to `end`.
+/// The root of an increasing function that is negative at zero, from below, to the relative accuracy `precise`; infinite without a root up to `end`.
 /// Secant steps start from a guess and a slope (NaN if unknown), and stay within the bracket.
 fn root(f: &dyn Fn(f64) -> f64, (guess, mut slope): (f64, f64), end: f64, precise: f64) -> f64 {
     let (mut low, mut high) = (0.0, f64::INFINITY);
