@@ -1,4 +1,4 @@
-//! Links that pull with a force once they are installed: what they have to be pulled with before all else gives way.
+//! Links whose tension at rest is given: the commands, before anything gives way, that lead to these tensions.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -7,23 +7,24 @@ use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::prelude::*;
 
-/// Forces that differ by less than this part are the same.
+/// Relative error of a tension at which Newton's method stops.
 const SAME: f64 = 1e-12;
 
-/// Newton's steps: one leads there while no contact begins to touch, to open or to slide, and each of these takes one more.
+/// Most Newton steps: one is enough while no contact changes state, and each change of state takes one more.
 const STEPS: usize = 20;
 
-/// A step of a difference, in parts of the pull: small, so that hardly ever something begins to touch within it, and exact where nothing does.
+/// Step of the difference quotient, relative to the stretch of the link's spring under its tension. It is small, so that contacts hardly ever change
+/// state within it; if none does, the quotient is exact.
 const NUDGE: f64 = 1e-3;
 
-/// A force that is missed by more is not reached.
+/// A tension with a larger relative error is refused.
 const NEAR: f64 = 1e-9;
 
-/// Said of a force that nothing holds against.
+/// The allowed values in the error of a tension that is not reached.
 const HELD: &str = "one that the rest of the grasp holds against while nothing else is put on";
 
 impl<const C: usize> Grasp<C> {
-    /// This grasp with commands such that links pull at rest with the tension that they are told.
+    /// This grasp with commands such that links pull at rest with their given tensions.
     pub(super) fn installed(self) -> Result<Self, Error> {
         let wanted = |contact: &crate::grasp::Contact<C>| contact.at_rest;
         let told: Vec<(usize, f64)> = self
@@ -45,7 +46,7 @@ impl<const C: usize> Grasp<C> {
             if worst <= SAME {
                 break;
             }
-            // How much less is missing where each one is pulled by a little of what its own spring stretches under its force.
+            // Column k: the change of the missing tensions as the command of link k grows by a small part of the stretch of its spring.
             let mut change = DMatrix::zeros(told.len(), told.len());
             for (k, (i, force)) in told.iter().enumerate() {
                 let mut pulled = commands.clone();
@@ -65,11 +66,11 @@ impl<const C: usize> Grasp<C> {
         }
     }
 
-    /// What pulls lack to those that are told, with these commands and without load.
+    /// The given tensions less those with these commands and without load, N.
     fn missing(&self, commands: &[[f64; C]], told: &[(usize, f64)]) -> Result<DVector<f64>, Error> {
         let outcome = self.with_commands(commands.iter().copied())?.solve(&Wrench::ZERO)?;
         let state = outcome.equilibrium().ok_or_else(|| self.not_held(told[0].0, told[0].1))?;
-        // One that is slack lacks what would close its gap as well: so its command counts there, too.
+        // The gap of a slack link counts as missing tension, too, so that the difference depends on its command there.
         let slack = |i: usize| state.contacts[i].gap.max(0.0) * self.contacts()[i].stiffness.series()[0];
         let each = told.iter().map(|(i, force)| force - state.contacts[*i].normal_force() + slack(*i));
         Ok(DVector::from_iterator(told.len(), each))

@@ -129,7 +129,7 @@ macro_rules! questions {
 /// An engine with other data.
 type Changed<const C: usize> = Result<Arc<dyn Questions<C>>, Error>;
 
-/// What one part presses with, and the engine where it presses otherwise.
+/// The press of one part, and the engine with this press scaled.
 type Scaled<const C: usize> = Result<(PressOfPart, Arc<dyn Questions<C>>), Error>;
 
 questions! {

@@ -204,7 +204,8 @@ impl<const C: usize> LocalLaw<'_, C> {
         Some(self.slipping_state(&facets).into())
     }
 
-    /// The reverse: a state among the facets that an edge in the law of the rates has; `None` where there is no telling.
+    /// The inverse of [`Self::of_the_rates`]: a state among the facets of the whole law as a state of the rates, with facets numbered among those of
+    /// the edge. `None` where the rates do not determine it.
     pub(crate) fn in_the_rates(&self, rates: &Law<C>, state: State<C>) -> Option<State<C>> {
         if !state.slides() {
             return Some(state);
@@ -213,9 +214,9 @@ impl<const C: usize> LocalLaw<'_, C> {
             // On the round cone the edge is the direction of the slide.
             (Law::Edge(_), Mode::Round(_)) => return Some(Mode::Facet(0)),
             (Law::Edge(edge), _) => edge,
-            // It has just stuck.
+            // The contact has just stopped sliding.
             (Law::Bonded, _) => return Some(Mode::Sticking),
-            // At the apex of a round cone there is no telling which way it slid.
+            // At the apex of a round cone the rates contain no direction of the slide.
             (Law::Absent, _) | (Law::Cone { .. }, Mode::Round(_)) => return None,
             (Law::Cone { .. }, _) => return Some(state),
         };
@@ -225,7 +226,7 @@ impl<const C: usize> LocalLaw<'_, C> {
         match (first, second) {
             (None, _) => Some(state),
             (Some(first), None) => (0_u16..).nth(at(first)?).map(Mode::Facet),
-            // The only corner of an edge is that between its two facets.
+            // The only corner of an edge is the corner between its two facets.
             (Some(first), Some(second)) => at(first).and(at(second)).map(|_| Mode::Corner(0)),
         }
     }

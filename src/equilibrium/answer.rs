@@ -28,11 +28,11 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Outcome<const C: usize> {
-    /// The grasp holds: here is where the object goes and what the contacts carry.
+    /// An equilibrium exists, with the motion of the object and the contact forces.
     Equilibrium(Box<Equilibrium<C>>),
     /// No quasi-static equilibrium exists under this load, with the proof.
     NoEquilibrium(NoEquilibrium<C>),
-    /// None was found and none was ruled out.
+    /// No equilibrium was found, and none was ruled out.
     Undecided(Undecided),
 }
 
@@ -49,80 +49,80 @@ impl<const C: usize> Outcome<C> {
 
 /// An equilibrium of the elastic contacts, the load and the finger commands.
 ///
-/// One that is read from a file, or told by a scene, says what is written here and no more: further questions to a grasp about it, such as
+/// An equilibrium read from a file, or answered to a scene, contains only the serialised fields: further questions to a grasp about it, such as
 /// [`Grasp::accuracy`](crate::ask::Grasp::accuracy), have no answer.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Equilibrium<const C: usize> {
-    /// The load it balances, about the origin.
+    /// The balanced load, about the origin.
     pub load: Wrench<C>,
-    /// Motion of the object from where it was before load and commands: translation of the origin (m) and rotation (rad). Where `free_motions` are
-    /// left it is the one of least norm, unless gaps and slips need more; on a load path the one nearest to where the object was. The norm is
-    /// about the centroid of the contact points, with lengths in units of their root mean square distance from it; a joint's displacement
-    /// counts times a power of two near the longest motion of its contacts.
+    /// Motion of the object from its place before load and commands: translation of the origin (m) and rotation (rad). Where `free_motions` are
+    /// left, it is the motion of least norm, unless gaps and slips need more; on a load path the motion nearest to the last place of the object. The
+    /// norm is about the centroid of the contact points, with lengths in units of their root mean square distance from it. A joint's displacement is
+    /// multiplied by a power of two near the longest motion of its contacts.
     pub twist: Twist<C>,
-    /// Of [several bodies](crate::grasp::Bodies), how each moves; `twist` is then that of the body that loads act on. Empty where there is one.
+    /// The motion of each of [several bodies](crate::grasp::Bodies); `twist` is then that of the body on which loads act. Empty for one object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub bodies: Vec<BodyMotion<C>>,
-    /// Loads on bodies of their own that a [program](crate::load_path::Leg::body_load_by) has put on beside `load`; what always acts on them is not among them.
+    /// Loads on single bodies that a [program](crate::load_path::Leg::body_load_by) has put on beside `load`, without the constant loads of bodies.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub body_loads: Vec<BodyLoad<C>>,
-    /// The motion that is farthest beyond [small motions](crate::Settings::small_motions): contact points and normals stay where they are in all that is
-    /// computed, so that the answer solves the question as it was put and says little about the object. A taper of 1e-9 rad holds any load, once the
-    /// object has gone far enough along it. `None` where all motions are small.
+    /// The motion that is farthest beyond [small motions](crate::Settings::small_motions). The theory keeps contact points and normals fixed, so
+    /// that such an answer solves the question as posed but says little about the object. A taper of 1e-9 rad holds any load, once the object has
+    /// moved far enough along it. `None` where all motions are small.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub too_far: Option<TooFar>,
-    /// Contact by contact, in the order of the grasp; a soft fingertip of a scene point by point.
+    /// The contacts, in the order of the grasp; each point of a soft fingertip is one of them.
     pub contacts: Vec<ContactAnswer<C>>,
-    /// Soft fingertips, the points of each together.
+    /// The soft fingertips, with the resultants of their points.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub pads: Vec<PadAnswer<C>>,
-    /// Joint by joint, if a [hand](crate::grasp::Hand) holds the object, finger by finger.
+    /// The joints of the [hand](crate::grasp::Hand) that holds the object, finger by finger; empty without a hand.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub joints: Vec<JointAnswer>,
-    /// Tendon by tendon.
+    /// The tendons of the hand; empty without a hand.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub tendons: Vec<TendonAnswer>,
-    /// Suction cups whose lips are open all around. Their vacuum is counted here and would be gone: the answer is one of a grasp that
-    /// does not exist.
+    /// Suction cups whose lips are open all around. The answer counts their vacuum, which would be gone: it does not hold for the real
+    /// grasp.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub open_cups: Vec<WholeContact>,
-    /// How well the answer satisfies the conditions, recomputed from the question.
+    /// The residuals of the conditions, recomputed from the question.
     pub residuals: Residuals,
-    /// How far it is from the exact answer, where that was asked for: `None` unless a scene that asks to `solve` has told it, see
-    /// [`Grasp::accuracy`](crate::ask::Grasp::accuracy).
+    /// The distance from the exact answer, see [`Grasp::accuracy`](crate::ask::Grasp::accuracy): only in the answer to the question `solve` of a
+    /// scene, else `None`.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub accuracy: Option<Accuracy>,
-    /// The friction cone the answer is for.
+    /// The friction cone of the answer.
     pub cone: Cone,
-    /// By which rule this equilibrium was found; there may be others, see
+    /// The rule that found this equilibrium; there may be others, see
     /// [`Grasp::equilibria`](crate::ask::Grasp::equilibria).
     pub rule: Rung,
     /// Energy stored in the springs, those of joints included, `Σ ½ F²/k`, J.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub stored_energy: f64,
-    /// Unit motions that no contact resists in its present state, m and rad: the twist is known up to them, the forces do not feel
-    /// them. Of length one about the centroid of the contact points, a rotation counted in radians times their root mean square distance
-    /// from it, and joints as in the norm of `twist`; either sign is meant. None where every motion is resisted.
+    /// Unit motions that no contact resists in its present state, m and rad: the twist is known up to them, and the forces do not depend on
+    /// them. Their length is one about the centroid of the contact points, with a rotation counted in radians times the root mean square distance
+    /// of the points from it, and joints as in the norm of `twist`. Both signs are allowed. Empty where every motion is resisted.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub free_motions: Vec<Motion<C>>,
     /// Unit motions along which the object stays in equilibrium while its forces change: this equilibrium is one of
-    /// a whole line. Lengths as for `free_motions`. Empty but at loads where friction just balances on a wedge.
+    /// a whole line. Lengths as for `free_motions`. Empty except at loads where friction just balances on a wedge.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub neutral_motions: Vec<Motion<C>>,
-    /// On the round cone: the largest change of a contact force, N, from the answer of the polygon that the search started from.
-    /// `None` where there was no polygon: nothing slides, Newton's method found it, the state is one of a load path, or the answer is for the polygon itself.
+    /// On the round cone: the largest change of a contact force, N, from the answer of the polygon with which the search started.
+    /// `None` without a polygon: no contact slides, Newton's method found the answer, it is a state of a load path, or it is for the polygon itself.
     #[cfg_attr(
         feature = "serde",
         serde(default, with = "AsComputed::<Option<f64>>", skip_serializing_if = "Option::is_none")
     )]
     pub change_from_polygon: Option<f64>,
-    /// What was done to find it; of this the pivots are written.
+    /// Counts of the work of the search; only the pivots are serialised.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub work: WorkDone,
-    /// What the questions to an answer start from.
+    /// The local solution, from which further questions about the answer start.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(crate) local: LocalAnswer<C>,
 }
@@ -134,21 +134,21 @@ impl<const C: usize> Equilibrium<C> {
         self.too_far.is_some()
     }
 
-    /// The largest force among those of contacts and the load, N: what a person reads as a force is one beside this.
+    /// The largest force among those of contacts and the load, N: the scale beside which a printed force is noticeable or negligible.
     #[must_use]
     pub fn largest_force(&self) -> f64 {
         let load = self.load.components().iter().take(C).fold(0.0, |norm: f64, x| norm.hypot(*x));
         self.contacts.iter().map(|contact| contact.force.norm()).fold(load, f64::max)
     }
 
-    /// This answer as it reads back once it is written.
+    /// This answer after serialisation and reading back: without its local solution, and of the work only the pivots.
     #[cfg(feature = "serde")]
     pub(crate) fn written(self) -> Self {
         let work = WorkDone { pivots: self.work.pivots, ..WorkDone::default() };
         Self { work, local: LocalAnswer::default(), ..self }
     }
 
-    /// Whether it tells enough of so many sites to be asked further.
+    /// Whether the answer has the local solution of this number of sites, which further questions need.
     pub(crate) fn knows_all_of(&self, sites: usize) -> bool {
         self.local.states.len() == sites && self.contacts.len() + self.local.drive_forces.len() == sites
     }
@@ -180,7 +180,7 @@ pub(crate) struct LocalAnswer<const C: usize> {
     pub(crate) cones: Vec<Coulomb>,
 }
 
-/// What was done, and what was not needed.
+/// Counts of the work of a search, and of the rows that it left out.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -199,15 +199,15 @@ pub struct WorkDone {
     pub combinations: usize,
 }
 
-/// Nothing was found and nothing was ruled out.
+/// No equilibrium was found, and none was ruled out.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Undecided {
-    /// Why.
+    /// The reason.
     pub doubt: Doubt,
-    /// What was tried; it is not written.
+    /// Counts of the work of the search; not serialised.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub work: WorkDone,
 }

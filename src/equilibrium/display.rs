@@ -106,14 +106,14 @@ fn left_of_limit(
 }
 
 impl<const C: usize> Equilibrium<C> {
-    /// What the object does: "turns 1.9° about …, moves 2.8 mm".
+    /// The motion of the object in words: "turns 1.9° about …, moves 2.8 mm".
     #[must_use]
     pub fn motion(&self, words: Words) -> String {
         let moved: Vec<_> = self.contacts.iter().map(|contact| contact.body_core).collect();
         words.motion(&self.twist, &moved)
     }
 
-    /// What the object does, "the object moves 2.8 mm along −y", or each of several bodies.
+    /// The motion of the object, "the object moves 2.8 mm along −y", or of each of several bodies.
     #[must_use]
     pub fn told_motions(&self, words: Words) -> Vec<String> {
         if self.bodies.is_empty() {
@@ -122,7 +122,7 @@ impl<const C: usize> Equilibrium<C> {
         self.bodies.iter().map(|body| words.body_motion(body)).collect()
     }
 
-    /// What is to be said beside the answer: that it [is no small motion](Self::too_far).
+    /// A warning beside the answer, where a motion [is not small](Self::too_far).
     #[must_use]
     pub fn caution(&self) -> Option<String> {
         self.too_far.as_ref().map(|far| format!("{far}, beyond the small motions that this is good for"))
@@ -137,7 +137,7 @@ impl<const C: usize> Equilibrium<C> {
 }
 
 impl<const C: usize> Equilibrium<C> {
-    /// What is to be said where suction cups are [open all around](Self::open_cups).
+    /// A warning beside the answer, where suction cups are [open all around](Self::open_cups).
     #[must_use]
     pub fn vacuum_gone(&self) -> Option<String> {
         let is_gone = || format!("{}: this does not hold", vacuum_is_gone(&self.open_cups));
@@ -146,7 +146,7 @@ impl<const C: usize> Equilibrium<C> {
 }
 
 impl<const C: usize> ContactAnswer<C> {
-    /// What the contact does: "sticks"; "touches" where it is closed and nothing presses.
+    /// The state of the contact in words: "sticks"; "touches" where it is closed without force.
     #[must_use]
     pub fn doing(&self) -> &'static str {
         match self.state {
@@ -157,7 +157,7 @@ impl<const C: usize> ContactAnswer<C> {
 }
 
 impl<const C: usize> ContactState<C> {
-    /// What the contact does: "sticks".
+    /// The state in words: "sticks".
     #[must_use]
     pub fn verb(&self) -> &'static str {
         match self {

@@ -1,7 +1,7 @@
-//! What is no longer a small motion: a body has turned too far, or a contact has slipped or opened too far.
+//! Motions that are no longer small: a body turns too far, or a contact slips or opens too far.
 //!
-//! Contact points and normals are those of the undeformed grasp, so that beyond [`SmallMotions`] an equilibrium solves the question as it was put and
-//! says little about the object. This is the one place that measures it, for answers and all along load paths.
+//! Contact points and normals are those of the undeformed grasp. Beyond [`SmallMotions`] an equilibrium therefore solves the question as posed, but
+//! says little about the object. This file alone measures motions against the limits, for answers and along load paths.
 
 use core::fmt;
 
@@ -19,7 +19,7 @@ use crate::words::{LinkKind, Words, printable};
 
 /// Contact points are apart if their distance is more than this part of their coordinates: less is the rounding of their centroid.
 const APART: f64 = 1e-12;
-/// An angle is told as a person says it.
+/// Significant digits of limits in sentences.
 const FEW_DIGITS: usize = 2;
 
 /// The motion that is farthest beyond [`SmallMotions`].
@@ -34,7 +34,7 @@ const FEW_DIGITS: usize = 2;
 pub enum TooFar {
     /// A body turns too far.
     Turns {
-        /// Its name; `None` where there is one object.
+        /// The name of the body; `None` where there is one object.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         body: Option<String>,
         /// The limit, rad.
@@ -71,7 +71,7 @@ impl fmt::Display for TooFar {
 }
 
 impl TooFar {
-    /// What a body or a contact does: "turns by more than 5.7°".
+    /// The motion with a verb, without the name of the body or contact: "turns by more than 5.7°".
     #[must_use]
     pub fn does(&self) -> String {
         let words = Words::with_digits(FEW_DIGITS);
@@ -83,42 +83,43 @@ impl TooFar {
     }
 }
 
-/// A rotation, slip or opening of which the length counts. In given states it is affine in the motion of the object, the forces and the commands.
+/// A rotation, slip or opening, whose length is compared with its limit. In given contact states it is affine in the motion of the object, the
+/// forces and the commands.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct CountedMotion {
-    /// Of an opening the one component along the normal, which counts where it is positive.
+    /// The rotation (rad) or slip (m). An opening has one component, along the normal, which counts where it is positive (m).
     pub(crate) shift: SVector<f64, 3>,
-    /// Up to where it is small.
+    /// The largest length of a small motion, rad or m.
     pub(crate) limit: f64,
     of: MotionOf,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum MotionOf {
-    /// A body by its first coordinate.
+    /// The rotation of the body with this first coordinate.
     Body(usize),
     Slip(usize),
     Opening(usize),
 }
 
 impl CountedMotion {
-    /// Whether it counts in one direction alone.
+    /// Whether the motion is an opening, which counts in one direction alone.
     pub(crate) fn is_opening(&self) -> bool {
         matches!(self.of, MotionOf::Opening(_))
     }
 
-    /// Above 1 it is no small motion.
+    /// The length of the motion over its limit: above 1 the motion is not small.
     pub(crate) fn over_the_limit(&self) -> f64 {
         if self.is_opening() { self.shift[0] / self.limit } else { self.shift.norm() / self.limit }
     }
 }
 
-/// The motion that is farthest beyond what is small, or nearest to it.
+/// The motion with the largest ratio to its limit.
 pub(crate) fn farthest(motions: &[CountedMotion]) -> Option<&CountedMotion> {
     motions.iter().max_by(|a, b| a.over_the_limit().total_cmp(&b.over_the_limit()))
 }
 
-/// Contacts in known states, with what their springs count from.
+/// Contacts in known states, with the offsets of their springs.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Standing<'s, D: Size, const C: usize> {
     pub(crate) drives: &'s [SVector<f64, C>],
@@ -129,7 +130,7 @@ pub(crate) struct Standing<'s, D: Size, const C: usize> {
 }
 
 impl<'s, D: Size, const C: usize> Standing<'s, D, C> {
-    /// What was found for a local problem.
+    /// The solution of a local problem.
     pub(crate) fn found(problem: &'s Problem<'_, D, C>, found: &'s Found<D, C>) -> Self {
         let (drives, slips) = (&problem.drives, &problem.slips);
         Self { drives, slips, states: &found.states, forces: &found.forces, twist: &found.twist }
@@ -168,7 +169,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         }
         let limit = small.slip * self.size_of_grasp();
         for (i, (contact, site)) in self.contacts().iter().zip(self.sites()).enumerate() {
-            // A cable that goes slack is not taken away.
+            // A slack cable is not an opening contact.
             if contact.link == Some(LinkKind::Cable) {
                 continue;
             }
@@ -189,7 +190,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         motions
     }
 
-    /// A motion for whoever reads of it.
+    /// The motion with the name of its body or contact, for an answer.
     pub(crate) fn too_far(&self, motion: &CountedMotion) -> Option<TooFar> {
         let limit = motion.limit;
         let contact = |site: usize| WholeContacts::of(self.contacts()).with(&|i| i == site).pop();
@@ -205,7 +206,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         })
     }
 
-    /// What is no small motion in an answer.
+    /// The motion of an answer that is farthest beyond its limit; `None` where all motions are small.
     pub(super) fn farthest_beyond(
         &self,
         small: &SmallMotions,

@@ -201,7 +201,7 @@ impl<const C: usize> SolvedContact<'_, C> {
             Stiffness::Series(_) => (None, None),
         };
         let gap = self.moved[0] - self.drive[0];
-        // What touches has a gap of the rounding of both.
+        // A contact that touches has a gap of the rounding of the two displacements.
         let is_none = gap <= ZERO_SLACK * (self.moved.norm() + self.drive.norm());
         ContactAnswer {
             contact: contact.label(index),

@@ -1,4 +1,4 @@
-//! What presses in a grasp, and the same grasp where one part of it presses so many times as much.
+//! The parts that press in a grasp, and the grasp with the press of one part scaled.
 
 use super::engine::Engine;
 use super::whole_contact::WholeContacts;
@@ -13,12 +13,12 @@ use crate::words::{listed, printable};
 pub(crate) struct PressOfPart {
     pub(crate) name: String,
     pub(crate) is_body: bool,
-    /// The size of its force or moment with the unit, where it is one.
+    /// The magnitude of its force or moment, with the unit; `None` if no single number gives it.
     pub(crate) size: Option<(f64, &'static str)>,
 }
 
 impl<D: Size, const C: usize> Engine<D, C> {
-    /// Whether some command, some held force or some vacuum presses, all of which a squeeze scales.
+    /// Whether a command, a held force or torque, or a vacuum is not zero: the squeeze consists of these.
     pub(crate) fn is_squeezed(&self) -> bool {
         let commanded = |i: usize| {
             let contact = &self.contacts[i];
@@ -50,11 +50,11 @@ impl<D: Size, const C: usize> Engine<D, C> {
         loaded.map(|(name, _)| name.to_string()).collect()
     }
 
-    /// The part of this name, and this grasp with what it presses with so many times as large: the load of a body without its weight, the command or
-    /// the force of a contact or a link, the command and the torque of a joint.
+    /// The part of this name, and this grasp with the press of the part multiplied by `factor`: the load of a body without its weight; the command,
+    /// force and vacuum of a contact or a link; the command and the torque of a joint.
     ///
     /// # Errors
-    /// [`Error::Part`] where no part has this name, or it presses with nothing.
+    /// [`Error::Part`] if no part has this name, or the part does not press; [`Error::Argument`] if the factor is out of range.
     pub(crate) fn scaled(&self, name: &str, factor: f64) -> Result<(PressOfPart, Self), Error> {
         if !is_moderate(factor) {
             return Err(Error::Argument { what: "factor of a force", value: factor, allowed: MODERATE });

@@ -1,6 +1,7 @@
 //! Prediction of gross slip, the loss of the object.
 //!
-//! An object that leaves is seen to slip, although a gap may close on its way and its load path go on from there. Gross slip is then where it leaves.
+//! The observer sees an object slip as soon as it leaves, even if a gap closes on its way and its load path continues from there. Gross slip is then
+//! where the object leaves.
 
 use core::f64::consts::TAU;
 

@@ -1,7 +1,7 @@
 //! Free motion after a loss of equilibrium, until a gap closes.
 //!
 //! If nothing resists the motion v of a loss, forces stay constant along it: no spring is stretched further, and friction is exhausted already. So
-//! every place on the way is in balance under the load of the loss. The way ends where the first open contact closes, and its slips are kept:
+//! the object is in balance under the load of the loss all along the motion. It ends where the first open contact closes, and its slips are kept:
 //!
 //! ```text
 //! δ = min gap_i / (-n_i·G_iᵀv)
@@ -29,11 +29,11 @@ const STILL: f64 = 1e-9;
 /// Friction resists fully where the slip is off its direction by less than the root of twice this, rad.
 const ALONG: f64 = 1e-10;
 
-/// The way to the gap that closes first.
+/// The free motion up to the gap that closes first.
 struct FreeWay {
     /// Length, as a multiple of the motion.
     length: f64,
-    /// Sites whose gaps close at its end.
+    /// Sites whose gaps close at the end.
     closing: Vec<usize>,
     /// Whether each site keeps its place on the way, although it may be on an edge.
     still: Vec<bool>,
@@ -142,7 +142,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         Some(())
     }
 
-    /// The event at which a gap closes after a free motion from a loss, from which the path continues. `None` where there is none.
+    /// The event at which a gap closes after a free motion from a loss; the path continues from there. `None` where no gap closes.
     pub(super) fn caught_by_a_gap(
         &mut self,
         journey: &Journey<'g, D, C>,
@@ -162,7 +162,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
             if lets_go { fall.go(&goal, journey).map(|()| first) } else { Ok(first) }
         });
         let changes = went.ok()?;
-        // Where rounding does not let the state there be told, the loss is what is known.
+        // Where rounding prevents the state there from being computed, the path ends with the loss.
         let jump = self.land(journey, &goal, fall).ok()?;
         let jump = Some(Box::new(jump));
         self.at_node = true;

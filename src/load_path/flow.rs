@@ -25,8 +25,8 @@ use crate::prelude::*;
 
 /// A step that comes within this part of the leg of its goal ends at the goal.
 const AT_THE_GOAL: f64 = 2e-13;
-/// Wider distances to the goal, after [`MANY_TRIALS`] trials and after twice as many; the last is as small as the error of steps. The tangent leads
-/// over the rest.
+/// Wider distances to the goal, after [`MANY_TRIALS`] trials and after twice as many; the last is as small as the error of steps. The tangent covers
+/// the rest.
 const NEAR_THE_GOAL: [f64; 2] = [1e-11, 1e-9];
 const MANY_TRIALS: usize = 16;
 const MOST_TRIALS: usize = 60;
@@ -36,9 +36,10 @@ const LOOSER: [f64; 4] = [1.0, 10.0, 100.0, 1000.0];
 const UNPUSHED: f64 = 1e-9;
 /// A slip against the friction force by this part of the displacements of the contact is rounding.
 const BACKWARDS: f64 = 1e-13;
-/// A load factor that falls by less than this part of the way stays: at its top it is known to the square of that.
+/// A load factor that falls by less than this part of the arclength is constant: at its maximum it is known up to the square of this.
 const TURNS_BACK: f64 = 1e-8;
-/// The error of a friction force that vanishes is this part of it at most, for each part of the largest force that others may have: it keeps its direction.
+/// Weight of the relative error of a vanishing friction force. Other friction forces have their error relative to the largest force. The weight
+/// keeps the direction of a vanishing force accurate.
 const OF_ITSELF: f64 = 1e-6;
 /// Works and their turnover are integrated along with the rest.
 const WORKS: usize = 4;
@@ -158,7 +159,7 @@ impl<'s, 'g, D: Size, const C: usize> Flow<'s, 'g, D, C> {
         Direction { twist: self.here.twist_rate.clone(), factor: self.here.factor_rate }
     }
 
-    /// The fastest rate at which a friction force turns towards its slip at the start, for one unit of arclength.
+    /// The fastest of the [`Self::relaxations`].
     pub(super) fn fastest_relaxation(&self) -> f64 {
         self.relaxations().map(|(_, rate)| rate).fold(0.0, f64::max)
     }

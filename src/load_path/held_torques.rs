@@ -1,4 +1,4 @@
-//! Torques that joints are held with, along a program of legs: what drives them whatever they do, such as a screw that is tightened.
+//! Torques that hold joints, changed along a program of legs. They do not depend on the displacement of the joint, as with a screw that is tightened.
 
 use alloc::borrow::Cow;
 use alloc::sync::Arc;
@@ -10,8 +10,8 @@ use crate::numerics::{Size, Vector};
 use crate::prelude::*;
 
 impl<const C: usize> Leg<C> {
-    /// The torques (forces of prismatic joints) with which the joints of a hand are held change by this much, N m or N: one for each joint, slides of contacts
-    /// that are [held by a force](crate::grasp::Contact::force) behind all others.
+    /// A leg along which the torques that hold the joints of a hand change by these amounts: N m, or N for prismatic joints. There is one a joint.
+    /// Slides of contacts that are [held by a force](crate::grasp::Contact::force) come last.
     ///
     /// ```
     /// use grasp_lcp::planar::hand::{Finger, Hand, Joint};
@@ -36,25 +36,25 @@ impl<const C: usize> Leg<C> {
         Self::STAY.and_torques_by(change)
     }
 
-    /// The torques with which joints are held change to these, in the order of [`Self::torques_by`].
+    /// A leg at whose end these torques hold the joints, in the order of [`Self::torques_by`].
     #[must_use]
     pub fn torques_to(torques: impl IntoIterator<Item = f64>) -> Self {
         Self::STAY.and_torques_to(torques)
     }
 
-    /// Meanwhile the torques with which joints are held change by this much.
+    /// This leg with torques that hold joints changed by these amounts meanwhile, see [`Self::torques_by`].
     #[must_use]
     pub fn and_torques_by(self, change: impl IntoIterator<Item = f64>) -> Self {
         Self { torques: LegGoal::By(change.into_iter().collect()), ..self }
     }
 
-    /// Meanwhile the torques with which joints are held change to these.
+    /// This leg with these torques that hold joints at its end, see [`Self::torques_by`].
     #[must_use]
     pub fn and_torques_to(self, torques: impl IntoIterator<Item = f64>) -> Self {
         Self { torques: LegGoal::To(torques.into_iter().collect()), ..self }
     }
 
-    /// Refuses another number of torques than there are joints, torques that are no numbers, and any that change while the load turns.
+    /// Refuses torques that are not one for each joint, that are not finite or too large, or that change while the load turns.
     pub(super) fn check_torques<D: Size>(&self, grasp: &Engine<D, C>) -> Result<(), Error> {
         let (LegGoal::By(torques) | LegGoal::To(torques)) = &self.torques else { return Ok(()) };
         let what = "torques of a leg";
@@ -77,12 +77,12 @@ impl<const C: usize> Leg<C> {
     }
 }
 
-/// The held torques of all joints at the beginning and at the end of a leg; none where no leg so far changes them.
+/// The torques that hold all joints, at the beginning and at the end of a leg; `None` if no leg so far changes them.
 #[derive(Debug, Clone, Default)]
 pub(super) struct HeldTorques(Option<Arc<[Vec<f64>; 2]>>);
 
 impl HeldTorques {
-    /// From the torques at the end of the last leg on, or those of a hand, by the goal of this one.
+    /// Continues to the next leg: it begins with the torques at the end of the last one, or with those of the hand, and changes them by its goal.
     pub(super) fn lead_on(&mut self, of_the_hand: &[f64], goal: &LegGoal<Vec<f64>>) {
         if self.0.is_none() && *goal == LegGoal::Stay {
             return;
@@ -93,7 +93,7 @@ impl HeldTorques {
         self.0 = Some(Arc::new(both));
     }
 
-    /// What they exert beyond those of the hand, in inside coordinates, at the beginning and at the end of the leg.
+    /// The load of these torques less those of the hand, in inside coordinates, at the beginning and at the end of the leg.
     pub(super) fn inside<D: Size, const C: usize>(&self, grasp: &Engine<D, C>) -> Option<[Vector<D>; 2]> {
         let (torques, linkage) = self.0.as_ref().zip(grasp.linkage())?;
         Some([0, 1].map(|end| {
@@ -106,12 +106,12 @@ impl HeldTorques {
         }))
     }
 
-    /// The torques at an end of the leg: 0 for its beginning, 1 for its end.
+    /// The torques at the beginning (0) or at the end (1) of the leg.
     pub(super) fn at_end(&self, end: usize) -> &[f64] {
         self.0.as_ref().map_or(&[], |torques| &torques[end])
     }
 
-    /// The hand with its joints held as they are at a fraction of the leg.
+    /// The grasp with the torques that hold its joints at a fraction of the leg.
     pub(super) fn put_on<'g, D: Size, const C: usize>(
         &self,
         grasp: Cow<'g, Engine<D, C>>,

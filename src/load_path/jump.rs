@@ -1,4 +1,5 @@
-//! Jumps at one load: friction falls as a contact begins to slide, or nothing resists the object any more, until other contacts catch it.
+//! Jumps at one load, because friction falls as a contact begins to slide or because nothing resists the object. They end where other contacts
+//! catch it.
 
 use core::fmt;
 
@@ -13,11 +14,11 @@ use crate::prelude::*;
 use crate::serial::AsComputed;
 use crate::words::{Words, listed};
 
-/// A body that moves by less than this part of the fastest is not named in the sentence.
+/// A body that moves by less than this part of the largest motion is not named in the sentence.
 const SEEN: f64 = 1e-6;
 
-/// A jump from one equilibrium to another under one load: contacts begin to slide, and with [kinetic friction](crate::grasp::Contact::kinetic) they carry
-/// less.
+/// A jump from one equilibrium to another under one load: contacts begin to slide, and with [kinetic friction](crate::grasp::Contact::kinetic) they
+/// carry less.
 ///
 /// The lost force is taken off as slowly as necessary, so that other contacts take it over. Contacts that reach their friction at rest on the way
 /// begin to slide, too, and lose theirs. The object comes to rest where forces balance again. This is the overdamped answer: the object does not

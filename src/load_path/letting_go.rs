@@ -38,7 +38,7 @@ const MOST_OFTEN: usize = 16;
 pub(super) struct JumpInProgress<'g, D: Size, const C: usize> {
     /// The leg along which the missing force is released.
     pub(super) leg: Pieces<'g, D, C>,
-    /// The slips and states on it so far.
+    /// Slips before the jump, and the states of all sites in it so far.
     fallen: Fallen<C>,
     pub(super) changes: Vec<(usize, Change<C>)>,
     /// Sites whose gaps have closed at the end of a free motion.
@@ -141,7 +141,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
             self.segment.problem.cones.clone_from(&problem.cones);
             return Ok(None);
         }
-        // A contact that starts to slide on a round cone right here has no direction yet that others could take over.
+        // A contact that starts to slide on a round cone at this very place has no friction force, hence no direction of slip.
         let has_none = |i: usize| states[i].slide().is_some() && tangential_norm(&forces[i]) == 0.0;
         if (0..states.len()).any(has_none) {
             return Err(journey.undecided(0.0, Doubt::OnTheBoundary));
@@ -164,7 +164,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         Ok(Some(leg))
     }
 
-    /// Moves to where the object comes to rest after the friction of these contacts falls. `None` where they have none to lose.
+    /// Moves to the equilibrium after the friction of these contacts falls. `None` where they have no friction force to lose.
     pub(super) fn jump(
         &mut self,
         journey: &Journey<'g, D, C>,
@@ -173,7 +173,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         if begin.is_empty() {
             return Ok(None);
         }
-        // Contacts that slide together and stick and slip in turn make the more jumps the less friction falls.
+        // Contacts that slide together, sticking and slipping in turn, jump more often the less friction falls.
         if self.pace.steps >= journey.settings.most_steps {
             return Err(journey.undecided(self.factor, Doubt::OutOfSteps));
         }
@@ -217,7 +217,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         let inaccurate = || journey.undecided(self.factor, Doubt::Inaccurate);
         let mut stands = landed.standing_here(journey).ok_or_else(inaccurate)?;
         if landed.node.turns() {
-            // Close to an asymptote the states alone leave the twist all but open: as along an arc, it is that of the way.
+            // Close to an asymptote the contact states hardly determine the twist: as along an arc, the twist at the end of the leg is kept.
             stands.there = landed.node.at.clone();
             stands.bend = Some(Bend { unit: 1.0, length: 0.0, rule: Rule::Explicit });
         }
@@ -241,7 +241,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         Ok(Jump { changes, slips, reaches, moved, energy_lost: energy.dissipated, state })
     }
 
-    /// Energies of a jump from these forces and this twist: work that springs do not take up is lost.
+    /// Energies of a jump from these forces and this twist: the work of the load less the energy that springs take up is lost.
     fn energy_of(&self, load: &Vector<D>, forces: &[SVector<f64, C>], twist: &Vector<D>) -> LegEnergy {
         let works = load.component_mul(&(&self.node.at.twist - twist));
         let mut energy =

@@ -14,10 +14,10 @@ use crate::object::{PieceState, Problem, least_spring_force};
 use crate::prelude::*;
 use crate::search::Found;
 
-/// Margins below this part of their size are used up where steps die out, because events follow each other ever faster there.
+/// Margins below this part of their size count as zero where steps die out, because events follow each other ever faster there.
 const GATHERED: f64 = 1e-8;
 
-/// Forces at rest below this part of what displacements would make in the softest spring are rounding: 16 units of it may add up.
+/// Forces at rest are rounding below this part of the force that the displacements make in the softest spring. Rounding of 16 units may add up.
 const NO_FORCE_AT_REST: f64 = 16.0 * f64::EPSILON;
 
 /// Whether all forces are as small as the rounding of displacements in the softest spring. Rounding alone would then decide which contacts press, so
@@ -53,7 +53,7 @@ impl<D: Size, const C: usize> Node<D, C> {
         if segment.problem.round {
             node.slip_until_now(segment, 0.0);
         }
-        // What a contact stands on follows from forces and gaps alone: rates that nothing resists change neither.
+        // Active sets follow from forces and gaps alone, and rates of free motions change neither.
         if let Ok(here) = node.look(&segment.at_rest(0.0), 0.0, None) {
             node.stand(segment, &here);
         }
@@ -187,9 +187,9 @@ impl<D: Size, const C: usize> Node<D, C> {
         self.stopped.iter().find(leaves).copied().filter(|_| straight)
     }
 
-    /// Where steps die out: puts contacts near an edge onto it, so that all events within the error of steps happen at one place. Returns their
-    /// largest distance from the edge relative to its size; `None` if there is nothing to decide. While the load turns, sliding contacts alone decide
-    /// nothing: they were decided ahead already.
+    /// Where steps die out, puts contacts near an edge onto it, so that all events within the error of steps happen at one place. Returns the largest
+    /// distance from the edge relative to the size of the force or gap; `None` if there is nothing to decide. While the load turns, sliding contacts
+    /// alone need no decision: the rates ahead have decided about them.
     pub(super) fn gather(&mut self, segment: &Segment<'_, D, C>, here: &Here<D, C>) -> Option<f64> {
         let mut apart: Option<f64> = None;
         for (i, (line, gap)) in here.lines.iter().zip(&here.gaps).enumerate() {

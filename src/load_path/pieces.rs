@@ -1,10 +1,10 @@
 //! Every event of a load program with its exact load, piece by piece: for a few contacts.
 //!
-//! While every contact keeps its state everything is affine in the fraction of the leg, and the next event is a ratio test; or everything turns with
-//! the load, and the next event is a root (see [`super::straight`], [`super::turning_load`]). A contact that slides on a round cone changes its
-//! direction on the way (see [`super::turning`]).
-//! At an event some contacts stand on an edge of their cone, at its apex or at a closed gap. They form a small complementarity
-//! problem in rates. Its solution is the next straight piece, and without a solution the path ends.
+//! While every contact keeps its state, forces and motions are affine in the fraction of the leg, and a ratio test gives the next event; under a
+//! turning load they are trigonometric, and the next event is a root (see [`super::straight`], [`super::turning_load`]). A contact that slides on a
+//! round cone changes its direction on the way (see [`super::turning`]).
+//! At an event some contacts are on an edge of their cone, at its apex or at a closed gap. Their rates solve a small complementarity problem. Its
+//! solution is the next straight piece; without a solution the path ends.
 
 use nalgebra::SVector;
 
@@ -47,15 +47,15 @@ pub(crate) struct Pieces<'g, D: Size, const C: usize> {
     pub(super) energy: Vec<LegEnergy>,
     pub(super) stalls: usize,
     pub(super) pace: Pace,
-    /// Where events that follow each other ever faster were last taken as one; not a number before that.
+    /// The factor at which events that follow each other ever faster were last gathered; NaN before that.
     pub(super) gathered: f64,
-    /// The contacts whose slip came to its end on an arc last, and where.
+    /// The factor at which slips last ended on an arc, and the contacts whose slips these were.
     pub(super) stopped: (f64, Vec<usize>),
     /// Sum of the estimated errors of the steps along sliding arcs.
     pub(super) step_error: f64,
     /// An event to report before the path starts: a contact slides at rest, and its friction falls.
     pub(super) first: Option<Box<Event<C>>>,
-    /// The problem at the end of a jump that nothing caught.
+    /// The problem at the end of a jump that no contact stopped.
     pub(super) fallen: Option<Problem<'g, D, C>>,
     /// Where motions cease to be small, if they do.
     pub(super) end_of_small_motions: Option<EndOfSmallMotions>,
@@ -72,7 +72,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         Ok(Path::new(Box::new(Following::start(self, (start, legs), settings, Pieces::at_start)?)))
     }
 
-    /// [`Self::follow`], from where an onset with these settings found the base at rest.
+    /// [`Self::follow`] from the equilibrium under the base load that an onset with these settings has found.
     pub(crate) fn follow_from_rest(
         &self,
         (start, rest): (&Wrench<C>, Option<Rest<D, C>>),
@@ -224,7 +224,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         self.behind.last()?.state_before_event(self.segment.grasp, self.segment.answer_for)
     }
 
-    /// Decides the continuation of the path from here; an event if a contact changes its state.
+    /// Decides the continuation of the path from here. Returns an event if a contact changes its state.
     fn decide(&mut self, journey: &Journey<'g, D, C>) -> Result<Option<Event<C>>, PathEnd<C>> {
         if let Some(first) = self.first.take() {
             self.at_node = true;
@@ -248,7 +248,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
             return Ok(None);
         }
         let Some(state) = before.or_else(|| self.present_state(journey)) else { return Ok(None) };
-        // Where all forces vanish together, their remainder is no scale for residuals.
+        // Where all forces vanish together, the forces that remain are rounding, and residuals relative to them mean nothing.
         let largest = state.contacts.iter().map(|contact| contact.force.norm()).fold(0.0, f64::max);
         let carries = largest > WEIGHTLESS * self.segment.largest
             && self.node.at.forces.iter().any(|force| force.norm() > 0.0);

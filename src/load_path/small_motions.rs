@@ -1,8 +1,8 @@
-//! The place on a path where motions cease to be small, and the one from which everything slides.
+//! The place on a path where motions cease to be small, and the place from which all contacts slide.
 //!
 //! While contacts keep their states, rotations, slips and gaps are affine in the fraction of the leg, so that their largest value is at an end of the
-//! piece. While the load turns they turn with it, and the first place is a root of a trigonometric polynomial. Steps along sliding arcs are checked
-//! at their ends. Bisection then finds the place itself.
+//! piece. While the load turns, they are trigonometric in its angle, and the first place is a root of a trigonometric polynomial. Steps along sliding
+//! arcs are checked at their ends. Bisection then finds the place within the piece or step.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -85,7 +85,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
 }
 
 impl<'g, D: Size, const C: usize> Stretch<'g, D, C> {
-    /// The first place on a piece where a motion is too large, given one that is too large at its end.
+    /// The first place on a piece where a motion is too large, given a motion that is too large at the end of the piece.
     fn first_too_far(
         &self,
         grasp: &'g Engine<D, C>,
@@ -154,7 +154,7 @@ impl<'g, D: Size, const C: usize> Stretch<'g, D, C> {
         first
     }
 
-    /// Whether every contact with friction that presses slides, and there is one. What is bonded does not slide; links are no contacts.
+    /// Whether a contact with friction presses, and all such contacts slide. A bonded contact that presses counts as sticking; links do not count.
     fn everything_slides(&self, grasp: &Engine<D, C>) -> bool {
         let force = |i: usize| self.here.lines[i].force.norm().max(self.there.forces[i].norm());
         let contacts = 0..grasp.len();

@@ -1,7 +1,7 @@
-//! A contact whose slip has come to its end on an arc, and that can neither stick nor slide on from there.
+//! A contact whose slip has ended on an arc, and that can neither stick nor slide from there.
 //!
-//! Where it stops, sticking and sliding have the same rates: what tells them apart comes a little later. As a rule one of them lasts. Beside a maximum of the
-//! load both may fail: sticking takes its force out of the cone, and to slide on it would slip against friction. There the path ends.
+//! Where the contact stops, sticking and sliding have the same rates, and differ only a little later. As a rule one of the two states lasts. Near a
+//! maximum of the load both may fail: sticking leads its force out of the cone, and sliding would be a slip against friction. There the path ends.
 
 use super::flow::{Flow, Rule, StepGoal};
 use super::pieces::Pieces;
@@ -9,14 +9,14 @@ use super::watch::{Watch, WatchedCondition, watch};
 use crate::contact::{Mode, State};
 use crate::numerics::Size;
 
-/// Trial steps are ever shorter by this part, from what is left of the leg on.
+/// Ratio of the lengths of successive trial steps; the first one is this part of the rest of the leg.
 const SHORTER: f64 = 0.25;
 const MOST_TRIALS: usize = 40;
-/// So many of them in a row must fail, none of them by rounding.
+/// Number of accurate trial steps that must break the condition, each by more than rounding.
 const FAILURES: usize = 3;
 
 impl<D: Size, const C: usize> Pieces<'_, D, C> {
-    /// Whether it is so for a contact.
+    /// Whether a contact can neither stick nor slide from here.
     pub(super) fn neither_sticks_nor_slides(&self, contact: usize, tolerance: f64) -> bool {
         let slides = State::sliding_along(&self.node.at.forces[contact]);
         [Mode::Sticking, slides].into_iter().all(|state| self.fails_at_once(contact, state, tolerance))

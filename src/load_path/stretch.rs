@@ -1,5 +1,5 @@
-//! One piece of a path, along which every contact keeps its state. If no contact slides on a round cone, everything is affine in the fraction of the
-//! leg, or turns with the load. Otherwise the piece is a step of the integration, repeated up to the place asked for.
+//! One piece of a path, along which every contact keeps its state. If no contact slides on a round cone, forces and motions are affine in the
+//! fraction of the leg, or turn with the load. Otherwise the piece is a step of the integration, which is repeated up to the requested fraction.
 
 use nalgebra::SVector;
 
@@ -36,7 +36,7 @@ pub(super) struct Stretch<'g, D: Size, const C: usize> {
     pub(super) load: Trajectory<Wrench<C>>,
     /// Loads of bodies with goals of their own.
     pub(super) bodies: BodyLoads<C>,
-    /// And the torques that hold joints.
+    /// Torques that hold joints.
     pub(super) torques: HeldTorques,
     pub(super) states: Vec<State<C>>,
     /// State at `from`, with rates.
@@ -52,11 +52,11 @@ pub(super) struct Stretch<'g, D: Size, const C: usize> {
 /// The course of a jump at one load.
 #[derive(Debug)]
 pub(super) struct Fallen<const C: usize> {
-    /// Slips before it.
+    /// Slips before the jump.
     pub(super) slips: Vec<SVector<f64, C>>,
-    /// Whether each site slid in it.
+    /// Whether each site slid in the jump.
     pub(super) slid: Vec<bool>,
-    /// Successive states of all sites in it.
+    /// Successive states of all sites in the jump.
     pub(super) states: Vec<Vec<State<C>>>,
 }
 
@@ -86,7 +86,7 @@ impl<'g, D: Size, const C: usize> Stretch<'g, D, C> {
         Some(self.answer(grasp, answer_for, fraction, &problem, found))
     }
 
-    /// The equilibrium at the end of the piece, with the contact states of the piece: an event says what changes from there on.
+    /// The equilibrium at the end of the piece, with the contact states of the piece; the event there lists their changes.
     pub(super) fn state_before_event(
         &self,
         grasp: &'g Engine<D, C>,

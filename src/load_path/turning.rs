@@ -1,15 +1,15 @@
 //! Along a sliding arc of the round cone, step by step, to the next event.
 //!
-//! Steps are in arclength, see [`super::flow`], and as long as the error of the settings allows. An event is where one of these reaches zero,
+//! Steps are in arclength, see [`super::flow`], and as long as the error of the settings allows. An event is where one of these values reaches zero,
 //!
 //! ```text
-//! sticking  μ F_n - |F_t|, or F_n where friction has no limit or is none
+//! sticking  μ F_n - |F_t|, or F_n where friction is infinite or zero
 //! open      the gap
 //! sliding   the rate at which it slips, and F_n
-//! path      the rate of the load factor, and what is left of the leg
+//! path      the rate of the load factor, and the rest of the leg
 //! ```
 //!
-//! found by repeating the last step until it ends there, see [`super::crossing`].
+//! which is found by repeating the last step until it ends there, see [`super::crossing`].
 
 use nalgebra::SVector;
 
@@ -34,22 +34,22 @@ const FIRST_TURN: f64 = 0.3;
 const STABLE: f64 = 4.0;
 /// Largest turn of the load in a step, rad.
 const MOST_TURNED: f64 = 0.25;
-/// Forces whose relative change is below this stay constant, while the object moves as far as for the whole load at the start. The same holds for
-/// directions within this angle, rad, of their limit. With less, rounding would seem to turn them for ever.
+/// A force is constant if its relative change is below this, while the object moves as far as for the whole load at the start. A direction has
+/// reached its limit within this angle, rad. With a smaller value, rounding would seem to turn directions for ever.
 const STANDS_STILL: f64 = 1e-10;
-/// A normal force below this part of its size vanishes along the tangent.
+/// A falling normal force below this part of its size is followed to zero along the tangent.
 const ALL_BUT_GONE: f64 = 1e-10;
 /// First step from an apex, as a part of the way on which forces change by their own size: directions turn by its square.
 const SETTING_OUT: f64 = 1e-6;
 /// Forces that would double within this part of the rest of the leg are rounding.
 const NO_WAY: f64 = 1e-12;
-/// Part of the way to where a sliding contact loses its normal force that a step leaves: directions may turn ever faster there.
+/// A step leaves this part of the way to the place where a sliding contact loses its normal force: directions may turn ever faster there.
 const APPROACH: f64 = 0.5;
-/// Events are gathered at places this part of the leg apart: nearer ones are the same once more.
+/// Least distance of two places at which events are gathered, as a part of the leg.
 const GATHERED_AGAIN: f64 = 1e-9;
-/// A step is made shorter so often at most where a condition may be broken on the way.
+/// Most times that a step is shortened because a condition may be violated within it.
 const MOST_LOOKS: usize = 20;
-/// Steps shorter than this part of the way gone are none: the arc ends here.
+/// Steps shorter than this part of the load factor do not advance: the arc ends here.
 const SHORTEST: f64 = 1e-13;
 
 impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
@@ -112,7 +112,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         self.arrive_at(journey, &here, &end)
     }
 
-    /// A step as it is, or made again up to the first condition that it breaks, at its end or on the way.
+    /// The step, shortened to the first condition that it violates, at its end or within it.
     fn up_to_a_crossing(
         &self,
         here: &Here<D, C>,
@@ -126,7 +126,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
                 end = self.locate(here, &start, end, condition)?;
             }
             let ends = [here, &end.reached.here];
-            // Bounds over a step are those of loads that grow: along a turn they cut steps short in vain.
+            // The bounds within a step are for straight legs: while the load turns, they would only shorten steps in vain.
             let is_straight = matches!(self.segment.course, Trajectory::Straight { .. });
             let dip = is_straight
                 .then(|| first_dip(&self.segment, &self.node.states, ends, (end.length, tolerance)))
@@ -137,19 +137,19 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         }
     }
 
-    /// Whether a contact whose slip came to its end here can go on in no way.
+    /// Whether a contact whose slip has ended here can neither stick nor slide.
     fn stops_for_good(&self, tolerance: f64) -> bool {
         let (at, contacts) = &self.stopped;
         let here = (self.factor - at).abs() <= GATHERED_AGAIN;
         here && contacts.iter().any(|contact| self.neither_sticks_nor_slides(*contact, tolerance))
     }
 
-    /// Whether there has been a way since events were last gathered at one place.
+    /// Whether the path has advanced since events were last gathered at one place.
     fn may_gather(&self) -> bool {
         self.gathered.is_nan() || (self.factor - self.gathered).abs() > GATHERED_AGAIN
     }
 
-    /// The length on which the load turns as far as one step may: on a longer one a condition could break and hold again.
+    /// The length of a step along which the load turns by [`MOST_TURNED`]. Along a longer step a condition could fail and hold again at the end.
     fn part_of_a_turn(&self, here: &Here<D, C>) -> f64 {
         match self.segment.course {
             Trajectory::Turn { angle, .. } => MOST_TURNED / (angle * here.factor_rate.abs()),
@@ -281,12 +281,12 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         }
         self.take(journey, here, (end.length, end.rule), &end.reached);
         self.node.reach(&standing);
-        // What has stood still all the way is for whatever else happens here to decide.
+        // If another event happens here, too, it decides about contacts that have not slipped during the step.
         for contact in sticks.iter().filter(|contact| standing.is_empty() || !idle.contains(contact)) {
             self.node.stick(*contact);
         }
         self.at_node = leg_done || stops;
-        // A maximum at the end of a leg does not end the path: the next leg may lead elsewhere.
+        // A maximum at the end of a leg does not end the path: the next leg may change the load in another direction.
         let lost = (tops && !leg_done).then(|| self.lost(journey, LossKind::Fold, &there));
         self.here = Some(there);
         lost.map_or(Ok(leg_done), Err)

@@ -13,14 +13,14 @@ const ERROR_OF_STEPS: f64 = 1e-13;
 /// its square.
 const AT_THE_TOP: f64 = 1e-8 / (ZERO_SLACK + ERROR_OF_STEPS);
 
-/// Of a leg there is no less left than this part, for what changes on the rest of it.
+/// The rest of a leg counts as at least this part of it, where the change of a value over the rest is compared with rounding.
 const LEAST_REST: f64 = 0.01;
 
-/// So many times what counts as zero is none.
+/// Multiple of the tolerance for zero beyond which a negative value is certain.
 const CLEARLY: f64 = 1e3;
 
-/// The normal force of a sliding contact on its way to zero is known, and with it the direction of its friction, to the error of the steps over this
-/// part of its size: too little below.
+/// A normal force below this part of its size, on its way to zero, does not give the direction of friction any more: its relative error is the error
+/// of the steps divided by this part.
 const VANISHING: f64 = 1e-7;
 
 /// The subject of a condition.
@@ -34,12 +34,12 @@ pub(super) enum WatchedCondition {
     Leg,
 }
 
-/// One condition, with its rate where it is known, and what its rounding is measured against.
+/// The value that a condition requires to be positive, with its rate if known, and the scale of its rounding.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Watch {
     pub(super) what: WatchedCondition,
     pub(super) value: f64,
-    /// With the size that its rounding is measured against.
+    /// The rate of the value, and the scale of the rounding of this rate.
     rate: Option<[f64; 2]>,
     size: f64,
 }
@@ -55,17 +55,18 @@ impl Watch {
         self.value.abs() <= (ZERO_SLACK + ERROR_OF_STEPS) * self.size
     }
 
-    /// Negative by so much that neither rounding nor the errors of steps have done it.
+    /// Negative by far more than rounding and the errors of steps explain.
     pub(super) fn is_broken(&self) -> bool {
         self.value < -CLEARLY * (ZERO_SLACK + ERROR_OF_STEPS) * self.size
     }
 
-    /// Not known to grow, or to stay but for rounding: what slides on while others stand still leaves them at their edge.
+    /// Decreasing by more than rounding, or with an unknown rate. A constant value does not fall: contacts at rest stay at their edge while others
+    /// slide.
     pub(super) fn falls(&self) -> bool {
         self.rate.is_none_or(|[rate, size]| rate < -(ZERO_SLACK + ERROR_OF_STEPS) * size)
     }
 
-    /// The way to zero along the tangent.
+    /// The length of the path until the value is zero along the tangent.
     pub(super) fn way(&self) -> Option<f64> {
         self.rate.map(|[rate, _]| self.value / -rate).filter(|way| way.is_finite())
     }
@@ -96,7 +97,7 @@ pub(super) fn watch<D: Size, const C: usize>(
             size: 1.0,
         },
     ];
-    // What changes by less than its rounding on the rest of a straight leg does not change. While the load turns rates may be none and grow.
+    // A value that changes by less than its rounding over the rest of a straight leg is constant. While the load turns, a rate of zero may grow.
     let straight = matches!(segment.course, Trajectory::Straight { .. });
     let per_length = here.factor_rate / (1.0 - factor).max(LEAST_REST);
     for (contact, state) in states.iter().enumerate() {

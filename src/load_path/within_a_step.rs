@@ -1,8 +1,8 @@
 //! Whether a contact reaches its edge within a step along an arc and is away from it again at the end.
 //!
-//! Forces of sticking contacts, and gaps, are linear in twist and load factor. Between both ends of a step they follow the cubic through the values and rates
-//! there, but for an error `s²(1 - s)² g` at the part s of the step. A margin `μ F_n - |F_t|` is concave: on a piece of the cubic it is nowhere less than the
-//! least at the four points that the piece is a mean of (Bézier's). Halved pieces have points ever nearer to the curve.
+//! Forces of sticking contacts, and gaps, are linear in twist and load factor. Within a step they follow the cubic through the values and rates at
+//! both ends, up to an error `s²(1 - s)² g` at the part s of the step. A margin `μ F_n - |F_t|` is concave. Hence on a piece of the cubic it is at
+//! least its minimum over the four Bézier points P_i of the piece. As pieces are halved, these points converge to the curve.
 //!
 //! ```text
 //! F(s) = Σ_i B_i(s) P_i,   B_i >= 0,  Σ B_i = 1:      margin(F(s)) >= min_i margin(P_i)
@@ -16,34 +16,34 @@ use crate::numerics::Size;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Steps whose error is asked for have terms that fall by this part from order to order at least: the fourth, which the cubic leaves out, is taken for no less
-/// than the third, and than this part of the second.
+/// The term of fourth order, which the cubic leaves out, is estimated by that of third order, but by no less than this part of that of second order.
+/// The terms of accepted steps fall from order to order at least by this factor.
 const NEXT_ORDER: f64 = 0.05;
-/// So many pieces are looked at before a step is called too long to tell.
+/// Most pieces that are examined before a step is refused as too long.
 const MOST_PIECES: usize = 200;
-/// A step that is too long to tell is made again as this part of it.
+/// A step that is too long for a decision is repeated with this part of its length.
 const SHORTER: f64 = 0.5;
-/// Margins that are used up by this part of the error of a step are not.
+/// A margin is violated where it is negative by more than this part of the error of a step.
 const WITHIN_THE_ERROR: f64 = 0.02;
-/// They are known no better than by this part of their size.
+/// Rounding of margins, relative to their size: the least violation that counts.
 const ROUNDED: f64 = 2e-13;
 
-/// The points of a piece.
+/// The four Bézier points of a piece of the cubic.
 type Points<const C: usize> = [SVector<f64, C>; 4];
 
-/// Something that stays positive, on its way through a step.
+/// A margin or a gap that must stay positive, along a step.
 struct Bounded<const C: usize> {
     points: Points<C>,
     /// The cone of a force; `None` where the first component counts.
     cone: Option<Coulomb>,
-    /// g, as the margin feels it.
+    /// g of the error `s²(1 - s)² g`, in the unit of the margin.
     bend: f64,
-    /// What is none.
+    /// A margin down to minus this counts as zero.
     nothing: f64,
 }
 
-/// The part of a step, from one place to another with rates for one unit of its length, that is to be made in its place: where a contact that sticks or is open
-/// comes to its edge, or shorter where that cannot be told. `None` where none does.
+/// The part of a step to make in place of the whole step, whose ends have rates for one unit of its length. It ends where a sticking or open contact
+/// violates its condition, or earlier where the step is too long for a decision. `None` where all conditions hold within the step.
 pub(super) fn first_dip<D: Size, const C: usize>(
     segment: &Segment<'_, D, C>,
     states: &[State<C>],
@@ -98,7 +98,7 @@ impl<const C: usize> Bounded<C> {
         self.cone.map_or(point[0], |cone| cone.round_margin(point))
     }
 
-    /// Where it is used up first, or a shorter way where that cannot be told.
+    /// The part of the step at which the margin is violated, or [`SHORTER`] where that is undecided. `None` where it holds.
     fn dip(&self) -> Option<f64> {
         let mut pieces = vec![(0.0_f64, 1.0_f64, self.points)];
         for _ in 0..MOST_PIECES {
@@ -119,7 +119,7 @@ impl<const C: usize> Bounded<C> {
         Some(SHORTER)
     }
 
-    /// The error of the cubic.
+    /// Error bound of the margin on the cubic at a part of the step.
     fn off(&self, part: f64) -> f64 {
         let square = part * (1.0 - part);
         self.bend * square * square

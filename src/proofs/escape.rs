@@ -1,4 +1,4 @@
-//! The margin of a linear contradiction: whatever escapes it through rounding must be far larger than the data.
+//! The margin of a linear contradiction: forces that escape it through rounding must be far larger than the data.
 //!
 //! With a unit y and generators g of length one let `y·g <= δ` for all of them. Then a sum of generators with shares s has
 //! `y·Σ s g <= δ Σ s`. A target t with y·t > 0 is such a sum only if `Σ s >= y·t / δ`.

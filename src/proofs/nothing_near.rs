@@ -1,4 +1,4 @@
-//! A proof that no equilibrium exists near the point where one was lost, whatever has slipped before.
+//! A proof that no equilibrium exists near the point where one was lost, for any slips so far.
 //!
 //! For any virtual motion v with `u_i = G_iᵀv` balance gives `W·v = -Σ F_i·u_i`, and no contact works against v by more than its
 //! [`Resistance`]. Only the normal stretches enter, which the motion q of the object alone determines:

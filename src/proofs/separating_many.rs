@@ -30,7 +30,7 @@ const LAST: f64 = 1e8;
 const MORE: usize = 6;
 /// Rounds after the first proof, which remove rounding from its motion: the motion is shown to users.
 const CLEARER: usize = 4;
-/// Most Newton steps of a round, the imbalance at its end for ρ = 1, and the least imbalance asked for.
+/// Most Newton steps of a round, and the imbalance at which a round ends: the first number over ρ, but no less than the second.
 const STEPS: usize = 12;
 const LEFT: [f64; 2] = [1e-3, 1e-14];
 /// Most reductions of a step, made while the energy rises at its end by more than the part `LEVEL` of its initial rate of decrease.
@@ -87,17 +87,17 @@ struct PushedBack<const C: usize> {
     stiffness: f64,
 }
 
-/// What forces that push back leave of a load of many coordinates.
+/// The residual of a load of many coordinates after the best response of contact forces.
 pub(super) enum Left<D: Size> {
-    /// A motion that is a proof.
+    /// The residual is a separating motion.
     Proof(Vector<D>),
-    /// A part that is no proof.
+    /// The residual proves nothing.
     Unclear,
-    /// Nothing, or coordinates are few.
+    /// No residual: the load is balanced. Also where coordinates are few, or a law is not a cone.
     Nothing,
 }
 
-/// What is left of a load, of length one, after each round until there is next to nothing; `judged` says whether it is a proof.
+/// The residual of a load of length one after rounds of the augmented Lagrangian; `judged` decides whether a residual is a proof.
 pub(super) fn left_of_many<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     judged: &dyn Fn(&Vector<D>) -> bool,

@@ -27,11 +27,12 @@ use crate::prelude::*;
 const CLEAR: f64 = 1e-9;
 /// A generator that works against the residual by less than this part of it does not join.
 const JOINS: f64 = 1e-13;
-/// Generators that may join, and for each coordinate: of straight cones there are so many that carry a load as a rule, and near the boundary of round cones each comes closer to
-/// the last by a part only.
+/// Most generators that join: `MOST_JOINING`, and `MOST_JOINING_EACH` more for each coordinate. As a rule straight cones need no more to carry a
+/// load. Near the boundary of round cones each new generator reduces the distance only by a part.
 const MOST_JOINING: usize = 200;
 const MOST_JOINING_EACH: usize = 4;
-/// With more coordinates no more than [`MOST_JOINING`] may join: each takes as long as the square of their number, which makes seconds for all.
+/// With more coordinates at most [`MOST_JOINING`] generators join: each takes a time that grows with the square of the number of coordinates, and
+/// all would take seconds.
 const MOST_COORDINATES: usize = 600;
 
 /// A force of one contact whose wrench is one unit long.
@@ -128,7 +129,7 @@ impl<'p, 'g, D: Size, const C: usize> LoadAndCones<'p, 'g, D, C> {
         distance > CLEAR && escape >= ESCAPE * self.data
     }
 
-    /// What the nearest forces leave of the load, if that is a clear proof.
+    /// The residual of the load after the nearest forces, as a unit motion, if it is a clear proof.
     fn separating_motion(&self) -> Option<Vector<D>> {
         let target = -&self.problem.wrench / self.load;
         let round = |v: &Vector<D>| round_generators(self.problem, v).collect();
@@ -137,7 +138,7 @@ impl<'p, 'g, D: Size, const C: usize> LoadAndCones<'p, 'g, D, C> {
         self.separates(&v, v.norm_squared(), against).then(|| v.normalize())
     }
 
-    /// Whether a motion separates, whoever has found it.
+    /// Whether any given motion separates.
     fn is_proof(&self, v: &Vector<D>) -> bool {
         let round = round_generators(self.problem, v);
         let against = self.straight.iter().map(|g| -g.wrench.dot(v)).chain(round.map(|g| -g.wrench.dot(v)));
@@ -150,8 +151,8 @@ pub(crate) fn separating_motion<D: Size, const C: usize>(problem: &Problem<D, C>
     LoadAndCones::of(problem)?.separating_motion()
 }
 
-/// The same of many coordinates, where it does not take long: by forces that push back, and where these leave a part of the load that proves nothing, of no more coordinates than
-/// [`MOST_COORDINATES`] by the nearest forces.
+/// [`separating_motion`] for many coordinates, by the augmented Lagrangian. Where its residual proves nothing, the nearest forces decide, for at most
+/// [`MOST_COORDINATES`] coordinates.
 pub(crate) fn separating_motion_in_a_band<D: Size, const C: usize>(
     problem: &Problem<D, C>,
 ) -> Option<Vector<D>> {

@@ -1,4 +1,4 @@
-//! Contacts and links that at rest press or pull with no force, or with another force than the scene states.
+//! Warnings about contacts and links that at rest press or pull with no force, or with another force than the scene states.
 
 use super::link::LinkSetup;
 use super::odd::put_on;
@@ -11,17 +11,18 @@ use crate::error::Error;
 use crate::grasp::{Hold, Wrench};
 use crate::load_path::Ramp;
 
-/// A force presses on a contact if its component along the normal is more than this part of it.
+/// A force presses on a contact if its component against the normal is more than this part of the force.
 const ALONG: f64 = 1e-6;
 
-/// Relative difference up to which a force at rest counts as the one that was meant.
+/// Relative difference up to which a force at rest counts as the stated one.
 const OTHERWISE: f64 = 0.02;
 
-/// Friction of the trial whether a load jams the object; a load that presses then, presses with any friction.
+/// Friction coefficient of the trial that decides whether a load jams the object: a load that the trial holds presses contacts on.
 const MUCH_FRICTION: f64 = 3.0;
 
 impl<const C: usize> Setup<C> {
-    /// Whether for some question no load is at rest, no command presses, and no load of it presses contacts on, as a weight or a jamming load does.
+    /// Whether no command presses, and some question has no load at rest and no load that presses contacts on, as a weight or a jamming load does.
+    /// Without a question, the commands alone decide.
     pub(super) fn nothing_presses(&self, grasp: &Grasp<C>) -> Result<bool, Error> {
         if grasp.presses() {
             return Ok(false);
@@ -61,7 +62,8 @@ impl<const C: usize> Setup<C> {
         self.entries().any(|entry| presses(entry.contact.normal.as_slice())) || self.links.iter().any(hangs)
     }
 
-    /// Contacts and links that press or pull with another force than they are told to, without load and under all that questions have there at rest.
+    /// Contacts and links that at rest press or pull with another force than stated. The states at rest are without load, and under the base load of
+    /// each question; the state with the fewest warnings counts.
     pub(super) fn otherwise_at_rest(&self, grasp: &Grasp<C>) -> Result<Vec<Warning>, Error> {
         let told = |entry: &LinkSetup<C>| entry.link.tension.is_none() && entry.link.pretension != 0.0;
         if self.entries().all(|entry| entry.contact.press.is_none()) && !self.links.iter().any(told) {

@@ -37,7 +37,7 @@ pub enum FaultKind {
     Syntax,
     /// The JSON is no scene.
     Scene,
-    /// The scene asks what cannot be asked of its grasp.
+    /// A question that the grasp of the scene does not allow.
     Question,
     /// The scene made this library fail: a fault of the library and not of the scene.
     Internal,
@@ -110,14 +110,14 @@ impl Fault {
         Self { kind: FaultKind::Scene, message, field: None, at: None }
     }
 
-    /// A scene that made the library fail, which said this.
+    /// A scene on which the library failed, with the message of the failure.
     pub(crate) fn internal(fault: &str) -> Self {
         let message =
             format!("internal: this scene made the library fail, which is a fault of the library ({fault})");
         Self { kind: FaultKind::Internal, message, field: None, at: None }
     }
 
-    /// A question that the grasp refuses.
+    /// A question that the grasp refuses, with its error.
     pub(crate) fn of_question(error: &Error) -> Self {
         Self { kind: FaultKind::Question, message: error.to_string(), field: None, at: None }
     }

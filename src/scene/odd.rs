@@ -1,4 +1,4 @@
-//! Suspicious numbers in a scene: friction in percent, lengths in mm, normals that point outwards, and contacts that are given twice.
+//! Suspicious numbers in a scene: friction in percent, lengths in mm, masses in g, normals that point outwards, and contacts that are given twice.
 
 use nalgebra::SVector;
 
@@ -23,17 +23,17 @@ const WIDE: f64 = 10.0;
 /// Distance of a load, relative to the spread of the contacts, above which its unit is doubtful, if the distance is more than a metre.
 const FAR: f64 = 100.0;
 
-/// A load of so many times what all contacts press with is in another unit: friction does not carry it by far.
+/// Ratio of a load to the sum of all pressing forces above which the unit of the load is doubtful: friction carries far less.
 const HEAVY: f64 = 100.0;
 
-/// Normals point away from the middle where they do so by more than this part of the way there.
+/// Cosine of the angle between a normal and the way from the middle to its contact, above which the normal points outwards.
 const OUTWARDS: f64 = 0.5;
 
-/// Contacts that are apart by less than this part of the size of the grasp are in one place.
+/// Contacts closer than this part of the size of the grasp are in one place; also the tolerance for parallel normals.
 const ONE_PLACE: f64 = 1e-9;
 
 impl<const C: usize> Setup<C> {
-    /// What is odd about contacts by themselves, whatever acts.
+    /// Warnings about the contacts alone, whatever the loads.
     pub(super) fn odd_contacts(&self, grasp: &Grasp<C>) -> Result<Vec<Warning>, Error> {
         let mut warnings = Vec::new();
         let entries: Vec<_> = self.entries().collect();
@@ -92,13 +92,13 @@ impl<const C: usize> Setup<C> {
         self.bodies.iter().find(|body| body.name == *on).map_or(&[], |body| &body.outline)
     }
 
-    /// Loads that act far outside of the grasp, or are far beyond what contacts press with.
+    /// Warnings about loads that act far outside of the grasp, or that exceed the pressing forces by far.
     pub(super) fn odd_loads(&self) -> Vec<Warning> {
         let mut warnings = Vec::new();
         let pressed: f64 =
             self.entries().filter_map(|entry| entry.contact.press.or(entry.contact.force)).sum();
         let force = |load: &Wrench<C>| SVector::<f64, C>::from_column_slice(&load.components()[..C]);
-        // The size of a direction says nothing.
+        // Onsets are left out: the size of their direction has no meaning.
         let asked = || self.questions.iter().filter(|question| !matches!(question, Question::Onset(_)));
         let heaviest = asked().flat_map(put_on).map(|load| force(&load).norm()).fold(0.0, f64::max);
         if pressed > 0.0 && heaviest > HEAVY * pressed {
@@ -114,7 +114,7 @@ impl<const C: usize> Setup<C> {
             let force = force(load);
             let about = *load - Wrench::force_through(&centre, &force);
             let moment = about.components()[C..].iter().fold(0.0, |h: f64, m| h.hypot(*m));
-            // Of a moment alone no arm is known.
+            // A moment alone has no arm.
             if force.norm() > 0.0 { moment / force.norm() } else { 0.0 }
         };
         let far = self.questions.iter().flat_map(put_on).map(|load| arm(&load)).fold(0.0, f64::max);
@@ -125,7 +125,7 @@ impl<const C: usize> Setup<C> {
         warnings
     }
 
-    /// Contacts that press towards the outside, where no outline shows the object.
+    /// A warning if all contacts press away from their middle, and no outline shows the object.
     fn outwards(&self, entries: &[&Fingertip<C>]) -> Option<Warning> {
         let count = entries.len() as f64;
         let centre =
@@ -143,7 +143,7 @@ impl<const C: usize> Setup<C> {
         Some(Warning::Outwards { contacts, names })
     }
 
-    /// Whether contacts that press alone have friction nowhere, and nothing else holds the object.
+    /// Whether all contacts are unilateral, without friction and without suction, and nothing else holds the object.
     fn has_no_friction(&self, entries: &[&Fingertip<C>]) -> bool {
         let is_bare = |entry: &&Fingertip<C>| {
             let contact = &entry.contact;

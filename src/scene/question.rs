@@ -67,7 +67,7 @@ pub enum Question<const C: usize> {
     Identify(Box<IdentifyAsked<C>>),
 }
 
-/// Told to whoever writes no object, such as `"onset"` alone.
+/// The expected form of a question, in the error for a value that is no object, such as `"onset"` alone.
 const AN_OBJECT: &str = "a question with what it needs, such as {\"hold\": {\"load\": {\"force\": [0, -1]}}}, with three numbers in space";
 
 /// A question that is read from an object; a name alone is refused with [`AN_OBJECT`].
@@ -179,9 +179,9 @@ pub enum LoadGoal<const C: usize> {
     Turn(Turn<C>),
 }
 
-/// One leg of a load program, see [`crate::load_path::Leg`]: `load_by` or `load_to`, `commands_by`
-/// or `commands_to`, `joints_by` or `joints_to`, or one of each; or a `turn` alone. What is not mentioned stays. Of several bodies `body_loads_by` and
-/// `body_loads_to` have loads by name.
+/// One leg of a load program, see [`crate::load_path::Leg`]: `load_by` or `load_to`, `commands_by` or `commands_to`, `joints_by` or `joints_to`,
+/// `torques_by` or `torques_to`, or one of each pair; or a `turn` alone. Quantities without a field stay constant. With several bodies,
+/// `body_loads_by` and `body_loads_to` have loads by name.
 ///
 /// ```
 /// use grasp_lcp::planar::{Turn, Wrench};
@@ -205,9 +205,10 @@ pub struct LegAsked<const C: usize> {
     pub commands: Option<Goal<Commands<C>>>,
     /// The change of a hand's commands, one for each joint and then each tendon, rad or m; `None` if they are constant.
     pub joints: Option<Goal<Vec<f64>>>,
-    /// What becomes of the torques that hold the joints of a hand: one for each joint, N m or N, slides of contacts that are held by a force behind all others.
+    /// The change of the torques that hold the joints of a hand; `None` if they are constant. One for each joint, N m or N; slides of contacts that
+    /// are held by a force come last.
     pub torques: Option<Goal<Vec<f64>>>,
-    /// Of several bodies those whose own loads change, by name.
+    /// The changes of loads on single bodies, by name.
     pub body_loads: BTreeMap<String, Goal<Wrench<C>>>,
 }
 
@@ -238,7 +239,7 @@ impl<const C: usize> LegAsked<C> {
         Self { torques: Some(torques), ..self }
     }
 
-    /// This leg with a load on a body of its own.
+    /// This leg with a change of the load on one body.
     #[must_use]
     pub fn with_body_load(mut self, body: impl Into<String>, load: Goal<Wrench<C>>) -> Self {
         self.body_loads.insert(body.into(), load);
@@ -268,16 +269,16 @@ struct WrittenLeg<const C: usize> {
     /// The commands of joints and then tendons at the end of the leg, instead of `joints_by`.
     #[serde(default, with = "AsGiven::<Option<Vec<f64>>>", skip_serializing_if = "Option::is_none")]
     joints_to: Option<Vec<f64>>,
-    /// What the leg adds to the torques that hold joints, N m or N: one for each joint, slides of contacts that are held by a force behind all others.
+    /// The change along the leg of the torques that hold joints, N m or N: one for each joint; slides of contacts that are held by a force come last.
     #[serde(default, with = "AsGiven::<Option<Vec<f64>>>", skip_serializing_if = "Option::is_none")]
     torques_by: Option<Vec<f64>>,
-    /// These torques at its end, in place of `torques_by`.
+    /// The torques that hold joints at the end of the leg, instead of `torques_by`.
     #[serde(default, with = "AsGiven::<Option<Vec<f64>>>", skip_serializing_if = "Option::is_none")]
     torques_to: Option<Vec<f64>>,
-    /// What the leg adds to loads of bodies, by name.
+    /// The change of the loads of bodies along the leg, by name.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     body_loads_by: BTreeMap<String, Wrench<C>>,
-    /// The loads of bodies, by name, at the end of the leg; a body is in one of both lists.
+    /// The loads of bodies at the end of the leg, by name. A body is in at most one of the two lists.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     body_loads_to: BTreeMap<String, Wrench<C>>,
     /// The turn of the load along the leg, instead of all other fields.

@@ -255,7 +255,7 @@ impl<const C: usize> Setup<C> {
     /// The hand that holds the object: fingers without joints first, one for each contact.
     ///
     /// # Errors
-    /// [`Error::Contact`], [`Error::Fingertip`] and [`Error::Hand`] for what cannot be built.
+    /// [`Error::Contact`], [`Error::Fingertip`] and [`Error::Hand`] for parts that cannot be built.
     pub fn hand(&self) -> Result<Hand<C>, Error> {
         let mut fingers = Vec::new();
         for (index, entry) in self.contacts.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! Warnings about a scene that is answered, but is probably not what its author means.
+//! Warnings about probable mistakes in a scene that can be answered.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -100,14 +100,14 @@ pub enum Warning {
     Outwards {
         /// The contacts of the scene, from 0.
         contacts: Vec<usize>,
-        /// How messages call them.
+        /// The names of the contacts in messages.
         names: Vec<String>,
     },
-    /// A load is hundreds of times what contacts press with; perhaps its mass is given in g.
+    /// A load is more than a hundred times the sum of the forces with which contacts press; perhaps its mass is given in g.
     HeavyLoad {
-        /// Its force, N.
+        /// The force of the load, N.
         force: f64,
-        /// What contacts press with together, N.
+        /// The sum of the forces with which contacts press, N.
         pressed: f64,
     },
     /// Two contacts are in one place, with parallel normals.

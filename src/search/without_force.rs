@@ -1,7 +1,7 @@
-//! What touches without force neither sticks nor slides: it is open, with a gap of nothing.
+//! Contacts that touch without force neither stick nor slide: they count as open, with a gap of zero.
 //!
-//! Which rung finds it sticking, sliding or open is a matter of the rounding of its force. Friction of no force holds nothing, so that the state in which
-//! all such contacts are open has the same forces, and is told whatever was found.
+//! Whether a rung of the search finds such a contact sticking, sliding or open depends on the rounding of its force. Friction without normal force
+//! holds nothing. Hence the solution with all such contacts open has the same forces, and is always the one that is reported.
 
 use nalgebra::Matrix;
 
@@ -34,7 +34,7 @@ pub(crate) fn settle_at_rest<D: Size, const C: usize>(
     }
 }
 
-/// A solution where it is, with the states and free motions that are told of a problem at rest.
+/// A solution with its twist, and with the states and free motions that are reported of a problem at rest.
 pub(crate) fn told_at_rest<D: Size, const C: usize>(
     problem: &Problem<D, C>,
     found: Found<D, C>,
@@ -44,10 +44,11 @@ pub(crate) fn told_at_rest<D: Size, const C: usize>(
     Found { twist: found.twist, sizes: found.sizes, ..told }
 }
 
-/// The same forces with all contacts open that carry none, if some do. Where nothing carries anything there is no force to be small beside.
+/// The same forces with all contacts open that carry none; `None` if there is no such contact. `None` also if no contact carries a force, since
+/// nothing then defines a small force.
 fn opened<D: Size, const C: usize>(problem: &Problem<D, C>, found: &Found<D, C>) -> Option<Found<D, C>> {
     let largest = found.forces.iter().map(Matrix::norm).fold(0.0, f64::max);
-    // Of what has not moved at all its own displacements are no measure.
+    // The scale is the largest span of all contacts: the own span of a contact without motion is zero.
     let spans = (0..problem.len()).map(|i| problem.span(i, &found.twist));
     let farthest = spans.fold(0.0, f64::max);
     let mut states = found.states.clone();

@@ -221,7 +221,7 @@ impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
         (happens_there && is_one).then_some(limit)
     }
 
-    /// Whether the object has walked farther than its size, where small motions say nothing.
+    /// Whether the object has walked farther than its size, beyond the validity of small motions.
     fn has_walked_out(&self, cycle: &Cycle<D, C>) -> bool {
         let is_out = |moved: &BodyMotion<C>| moved.speed() > moved.reach && moved.reach > 0.0;
         cycle.walks() && self.moves(&self.rest, &cycle.to).iter().any(is_out)

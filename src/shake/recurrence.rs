@@ -94,7 +94,7 @@ impl<'p, D: Size, const C: usize> Recurrence<'p, D, C> {
         (self.combination(&weights), change)
     }
 
-    /// An affine combination of the states, which is balanced as they are, since all have the same load.
+    /// An affine combination of the states. It is in equilibrium, since all states are in equilibrium under the same load.
     fn combination(&self, weights: &[f64]) -> CycleState<D, C> {
         let from = &self.places[self.places.len() - 1];
         let mut sum = from.clone();

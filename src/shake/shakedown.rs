@@ -19,7 +19,7 @@ use crate::search::Settings;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// Relative change of normal forces by slips below which slips leave them as they are.
+/// Slips leave normal forces constant if they change them by less than this part of the largest change of a force.
 const CHANGES: f64 = 1e-12;
 
 /// Multiple of the loads beyond which no factor is of interest; loads held up to there count as held at any factor.

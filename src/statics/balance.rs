@@ -1,4 +1,4 @@
-//! Whether any contact forces could balance a load, whatever springs and commands do.
+//! Whether any contact forces could balance a load, regardless of springs and commands.
 
 use crate::contact::Polygon;
 use crate::error::Error;
@@ -10,8 +10,8 @@ use crate::proofs::{separating_motion, separating_motion_in_a_band};
 use crate::search::Settings;
 
 impl<D: Size, const C: usize> Engine<D, C> {
-    /// A motion which proves that no contact forces inside their cones balance this load and what acts beside it: no contact force works against
-    /// the motion, and the loads work along it. `None` where no such proof was found.
+    /// A motion that proves that no contact forces inside their cones balance this load together with the constant loads. No contact force works
+    /// against the motion, and the loads do positive work along it. `None` where no such proof was found.
     pub(crate) fn unbalanced_along(
         &self,
         load: &Wrench<C>,
@@ -28,7 +28,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         Ok(motion.map(|v| v.as_slice().to_vec()))
     }
 
-    /// The work of this load and of what acts beside it along such a motion.
+    /// The work of this load and of the constant loads along such a motion.
     pub(crate) fn work_along(&self, load: &Wrench<C>, motion: &[f64]) -> Result<f64, Error> {
         let load = self.load_alone(load, "load")?;
         Ok(load.dot(&Vector::from_fn(self.size(), |k| motion.get(k).copied().unwrap_or(0.0))))

@@ -1,10 +1,10 @@
-//! A question that panics is a fault of this library: it is an error of that question alone, whatever else is asked beside it.
+//! Panics while a question is answered. A panic is a fault of this library, and an error of that question alone: other questions are answered.
 
 use super::in_order::map_in_order;
 use crate::error::Error;
 use crate::prelude::*;
 
-/// The answer to a question about each of the items, in their order: an error in one, a panic among them, does not stop the rest.
+/// The answers to a question about each item, in the order of the items. An error or a panic of one item does not stop the others.
 pub(crate) fn each_answered<T: Sync, R: Send>(
     items: &[T],
     ask: &(dyn Fn(&T) -> Result<R, Error> + Sync),
@@ -22,7 +22,7 @@ fn caught<R>(ask: &dyn Fn() -> Result<R, Error>) -> Result<R, Error> {
     )
 }
 
-/// What a panic says, where this work panics. Without the standard library there is nothing to catch it.
+/// The message of a panic of this work; `None` without a panic. Without the standard library a panic is not caught.
 #[cfg(feature = "std")]
 pub(crate) fn fault_in(work: &mut dyn FnMut()) -> Option<String> {
     let panic = std::panic::catch_unwind(std::panic::AssertUnwindSafe(work)).err()?;
@@ -30,7 +30,7 @@ pub(crate) fn fault_in(work: &mut dyn FnMut()) -> Option<String> {
     Some(said.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("no message").to_owned())
 }
 
-/// See above.
+/// Without the standard library: a panic is not caught.
 #[cfg(not(feature = "std"))]
 fn fault_in(work: &mut dyn FnMut()) -> Option<String> {
     work();

@@ -7,8 +7,8 @@
 //! Φ(-β(θ₀)) + ∫ φ(β) E[(X' - β')₊] dθ,      X' normal, mean 0, deviation |u'|
 //! ```
 //!
-//! by the mean number of crossings (Rice, Mathematical analysis of random noise, 1944); the bound is nearly reached where failures are rare. θ₀ is a
-//! direction that hardly ever fails.
+//! by the mean number of crossings (Rice, Mathematical analysis of random noise, 1944); the bound is nearly reached where failures are rare. In the
+//! direction θ₀ a failure is very unlikely.
 
 use core::f64::consts::{PI, TAU};
 
@@ -19,18 +19,19 @@ use crate::contact::Coulomb;
 use crate::numerics::{normal_tail, unit};
 use crate::prelude::*;
 
-/// Directions around the circle among which the worst is looked for.
+/// Number of directions around the circle among which the worst is sought.
 const AROUND: usize = 16;
-/// Directions of the integral about it: as the density falls at both of its ends like a normal one, these are as good as all.
+/// Number of midpoints of the integral about the worst direction. As the density falls at both ends like a normal density, the error is negligible.
 const SUMMED: usize = 12;
-/// By this part the integral narrows at once.
+/// Factor by which the range of the integral is narrowed in one step.
 const NARROWER: f64 = 0.75;
-/// The integral ends where the density is less by the exponential of this.
+/// The integral ends where the density is its maximum times exp(-this).
 const LEFT_OUT: f64 = 9.0;
-/// The integral is never narrower than the distance of two directions among which the worst was looked for: it must contain it.
+/// Least half width of the integral, rad: the distance of two directions of the search, so that the integral contains the true worst direction.
 const HALF_AT_LEAST: f64 = TAU / AROUND as f64;
 
-/// What fails, to first order, with so many deviations more than are in reserve counts as little as it looks: a thousandth of what may fail or less.
+/// A round cone whose first-order reliability exceeds the reserve by this number of standard deviations keeps its first-order failure probability:
+/// a thousandth of the allowed one or less.
 const SELDOM: f64 = 3.0;
 
 /// The conditions that keep a contact in its state.
@@ -68,7 +69,7 @@ impl<const C: usize> LimitState<C> {
         }
     }
 
-    /// How often the contact leaves under one load where its force is linear in the data: near enough to tell where to look.
+    /// Failure probability of the contact under one load, with its force linearised in the data: a starting value for the search.
     pub(super) fn roughly(&self, here: &UncertainForce<'_, C>) -> f64 {
         let first_order = here.first_order();
         let fails = |row, rubs| normal_tail(first_order.reliability(&MarginRow { row, rubs }));
@@ -83,7 +84,7 @@ impl<const C: usize> LimitState<C> {
     }
 }
 
-/// The facet of a round cone that is turned by so much.
+/// The facet of a round cone in the tangential direction of this angle, rad.
 fn facet<const C: usize>(cone: Coulomb, angle: f64) -> MarginRow<C> {
     MarginRow { row: cone.facet_row(&along(angle.cos(), angle.sin())), rubs: true }
 }
@@ -93,7 +94,7 @@ fn along<const C: usize>(x: f64, y: f64) -> SVector<f64, C> {
     SVector::from_fn(|a, _| [0.0, x, y][a])
 }
 
-/// The direction in which a round cone fails most often to first order, and the reliability there.
+/// The direction in which a round cone most probably fails to first order, rad, and the reliability there.
 fn worst_around<const C: usize>(first_order: &FirstOrder<C>, cone: Coulomb) -> (f64, f64) {
     let mut worst = (0.0, f64::INFINITY);
     for k in 0..AROUND {
@@ -130,7 +131,7 @@ impl<const C: usize> TwoLoads<'_, C> {
 
     fn failure_of(&mut self, row: SVector<f64, C>, rubs: bool) -> f64 {
         let facet = MarginRow { row, rubs };
-        // Nothing of another facet is near this one.
+        // The point of failure of another facet is no good start for this one.
         self.margins[0].start_over(self.here.changes.len());
         normal_tail(self.find(&facet).reliability()) * self.holds_otherwise(&facet)
     }
@@ -145,7 +146,7 @@ impl<const C: usize> TwoLoads<'_, C> {
         if least > self.here.sigmas + SELDOM {
             return normal_tail(least);
         }
-        // As much of the circle as matters; where reliability grows steeply that is little.
+        // The range of angles whose density counts; it is narrow where reliability grows steeply.
         let enough = (least * least + 2.0 * LEFT_OUT).sqrt();
         let mut half = PI;
         while half > HALF_AT_LEAST

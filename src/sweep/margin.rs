@@ -4,10 +4,11 @@
 //! m(z) = μ exp(σ z_f) F_n(z) - h·F_t(z),      F(z) = F + Σ_i Δ_i(z_i)
 //! ```
 //!
-//! Data are off by z, in standard deviations. What each changes of the force is a polynomial through values that were looked at; what two change together beyond that is left out, but for
-//! friction, which multiplies the normal force as it does. The reliability β is the distance of the nearest z at which the margin vanishes (Hasofer and
-//! Lind, Exact and invariant second-moment code format, 1974). Steps towards it are shortened until distance and margin together fall (Zhang and Der
-//! Kiureghian, Two improved algorithms for reliability analysis, 1995), and none leads beyond where failing is too seldom to count.
+//! Data are off by z, in standard deviations. The change Δ_i of the force by one datum is a polynomial through evaluated changes. Joint effects of
+//! two data beyond the sum are neglected, except that friction multiplies the normal force exactly. The reliability β is the distance of the nearest
+//! z at which the margin vanishes (Hasofer and Lind, Exact and invariant second-moment code format, 1974). Steps towards it are shortened until a
+//! merit function of distance and margin falls (Zhang and Der Kiureghian, Two improved algorithms for reliability analysis, 1995). No step leads to
+//! a distance at which the failure probability is negligible.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -49,11 +50,11 @@ pub(super) struct MarginRow<const C: usize> {
 /// One margin, as memory for successive margins: each search starts from the last point of failure.
 #[derive(Debug)]
 pub(super) struct FacetMargin {
-    /// Where it fails: data in the order of the changes, friction last.
+    /// The present point of the search, at its end the point of failure: data in the order of the changes, friction last.
     fails_at: Vec<f64>,
-    /// There the last step began.
+    /// The point from which the last step began.
     from: Vec<f64>,
-    /// What each datum changes of both parts of the margin: the normal one, which friction multiplies, and the other.
+    /// Coefficients of the effect of each datum on both parts of the margin: the normal part, which friction multiplies, and the rest.
     parts: Vec<[[f64; 2]; LOOKED_AT.len()]>,
     /// The point of the last linearisation.
     linearised_at: Vec<f64>,
@@ -62,18 +63,18 @@ pub(super) struct FacetMargin {
     reliability: f64,
 }
 
-/// Steps towards where a margin fails.
+/// Most steps of the search for the point of failure.
 const STEPS: usize = 30;
-/// Of a standard deviation.
+/// The search ends where a step moves no datum by more than this, in standard deviations.
 const NEAR: f64 = 1e-3;
-/// A margin is looked for no more than this beyond the standard deviations in reserve: one in 16 million fails there.
+/// The search ends this number of standard deviations beyond those in reserve: failures there are too rare to count.
 const FARTHEST: f64 = 5.0;
-/// A step lowers the sum of distance and margin by this part of what its length promises, or is halved; so short a part of it is made anyway.
+/// A step is halved until the merit function falls by this part of its linear prediction. A step of the part [`SHORTEST`] is accepted anyway.
 const LEVEL: f64 = 0.1;
 const SHORTEST: f64 = 1e-2;
 
 impl<const C: usize> UncertainForce<'_, C> {
-    /// What all facets share as long as data are as known: where to look.
+    /// The linearisation of the force about the known data, which all facets share.
     pub(super) fn first_order(&self) -> FirstOrder<C> {
         let mut spread = SMatrix::zeros();
         for [slope, ..] in self.changes {
@@ -83,7 +84,8 @@ impl<const C: usize> UncertainForce<'_, C> {
         FirstOrder { force: self.force, spread, friction: self.friction }
     }
 
-    /// Looks for where the margin fails. A margin that fails nowhere within the distance that counts has that distance as its reliability.
+    /// Finds the nearest point at which the margin vanishes. A margin that vanishes nowhere within the largest distance has that distance as its
+    /// reliability.
     pub(super) fn find(&self, facet: &MarginRow<C>, margin: &mut FacetMargin) {
         if margin.fails_at.len() != self.changes.len() + 1 {
             margin.start_over(self.changes.len());
@@ -101,7 +103,7 @@ impl<const C: usize> UncertainForce<'_, C> {
                 margin.reliability = ratio(known[0] + known[1], 0.0);
                 return;
             }
-            // The nearest point of the linearised margin, or what lies on the way to it.
+            // A step to the nearest zero of the linearised margin, shortened to the largest distance.
             let along = dot(&margin.gradient, &margin.fails_at);
             let step = (along - value) / (margin.steepness * margin.steepness);
             let reach = (step * margin.steepness).abs();
@@ -120,7 +122,7 @@ impl<const C: usize> UncertainForce<'_, C> {
         }
         let mut nearest = dot(&margin.fails_at, &margin.fails_at).sqrt();
         if !arrived {
-            // A search that does not end says less than the derivative: the nearer of both is safe.
+            // The search has not converged: the smaller of its distance and that of the linearisation at the known data is the safe choice.
             margin.start_over(self.changes.len());
             let value = self.linearise(known, facet.rubs, margin);
             nearest = nearest.min(ratio(value, margin.steepness).abs());
@@ -128,7 +130,7 @@ impl<const C: usize> UncertainForce<'_, C> {
         margin.reliability = nearest.copysign(known[0] + known[1]);
     }
 
-    /// Shortens the step that was just made until the sum of distance and margin falls; the margin there, which is linearised.
+    /// Shortens the last step until the merit function `½|z|² + c |m|` falls. Returns the margin there, where it is linearised.
     fn shortened(
         &self,
         known: [f64; 2],
@@ -137,7 +139,7 @@ impl<const C: usize> UncertainForce<'_, C> {
         (value, along): (f64, f64),
     ) -> f64 {
         let [from, to] = [&margin.from, &margin.fails_at].map(|z| dot(z, z));
-        // So dear is the margin that a step to where it vanishes pays.
+        // The weight c, large enough that a step to the zero of the linearised margin lowers the merit function.
         let dear = 2.0 * from.max(to).sqrt() / margin.steepness;
         let here = 0.5 * from + dear * value.abs();
         let [towards, rises] =
@@ -157,7 +159,7 @@ impl<const C: usize> UncertainForce<'_, C> {
         }
     }
 
-    /// The margin where the data are off as said, and its gradient there.
+    /// The margin at the present point; stores its gradient there.
     fn linearise(&self, known: [f64; 2], rubs: bool, margin: &mut FacetMargin) -> f64 {
         let FacetMargin { fails_at, parts, linearised_at, gradient, .. } = margin;
         let rubs = if rubs { fails_at.last().map(|z| (self.friction * z).exp()) } else { None };
@@ -260,16 +262,17 @@ impl FacetMargin {
         self.fails_at.resize(data + 1, 0.0);
     }
 
-    /// β with the sign of the margin at the known data; infinite where nothing spreads.
+    /// β with the sign of the margin at the known data; infinite if no datum changes the margin.
     pub(super) fn reliability(&self) -> f64 {
         self.reliability
     }
 
-    /// How often another margin holds, at most, where this one just fails (Ditlevsen, Narrow reliability bounds for structural systems, 1979).
+    /// Upper bound of the probability that another margin holds where this one just fails (Ditlevsen, Narrow reliability bounds for structural
+    /// systems, 1979).
     pub(super) fn while_holds(&self, other: &Self) -> f64 {
         let mixed = dot(&self.gradient, &other.gradient);
         let correlation = mixed / (self.steepness * other.steepness);
-        // Two that nothing moves together, or against each other, say nothing of one another; nor does what does not spread.
+        // Margins without positive correlation, or without spread, give no bound below 1.
         if correlation <= 0.0 || correlation.is_nan() {
             return 1.0;
         }
@@ -283,7 +286,7 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// A value in deviations; infinite, of its sign, where nothing spreads.
+/// A value in units of a standard deviation; infinite, with the sign of the value, if the deviation is zero.
 fn ratio(value: f64, deviation: f64) -> f64 {
     if deviation == 0.0 { f64::INFINITY.copysign(value) } else { value / deviation }
 }

@@ -2,7 +2,7 @@
 //! threads. For a grasp with uncertain data: samples, and the onset to first order.
 //!
 //! Every question is answered independently by the same serial code. Threads (feature `parallel`,
-//! rayon's global pool) only decide which of them answers which question. Outside this room only
+//! rayon's global pool) only share the questions among them. Outside this module only
 //! the sums over very many contacts of one scene use threads; they give the same bits, too.
 
 mod batch;

@@ -2,7 +2,7 @@
 //!
 //! Close to the data the factor at which a contact leaves is linear in them, `τ_j = τ + g_j·z`. Here z is normally distributed (mean 0,
 //! variance 1 each), and g_j the derivative by each datum times its σ. So the factor is normally distributed with the standard deviation `|g_j|`.
-//! Where two leave together the onset is the lesser of two such factors (Clark, The greatest of a finite set of random variables, 1961):
+//! Where two contacts leave together, the onset is the lesser of two such factors (Clark, The greatest of a finite set of random variables, 1961):
 //!
 //! ```text
 //! θ = |g_1 - g_2|:      mean = τ - θ / √(2π),      variance = (|g_1|² + |g_2|²) / 2 - θ² / (2π)
@@ -24,8 +24,8 @@ use crate::prelude::*;
 pub struct RobustOnset<const C: usize> {
     /// The onset of the grasp with its data as given.
     pub onset: Onset<C>,
-    /// Its spread, to first order. `None` where nothing leaves, where the onset has no gradient
-    /// ([`Sensitivity::onset_gradients`](crate::ask::Sensitivity::onset_gradients)), where nothing resists from the onset on, and where a
+    /// The spread of the onset, to first order. `None` if no contact leaves, if the onset has no gradient
+    /// ([`Sensitivity::onset_gradients`](crate::ask::Sensitivity::onset_gradients)), if nothing resists from the onset on, or if a
     /// force holds a contact whose squeeze is uncertain.
     pub spread: Option<OnsetSpread>,
 }
@@ -45,7 +45,7 @@ pub struct OnsetSpread {
     pub leaving: Vec<LeaverSpread>,
     /// Mean of the onset: below `factor` where two leave together. `None` where more than two leave together.
     pub mean: Option<f64>,
-    /// Its standard deviation, `None` where more than two leave together.
+    /// Standard deviation of the onset; `None` where more than two leave together.
     pub deviation: Option<f64>,
 }
 

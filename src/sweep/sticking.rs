@@ -1,4 +1,4 @@
-//! Contacts that all stick under a base load, and the probability that one of them leaves on the way to a load on top of it.
+//! Contacts that all stick under a base load, and the probability that one of them leaves on the way to a further load on top of it.
 //!
 //! While all stick, forces are linear in the load, and margins that fall do so ever more steeply. So all stick on the whole way if all do at
 //! both of its ends. [`failure`](super::failure) gives the probability that a contact leaves there; their sum bounds the probability that any does.
@@ -10,19 +10,19 @@ use crate::grasp::Wrench;
 use crate::numerics::normal_tail;
 use crate::prelude::*;
 
-/// Part of the allowed failure probability kept for joint effects of two data, which are neglected and may be as large.
+/// Part of the allowed failure probability reserved for joint effects of two data, which are neglected and may be as large.
 const SPARED: f64 = 0.2;
-/// What fails at the base as seldom, as a part of what may, needs not be told apart from what fails farther on.
+/// A failure probability at the base below this part of the allowed one is added without its overlap with failures at the load.
 const SELDOM: f64 = 1e-3;
-/// Of the factor, and of that where forces are linear in the data.
+/// Relative accuracy of the factor, and of its starting value with forces linearised in the data.
 const PRECISE: f64 = 1e-8;
 const ROUGH: f64 = 1e-3;
 const MOST_STEPS: usize = 100;
-/// After so many steps every other one halves: secants are slow where a function is not nearly straight.
+/// After this number of secant steps every other step bisects: secants are slow where a function is far from linear.
 const SECANTS: usize = 12;
-/// The slope is told by values that are this part of the factor apart.
+/// Relative step of the difference quotient that gives the initial slope.
 const APART: f64 = 1e-3;
-/// Loads on a motion that nothing resists, as a part of their size: less is rounding.
+/// Work of a load along a free motion below this part of the size of the load is rounding.
 const WORKS: f64 = 1e-12;
 /// A load has no limit if its forces may exceed the forces under the base load by this factor.
 const FAR: f64 = 1e6;
@@ -90,7 +90,7 @@ impl<const C: usize> StuckGrasp<C> {
             return 0.0;
         }
         let rate = Course::of(&self.forces, direction);
-        // Nearly straight in the factor, as reliabilities are.
+        // Reliabilities are nearly linear in the factor, unlike probabilities.
         let allowed = reliability(self.allowed());
         let left = |factor: f64| allowed - reliability(self.failure(&rate, factor));
         if allowed >= reliability(self.fails_at_base.iter().sum()) {
@@ -108,7 +108,7 @@ impl<const C: usize> StuckGrasp<C> {
         root(&left, (guess, slope), FAR * start, PRECISE)
     }
 
-    /// How often some contact leaves under the load of this factor to first order.
+    /// Sum of the first-order failure probabilities of all contacts under the load of this factor.
     fn roughly(&self, rate: &Course<C>, factor: f64) -> f64 {
         let mut memory = Vec::new();
         let mut sum = 0.0;
@@ -118,7 +118,7 @@ impl<const C: usize> StuckGrasp<C> {
         sum
     }
 
-    /// How often some contact leaves on the way to this factor, at most.
+    /// Upper bound of the probability that some contact leaves on the way to this factor.
     fn failure(&self, rate: &Course<C>, factor: f64) -> f64 {
         let mut memory = [Vec::new(), Vec::new()];
         let mut margins = MarginPair::default();
@@ -164,15 +164,15 @@ impl<const C: usize> StuckGrasp<C> {
     }
 }
 
-/// About the β of a failure probability `Φ(-β)`, and as nearly linear; only its differences are used.
+/// Approximately the β of a failure probability `Φ(-β)`, and as nearly linear in the factor; only differences are used.
 fn reliability(fails: f64) -> f64 {
     // Smaller probabilities count as this one.
     const LEAST: f64 = 1e-300;
     (-2.0 * fails.clamp(LEAST, 1.0).ln()).sqrt()
 }
 
-/// Where a growing function that is negative at zero passes zero, from below, as well as this part of it tells; infinite where it does not up to the end. By secants from a
-/// guess and a slope on, which may be not a number, between ends that are known.
+/// The root of an increasing function that is negative at zero, from below, to the relative accuracy `precise`; infinite without a root up to `end`.
+/// Secant steps start from a guess and a slope (NaN if unknown), and stay within the bracket.
 fn root(f: &dyn Fn(f64) -> f64, (guess, mut slope): (f64, f64), end: f64, precise: f64) -> f64 {
     let (mut low, mut high) = (0.0, f64::INFINITY);
     let (mut at, mut last) = (guess, None);
@@ -197,7 +197,7 @@ fn root(f: &dyn Fn(f64) -> f64, (guess, mut slope): (f64, f64), end: f64, precis
         let next = if halves { f64::NAN } else { at - value / slope };
         let near = 0.5 * precise * at;
         at = if next.is_finite() {
-            // Beyond the nearer end by as little as is asked for: where a secant meets it, the next step is the last.
+            // A margin of half the accuracy at both ends of the bracket: where a secant step hits the root, the next step is the last.
             next.min(high - near).min(4.0 * at).max(low + near).max(0.1 * at)
         } else if high.is_finite() {
             0.5 * (low + high)

@@ -329,10 +329,10 @@ class Grasp:
         load: ArrayLike | Mapping[str, Any] | None = None,
         base: ArrayLike | Mapping[str, Any] | None = None,
     ) -> list[str]:
-        """What is said here and hardly meant, in sentences: friction in percent, lengths in mm, normals the wrong way round, nothing that presses.
+        """Probable mistakes in the data, one sentence each: friction in percent, lengths in mm, reversed normals, no contact that presses.
 
-        :param load: what is to be put on, as for :meth:`hold`; without it what can be told of the contacts alone.
-        :param base: the load at rest; none unless said otherwise.
+        :param load: the load that grows, as for :meth:`hold`; without a load, warnings about the contacts alone.
+        :param base: the load at rest; zero unless given.
         """
         if load is None:
             if base is not None:

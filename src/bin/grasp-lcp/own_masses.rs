@@ -1,4 +1,4 @@
-//! Bodies with masses under the scene's gravity. The command line tilts and accelerates them, and never counts a weight twice.
+//! Bodies with masses under the scene's gravity, tilted or accelerated by options of the command line; no option counts a weight twice.
 
 use std::borrow::Cow;
 
@@ -46,7 +46,7 @@ pub(crate) fn refuse_mass<const C: usize>(setup: &Setup<C>, mass: Option<f64>) -
     }
 }
 
-/// The load with the scene's bodies as one accelerated mass without weight.
+/// The load for `--accelerated` without `--mass`: the scene's bodies as one accelerated mass without weight. Other loads are returned unchanged.
 pub(crate) fn of_own_masses<'l, const C: usize>(
     load: &'l LoadArguments,
     beside: bool,

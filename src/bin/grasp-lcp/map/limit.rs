@@ -18,9 +18,9 @@ pub(crate) enum LimitEnd {
     LetsGo,
     /// Nothing resists the load from there on.
     GivesWay,
-    /// Its motions cease to be small.
+    /// The motions of the path cease to be small.
     TooFar,
-    /// It is held as far as was asked.
+    /// The load is held up to the end of the path.
     Held,
     /// Rounding stopped the path, or the path did not begin.
     Unknown,

@@ -108,7 +108,7 @@ fn load_paths(
         return Ok(None);
     }
     let quick = ask::quick(grasp);
-    // What lies beyond the end takes most of the time; it is asked only where without it the end is not known either.
+    // The search for equilibria beyond the end takes most of the time. It is made only where the end is unknown without it.
     Ok(watch.sweep("load paths", ways, ALL_PATHS, |d| {
         let last = limit::last(&quick, base, pull(*d), most)?;
         let known = last.end != LimitEnd::Unknown;
@@ -201,7 +201,7 @@ fn print_table(
     let back = |d: [f64; 3]| d.map(|x: f64| 0.0 - x);
     let names = ["+x", "−x", "+y", "−y", "+z", "−z", "weakest"];
     let ways = [x, back(x), y, back(y), z, back(z), weakest];
-    // Of many contacts a proof that nothing lies beyond takes seconds, and is hardly ever found.
+    // With many contacts, a proof that no equilibrium exists beyond takes seconds, and is hardly ever found.
     let quick = if grasp.len() > MANY { &ask::quick(grasp) } else { grasp };
     let lasts = watch
         .sweep("load paths of the table", &ways, ALL_PATHS, |d| limit::last(quick, base, pull(*d), most))?

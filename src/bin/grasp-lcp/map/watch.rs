@@ -1,4 +1,4 @@
-//! Progress of a sweep, where somebody looks, and its end, if it takes too long.
+//! Progress of a sweep on a terminal or in lines, and its end if it takes too long.
 
 use std::io::{self, IsTerminal};
 use std::ops::ControlFlow;
@@ -9,17 +9,17 @@ use grasp_lcp::Error;
 use grasp_lcp::sweep::map_watched;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-/// What is done sooner needs no bar.
+/// A sweep that ends sooner shows no progress bar.
 const SOON: Duration = Duration::from_secs(1);
 
-/// How progress is told: by a bar on a terminal, and elsewhere by a line each second, if that is asked for.
+/// The display of progress: a bar on a terminal; elsewhere one line each second, if `lines` is set.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct MapProgress {
     pub(crate) lines: bool,
 }
 
 impl MapProgress {
-    /// All answers in order, or the first error; `None` if they are not there within the time.
+    /// All answers in order, or the first error; `None` if the sweep takes longer than `most`.
     pub(crate) fn sweep<T: Sync, R: Send>(
         self,
         what: &'static str,
@@ -47,7 +47,7 @@ impl MapProgress {
             if start.elapsed() > most { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         });
         bar.finish_and_clear();
-        // `None` as soon as one is missing.
+        // `None` if an answer is missing.
         let answered: Option<Vec<_>> = answers.into_iter().collect();
         answered.map(|answers| answers.into_iter().collect()).transpose()
     }
