@@ -223,10 +223,11 @@ impl<const C: usize> CycleRecord<C> {
             if state.slides() {
                 self.slid[i] += (after[i] - piece.problem.slips[i]).norm();
             }
-            let (here, rate) = (&piece.here.gaps[i], piece.here.gaps[i].rate);
-            let at_the_end = here.gap + rate * (piece.to - piece.from);
-            self.open[i] =
-                self.open[i].filter(|_| state.is_open()).map(|gap| gap.min(here.gap).min(at_the_end));
+            self.open[i] = self.open[i].filter(|_| state.is_open()).map(|gap| {
+                let drive = piece.problem.drives[i] + piece.change[i] * piece.to;
+                let at_the_end = -piece.problem.sites[i].stretch(&drive, &piece.there.twist)[0];
+                gap.min(piece.here.gaps[i].gap).min(at_the_end)
+            });
         }
         self.note(leg, &piece.states);
     }

@@ -13,8 +13,6 @@ use crate::contact::WEIGHTLESS;
 use crate::equilibrium::{AnswerFor, CountedMotion, Standing, TooFar, farthest};
 use crate::grasp::{Engine, Hold};
 use crate::numerics::{Fall, Harmonic, Size, Trigonometric};
-#[cfg(not(feature = "std"))]
-use crate::prelude::*;
 use crate::search::SmallMotions;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;

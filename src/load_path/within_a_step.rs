@@ -13,8 +13,6 @@ use nalgebra::SVector;
 use super::segment::{Here, Segment};
 use crate::contact::{Coulomb, Mode, State};
 use crate::numerics::Size;
-#[cfg(not(feature = "std"))]
-use crate::prelude::*;
 
 /// The term of fourth order, which the cubic leaves out, is estimated by that of third order, but by no less than this part of that of second order.
 /// The terms of accepted steps fall from order to order at least by this factor.

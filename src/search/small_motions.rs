@@ -1,8 +1,6 @@
 //! Limits of small motions.
 
 use crate::error::{Error, is_moderate};
-#[cfg(not(feature = "std"))]
-use crate::prelude::*;
 
 /// Limits of small motions. All computations use the contact points and normals of the undeformed grasp, so an answer
 /// beyond these limits is unreliable: a [`Verdict`](crate::hold::Verdict) never claims that a load holds there.
