@@ -36,7 +36,8 @@ pub struct Needed {
     /// The part, or the load at rest, of which the force is sought; `None` for other quantities.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub of: Option<PressedBy>,
-    /// Whether a squeeze was asked for where no command presses. If exactly one body is loaded, its force is sought instead; if none is, the load at rest.
+    /// Whether a squeeze was asked for where no command presses. If exactly one body is loaded, its force is sought instead; if none is, the load at
+    /// rest.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub in_place_of_squeeze: bool,
 }
