@@ -190,8 +190,8 @@ pub struct Lost<const C: usize> {
 
 /// Proof that no equilibrium under the whole load exists near the loss, whatever contacts have slipped.
 ///
-/// It covers all motions from the state of the loss that move the centroid of the contact points by up to `translation` and turn the object by up to
-/// `rotation`. The joints of a hand may move their contacts by up to `translation`, too. The bound includes the rounding of its sums.
+/// From the state of the loss, the centroid of the contact points may move by up to `translation`, and the object may turn by up to `rotation`. The
+/// joints of a hand may move their contacts by up to `translation`, too. The bound includes the rounding of its sums.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

@@ -157,7 +157,7 @@ fn difference<const C: usize>(a: &Twist<C>, b: &Twist<C>) -> Twist<C> {
 }
 
 /// The name of the motion of an object with this twist, from the contacts that touch it. The sign of a contact is 1 if its normal points into the
-/// object, -1 if it points out of it, and 0 if the contact is not one of the object.
+/// object, and -1 if it points out. It is 0 for contacts that the object does not have.
 fn seen_from<const C: usize>(
     contacts: &[Contact<C>],
     twist: &Twist<C>,

@@ -29,7 +29,7 @@ pub struct Needed {
     /// Factor on the loads for `safe`.
     #[cfg_attr(feature = "serde", serde(default = "once", skip_serializing_if = "is_once"))]
     pub safety: f64,
-    /// Size of the load of which a multiple is sought, N: an amount x stands for x times this force. `None` for other quantities, and unless the
+    /// Size of the load of which a multiple is sought, N: an amount x means x times this force. `None` for other quantities, and unless the
     /// loads are one single force.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub force: Option<f64>,

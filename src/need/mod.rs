@@ -10,7 +10,7 @@
 //! | [`Need::load`] | greatest | multiple of the loads given |
 //! | [`Need::arm`] | greatest displacement of a force | m |
 //! | [`Need::angle`] | greatest angle of a load that turns | rad; the sentence has degrees |
-//! | [`Need::force`] | least, of the load of a body or the command of one contact, cable or joint | multiple of the one given; in the sentence N or N m |
+//! | [`Need::force`] | least load of a body, or command of a contact, cable or joint | multiple of the one given; in the sentence N or N m |
 //! | [`Need::load_at_rest`] | least | multiple of the load at rest given |
 //!
 //! The [`Demand`] is one of four. The object is held, and the answer adds the amount with which nothing slides; or nothing slides at all. Where the

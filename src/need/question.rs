@@ -181,8 +181,8 @@ impl<const C: usize> Need<C> {
         Self::of(Sought::Angle { turn })
     }
 
-    /// This need on top of a load at rest (N, N m), for instance the weight of the object where a push is sought. Amounts and factors of safety leave
-    /// it as it is; [`Self::load_at_rest`] alone scales it.
+    /// This need on top of a load at rest (N, N m), for instance the weight of the object where a push is sought. Neither amounts nor factors of
+    /// safety scale it; only the amount of [`Self::load_at_rest`] does.
     ///
     /// ```
     /// use grasp_lcp::need::Need;
@@ -262,8 +262,7 @@ impl<const C: usize> Need<C> {
         self
     }
 
-    /// This need with a safe amount for friction `(1 - friction) μ` and a squeeze reduced to `1 - squeeze` times its value, both from 0 to less than
-    /// 1.
+    /// This need with a safe amount for friction `(1 - friction) μ` and `1 - squeeze` times the squeeze. Both reductions are from 0 to less than 1.
     ///
     /// The default is 0.1 and 0.05. With two zeros, and loads not enlarged, there is no safe amount.
     #[must_use]

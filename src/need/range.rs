@@ -1,7 +1,7 @@
 //! The range of amounts for which contact forces inside their cones could balance all loads. No amount outside it holds.
 //!
 //! The loads W(x) are affine in an amount x of load, arm, squeeze or force, and cones are convex: the range is an interval. A motion v that proves
-//! W(x) to be unbalanced proves it for every amount with W(x)·v > 0, so that the interval is cut where this work vanishes. Friction widens the cones:
+//! W(x) to be unbalanced proves it for every amount with W(x)·v > 0. The interval is cut where this work vanishes. Friction widens the cones:
 //! coefficients have a least value.
 
 use super::question::{Need, Safety, Sought};
