@@ -1,4 +1,4 @@
-//! Jumps on the way of a load: contacts begin to slide with less friction, and others catch the object.
+//! Jumps along the load path: contacts begin to slide with lower kinetic friction, the object jumps, and other contacts catch it.
 
 use core::fmt;
 
@@ -12,43 +12,43 @@ use crate::search::Settings;
 use crate::serial::AsComputed;
 use crate::words::{Words, listed, printable};
 
-/// A slip that is shorter than this part of the longest in a jump is not worth a word.
+/// Slips below this fraction of the longest in a jump are left out of the sentence. A larger fraction hides contacts that matter; 0 lists rounding.
 const SHORT: f64 = 1e-6;
 
-/// The object slips under one load, and is caught.
+/// A jump under constant load that ends in an equilibrium: the object slips and is caught.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Caught {
-    /// How many times the load is on then.
+    /// The load at the jump, as a multiple of the load asked about.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub factor: f64,
-    /// Who slips, and how far.
+    /// The contacts that slip, with distances.
     pub slips: Vec<SlippedBy>,
-    /// Where the object moves without resistance until a gap closes.
+    /// The motion without resistance until gaps close; `None` where contacts that are closed already catch the object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub moves: Option<MovesTo>,
-    /// Energy that is lost, J.
+    /// Energy lost in the jump, J.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub energy_lost: f64,
 }
 
-/// How far a contact slips.
+/// A contact that slips in a jump, and its distance.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct SlippedBy {
-    /// Who.
+    /// The contact that slips.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub contact: WholeContact,
-    /// How far: of a soft fingertip the point that slips farthest, m.
+    /// Length of the slip in the jump, m; of a soft fingertip that of the point that slips farthest.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub distance: f64,
 }
 
-/// How far the object, or the body among several that moves farthest, goes without resistance until gaps close.
+/// The motion of the object without resistance until gaps close; of several bodies that of the body that moves farthest.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -58,16 +58,16 @@ pub struct MovesTo {
     pub contacts: Vec<WholeContact>,
     /// The name of the body.
     pub body: String,
-    /// What the middle of its contacts moves by, m.
+    /// Displacement of the centroid of its contact points, m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub distance: f64,
-    /// What it turns by, rad.
+    /// Rotation, rad.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub angle: f64,
-    /// What turning moves its contacts by past their middle, m.
+    /// Displacement of its contact points by the rotation, m: the angle times their root mean square distance from the centroid.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub turning: f64,
-    /// Whether contacts slide on the way.
+    /// Whether contacts slide during the motion.
     pub slides: bool,
 }
 
@@ -96,7 +96,7 @@ impl fmt::Display for MovesTo {
 }
 
 impl<D: Size, const C: usize> Engine<D, C> {
-    /// How many times the load is held with friction of sliding from the beginning; `None` where that is not known.
+    /// The multiple of the load that is held with kinetic friction from the start; `None` where that path does not end in a loss.
     pub(super) fn carried_while_it_slides(&self, ramp: &Ramp<C>, settings: &Settings) -> Option<f64> {
         let sliding = self.with_friction_of_sliding().ok()?;
         let mut path = sliding.follow(&ramp.base, &[Leg::along(ramp)], settings).ok()?;
@@ -106,7 +106,8 @@ impl<D: Size, const C: usize> Engine<D, C> {
 }
 
 impl Caught {
-    /// ", caught at 7.5 N of 12 N after slipping 0.4 mm at left": the last time, of a load of this size.
+    /// The clause about jumps, with the last one: ", caught at 7.5 N of 12 N after slipping 0.4 mm at left". `size` is that of the load with its
+    /// unit.
     pub(super) fn told(
         all: &[Self],
         size: Option<(f64, &str)>,
@@ -129,7 +130,7 @@ impl Caught {
         }
     }
 
-    /// Those among the events of a leg along which all of a load is put on.
+    /// The jumps among the events of one leg, along which the whole load is put on: the fraction of the leg is the multiple of the load.
     pub(super) fn among<const C: usize>(contacts: &[Contact<C>], events: &[Event<C>]) -> Vec<Self> {
         let parts = WholeContacts::of(contacts);
         let jumps = events.iter().filter_map(|event| Some((event.fraction, event.jump.as_deref()?)));

@@ -1,19 +1,23 @@
-//! What small motions leave out to first order: as the object turns, the forces at rest act on arms that turn with it.
+//! The geometric stiffness, which small motions leave out: as the object turns, the arms of the forces at rest turn with it.
 //!
-//! Springs that carry F already have the second derivative of their energy in two parts, that of their stiffness and `-Σ F_i · ∂²u_i/∂q²`, which is
-//! `(F·r) |θ|² - (F·θ)(r·θ)` for a rotation θ, in the plane `F·r θ²` (see [`Stability`](crate::energy::Stability)). Fingers that press against each other make
-//! it negative. Beside it stands the work of the load on the motion, that of the whole stiffness that resists.
+//! The energy of springs that already carry F has a second derivative in two parts, the elastic one and `-Σ F_i · ∂²u_i/∂q²`. For a rotation θ the
+//! second part is `Σ (F·r) |θ|² - (F·θ)(r·θ)`, in the plane `Σ F·r θ²` (see [`Stability`](crate::energy::Stability)). Fingers that press against each
+//! other make it negative. It is compared with `W·q`, the work of the load on the motion, which is `q·Kq` for the secant stiffness K that resists.
 
 use crate::equilibrium::Equilibrium;
 use crate::grasp::Engine;
 use crate::numerics::Size;
 
-/// From this part of what resists on it is worth a word.
+/// Fraction of the stiffness that resists above which the geometric one is reported. A smaller one adds a caution to ordinary verdicts; a larger one
+/// hides a loss of stability until it is near.
 const WORTH_A_WORD: f64 = 0.1;
 
 impl<D: Size, const C: usize> Engine<D, C> {
-    /// What the forces at rest add to what resists the motion from there to another state of the same commands, as a part of it, where that is more than a
-    /// tenth. A load at rest acts at the point of its line that is nearest to the contacts. Of several bodies nothing is told.
+    /// The share of the geometric stiffness in the resistance to the motion q from rest to another state with the same commands:
+    /// `Σ [(F·r) |θ|² - (F·θ)(r·θ)] / (ΔW·q)`, with forces F at rest, arms r about the centroid of the contacts and the rotation θ of q.
+    ///
+    /// It is negative where the forces lower the resistance. A load at rest counts as acting at the point of its line nearest to the centroid. `None`
+    /// up to a tenth, for several bodies, and where the load does no positive work.
     pub(super) fn left_out_by_small_motions(
         &self,
         rest: &Equilibrium<C>,

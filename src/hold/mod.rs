@@ -1,25 +1,27 @@
-//! Does it hold? The load is put on from rest, and what becomes of it is told in one sentence.
+//! Does it hold? The load grows from rest along one path, and the verdict is one sentence.
 //!
-//! Three questions hide behind that word, and each has its own answer here:
+//! The word "hold" stands for three questions, each with its own method:
 //!
-//! | question | who answers |
+//! | question | method |
 //! |---|---|
 //! | What happens as the load is put on, from rest? | [`Grasp::hold`](crate::ask::Grasp::hold) |
 //! | Is there an equilibrium under the load, however it is reached? | [`Grasp::solve`](crate::ask::Grasp::solve) |
 //! | Could any contact forces carry the load? | [`Grasp::statics`](crate::ask::Grasp::statics) |
 //!
-//! The first is what people mean. It follows one path ([`Grasp::follow`](crate::ask::Grasp::follow)) and searches for nothing, so that it decides
-//! wherever the path does. Where the load is lost before it is all on, a [`Verdict`] says how the object leaves ([`WayOut`]), and how far around there
-//! nothing holds the load ([`NothingNear`]): a proof, whatever contacts have slipped before.
+//! The first is the usual one. It follows one path ([`Grasp::follow`](crate::ask::Grasp::follow)) without a search, and decides wherever the path
+//! does. Where equilibrium is lost before the whole load is on, a [`Verdict`] has the motion of the object ([`WayOut`]). It also has a neighbourhood
+//! of the loss without any equilibrium ([`NothingNear`]): a proof that holds whatever contacts have slipped before.
 //!
-//! For any virtual motion v with `u_i = G_iᵀv` balance gives `W·v = -Σ F_i·u_i`. A contact does no more against v than its friction under
-//! its normal force, and that is known at every q, so that an equilibrium needs
+//! The proof takes any virtual motion v with contact displacements `u_i = G_iᵀv`; balance gives `W·v = -Σ F_i·u_i`. The work of a contact against v
+//! is at most that of its normal force and the friction it allows. The normal force is known at every motion q of the object, so that an equilibrium
+//! needs
 //!
 //! ```text
 //! h(q) = Σ (μ |u_t,i| - u_n,i)₊ k_n,i (a_n,i - n·G_iᵀq)₊  >=  W·v
 //! ```
 //!
-//! With the v of the loss and from the q where it was lost, h grows no faster than contacts open: the radius is where it could reach `W·v`.
+//! Here a_n is the normal command (m), k_n the normal stiffness (N/m) and `( )₊` the positive part. With the v and q of the loss, opposed contacts
+//! cancel in the growth of h until one opens. The radius is the distance from q at which h could reach `W·v`.
 
 mod caught;
 mod left_out;

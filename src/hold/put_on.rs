@@ -1,4 +1,4 @@
-//! A load is put on from rest, and followed until it is lost.
+//! The verdict by following a load from rest: up to the whole load, then up to `Settings::most_load` or its loss.
 
 use nalgebra::SVector;
 
@@ -21,7 +21,8 @@ use super::way_out::{WayOut, comes_apart, way_out};
 use super::words::AT_ONCE;
 use crate::prelude::*;
 
-/// A gap below this part of the size of the grasp is none, for whoever reads of it.
+/// Largest gap of a contact that still touches, relative to the size of the grasp, where the motion of a loss gets its name. Smaller ones let
+/// rounding choose between tipping and turning; nothing is decided by it.
 const SHUT: f64 = 1e-9;
 
 impl<D: Size, const C: usize> Engine<D, C> {
@@ -31,7 +32,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             let (what, allowed) = ("most_load of the settings", "more than 0 and at most 1e50");
             return Err(Error::Argument { what, value: settings.most_load, allowed });
         }
-        // Rest is the same for both, and of many bodies takes most of the time.
+        // Onset and path share the state at rest, which with many bodies takes most of the time.
         let (onset, rest) = self.onset_from_rest(ramp, settings)?;
         let mut path = self.follow_from_rest((&ramp.base, rest), &[Leg::along(ramp)], settings)?;
         let events = path.run_while_small();
@@ -56,7 +57,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let holding = match (&state, path.end()) {
             (Some(state), _) => self.held(state, &events, first_slip.as_ref()),
             (None, _) if too_far.is_some() => Holding::Lost,
-            // Friction of what slides at rest falls, and nothing catches the object.
+            // Friction falls to the kinetic one at contacts that slide at rest, and nothing catches the object.
             (None, Some(PathEnd::Lost(_))) if path.state().is_none() => self
                 .lost_at_rest(&ramp.base, settings)
                 .map_or(Holding::Lost, |at_rest| Holding::LostAtRest { at_rest }),
@@ -85,7 +86,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
                 let then = self.carried_while_it_slides(ramp, settings);
                 lost.then_takes = then.filter(|then| *then < held_to * (1.0 - AT_ONCE));
             }
-            // The proof counts on every vacuum.
+            // The proof assumes that every vacuum lasts.
             if matches!(holding, Holding::Lost) && !matches!(lost.way_out, WayOut::LetsGo { .. }) {
                 lost.nothing_near = self.nothing_near(&lost, loss, ramp, settings);
                 lost.snaps = loss.kind == LossKind::Fold && matches!(path.beyond(), Some(Beyond::Snap));
@@ -113,7 +114,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         })
     }
 
-    /// Where the load at rest is lost as it is put on from nothing, and the commands with it.
+    /// The loss of the load at rest as it grows from zero together with the commands; `None` where that path has no loss.
     fn lost_at_rest(&self, base: &Wrench<C>, settings: &Settings) -> Option<Box<Lost<C>>> {
         let growing = self.growing_from_nothing(base);
         let direction = if growing.is_some() { Wrench::from_components(&[1.0]) } else { *base };
@@ -125,11 +126,12 @@ impl<D: Size, const C: usize> Engine<D, C> {
         path.run();
         let loss = path.end().and_then(PathEnd::loss)?;
         let lost = grasp.lost(path.place().1, loss, path.state());
-        // Its load is told in the terms of the loads that grew.
+        // The state has another load than that of the question, so that it would mislead.
         Some(Box::new(Lost { state: None, ..lost }))
     }
 
-    /// Whether something slides under all of the load, or has slid on the way. The slips there do not tell: a contact that was open has one, too.
+    /// Whether a contact slides under the whole load or has slid before. The slips of the state do not show that: a contact that was open has one,
+    /// too.
     fn held(
         &self,
         state: &Equilibrium<C>,
@@ -143,7 +145,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
                 || slips.contains(&i)
                 || events.iter().any(|event| begins_to_slide(event, i))
         };
-        // What a vacuum holds is not loose, at its very limit either.
+        // A vacuum still holds the object where the contact forces vanish, at its limit.
         if self.vacuum().is_none() && state.contacts.iter().all(|contact| contact.force.norm() == 0.0) {
             return Holding::Loose;
         }
@@ -197,7 +199,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         }
     }
 
-    /// How an equilibrium is lost when the load is on so many times.
+    /// The loss of equilibrium at this multiple of the load.
     pub(crate) fn lost(&self, factor: f64, loss: &Loss<C>, state: Option<Equilibrium<C>>) -> Lost<C> {
         let weightless = state.as_ref().map_or(0.0, |state| WEIGHTLESS * state.largest_force());
         let of = |i: usize| state.as_ref().map(|state| &state.contacts[i]);
@@ -234,7 +236,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         }
     }
 
-    /// Where motions cease to be small when the load is on so many times.
+    /// The end of small motions at this multiple of the load.
     fn gone_too_far(
         &self,
         factor: f64,
@@ -263,7 +265,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         }
     }
 
-    /// How far around the place of a loss nothing holds the whole load.
+    /// The neighbourhood of a loss in which a proof excludes every equilibrium under the whole load.
     fn nothing_near(
         &self,
         lost: &Lost<C>,
@@ -278,7 +280,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let polygon = Polygon::shared(&settings.cone);
         let problem = self.problem(polygon, settings.is_round::<C>(), drives, &Load::from(&load));
         let at = state.local.twist.to::<D>();
-        // Any virtual motion may prove it: that of the loss as a rule, and where it has none that of the load.
+        // Any virtual motion may give the proof: as a rule that of the loss, otherwise the one along the load.
         let virtually = [loss.virtual_motion().map(Coordinates::to::<D>), Some(load)];
         let radii = virtually.into_iter().flatten().filter_map(|v| nothing_near(&problem, &at, &v));
         let radius = radii.max_by(f64::total_cmp)?;
@@ -288,7 +290,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 }
 
-/// Whether a contact begins to slide at an event.
+/// Whether this contact begins to slide at an event.
 fn begins_to_slide<const C: usize>(event: &Event<C>, contact: usize) -> bool {
     let begins = |change: &ContactChange<C>| {
         matches!(change.what, Change::Slides { .. } | Change::ClosesSliding { .. })
@@ -296,7 +298,7 @@ fn begins_to_slide<const C: usize>(event: &Event<C>, contact: usize) -> bool {
     event.changes.iter().any(|change| change.contact.index == contact && begins(change))
 }
 
-/// Where motions cease to be small before equilibrium is lost.
+/// The end of small motions, if it comes before the loss of equilibrium.
 fn too_far_on<'p, const C: usize>(path: &'p LoadPath<'_, C>) -> Option<&'p EndOfSmallMotions> {
     let loss = path.end().and_then(PathEnd::loss);
     let before = |far: &&EndOfSmallMotions| {
@@ -306,7 +308,7 @@ fn too_far_on<'p, const C: usize>(path: &'p LoadPath<'_, C>) -> Option<&'p EndOf
 }
 
 impl<const C: usize> Lost<C> {
-    /// Where the lips of cups are open all around.
+    /// The loss of suction cups whose lips are open all around.
     fn without_vacuum(factor: f64, cups: Vec<WholeContact>, state: Option<Equilibrium<C>>) -> Self {
         Self {
             factor,

@@ -1,4 +1,4 @@
-//! What becomes of a load that is put on from rest.
+//! The verdict on a load that is put on from rest.
 
 use crate::equilibrium::{Equilibrium, NoEquilibrium, TooFar};
 use crate::grasp::{Motion, PartLabel, WholeContact, Wrench};
@@ -11,52 +11,61 @@ use super::caught::Caught;
 use super::way_out::WayOut;
 use crate::prelude::*;
 
-/// The answer to "does it hold?"; its [`Display`](std::fmt::Display) says it in a sentence.
+/// The answer to "does it hold?"; its [`Display`](std::fmt::Display) is a sentence.
+///
+/// Factors are multiples of `load`: at factor τ the loads are `base + τ load`.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Verdict<const C: usize> {
-    /// The load at rest.
+    /// The load at rest, N and N m.
     pub base: Wrench<C>,
-    /// What is put on beside it.
+    /// The load that grows from 0 on top of `base`, N and N m.
     pub load: Wrench<C>,
-    /// Whether all of it is held.
+    /// The conclusion: whether the whole load, factor 1, is held.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub holding: Holding<C>,
-    /// When the first contact stops sticking; `None` if none does as far as the load was followed.
+    /// The first slip: the first contacts that stop sticking. `None` if none does as far as the load was followed.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub first_slip: Option<FirstSlip>,
-    /// The jumps on the way of the load, where contacts begin to slide with [less friction](crate::grasp::Contact::kinetic) and the object is caught.
+    /// The jumps up to the whole load, where contacts begin to slide with lower [kinetic friction](crate::grasp::Contact::kinetic) and the object is
+    /// caught.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub caught: Vec<Caught>,
-    /// How many times the load was put on, and held with [small motions](crate::Settings::small_motions); 0 where the grasp does not hold at rest.
+    /// Largest factor reached with the load held and motions [small](crate::Settings::small_motions); 0 where the grasp does not hold at rest.
+    ///
+    /// The load is followed up to [`Settings::most_load`](crate::Settings::most_load), so that this factor alone is no bound.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub held_to: f64,
-    /// How many times the load is on where everything begins to slide: every contact with friction that presses, from there on up to the whole load, or where
-    /// one sticks there up to where the verdict ends. What goes on beyond is held by normal forces alone.
+    /// Factor from which every contact with friction and a normal force slides, up to factor 1 without interruption. If one sticks there, or the
+    /// path ends earlier, up to the end of the path. Loads beyond this factor are held by normal forces alone. `None` where a contact sticks at both.
     #[cfg_attr(
         feature = "serde",
         serde(default, skip_serializing_if = "Option::is_none", with = "AsComputed::<Option<f64>>")
     )]
     pub everything_slides: Option<f64>,
-    /// What small motions leave out, where that is more than a tenth of what resists the motion from rest to the whole load, or to where it is lost: the part
-    /// that the squeeze takes as its arms turn with the object, below 0, or adds. Told of one object under loads alone.
+    /// Share of the geometric stiffness, which small motions leave out, in the resistance to the motion from rest to the whole load, or to the loss.
+    ///
+    /// With forces F at rest, arms r and the rotation θ it is `Σ [(F·r) |θ|² - (F·θ)(r·θ)]` divided by the work `ΔW·q` of the load. Below 0 the
+    /// squeeze lowers the resistance as its arms turn with the object; at -1 or less nothing resists. `None` if its size is at most a tenth, for
+    /// several bodies, and where commands change.
     #[cfg_attr(
         feature = "serde",
         serde(default, skip_serializing_if = "Option::is_none", with = "AsComputed::<Option<f64>>")
     )]
     pub left_out: Option<f64>,
-    /// Where equilibrium is lost, or its motions cease to be [small](crate::Settings::small_motions); `None` if it holds as far as it was followed.
+    /// The loss of equilibrium, or the end of [small motions](crate::Settings::small_motions), whichever comes first; its factor may exceed 1. `None`
+    /// if the load holds as far as it was followed.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub lost: Option<Lost<C>>,
-    /// The equilibrium under all of the load, with what has slipped on the way; `None` where that is not held.
+    /// The equilibrium under the whole load, with the slips up to it; `None` where the whole load is not held.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub state: Option<Box<Equilibrium<C>>>,
 }
 
 impl<const C: usize> Verdict<C> {
-    /// Whether all of the load is held; `None` where that is not known.
+    /// Whether the whole load is held; `None` where that is undecided.
     #[must_use]
     pub fn holds(&self) -> Option<bool> {
         match self.holding {
@@ -66,14 +75,14 @@ impl<const C: usize> Verdict<C> {
         }
     }
 
-    /// Whether all of the load is held and nothing has stopped sticking on the way; `None` where that is not known.
+    /// Whether the whole load is held and every contact sticks up to it; `None` where holding is undecided.
     #[must_use]
     pub fn sticks(&self) -> Option<bool> {
         self.holds().map(|_| matches!(self.holding, Holding::Sticks))
     }
 }
 
-/// Whether a load is held.
+/// The conclusion on a load. It counts as held only while motions are [small](crate::Settings::small_motions).
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -83,41 +92,41 @@ impl<const C: usize> Verdict<C> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Holding<const C: usize> {
-    /// It is held, and everything sticks on the way.
+    /// The load is held, and every contact sticks up to it.
     Sticks,
-    /// It is held, and contacts slide under it or have slid, opened or given way on the way.
+    /// The load is held, and contacts slide under it, or have slid, opened or given way before.
     Slides {
-        /// Those that slide or have slid.
+        /// The contacts that slide or have slid.
         contacts: Vec<WholeContact>,
     },
-    /// No contact carries anything: the object lies loose between the fingers, and nothing pulls.
+    /// No contact carries a force: the object lies loose between the fingers, without a load.
     Loose,
-    /// It is lost before all of it is on, or its motions cease to be small.
+    /// Equilibrium is lost before the whole load is on, or motions cease to be small.
     Lost,
-    /// The grasp does not even hold the base load.
+    /// The grasp does not hold even the load at rest: a proof that it has no equilibrium.
     NoRest(NoEquilibrium<C>),
-    /// What is there at rest is lost before all of it is on: followed from nothing, where no proof for all of it was found.
+    /// The load at rest is lost as it grows from zero together with the commands: found on a path, without a proof as of [`Self::NoRest`].
     LostAtRest {
-        /// How, as multiples of what is there at rest.
+        /// The loss; its factor is a multiple of the load at rest.
         at_rest: Box<Lost<C>>,
     },
-    /// The path could not be followed that far.
+    /// The path could not be followed up to the whole load.
     Undecided {
-        /// Why.
+        /// The reason.
         doubt: Doubt,
     },
 }
 
-/// The first contacts that stop sticking.
+/// The first contacts that stop sticking as the load grows, and their factor.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct FirstSlip {
-    /// How many times the load is on then: 0 where something slides at rest.
+    /// The load at the first slip, as a multiple of the load asked about; 0 where a contact slides at rest.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub factor: f64,
-    /// Contacts that slide from there on.
+    /// Contacts that begin to slide.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub slide: Vec<WholeContact>,
     /// Contacts that open.
@@ -126,71 +135,72 @@ pub struct FirstSlip {
     /// Contacts that are kept closed and would have to pull.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub would_pull: Vec<WholeContact>,
-    /// Joints and tendons that give way, by the names they have.
+    /// Names of joints and tendons that give way.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub give_way: Vec<String>,
 }
 
-/// Where an equilibrium is lost as the load is put on, and how.
+/// The loss of equilibrium as the load grows, or the end of [small motions](crate::Settings::small_motions).
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Lost<const C: usize> {
-    /// How many times the load is on then.
+    /// The load at the loss, as a multiple of the load asked about.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub factor: f64,
-    /// What ends the equilibrium.
+    /// The kind of loss.
     pub kind: LossKind,
-    /// How the object leaves.
+    /// The motion with which the object leaves.
     pub way_out: WayOut<C>,
-    /// What goes too far there, where no equilibrium is lost but small motions end.
+    /// The rotation, slip or opening that exceeds the limit of small motions; `None` where equilibrium is lost.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub too_far: Option<TooFar>,
-    /// Contacts that slide there.
+    /// Contacts that slide at the loss.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub slide: Vec<WholeContact>,
-    /// Whether all contacts that press slide: gross slip.
+    /// Whether all contacts that press slide: gross slip. At the end of small motions, whether [`Verdict::everything_slides`] is given.
     pub is_gross_slip: bool,
-    /// Whether the first slip is the last: friction is [lower](crate::grasp::Contact::kinetic) once contacts slide, and nothing catches the object.
+    /// Whether the first slip is the loss: [kinetic friction](crate::grasp::Contact::kinetic) is lower, and nothing catches the object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub falls_at_once: bool,
-    /// How many times the load it takes from then on, where friction is lower once contacts slide: so much would be held with friction of sliding from the beginning.
+    /// The multiple of the load that would be held with kinetic friction from the start. `None` unless it is below `factor`, and where kinetic
+    /// friction is not lower.
     #[cfg_attr(
         feature = "serde",
         serde(default, skip_serializing_if = "Option::is_none", with = "AsComputed::<Option<f64>>")
     )]
     pub then_takes: Option<f64>,
-    /// Whether the load has a [maximum](LossKind::Fold) and another equilibrium holds slightly more: the object snaps over to that one, or is lost.
+    /// Whether the load has a [maximum](LossKind::Fold) and another equilibrium holds slightly more: the object snaps over to it, or is lost.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub snaps: bool,
     /// Joints and tendons of a hand that have reached their limit.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub drives: Vec<PartLabel>,
-    /// The unit motion with which the object leaves, if that is determined.
+    /// The unit motion with which the object leaves; `None` where it is not determined.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub motion: Option<Motion<C>>,
-    /// The equilibrium there.
+    /// The last equilibrium, at the loss; `None` where it could not be computed, and of a loss at rest.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub state: Option<Box<Equilibrium<C>>>,
-    /// Around there nothing holds all of the load: a proof. `None` where the load is held, or where none was found.
+    /// Proof that no equilibrium under the whole load exists near the loss. `None` where the whole load is held, or no proof was found.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub nothing_near: Option<NothingNear>,
 }
 
-/// No equilibrium exists near where one was lost, in whatever way contacts have slipped. Good for all motions from there that
-/// move the centroid of the contact points by up to `translation` and turn the object by up to `rotation`.
+/// Proof that no equilibrium under the whole load exists near the loss, whatever contacts have slipped.
 ///
-/// The sums behind it are bounded with their rounding. The joints of a hand may move their contacts by up to `translation`, too.
+/// From the state of the loss, the centroid of the contact points may move by up to `translation`, and the object may turn by up to `rotation`. The
+/// joints of a hand may move their contacts by up to `translation`, too. The bound includes the rounding of its sums.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct NothingNear {
-    /// m; infinite where no equilibrium exists at all.
+    /// Largest displacement covered, m; infinite where no equilibrium exists at all.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub translation: f64,
-    /// rad.
+    /// Largest rotation covered, rad.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub rotation: f64,
 }

@@ -1,4 +1,4 @@
-//! How an object leaves: it slides out, tips over, lifts off or turns.
+//! The motion of a loss in words: the object slides out, tips over, lifts off or turns.
 
 use nalgebra::SVector;
 
@@ -8,11 +8,11 @@ use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// What moves by less than this part of the fastest stays where it is, and who turns by less does not turn. People round so; nothing is decided by
-/// it.
+/// Speed, relative to the fastest contact, below which a contact stays and a rotation counts as none. It only chooses the name of a motion: a larger
+/// fraction calls slow contacts fixed, a smaller one finds no contact to tip over.
 const STAYS: f64 = 0.05;
 
-/// The kind of motion with which an object leaves, as people call it.
+/// The kind of motion with which an object leaves, in everyday words.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(
     feature = "serde",
@@ -24,31 +24,31 @@ const STAYS: f64 = 0.05;
 pub enum WayOut<const C: usize> {
     /// All contacts that touch open.
     LiftsOff {
-        /// Unit direction of the contacts' centroid.
+        /// Unit direction in which the centroid of these contacts moves.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         direction: SVector<f64, C>,
     },
-    /// It moves without turning to speak of.
+    /// The object moves and hardly turns: rotation moves its contacts by at most a twentieth of the translation.
     SlidesOut {
-        /// Unit direction.
+        /// Unit direction of the translation.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         direction: SVector<f64, C>,
     },
-    /// It turns about contacts that stay, and others open.
+    /// The object turns about contacts that stay, and others open.
     TipsOver {
         /// The contacts that stay.
         about: Vec<WholeContact>,
-        /// Those that open.
+        /// The contacts that open.
         opens: Vec<WholeContact>,
     },
-    /// It turns about contacts that stay, and others slide.
+    /// The object turns about contacts that stay, and others slide.
     TurnsAbout {
-        /// The contacts that stay: in space a line goes through two of them.
+        /// The contacts that stay; in space two of them define the axis.
         about: Vec<WholeContact>,
     },
-    /// It turns about a point, in space about a line through it.
+    /// The object turns about a point, in space about an axis through it.
     Turns {
-        /// A point that moves along the axis at most, m.
+        /// Point of the axis nearest to the contacts that touch, m. In the plane it is fixed; in space it moves at most along the axis.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         centre: SVector<f64, C>,
         /// Unit vector along the axis; zero in the plane.
@@ -57,27 +57,28 @@ pub enum WayOut<const C: usize> {
     },
     /// Several bodies move.
     Apart {
-        /// Those that do, each with its own way.
+        /// The bodies that move, each with its own motion.
         bodies: Vec<BodyWay<C>>,
     },
     /// The lips of suction cups are open all around: their vacuum is gone.
     LetsGo {
-        /// The cups.
+        /// The cups without vacuum.
         cups: Vec<WholeContact>,
     },
-    /// The motion is not determined by what gives way.
+    /// The motion is not determined.
     NotKnown,
 }
 
-/// One of several bodies, and how it moves: [`WayOut::SlidesOut`] or [`WayOut::Turns`], or about contacts where all that move do so as one.
+/// One of several bodies and its motion: [`WayOut::SlidesOut`] or [`WayOut::Turns`]. Bodies that all move as one may also tip over or turn about
+/// contacts.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct BodyWay<const C: usize> {
-    /// Its name.
+    /// Name of the body.
     pub body: String,
-    /// How it moves.
+    /// Motion of the body.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub way: WayOut<C>,
 }
@@ -91,14 +92,15 @@ impl<const C: usize> BodyWay<C> {
     }
 }
 
-/// A motion along which turning moves nothing to speak of beside this.
+/// The motion as [`WayOut::SlidesOut`] along a translation, if the displacement `spin` by rotation is negligible beside it.
 fn slides_out<const C: usize>(along: &SVector<f64, C>, spin: f64) -> Option<WayOut<C>> {
     let direction = || along.try_normalize(0.0);
     (spin <= STAYS * along.norm())
         .then(|| direction().map_or(WayOut::NotKnown, |direction| WayOut::SlidesOut { direction }))
 }
 
-/// How the object leaves with a motion, seen from the contacts that touch. Of several bodies `sides` are those on the two sides of each contact.
+/// The name of a motion, from the contacts that touch. With several bodies `sides` has the indices of both bodies of each contact, `None` for the
+/// ground.
 pub(super) fn way_out<const C: usize>(
     contacts: &[Contact<C>],
     sides: Option<&[(usize, Option<usize>)]>,
@@ -118,7 +120,7 @@ pub(super) fn way_out<const C: usize>(
         other.speed() <= STAYS * fastest
     };
     if motion.bodies.iter().filter(|body| moves(body)).all(as_the_first) {
-        // Those that move as one are seen from the contacts with all else.
+        // Contacts of the moving bodies with all others decide; those among the moving bodies do not count.
         let is_one_of_them = |body: usize| moves(&motion.bodies[body]);
         let sign = |i: usize| {
             let (on, against) = (is_one_of_them(sides[i].0), sides[i].1.is_some_and(is_one_of_them));
@@ -134,7 +136,7 @@ pub(super) fn way_out<const C: usize>(
     WayOut::Apart { bodies }
 }
 
-/// Whether the surfaces of a contact between these bodies move past each other with a motion.
+/// Whether the two surfaces of a contact move relative to each other, by more than [`STAYS`] of the fastest body.
 pub(super) fn comes_apart<const C: usize>(
     contact: &Contact<C>,
     (on, against): (usize, Option<usize>),
@@ -154,8 +156,8 @@ fn difference<const C: usize>(a: &Twist<C>, b: &Twist<C>) -> Twist<C> {
     Twist::from_components(&components)
 }
 
-/// How what moves with a twist leaves, seen from the contacts that touch it: it is on the side that normals point into where the sign is 1, on the other
-/// one where it is -1, and on none where it is 0.
+/// The name of the motion of an object with this twist, from the contacts that touch it. The sign of a contact is 1 if its normal points into the
+/// object, and -1 if it points out. It is 0 for contacts that the object does not have.
 fn seen_from<const C: usize>(
     contacts: &[Contact<C>],
     twist: &Twist<C>,
@@ -178,7 +180,7 @@ fn seen_from<const C: usize>(
     let spin = coordinates.iter().skip(C).map(|x| x * x).sum::<f64>().sqrt() * reach;
     let fastest = touching.iter().map(|part| moves[part.contact].norm()).fold(spin, f64::max);
     let stays = |part: &WholeContact| moves[part.contact].norm() <= STAYS * fastest;
-    // Away from the finger at more than half a right angle to its surface.
+    // A velocity v leads away from the finger if it is more than 45° above its surface.
     let goes_away = |v: &SVector<f64, C>, n: &SVector<f64, C>| v.dot(n) > 0.5f64.sqrt() * v.norm() * n.norm();
     let opens = |part: &WholeContact| {
         let may_open = part_holds[part.contact] == Hold::Unilateral;
@@ -198,7 +200,7 @@ fn seen_from<const C: usize>(
     }
     let about: Vec<_> = touching.into_iter().filter(stays).collect();
     if about.is_empty() {
-        // A soft fingertip tips over points of its own, all others opening.
+        // An object on a soft fingertip tips over about points of that tip, while all others open.
         let about = parts.with(&|i| touches(i) && point_stays(i));
         let either = (0..contacts.len()).filter(|i| touches(*i)).all(|i| point_stays(i) || point_opens(i));
         if either && !about.is_empty() {
@@ -207,14 +209,14 @@ fn seen_from<const C: usize>(
         }
         return turns(twist, &centre, &along);
     }
-    // What was open before moves on.
+    // Contacts that were open before count as opening, too.
     let opens: Vec<_> = parts.with(&|i| sign(i) != 0.0).into_iter().filter(opens).collect();
-    // A cable that goes slack is no edge that lifts: a door turns about its hinge.
+    // Only an opening contact makes a motion tip: a door whose cable goes slack turns about its hinge.
     let tips = opens.iter().any(|part| part.link.is_none());
     if tips { WayOut::TipsOver { about, opens } } else { WayOut::TurnsAbout { about } }
 }
 
-/// A turn about the point of its axis that is nearest to another one, which moves like this.
+/// The rotation of a twist, with the point of its axis nearest to the point `near`, which has the displacement `moves`.
 fn turns<const C: usize>(twist: &Twist<C>, near: &SVector<f64, C>, moves: &SVector<f64, C>) -> WayOut<C> {
     let (_, rotation) = twist.parts();
     let (centre, axis) = (near + rotation.way_to_axis(moves), rotation.axis());

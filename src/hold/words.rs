@@ -1,4 +1,4 @@
-//! A verdict in a sentence, as one would say it to a colleague.
+//! The sentence of a verdict, as one would say it to a colleague.
 
 use alloc::borrow::Cow;
 use core::fmt;
@@ -11,13 +11,14 @@ use crate::grasp::{WholeContact, Wrench, vacuum_is_gone};
 use crate::prelude::*;
 use crate::words::{Words, listed, open, opens, printable};
 
-/// What happens within this part of a load happens at once, for whoever reads it.
+/// Fraction of a load that sentences take for none, and relative difference of factors that they take for equal. A smaller one shows rounding.
 pub(super) const AT_ONCE: f64 = 1e-9;
-/// Where motions cease to be small within this part of the load at which everything slides, it slides out there, for whoever reads it.
+/// Fraction of the load within which the end of small motions follows gross slip, so that the sentence says "slips out" at the slip. A larger one
+/// hides how far the object is held after it.
 const SOON: f64 = 0.01;
-/// A proof that reaches no farther, m, says nothing to anybody: less than an atom.
+/// Radius of a proof, m, up to which the sentence omits it: the size of an atom.
 const NOWHERE: f64 = 1e-10;
-/// Farther than this, m, nobody asks.
+/// Radius of a proof, m, above which the sentence says "a kilometre" in place of the number.
 const FAR: f64 = 1e3;
 
 impl<const C: usize> fmt::Display for Verdict<C> {
@@ -36,7 +37,7 @@ impl<const C: usize> fmt::Display for Verdict<C> {
                         write!(f, ", but {first} from {} of it on", words.number(first.factor))?;
                     }
                     _ if contacts.is_empty() => {}
-                    // Of contacts that close on the way the first slip does not speak.
+                    // The first slip does not include contacts that close later and slide.
                     _ => write!(f, ", but {}", does(contacts, "slides", "slide"))?,
                 }
                 self.catches(f)?;
@@ -99,7 +100,7 @@ impl<const C: usize> fmt::Display for Verdict<C> {
 }
 
 impl<const C: usize> Verdict<C> {
-    /// Where it is lost, and how.
+    /// The sentence of a load that is lost: the load at the loss and the motion.
     fn told_lost(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (words, digits) = (Words::of(f), Words::of(f).digits());
         let Some(lost) = &self.lost else { return f.write_str("LOST") };
@@ -121,7 +122,7 @@ impl<const C: usize> Verdict<C> {
         write!(f, ": {lost:.digits$}")
     }
 
-    /// Where its motions cease to be small: what slides out, or what goes too far for all this.
+    /// The sentence of a load that ends small motions: gross slip before, or the motion that is too large.
     fn told_too_far(&self, lost: &Lost<C>, far: &TooFar, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
         let amount = |factor: f64| amount_of(self.load.measure(), factor, words);
@@ -144,13 +145,13 @@ impl<const C: usize> Verdict<C> {
         }
     }
 
-    /// Whether the path goes on with more of the load than this.
+    /// Whether the path continues beyond this multiple of the load, and the multiple exceeds that of the first slip.
     fn goes_on_from(&self, factor: f64) -> bool {
         self.held_to > factor * (1.0 + AT_ONCE)
             && self.first_slip.as_ref().is_none_or(|first| factor > first.factor * (1.0 + AT_ONCE))
     }
 
-    /// How much more of the load it would take.
+    /// The multiples of the load up to the first slip and to the loss.
     fn margins(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (words, lost) = (Words::of(f), self.lost.as_ref().map(|lost| lost.factor));
         let until = self.lost.as_ref().map_or(Cow::Borrowed(""), Lost::until);
@@ -178,17 +179,17 @@ impl<const C: usize> Verdict<C> {
         }
     }
 
-    /// Where the object slips and is caught.
+    /// The clause about jumps in which the object slips and is caught.
     fn catches(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         Caught::told(&self.caught, self.load.measure(), matches!(self.holding, Holding::Slides { .. }), f)
     }
 
-    /// Whether the load is none.
+    /// Whether no load is put on.
     fn is_nothing(&self) -> bool {
         self.load == Wrench::ZERO
     }
 
-    /// All of the load: "950 N".
+    /// The whole load: "950 N".
     fn whole(&self, words: Words) -> String {
         let size = self.load.measure().map(|(size, unit)| format!("{} {unit}", words.number(size)));
         let beside = if self.base == Wrench::ZERO { "" } else { " beside the load at rest" };
@@ -204,7 +205,7 @@ impl<const C: usize> Verdict<C> {
     }
 }
 
-/// So many times a load of this size: "7.5 N", "0.5 of it" where it has none.
+/// A multiple of a load of this size and unit: "7.5 N", or "0.5 of it" for a load without a single size.
 pub(super) fn amount_of(size: Option<(f64, &str)>, factor: f64, words: Words) -> String {
     match size {
         Some((size, unit)) => format!("{} {unit}", words.number(size * factor)),
@@ -213,7 +214,7 @@ pub(super) fn amount_of(size: Option<(f64, &str)>, factor: f64, words: Words) ->
 }
 
 impl FirstSlip {
-    /// Who leaves, without what they do.
+    /// The parts that leave, with a verb unless they slide: "left", "thumb opens".
     fn who(&self) -> String {
         let opens = self.open.iter().map(|part| format!("{} {}", part.text(), opens(part.link)));
         let pulls = self.would_pull.iter().map(|part| format!("{} would have to pull", part.text()));
@@ -240,7 +241,7 @@ impl fmt::Display for FirstSlip {
 }
 
 impl<const C: usize> Lost<C> {
-    /// What happens with so much load: "it is lost", "it turns by more than 5.7°".
+    /// The event that ends the verdict: "it is lost", "it turns by more than 5.7°".
     fn until(&self) -> Cow<'static, str> {
         match &self.too_far {
             Some(far) if !self.is_gross_slip => far.to_string().into(),
@@ -270,7 +271,7 @@ impl<const C: usize> Lost<C> {
     }
 }
 
-/// How the object leaves, and then how far around there nothing holds.
+/// The motion of the loss, and the radius of the proof that nothing near it holds.
 impl<const C: usize> fmt::Display for Lost<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let digits = Words::of(f).digits();
@@ -327,7 +328,7 @@ impl<const C: usize> fmt::Display for WayOut<C> {
     }
 }
 
-/// Bodies that go the same way together: "wedge moves along −x, block and lid turn about (0.1, 0) m".
+/// The motions of several bodies, grouped by motion: "wedge moves along −x, block and lid turn about (0.1, 0) m".
 fn told_together<const C: usize>(bodies: &[BodyWay<C>], words: Words) -> String {
     let mut ways: Vec<(String, &WayOut<C>, Vec<Cow<'_, str>>)> = Vec::new();
     for BodyWay { body, way } in bodies {
@@ -348,7 +349,7 @@ fn told_together<const C: usize>(bodies: &[BodyWay<C>], words: Words) -> String 
 }
 
 impl<const C: usize> WayOut<C> {
-    /// What one body does that slides or turns, or several: "moves along −x", "turn about (0.1, 0) m".
+    /// The verb of one body or of several that slide or turn: "moves along −x", "turn about (0.1, 0) m".
     fn goes(&self, words: Words, are_several: bool) -> String {
         let ending = if are_several { "" } else { "s" };
         match self {
@@ -389,7 +390,7 @@ fn they_open(parts: &[WholeContact]) -> String {
     told.collect::<Vec<_>>().join(", ")
 }
 
-/// Who does what: "left slides", "left and right slide".
+/// Names with a verb in singular or plural: "left slides", "left and right slide".
 pub(crate) fn does(parts: &[WholeContact], one: &str, many: &str) -> String {
     format!("{} {}", listed(parts), if parts.len() == 1 { one } else { many })
 }

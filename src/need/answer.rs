@@ -1,4 +1,4 @@
-//! How much is needed.
+//! The answer to the question for an amount.
 
 use crate::error::Error;
 use crate::grasp::WholeContact;
@@ -6,35 +6,38 @@ use crate::grasp::WholeContact;
 use super::question::Demand;
 use crate::prelude::*;
 
-/// The answer to "how much does it need?"; its [`Display`](std::fmt::Display) says it in a sentence.
+/// The answer to "how much does it need?"; its [`Display`](std::fmt::Display) is a sentence.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Needed {
-    /// What was sought.
+    /// The sought quantity.
     pub quantity: Quantity,
-    /// What was to be kept.
+    /// The demand on it.
     pub demand: Demand,
-    /// How much of it that takes, or allows, on the numbers given.
+    /// The least or greatest amount that meets the demand, for the data as given, in the unit of `quantity`.
     pub amount: Amount,
-    /// Where it is to be held: how much of it takes, or allows, that nothing slides.
+    /// The amount with which nothing slides; `None` unless the demand is that the object is held.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub sticks: Option<Amount>,
-    /// The same as `amount` where friction and squeeze are less than said, and loads larger; `None` if that was not asked, or does not count here.
+    /// The amount that meets the demand with friction and squeeze reduced by `lower` and loads multiplied by `safety`; `None` where these change
+    /// nothing.
     pub safe: Option<Amount>,
-    /// What friction and squeeze were taken to be less by then.
+    /// Relative reductions of friction and of the squeeze for `safe`, each from 0 to less than 1. Where no command presses the second is 0.
     pub lower: [f64; 2],
-    /// How many times as large the loads were taken to be then.
+    /// Factor on the loads for `safe`.
     #[cfg_attr(feature = "serde", serde(default = "once", skip_serializing_if = "is_once"))]
     pub safety: f64,
-    /// Where so many times a load is sought that is one force: its size, N.
+    /// Size of the load of which a multiple is sought, N: an amount x means x times this force. `None` for other quantities, and unless the
+    /// loads are one single force.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub force: Option<f64>,
-    /// Of a force the part that presses with it.
+    /// The part, or the load at rest, of which the force is sought; `None` for other quantities.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub of: Option<PressedBy>,
-    /// Whether a squeeze was asked for where no command presses. Then the force is sought of what presses in its place, if there is one such part.
+    /// Whether a squeeze was asked for where no command presses. If exactly one body is loaded, its force is sought instead; if none is, the load at
+    /// rest.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub in_place_of_squeeze: bool,
 }
@@ -50,26 +53,26 @@ fn is_once(times: &f64) -> bool {
     *times == 1.0
 }
 
-/// What presses with a force that is sought.
+/// The part that exerts the sought force, and the size of that force.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct PressedBy {
-    /// A body, a contact, a link or a joint by its name; `None` for the load at rest.
+    /// Name of the body, contact, link or joint; `None` for the load at rest.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub part: Option<String>,
-    /// Whether it is a body, which presses by its load.
+    /// Whether the part is a body, which presses by its load.
     pub is_body: bool,
-    /// The size that amounts are multiples of; `None` where it is neither one force nor one moment.
+    /// Size of the force given, in `unit`: amounts are multiples of it. `None` where it is neither one force nor one moment.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub size: Option<f64>,
-    /// The unit of that.
+    /// Unit of `size`, N or N m; `None` with it.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub unit: Option<String>,
 }
 
-/// A quantity that people set.
+/// A quantity that a user sets, with the unit of its amounts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -81,129 +84,132 @@ pub enum Quantity {
     Friction,
     /// The loads, as a multiple of those given.
     Load,
-    /// The arm of a force, m.
+    /// The arm of a force: its displacement, m.
     Arm,
-    /// An angle, rad.
+    /// The angle of a load that turns, rad.
     Angle,
-    /// The force of one part that presses, as a multiple of the one given.
+    /// The force of one part, or the load at rest, as a multiple of the one given.
     Force,
 }
 
 impl Quantity {
-    /// Whether the least of it is sought, or else the greatest.
+    /// Whether the least amount is sought: of a squeeze, friction or a force. Of all others the greatest is.
     #[must_use]
     pub fn is_least(self) -> bool {
         matches!(self, Self::Squeeze | Self::Friction | Self::Force)
     }
 }
 
-/// How much of a quantity.
+/// The bound of an amount, in the unit of its [`Quantity`]. An amount is sufficient if its trial meets the demand.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Amount {
-    /// This much, and no better.
+    /// The least or greatest sufficient amount `does`, with an insufficient one beside it.
     #[non_exhaustive]
     Bound {
-        /// An amount that was tried and does.
+        /// The sufficient amount at the bound; it was tried.
         does: f64,
-        /// One beside it that was tried and does not.
+        /// The insufficient amount beside it, by its trial or by a proof. As a rule it differs from `does` by at most 1e-12 of its size; in
+        /// [`Needed::sticks`] and [`Needed::safe`] by at most 1e-8.
         does_not: f64,
-        /// What happens with that: a sentence.
+        /// The verdict for `does_not`, in a sentence.
         otherwise: String,
-        /// An amount between both of which it is not known.
+        /// An amount between both whose trial is undecided; `None` if all were decided.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         unknown: Option<f64>,
-        /// How often the verdict changed among the amounts that were looked at; once as a rule.
+        /// Number of changes of the verdict among the amounts tried around the bound, the bound included: 1 as a rule.
         changes: usize,
-        /// Where that amount goes on to do no longer, as with a squeeze under which something else is pressed away; `None` if it does as far as was looked.
+        /// Far end of the sufficient amounts that begin at `does`, as of a squeeze that presses something else away. `None` if all tried beyond it
+        /// suffice.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         until: Option<FarEnd>,
-        /// Amounts apart from these that do, in order.
+        /// Windows of other sufficient amounts, in ascending order.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
         elsewhere: Vec<AmountWindow>,
-        /// Of a squeeze: what each contact presses with at rest, N.
+        /// Normal force of each contact at rest with the squeeze `does`, N; empty for other quantities.
         presses: Vec<Press>,
-        /// Of a squeeze: joints and tendons whose drives are at their limit at rest, so that they press no harder.
+        /// Joints and tendons whose drives are at their limit at rest with the squeeze `does`, so that they press no harder; empty for other
+        /// quantities.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
         at_their_limit: Vec<String>,
     },
-    /// Any amount does, down or up to this one, which was tried.
+    /// All amounts suffice as far as `to`: down to it where the least is sought, up to it where the greatest is.
     #[non_exhaustive]
     Any {
-        /// The last amount.
+        /// The last sufficient amount that was tried.
         to: f64,
-        /// Where the others end to do, as an arm which jams from some length on; `None` if they do as far as was looked.
+        /// Far end of the sufficient amounts on the other side, as of an arm that has to be long enough to jam. `None` if all tried there suffice.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         until: Option<FarEnd>,
     },
-    /// No amount does: by a proof, or as far as was tried.
+    /// No amount suffices: by a proof for all between `from` and `to`, or among those that were tried.
     #[non_exhaustive]
     None {
-        /// The least amount that was tried, or that the proof is for.
+        /// The least amount that was tried, or that the proof covers.
         from: f64,
-        /// The greatest.
+        /// The greatest amount that was tried, or that the proof covers.
         to: f64,
-        /// How many were tried.
+        /// Number of amounts that were tried.
         #[cfg_attr(feature = "serde", serde(default))]
         tried: usize,
-        /// Whether no amount between these can do: no forces of the contacts balance the loads with any of them.
+        /// Whether a proof excludes all amounts from `from` to `to`: no contact forces balance the loads with any of them.
         #[cfg_attr(feature = "serde", serde(default))]
         is_proved: bool,
-        /// The one among them that carries most.
+        /// The tried amount that carries the largest part of the load.
         best: f64,
-        /// What happens with that: a sentence.
+        /// The verdict for `best`, in a sentence.
         otherwise: String,
     },
-    /// With this amount it is not known.
+    /// The trial of an amount is undecided, and with it the bound.
     #[non_exhaustive]
     Undecided {
         /// The amount.
         at: f64,
-        /// Why.
+        /// The reason, in a sentence.
         doubt: String,
     },
 }
 
 impl Amount {
-    /// The amount that does, if there is a bound.
+    /// The sufficient amount at the bound; `None` where there is no bound.
     #[must_use]
     pub fn bound(&self) -> Option<f64> {
         if let Self::Bound { does, .. } = self { Some(*does) } else { None }
     }
 }
 
-/// The far end of the amounts that do.
+/// The far end of the sufficient amounts: where more is too much, or less too little.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct FarEnd {
-    /// The last amount that was tried and does.
+    /// The last sufficient amount; it was tried.
     pub does: f64,
-    /// One beside it that was tried and does not.
+    /// The insufficient amount beside it; it was tried.
     pub does_not: f64,
-    /// What happens with that: a sentence.
+    /// The verdict for `does_not`, in a sentence; why it is undecided, if it is.
     pub otherwise: String,
-    /// Of a squeeze: what each contact presses with at rest there, N.
+    /// Normal force of each contact at rest with the squeeze `does`, N; empty for other quantities.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub presses: Vec<Press>,
-    /// Of a squeeze: joints and tendons whose drives are at their limit at rest there.
+    /// Joints and tendons whose drives are at their limit at rest with the squeeze `does`; empty for other quantities.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub at_their_limit: Vec<String>,
 }
 
-/// Amounts that do, from one to another; an end that was not found lies beyond the amounts that were looked at.
+/// An interval of sufficient amounts, both ends included. An end that is `None` lies beyond the amounts tried.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct AmountWindow {
-    /// The least of them.
+    /// The least sufficient amount of the window.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub from: Option<f64>,
-    /// The greatest of them.
+    /// The greatest sufficient amount of the window.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub to: Option<f64>,
 }
@@ -214,7 +220,7 @@ impl AmountWindow {
     }
 }
 
-/// What a contact presses with.
+/// The normal force of a contact.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -222,11 +228,11 @@ impl AmountWindow {
 pub struct Press {
     /// The contact, or the soft fingertip.
     pub part: WholeContact,
-    /// Its normal force, N.
+    /// Its normal force, N; of a soft fingertip the sum over its points.
     pub force: f64,
 }
 
-/// A part by which friction or squeeze may be less: from 0 to less than 1.
+/// Refuses a relative reduction of friction or squeeze outside `0 <= value < 1`.
 pub(super) fn check_part(what: &'static str, value: f64) -> Result<(), Error> {
     if (0.0..1.0).contains(&value) {
         Ok(())

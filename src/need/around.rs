@@ -1,4 +1,4 @@
-//! What lies around a bound: whether amounts beyond it do throughout, and whether others do.
+//! A scan around a bound: up to where the amounts beyond it suffice, and which other amounts suffice.
 
 use super::answer::AmountWindow;
 use super::search::{SearchPlan, Threshold, Tries};
@@ -6,28 +6,30 @@ use super::trial::Trial;
 use crate::error::Error;
 use crate::prelude::*;
 
-/// Amounts are looked at up to so many times below and above the bound, closer to each other near it.
+/// Ratio of the farthest scanned amount to the bound, above and below it; the k-th of n amounts is at `SCANNED^((k/n)³)`. A larger ratio scans more
+/// coarsely near the bound.
 const SCANNED: f64 = 4.0;
-/// Of a squeeze or a force so much more is looked at, too: drives reach their limits there.
+/// Ratio to the bound of one further amount of a squeeze or a force: drives reach their limits there, which a smaller ratio would miss.
 const FAR: f64 = 16.0;
-/// Amounts this far inside and outside an end that statics has found are looked at, relatively.
+/// Distance of scanned amounts inside and outside an end of the statics range, relative to the end. Below the error of that end both fall on one
+/// side.
 const AT_AN_END: f64 = 1e-8;
-/// So many changes of verdict are told by their amounts.
+/// Most changes of verdict that are narrowed to their amounts, each at the price of a search; further ones are only counted.
 const MOST_CHANGES: usize = 8;
 
-/// What lies around a bound.
+/// The amounts around a bound.
 #[derive(Debug)]
 pub(super) struct Around {
-    /// How often the verdict changes, the bound included.
+    /// Number of changes of verdict, the bound included.
     pub(super) changes: usize,
-    /// Where the amounts from the bound on do no longer.
+    /// Far end of the sufficient amounts that begin at the bound; `None` if all scanned ones suffice.
     pub(super) until: Option<Threshold>,
-    /// Amounts apart from them that do.
+    /// Windows of other sufficient amounts.
     pub(super) elsewhere: Vec<AmountWindow>,
 }
 
 impl SearchPlan {
-    /// Amounts just inside and outside an end that statics has found.
+    /// Amounts just inside and outside an end of the statics range; none without that end.
     fn at_the_end(&self, up: bool) -> Vec<f64> {
         let end = |end: f64| {
             [1.0 - AT_AN_END, 1.0 + AT_AN_END].map(|part| if up { end * part } else { end / part })
@@ -37,7 +39,7 @@ impl SearchPlan {
 }
 
 impl Around {
-    /// Looks at so many amounts on both sides of a bound, and `far` beyond, as far as forces can balance what acts.
+    /// Tries `scan` amounts on both sides of a bound, with `far` also one at [`FAR`], all inside the range that forces can balance.
     pub(super) fn of(
         bound: &Threshold,
         scan: usize,
@@ -68,7 +70,7 @@ impl Around {
         Ok(around)
     }
 
-    /// Where amounts do no longer on the other side of one with which all that were looked at do: from there through amounts that are known.
+    /// The far end where all amounts as far as `to` suffice: from there back through the amounts already known.
     pub(super) fn far_end(
         to: f64,
         plan: &SearchPlan,
@@ -84,7 +86,8 @@ impl Around {
         Ok(around.until)
     }
 
-    /// Goes from the bound to one side; what it begins with does, unless a trial says otherwise. Amounts of which it is not known are passed over.
+    /// Tries `amounts` from the bound to one side and narrows each change of verdict. The first amount suffices if it comes without a trial.
+    /// Undecided amounts are skipped.
     fn side(
         &mut self,
         (mut at, mut trial): (f64, Option<Trial>),

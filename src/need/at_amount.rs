@@ -1,4 +1,4 @@
-//! A grasp with an amount of what it needs, under the load that leaves least friction in reserve.
+//! A grasp with an amount set, under the load that leaves the least friction in reserve.
 
 use super::question::{Need, Safety, Sought};
 use super::trial::{Loading, force_at};
@@ -9,12 +9,15 @@ use crate::load_path::{Leg, Ramp};
 use crate::prelude::*;
 use crate::squeeze::{Loads, WeakestDirection};
 
-/// Angles of a turn that are compared.
+/// Equal parts of a turn whose states are compared. Fewer can miss the angle that uses most friction; each costs an equilibrium.
 const ANGLES: u32 = 180;
 
 impl<const C: usize> Grasp<C> {
-    /// This grasp with an amount of what it [needs](Self::need), such as [`Amount::bound`](super::Amount::bound), and its equilibrium under the load
-    /// of the need that uses most of its friction; `None` where nothing is held.
+    /// This grasp with an amount set, and its equilibrium under the load of the [need](Self::need) that uses most of its friction.
+    ///
+    /// The amount is in the unit of the sought [`Quantity`](super::Quantity), for instance [`Amount::bound`](super::Amount::bound). The use of
+    /// friction is the largest `|f_t| / (|f_t| + margin)` of closed contacts. Of a turn, 180 equal steps and its end are compared; a sought angle has
+    /// the state at its end. `None` where no load is held.
     ///
     /// ```
     /// use grasp_lcp::need::Need;
@@ -41,7 +44,7 @@ impl<const C: usize> Grasp<C> {
                 .collect::<Result<_, _>>()?,
             Loads::AnyForce { base, size, point } => {
                 let base = *besides + *base * *times;
-                // The size of the force in the weakest direction.
+                // The force in the weakest direction with the size of the need.
                 let part = |most: f64| size * times / most;
                 let load = match grasp.weakest_direction(&base, *point)? {
                     WeakestDirection::Force { load, size: most, .. } if most > 0.0 => {
@@ -55,7 +58,7 @@ impl<const C: usize> Grasp<C> {
                 let turn = loading.so_many(turn);
                 let mut path = grasp.follow(&turn.load_at(0.0), &[Leg::turn(&turn)])?;
                 path.run();
-                // A greatest angle is where the turn ends.
+                // A sought angle is the end of the turn.
                 if matches!(need.sought, Sought::Angle { .. }) {
                     return Ok(path.state().map(|state| (grasp.with(self.settings()), state)));
                 }
@@ -68,7 +71,7 @@ impl<const C: usize> Grasp<C> {
     }
 }
 
-/// The largest part of its friction that a contact uses.
+/// The largest fraction of its friction that a closed contact uses: `|f_t| / (|f_t| + margin)`.
 fn used<const C: usize>(state: &Equilibrium<C>) -> f64 {
     let rubs = state.contacts.iter().filter(|answer| answer.state != ContactState::Separated);
     let part = rubs.map(|answer| {

@@ -1,28 +1,32 @@
 //! How much does it need? The least squeeze or friction, the greatest load, arm or angle, such that nothing slides or such that it is not lost.
 //!
-//! A [`Need`] says which quantity is sought and for which loads; [`Grasp::need`](crate::ask::Grasp::need) answers in the unit that people set:
-//! newtons at each jaw, a coefficient of friction, metres, degrees.
+//! A [`Need`] names the sought quantity and the loads; [`Grasp::need`](crate::ask::Grasp::need) answers with a [`Needed`]. Its sentence has the units
+//! of practice: newtons at each jaw, a coefficient of friction, metres, degrees.
 //!
-//! | sought | what may be asked for | answer |
+//! | sought | bound | unit of [`Amount`] |
 //! |---|---|---|
-//! | [`Need::squeeze`] | least, as N at each contact at rest | all commands in proportion |
-//! | [`Need::friction`] | least, of all contacts or of one | |
-//! | [`Need::load`] | greatest, as so many times the loads | |
-//! | [`Need::arm`] | greatest distance at which a force may act, m | |
-//! | [`Need::angle`] | greatest angle of a load that turns, rad | |
-//! | [`Need::force`] | least, as a multiple of the load of a body, or of the command of one contact, cable or joint | N |
-//! | [`Need::load_at_rest`] | least, as a multiple of the load at rest | |
+//! | [`Need::squeeze`] | least, all commands in proportion | multiple of the squeeze given; the sentence has N at each contact |
+//! | [`Need::friction`] | least, of all contacts or of some | coefficient |
+//! | [`Need::load`] | greatest | multiple of the loads given |
+//! | [`Need::arm`] | greatest displacement of a force | m |
+//! | [`Need::angle`] | greatest angle of a load that turns | rad; the sentence has degrees |
+//! | [`Need::force`] | least load of a body, or command of a contact, cable or joint | multiple of the one given; in the sentence N or N m |
+//! | [`Need::load_at_rest`] | least | multiple of the load at rest given |
 //!
-//! What is to be kept is a [`Demand`]: the object is held, with the amount beside it with which nothing slides; or nothing slides at all; or, where the loads are put on again and again, it comes to rest, or does not walk.
+//! The [`Demand`] is one of four. The object is held, and the answer adds the amount with which nothing slides; or nothing slides at all. Where the
+//! loads are put on again and again, the object comes to rest, or it does not walk.
 //!
-//! Every trial is a verdict of its own, from rest ([`Grasp::hold`](crate::ask::Grasp::hold)): one amount does, the other does not, and the answer
-//! names both. Between them secants of how much of the load is carried lead to the last digits. Statics comes first: the amounts for which any forces inside
-//! all cones balance the loads are an interval, outside which a proof says that no amount does. No theorem says that more is better: a motor at its limit
-//! presses no harder while another finger still pushes the object away. So the search goes both ways from what is given, and between amounts to where most
-//! of the load is carried. Then a few amounts around the bound tell up to where they do ([`FarEnd`]), and which others do ([`AmountWindow`]). Where
-//! loads and squeeze are all there is, twice the squeeze takes twice the load, and nothing has to be looked at.
+//! Every trial is a verdict from rest ([`Grasp::hold`](crate::ask::Grasp::hold)). The answer names two amounts that were tried: one suffices, the
+//! other beside it does not. Between them, secants of the carried part of the load lead to the last digits.
 //!
-//! Where no command presses there is no squeeze: then the load is sought that presses in its place, of a body or at rest, and the answer says so.
+//! Statics comes first: the amounts for which some forces inside all cones balance the loads form an interval, and a proof excludes all others. No
+//! theorem says that more is better: a motor at its limit presses no harder while another finger still pushes the object away. So the search goes
+//! both ways from the start, and between trials towards the largest carried part. Then a few amounts around the bound show up to where amounts
+//! suffice ([`FarEnd`]), and which others do ([`AmountWindow`]). Where only loads and squeeze act, twice the squeeze carries twice the load, and this
+//! scan is omitted.
+//!
+//! Where no command presses there is no squeeze. Then the force of the only loaded body is sought in its place, or the load at rest, and the answer
+//! says so.
 
 mod answer;
 mod around;

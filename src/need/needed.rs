@@ -1,4 +1,4 @@
-//! What is asked, searched for and answered.
+//! The question for an amount from its check to its answer: the amount, that with which nothing slides, and a safe one.
 
 use core::cell::{Cell, RefCell};
 
@@ -16,7 +16,7 @@ use crate::prelude::*;
 use crate::squeeze::Loads;
 
 impl<const C: usize> Grasp<C> {
-    /// How much does it need? The least squeeze or friction, the greatest load, arm or angle; see [`Need`].
+    /// How much does it need? The least squeeze, friction or force, the greatest load, arm or angle; see [`Need`].
     ///
     /// ```
     /// use grasp_lcp::need::Need;
@@ -32,7 +32,9 @@ impl<const C: usize> Grasp<C> {
     /// ```
     ///
     /// # Errors
-    /// As for [`Self::hold`] of its loads; [`Error::Argument`] if a part by which friction or squeeze may be less is not from 0 to less than 1.
+    /// As for [`Self::hold`] of its loads. [`Error::Argument`] for reductions of friction or squeeze outside `0 <= part < 1`, and for a factor of
+    /// safety outside `0 < factor <= 1e50`; also for a contact that does not exist. [`Error::Question`] for repeated loads with a force of any
+    /// direction, and for the load at rest sought without one. [`Error::Part`] if no part of the name presses.
     #[doc(alias = "grip force")]
     #[doc(alias = "required")]
     pub fn need(&self, need: &Need<C>) -> Result<Needed, Error> {
@@ -74,7 +76,7 @@ impl<const C: usize> Grasp<C> {
 }
 
 impl<const C: usize> Need<C> {
-    /// Refuses numbers that no grasp would take.
+    /// Refuses numbers out of range, and loads that do not suit the demand, whatever the grasp.
     pub(crate) fn check(&self) -> Result<(), Error> {
         self.base.check("base load")?;
         check_part("part by which friction is less", self.safety.lower[0])?;
@@ -107,7 +109,8 @@ impl<const C: usize> Need<C> {
         }
     }
 
-    /// What is sought in place of a squeeze where no command presses: the load of the one body that has one, or else the load at rest.
+    /// The need with a force sought in place of a squeeze where no command presses: the load of the only loaded body, or the load at rest where no
+    /// body is loaded.
     pub(super) fn instead(&self, grasp: &Grasp<C>) -> Self {
         let Sought::Squeeze { loads } = &self.sought else { return self.clone() };
         let bodies = grasp.loaded_bodies();
@@ -120,7 +123,7 @@ impl<const C: usize> Need<C> {
         Self { sought: Sought::Force { of, loads: loads.clone() }, ..self.clone() }
     }
 
-    /// The size of a single force that is sought so many times.
+    /// The size of the force whose multiple is sought, N; `None` unless the loads are one single force.
     fn force_of_load(&self) -> Option<f64> {
         match &self.sought {
             Sought::Load { loads: Loads::Each(list) } if list.len() == 1 => {
@@ -130,7 +133,7 @@ impl<const C: usize> Need<C> {
         }
     }
 
-    /// The part whose force is sought.
+    /// The part whose force is sought, with its size; `None` for other quantities.
     fn pressed_by(&self, grasp: &Grasp<C>) -> Result<Option<PressedBy>, Error> {
         let Sought::Force { of, .. } = &self.sought else { return Ok(None) };
         let (part, is_body, size) = match of {
@@ -157,7 +160,8 @@ impl<const C: usize> Need<C> {
     }
 }
 
-/// Where a search begins: at what is given, at a coefficient of friction in the middle of all, at an arm as long as the grasp is wide.
+/// The first amount of a search. Multiples begin at 1, friction at the largest coefficient given (0.5 without one). An arm begins at the largest
+/// distance of a contact from the first one (1 m without one), an angle at the whole turn.
 fn start<const C: usize>(grasp: &Grasp<C>, need: &Need<C>) -> f64 {
     let contacts = grasp.contacts();
     match &need.sought {
@@ -180,26 +184,26 @@ fn start<const C: usize>(grasp: &Grasp<C>, need: &Need<C>) -> f64 {
     }
 }
 
-/// How far is looked for an amount.
+/// The effort of a search.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Look {
-    /// Wherever one may be, and around it for others.
+    /// Both directions, then a scan around the bound.
     Around,
-    /// Wherever one may be.
+    /// Both directions.
     Everywhere,
-    /// In a few amounts towards more of it.
+    /// A few amounts in the direction of more.
     Towards,
 }
 
-/// Amounts that were tried, each once.
+/// The amounts tried, each once, with their trials.
 struct Tried<'q, const C: usize> {
     grasp: &'q Grasp<C>,
     need: &'q Need<C>,
     safety: Safety,
-    /// Where the search begins.
+    /// The first amount.
     start: f64,
     known: RefCell<Vec<(f64, Trials)>>,
-    /// The load that was not carried last.
+    /// Index of the load that refuted the last insufficient amount.
     first: Cell<usize>,
 }
 
@@ -234,7 +238,7 @@ impl<'q, const C: usize> Tried<'q, C> {
             _ => [start / MOST_LOADS, start * MOST_LOADS],
         };
         let is_monotone = match need.sought {
-            // Of a load that is put on from rest all less was on before.
+            // A load put on from rest has passed all smaller ones.
             Sought::Load { .. } | Sought::Angle { .. } => true,
             Sought::Squeeze { .. } => grasp.is_proportional() && need.base == Wrench::ZERO,
             Sought::Friction { .. } | Sought::Arm { .. } | Sought::Force { .. } => false,
@@ -274,7 +278,7 @@ fn amount<const C: usize>(tried: &Tried<'_, C>, demand: Demand, look: Look) -> R
         let trial = tries(plan.start)?;
         return Ok(nothing_does(vec![(plan.start, trial)], plan.limits, true));
     }
-    // An angle is not turned beyond what was asked for.
+    // Angles beyond the given turn are not tried.
     if matches!(need.sought, Sought::Angle { .. }) && tries(plan.start)?.does() {
         return Ok(Amount::Any { to: plan.start, until: None });
     }
@@ -295,7 +299,7 @@ fn amount<const C: usize>(tried: &Tried<'_, C>, demand: Demand, look: Look) -> R
             return Ok(Amount::Any { to, until: until.map(far_end).transpose()?.flatten() });
         }
         Searched::Nothing(mut vain) => {
-            // Beside what holds, amounts that are not decided are stepped over.
+            // The amount that holds is known already: undecided trials for sticking are dropped if others are decided.
             if look == Look::Towards && vain.iter().any(|(_, trial)| trial.carried().is_some()) {
                 vain.retain(|(_, trial)| trial.carried().is_some());
             }
@@ -327,7 +331,8 @@ fn amount<const C: usize>(tried: &Tried<'_, C>, demand: Demand, look: Look) -> R
     })
 }
 
-/// Told from amounts of which none does: by one of which it is not known, or by the one that carries most, the first of them if several do.
+/// The answer where no amount suffices. Without a proof the first undecided trial decides; otherwise `best` is the one that carries most, the first
+/// of equals.
 fn nothing_does(vain: Vec<(f64, Trial)>, limits: [f64; 2], is_proved: bool) -> Amount {
     let amounts = || vain.iter().map(|(amount, _)| *amount);
     let [from, to] = if is_proved {
@@ -352,7 +357,7 @@ fn nothing_does(vain: Vec<(f64, Trial)>, limits: [f64; 2], is_proved: bool) -> A
     none
 }
 
-/// What each contact presses with at rest, squeezed so many times as much, and whose drives are at their limit there.
+/// The normal force of each contact at rest with its squeeze multiplied by `squeeze`, N, and the joints and tendons whose drives are at their limit.
 fn presses<const C: usize>(grasp: &Grasp<C>, squeeze: f64) -> Result<(Vec<Press>, Vec<String>), Error> {
     let squeezed = grasp.squeezed(squeeze)?;
     let Outcome::Equilibrium(state) = squeezed.solve(&Wrench::ZERO)? else { return Ok(Default::default()) };
@@ -364,7 +369,7 @@ fn presses<const C: usize>(grasp: &Grasp<C>, squeeze: f64) -> Result<(Vec<Press>
     };
     let joints = state.joints.iter().map(|joint| (joint.state, joint.joint.text()));
     let drives = joints.chain(state.tendons.iter().map(|tendon| (tendon.state, tendon.tendon.text())));
-    // A finger that is held by its force alone is there by design.
+    // Contacts held by a constant force are at their limit by design and are not listed.
     let at_their_limit = drives.filter(|(state, _)| *state == DriveState::Yields).map(|(_, name)| name);
     Ok((parts.with(&|_| true).into_iter().map(press).collect(), at_their_limit.collect()))
 }

@@ -1,4 +1,4 @@
-//! What is sought, and for which loads.
+//! The question for an amount: the sought quantity, the loads and the demand.
 
 use crate::grasp::Wrench;
 use crate::load_path::Turn;
@@ -6,45 +6,46 @@ use crate::prelude::*;
 use crate::squeeze::Loads;
 use crate::words::Words;
 
-/// What is to be kept.
+/// The condition that an amount must meet.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Demand {
-    /// The object is held; contacts may slide. The amount with which nothing slides is told beside it.
+    /// The object is held; contacts may slide. The answer adds the amount with which nothing slides.
     #[default]
     Held,
-    /// Nothing slides, on the way either.
+    /// No contact slides or opens, and no drive gives way, while the load is put on.
     Sticks,
-    /// The loads are put on and taken off in turn, again and again, and it comes to rest; see [`Grasp::shake`](crate::ask::Grasp::shake).
+    /// The object comes to rest while the loads are put on and taken off in turn, again and again; see [`Grasp::shake`](crate::ask::Grasp::shake).
     Rests,
-    /// The same, and contacts may slide to and fro for ever, as long as the object does not walk.
+    /// The object does not walk under such loads; contacts may slide to and fro for ever.
     Stays,
 }
 
 impl Demand {
-    /// Whether loads are put on again and again.
+    /// Whether the loads repeat.
     pub(super) fn repeats(self) -> bool {
         matches!(self, Self::Rests | Self::Stays)
     }
 }
 
-/// A quantity that is sought, with the loads that it is sought for. Checked when it is asked.
+/// A sought quantity with its loads, demand and safety. [`Grasp::need`](crate::ask::Grasp::need) checks the numbers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Need<const C: usize> {
     pub(super) sought: Sought<C>,
-    /// What acts besides, whatever the amount.
+    /// The load at rest; constant unless its own multiple is sought.
     pub(super) base: Wrench<C>,
     pub(super) demand: Demand,
-    /// What the safe amount is safe against.
+    /// Deviations from the data that the safe amount covers.
     pub(super) safety: Safety,
+    /// Number of amounts tried around the bound.
     pub(super) scan: usize,
-    /// In which what becomes of other amounts is told.
+    /// Digits of numbers in the sentences for other amounts.
     pub(super) words: Words,
 }
 
-/// The quantity.
+/// The sought quantity with the data of its own.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Sought<const C: usize> {
     Squeeze {
@@ -64,24 +65,24 @@ pub(super) enum Sought<const C: usize> {
     Angle {
         turn: Turn<C>,
     },
-    /// Of a part by its name, or of the load at rest.
+    /// The force of the part `of`, or the load at rest if that is `None`.
     Force {
         of: Option<String>,
         loads: Loads<C>,
     },
 }
 
-/// What is worse than said, for a safe amount.
+/// Deviations from the data to the worse, for a safe amount.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Safety {
-    /// The parts by which friction and squeeze are less.
+    /// Relative reductions of friction and of the squeeze, from 0 to less than 1.
     pub(super) lower: [f64; 2],
-    /// How many times as large the loads are.
+    /// Factor on the loads.
     pub(super) load: f64,
 }
 
 impl Safety {
-    /// Everything is as it is said to be.
+    /// No deviation.
     pub(super) const NONE: Self = Self { lower: [0.0; 2], load: 1.0 };
 }
 
@@ -91,7 +92,10 @@ impl<const C: usize> Need<C> {
         Self { sought, base: Wrench::ZERO, demand: Demand::default(), safety, scan: 6, words }
     }
 
-    /// The least squeeze for these loads: all commands in proportion, those of joints and torques that hold joints by force included.
+    /// The least squeeze for these loads, as a multiple of the one given.
+    ///
+    /// It scales all commands in proportion, as [`Grasp::squeezed`](crate::ask::Grasp::squeezed) does: those of joints and torques that hold joints
+    /// included.
     #[doc(alias = "grip force")]
     #[doc(alias = "clamping force")]
     #[must_use]
@@ -99,27 +103,28 @@ impl<const C: usize> Need<C> {
         Self::of(Sought::Squeeze { loads: loads.into() })
     }
 
-    /// The least coefficient of friction for these loads: one for all contacts that rub. Those of contacts that [slide](crate::grasp::Contact::kinetic) keep
-    /// their proportion to it.
+    /// The least coefficient of friction for these loads: the same μ for all contacts with friction. [Kinetic](crate::grasp::Contact::kinetic)
+    /// coefficients keep their proportion to it.
     #[must_use]
     pub fn friction(loads: impl Into<Loads<C>>) -> Self {
         Self::of(Sought::Friction { loads: loads.into(), contacts: None })
     }
 
-    /// The least coefficient of friction of some contacts, from 0, while the others keep theirs.
+    /// The least coefficient of friction for these loads, the same for some contacts (indices from 0), while the others keep theirs.
     #[must_use]
     pub fn friction_of(contacts: impl IntoIterator<Item = usize>, loads: impl Into<Loads<C>>) -> Self {
         Self::of(Sought::Friction { loads: loads.into(), contacts: Some(contacts.into_iter().collect()) })
     }
 
-    /// How many times these loads may act: the greatest mass, or acceleration.
+    /// The greatest multiple x of these loads, `base + x load`: the greatest mass, or acceleration. [`Self::on_top_of`] sets the base.
     #[doc(alias = "payload")]
     #[must_use]
     pub fn load(loads: impl Into<Loads<C>>) -> Self {
         Self::of(Sought::Load { loads: loads.into() })
     }
 
-    /// The greatest distance, m, that a force may be moved by: its wrench where it is, and how that changes for a metre.
+    /// The greatest displacement x of a force, m: the load is `at + x per_metre`, with its wrench at 0 and the change of that per metre (N, N m, each
+    /// per m).
     ///
     /// ```
     /// use grasp_lcp::need::Need;
@@ -137,8 +142,10 @@ impl<const C: usize> Need<C> {
         Self::of(Sought::Arm { at, per_metre })
     }
 
-    /// The least load of a body, a lever or a screw for these loads, or the least command or force of a contact, a cable or a joint: that of the part of
-    /// this name alone, as a multiple of what it has. Where more of it is too much the greatest is told, too.
+    /// The least force of the named part for these loads, as a multiple of the one it has.
+    ///
+    /// That is the load of a body, a lever or a screw, or the command or force of a contact, a cable or a joint. All other parts keep theirs. Where
+    /// more than some multiple is too much, [`Amount::Bound`](super::Amount::Bound) has that, too.
     ///
     /// ```
     /// use grasp_lcp::need::Need;
@@ -161,20 +168,21 @@ impl<const C: usize> Need<C> {
         Self::of(Sought::Force { of: Some(part.into()), loads: loads.into() })
     }
 
-    /// The least load at rest for these loads, as a multiple of that [on top of which](Self::on_top_of) they come: a weight that presses an object on.
+    /// The least load at rest for these loads, as a multiple of the base that [`Self::on_top_of`] sets: a weight that presses an object on.
     #[must_use]
     pub fn load_at_rest(loads: impl Into<Loads<C>>) -> Self {
         Self::of(Sought::Force { of: None, loads: loads.into() })
     }
 
-    /// The greatest angle by which a load may turn.
+    /// The greatest angle by which a load may turn, rad, up to the last angle of the turn.
     #[doc(alias = "tilt")]
     #[must_use]
     pub fn angle(turn: Turn<C>) -> Self {
         Self::of(Sought::Angle { turn })
     }
 
-    /// This need on top of a load that is there at rest, whatever the amount: the weight of the object, when a push is sought.
+    /// This need on top of a load at rest (N, N m), for instance the weight of the object where a push is sought. Neither amounts nor factors of
+    /// safety scale it; only the amount of [`Self::load_at_rest`] does.
     ///
     /// ```
     /// use grasp_lcp::need::Need;
@@ -194,7 +202,7 @@ impl<const C: usize> Need<C> {
         self
     }
 
-    /// This need where nothing may slide.
+    /// This need with the demand that nothing slides, [`Demand::Sticks`].
     ///
     /// ```
     /// use grasp_lcp::need::Need;
@@ -214,15 +222,17 @@ impl<const C: usize> Need<C> {
         self
     }
 
-    /// This need where contacts may slide, as long as the object is held: the default.
+    /// This need with the demand that the object is held, [`Demand::Held`]: contacts may slide. The default.
     #[must_use]
     pub fn to_hold(mut self) -> Self {
         self.demand = Demand::Held;
         self
     }
 
-    /// This need where the loads are put on and taken off in turn, again and again, until it [rests](Demand::Rests). A load that turns goes to the end
-    /// of its turn and back, or round and round in full turns. Forces of any direction come in no order, and are refused.
+    /// This need with the demand that the object comes to [rest](Demand::Rests) while the loads are put on and taken off in turn, again and again.
+    ///
+    /// A load that turns goes to the end of its turn and back, or round and round in full turns. Forces of any direction come in no order and are
+    /// refused.
     ///
     /// ```
     /// use grasp_lcp::need::Need;
@@ -245,22 +255,24 @@ impl<const C: usize> Need<C> {
         self
     }
 
-    /// As [`Self::to_rest`], but contacts may slide to and fro for ever: the object only must not [walk](Demand::Stays).
+    /// As [`Self::to_rest`], with the weaker demand that the object does not [walk](Demand::Stays): contacts may slide to and fro for ever.
     #[must_use]
     pub fn to_stay(mut self) -> Self {
         self.demand = Demand::Stays;
         self
     }
 
-    /// This need with a safe amount for friction and squeeze that are by these parts less than said (default 0.1 and 0.05; none for zeros).
+    /// This need with a safe amount for friction `(1 - friction) μ` and `1 - squeeze` times the squeeze. Both reductions are from 0 to less than 1.
+    ///
+    /// The default is 0.1 and 0.05. With two zeros, and loads not enlarged, there is no safe amount.
     #[must_use]
     pub fn if_lower_by(mut self, friction: f64, squeeze: f64) -> Self {
         self.safety.lower = [friction, squeeze];
         self
     }
 
-    /// This need with a safe amount for loads so many times as large as said, in place of less friction and squeeze; [`Self::if_lower_by`] after it
-    /// asks for both.
+    /// This need with a safe amount for loads multiplied by `factor`, in place of reduced friction and squeeze; a later [`Self::if_lower_by`] asks
+    /// for both. The load at rest keeps its size.
     #[doc(alias = "factor of safety")]
     #[must_use]
     pub fn with_safety(mut self, factor: f64) -> Self {
@@ -268,14 +280,14 @@ impl<const C: usize> Need<C> {
         self
     }
 
-    /// This need whose answer tells numbers of other amounts in these words: with more digits than six, or fewer.
+    /// This need with other numbers of digits in the sentences of its answer for insufficient amounts (default 6).
     #[must_use]
     pub fn told_in(mut self, words: Words) -> Self {
         self.words = words;
         self
     }
 
-    /// This need with so many amounts looked at beside the search (default 6), to see whether more than one change of verdict lies among them.
+    /// This need with another number of amounts tried around the bound (default 6), which find further changes of verdict. With 0 there is no scan.
     #[must_use]
     pub fn with_scan(mut self, amounts: usize) -> Self {
         self.scan = amounts;

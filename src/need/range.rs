@@ -1,8 +1,8 @@
-//! The amounts for which contact forces inside their cones could balance everything that acts: none of the others holds.
+//! The range of amounts for which contact forces inside their cones could balance all loads. No amount outside it holds.
 //!
-//! Loads are affine in an amount of load, arm, squeeze or force, and cones are convex, so that these amounts are an interval. A motion v that proves that
-//! nothing balances the loads W(x) proves it of every amount with W(x)·v > 0: it cuts the interval where that work vanishes. Friction widens the cones, so that
-//! of a coefficient there is a least one.
+//! The loads W(x) are affine in an amount x of load, arm, squeeze or force, and cones are convex: the range is an interval. A motion v that proves
+//! W(x) to be unbalanced proves it for every amount with W(x)·v > 0. The interval is cut where this work vanishes. Friction widens the cones:
+//! coefficients have a least value.
 
 use super::question::{Need, Safety, Sought};
 use super::trial::Loading;
@@ -11,28 +11,31 @@ use crate::error::Error;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Each cut passes the one before; near an end of round cones they come closer by parts.
+/// Most cuts at one end. Each passes the last, and on round cones their distance shrinks by a factor; fewer leave the end looser, though still
+/// proved.
 const MOST_CUTS: usize = 60;
-/// Cuts this close together, relatively, are one.
+/// Distance of two cuts, relative to the amount, at which the end is final. Below it further cuts differ by rounding alone.
 const SAME: f64 = 1e-13;
-/// Coefficients this close together, relatively, are one, and so many halvings lead there from any two.
+/// Width, relative to the coefficient, that ends the halving of coefficients. Below it rounding decides whether a proof exists.
 const SAME_FRICTION: f64 = 1e-10;
+/// Most halvings of an interval of coefficients: limits at a ratio of 2⁴⁰ need about 40, in logarithms first. Fewer leave a loose end.
 const HALVINGS: usize = 80;
-/// Where coefficients are this close, relatively, what is left of the load changes evenly.
+/// Width of an interval of coefficients, relative to the larger one, from which on secants replace halving. In a wider one the work left over is not
+/// linear.
 const NEAR: f64 = 1e-2;
 
-/// An interval of amounts; what lies beyond an end that is given is refuted.
+/// An interval of amounts. A proof refutes all amounts beyond an end that is given; `None` means no proof on that side.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Range {
     pub(super) low: Option<f64>,
     pub(super) high: Option<f64>,
     pub(super) is_empty: bool,
-    /// Where the lower end is likely to be, closer than proofs tell.
+    /// Estimate of the lower end by secants, closer than proofs reach; of friction only.
     pub(super) likely: Option<f64>,
 }
 
 impl Range {
-    /// Among amounts between two.
+    /// The range between the least and the greatest amount that the search would try.
     pub(super) fn of<const C: usize>(
         grasp: &Grasp<C>,
         need: &Need<C>,
@@ -57,7 +60,7 @@ impl Range {
         Ok(range)
     }
 
-    /// Moves one end inwards, as far as one of the loads asks for it.
+    /// Moves one end inwards, the lower one if `up`, as far as proofs for the load of index `which` allow.
     fn cut<const C: usize>(
         &mut self,
         loading: &dyn Fn(f64) -> Result<Loading<C>, Error>,
@@ -74,7 +77,7 @@ impl Range {
             let there = loading(end)?;
             let works = |of: &Loading<C>| of.grasp.work_along(&of.to_balance()[which], &motion);
             let (work, beyond) = (works(&here)?, works(&there)?);
-            // The load works along it at both ends, so that nothing balances it between them.
+            // The load does positive work along the motion at both ends, so that no forces balance it between them.
             if beyond >= 0.0 || at == end {
                 self.is_empty = true;
                 return Ok(());
@@ -90,13 +93,13 @@ impl Range {
         Ok(())
     }
 
-    /// The least coefficient with which forces balance all loads. What they leave vanishes there, and secants of that lead closer to it than proofs do.
+    /// The least coefficient with which forces balance all loads. The work left over vanishes there, and its secants come closer than proofs do.
     fn least_friction<const C: usize>(
         &mut self,
         loading: &dyn Fn(f64) -> Result<Loading<C>, Error>,
         [least, most]: [f64; 2],
     ) -> Result<(), Error> {
-        // How much of a load is left, as its work along the motion that proves it.
+        // Work of the first unbalanced load along the motion that proves it unbalanced; `None` where all loads have no such proof.
         let left = |amount: f64| {
             let here = loading(amount)?;
             for load in here.to_balance() {
@@ -124,7 +127,7 @@ impl Range {
                 (low, last) = (at, now);
             } else {
                 high = at;
-                // Beyond the end of what proofs tell apart the secant has found it.
+                // The secant reached the least coefficient to within the resolution of proofs.
                 if secant == Some(at) {
                     break;
                 }

@@ -1,4 +1,4 @@
-//! What becomes of an amount where the loads are put on again and again.
+//! The trial of an amount under loads that are put on and taken off again and again.
 
 use core::f64::consts::TAU;
 
@@ -11,13 +11,15 @@ use crate::prelude::*;
 use crate::shake::{Repeats, Shaken};
 use crate::squeeze::Loads;
 
-/// What is lost counts less than this, what walks or rubs more: in this order a search goes towards what comes to rest.
+/// Carried part that separates a loss (below) from walking and rubbing (above): in this order a search proceeds towards rest. Any value between 0 and
+/// 1 does.
 const HELD: f64 = 0.5;
-/// Turns are full ones but for this part of one, the rounding of their angle.
+/// Largest distance of an angle from full turns, in turns, at which it counts as full turns. It covers rounding; larger ones skip the way back of a
+/// load.
 const ROUND: f64 = 1e-12;
 
 impl<const C: usize> Loading<C> {
-    /// Whether it rests, or stays, where the loads are put on and taken off in turn for ever.
+    /// Whether the object comes to rest, or does not walk, while the loads are put on and taken off in turn for ever.
     pub(super) fn again_and_again(&self, demand: Demand) -> Result<Trial, Error> {
         let Some((base, legs)) = self.cycle() else {
             return Ok(Trial::Unknown("a force of any direction comes in no order".to_owned()));
@@ -31,7 +33,8 @@ impl<const C: usize> Loading<C> {
         })
     }
 
-    /// What is there at rest, and a cycle; `None` for a force of any direction.
+    /// The load at rest and the legs of one cycle; `None` for a force of any direction. Each load is put on and taken off; a turn is followed back
+    /// unless it is full.
     fn cycle(&self) -> Option<(Wrench<C>, Vec<Leg<C>>)> {
         match &self.loads {
             Loads::Each(loads) => {
@@ -50,7 +53,7 @@ impl<const C: usize> Loading<C> {
     }
 }
 
-/// Less than all of it: more, the later it is lost, or the less it moves in a cycle.
+/// The carried part of an insufficient amount, below 1: it rises with the cycle of a loss, and as the motion per period falls.
 fn carried<const C: usize>(shaken: &Shaken<C>, legs: usize) -> f64 {
     match &shaken.repeats {
         Repeats::NoRest { .. } => NOT_AT_REST,

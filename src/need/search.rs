@@ -1,87 +1,103 @@
-//! The search for an amount that does, beside one that does not.
+//! The search for a threshold: a sufficient amount beside an insufficient one.
+//!
+//! An amount is sufficient if its [`Trial`] meets the demand, and insufficient if a trial refutes it. "More" of it is up where the least is sought,
+//! and down where the greatest is sought.
 
 use super::range::Range;
 use super::trial::{NOT_AT_REST, Trial};
 use crate::error::Error;
 use crate::prelude::*;
 
-/// A step towards the other side of a bound, relatively.
+/// Offset that moves a guess across the bound, relative to the amount, so that trials on both sides leave a bracket within [`EXACT`]. Below it
+/// rounding decides the side; above 5e-13 the bracket needs more trials. Also the relative width that ends a golden section.
 const CLOSE: f64 = 1e-13;
-/// Amounts this close together are one, relatively: at first, and after so many steps, when rounding or jumps of what is carried keep them apart.
+/// Pairs (steps, width): after that many steps a bracket of at most this width, relative to the larger amount, ends the search. Widths grow with the
+/// steps, since rounding or a jump of the carried part can keep the two amounts apart.
 pub(super) type Enough = &'static [(usize, f64)];
+/// Widths for the amount itself: the last digits that rounding leaves. Narrower ones cost steps that only rounding decides; wider ones show in the
+/// answer.
 pub(super) const EXACT: Enough = &[(0, 1e-12), (64, 5e-10)];
-/// The same of an amount that is told beside another.
+/// Widths for an amount reported beside the first, `sticks` or `safe`. Narrower ones multiply the trials of an answer.
 pub(super) const SECOND: Enough = &[(0, 2e-12), (5, 1e-8)];
-/// The same of what lies beside a bound.
+/// Widths for other changes of verdict around a bound. There may be eight of them, so that narrower ones cost the most trials.
 const BESIDE_A_BOUND: Enough = &[(0, 1e-10), (16, 1e-8), (20, 1e-4)];
-/// An end that statics has found is tried this far inside and outside, relatively: nearer than proofs tell amounts apart, or else by what they tell apart.
+/// Distances of trials inside and outside an end of the [`Range`], relative to the end. Where the end is exact, the first pair is a bracket within
+/// [`EXACT`]. The others exceed the error that proofs leave; without them both trials beside a loose end fall on one side.
 const NEAR_AN_END: [f64; 3] = [4e-13, 1e-8, 1e-5];
-/// An end that is likely is tried this far to both sides, relatively.
+/// Distance of trials on both sides of [`Range::likely`], relative to it. Below the error of that secant both trials fall on one side.
 const LIKELY: f64 = 3e-12;
-/// A guess is followed so many times.
+/// Most guesses in a row from the carried part. Past them it is not proportional to the amount, and [`walk`] continues; fewer lose nearly
+/// proportional cases.
 const MOST_GUESSES: usize = 4;
-/// From one amount to the next on the way to one that does, and where amounts that do are left.
+/// Ratio of successive amounts where a sufficient one is sought everywhere. A larger ratio passes over narrow windows of sufficient amounts.
 const DOUBLED: f64 = 2.0;
+/// Ratio of successive amounts in a short search, and where sufficient amounts are left. A bracket beyond it is halved in logarithms, since means of
+/// amounts that far apart approach the smaller one slowly.
 const QUADRUPLED: f64 = 4.0;
-/// Where no such amount does, the best of them is refined in so many steps of a golden section.
+/// Most steps of the golden section around the best insufficient amount. Each leaves 0.618 of the logarithmic width, 40 leave 4e-9 of it; fewer miss
+/// narrow windows.
 const MOST_SECTIONS: usize = 40;
-/// More steps towards a bound are made by rounding.
+/// Most steps that narrow a bracket. Halving a ratio of 4 down to [`EXACT`] takes 40; steps past 120 only follow rounding.
 const MOST_STEPS: usize = 120;
-/// Where a trial is undecided these others are made beside it, as parts of what is left between two amounts.
+/// Offsets of amounts tried in place of an undecided one, relative to the width of the bracket. Without them one doubtful amount ends the search.
 const BESIDE: [f64; 6] = [0.01, -0.01, 0.1, -0.1, 0.3, -0.3];
-/// And of an amount alone these.
+/// Offsets of amounts tried in place of an undecided one where there is no bracket, relative to the amount. Below 1e-9 the same tie may remain.
 const BESIDE_ONE: [f64; 6] = [1e-9, -1e-9, 1e-6, -1e-6, 1e-3, -1e-3];
 
-/// The carried part jumps at an edge if this part of its fall is left in this part of the interval; a continuous one falls with the interval.
+/// Fall of the carried part across a bracket, relative to its first fall, above which it jumps at the bound and only halving helps. It is tested at
+/// [`JUMP_WIDTH`]; below 1/16 a linear part would count as a jump, near 1 small jumps are missed.
 const JUMP: f64 = 0.25;
+/// Width of a bracket, relative to the first one, at which [`JUMP`] is tested. A linear part falls there by 1/16; a wider bracket blurs it with a
+/// jump.
 const JUMP_WIDTH: f64 = 1.0 / 16.0;
 
-/// Tries an amount.
+/// The trial of an amount.
 pub(super) type Tries<'t> = &'t dyn Fn(f64) -> Result<Trial, Error>;
 
-/// An amount that does, and one beside it that does not, with what happens then.
+/// A bracket of the bound: a sufficient amount, and an insufficient one beside it with its trial.
 #[derive(Debug)]
 pub(super) struct Threshold {
     pub(super) does: f64,
     pub(super) does_not: (f64, Trial),
-    /// An amount between both of which it is not known.
+    /// An amount between both whose trial is undecided, and why.
     pub(super) unknown: Option<(f64, String)>,
 }
 
-/// What a search has found.
+/// The result of a search.
 #[derive(Debug)]
 pub(super) enum Searched {
     Threshold(Threshold),
-    /// All amounts do, as far as this one.
+    /// All amounts tried are sufficient, up to this last one.
     All(f64),
-    /// None of these does; what was given comes first.
+    /// None of these amounts is sufficient; trials known before come first, then the start.
     Nothing(Vec<(f64, Trial)>),
 }
 
-/// How an amount that does is guessed from how much of the load another one carries.
+/// How the carried part c of an amount x leads to a guess of the bound, where c = 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Guess {
-    /// The load itself is sought.
+    /// `x c`: the load itself is sought.
     Times,
-    /// As much more of it carries as much more.
+    /// `x / c`: the carried part is taken as proportional to the amount.
     Divided,
+    /// No guess.
     Nothing,
 }
 
-/// Where amounts are looked for, and how.
+/// Where and how the search tries amounts.
 #[derive(Debug)]
 pub(super) struct SearchPlan {
     pub(super) start: f64,
-    /// The least and the greatest amount that is looked at.
+    /// The least and the greatest amount tried.
     pub(super) limits: [f64; 2],
     pub(super) range: Range,
     pub(super) is_least: bool,
     pub(super) guess: Guess,
-    /// Whether what does is known to do with more of it where the least is sought, or with less of it.
+    /// Whether every larger amount is known to suffice where the least is sought, or every smaller one where the greatest is.
     pub(super) is_monotone: bool,
-    /// Whether it is looked for wherever it may be, or in a few amounts towards more of it.
+    /// Whether sufficient amounts are sought in both directions and between trials, or by a few trials in the direction of more.
     pub(super) everywhere: bool,
-    /// How exactly.
+    /// Width of the bracket that ends the search.
     pub(super) enough: Enough,
 }
 
@@ -98,7 +114,7 @@ impl SearchPlan {
         self.low() <= amount && amount <= self.high()
     }
 
-    /// The end of what is looked at to one side, if beyond it nothing does.
+    /// The upper or lower end of the range beyond which a proof excludes all amounts, if there is one.
     pub(super) fn end(&self, up: bool) -> Option<f64> {
         if up { self.range.high } else { self.range.low }
     }
@@ -113,7 +129,7 @@ impl SearchPlan {
         self.contains(guess).then_some(guess)
     }
 
-    /// Where the search begins: what is given, or the middle of what forces can balance.
+    /// The first amount tried: the start if forces can balance it, or else one inside the range. Between two ends that is the middle.
     fn begin(&self) -> f64 {
         match (self.range.low, self.range.high) {
             _ if self.contains(self.start) => self.start,
@@ -124,8 +140,8 @@ impl SearchPlan {
     }
 }
 
-/// From a start that does towards less of it, from one that does not towards more. Where no more of it does, either, some do perhaps on the other side,
-/// or between two of them. What is known of amounts from before is used.
+/// The search from a sufficient start towards less, from an insufficient one towards more. If no larger amount suffices, the other direction and the
+/// intervals between trials may hold one. Trials `known` from before are reused.
 pub(super) fn search(tries: Tries<'_>, plan: &SearchPlan, known: &[(f64, Trial)]) -> Result<Searched, Error> {
     let more = plan.is_least;
     let (does, mut vain): (Vec<_>, Vec<_>) = known.iter().cloned().partition(|(_, trial)| trial.does());
@@ -175,7 +191,7 @@ pub(super) fn search(tries: Tries<'_>, plan: &SearchPlan, known: &[(f64, Trial)]
     Ok(Searched::Nothing(vain))
 }
 
-/// An amount, or one beside it if it is not known of this one; inside an interval of this width.
+/// The trial of an amount, or of one beside it where the first is undecided. Offsets are parts of `width`, of the amount itself if there is none.
 fn decided(tries: Tries<'_>, at: f64, width: Option<f64>) -> Result<(f64, Trial), Error> {
     let first = tries(at)?;
     if let Trial::Unknown(_) = first {
@@ -190,7 +206,8 @@ fn decided(tries: Tries<'_>, at: f64, width: Option<f64>) -> Result<(f64, Trial)
     Ok((at, first))
 }
 
-/// The first amount that does, guessed from what others carry, and a little beyond where one is as good as found.
+/// The first sufficient amount among guesses from the carried part. Each guess is moved towards more: the first by 2 [`CLOSE`], each other by 64
+/// times as much as the last.
 fn guessed(
     tries: Tries<'_>,
     plan: &SearchPlan,
@@ -212,7 +229,7 @@ fn guessed(
     Ok(None)
 }
 
-/// The first amount that does to one side, so many times larger or smaller from one to the next.
+/// The first sufficient amount in one direction, multiplied or divided by `factor` from trial to trial.
 fn walk(
     tries: Tries<'_>,
     plan: &SearchPlan,
@@ -233,7 +250,7 @@ fn walk(
     }
 }
 
-/// Where amounts end to do, from one that does towards less of it.
+/// The threshold from a sufficient amount towards less of it, narrowed.
 fn edge_from(
     tries: Tries<'_>,
     plan: &SearchPlan,
@@ -246,7 +263,7 @@ fn edge_from(
     let mut does_not =
         nearest.reduce(|one, other| if is_beyond(one.0, other.0) { other } else { one }).cloned();
     let mut unknown = None;
-    // What is carried guesses where it ends, from both sides, and a proof knows where it has ended.
+    // The carried part gives guesses of the bound from both sides, and the proved range an end.
     let beyond = |at: f64, trial: &Trial, part: f64| {
         let guess = plan.guessed(at, trial).filter(|guess| is_beyond(*guess, does) || *guess == does);
         guess.map(|guess| if up { guess * (1.0 + part) } else { guess * (1.0 - part) })
@@ -274,7 +291,7 @@ fn edge_from(
     while does_not.is_none() {
         at *= if up { QUADRUPLED } else { QUADRUPLED.recip() };
         if !plan.contains(at) {
-            // Beyond the end a proof stands in for a verdict that is not decided.
+            // Beyond the end of the range its proof replaces a trial.
             let says = || Trial::DoesNot {
                 says: "no forces of the contacts balance it".to_owned(),
                 carried: NOT_AT_REST,
@@ -301,15 +318,15 @@ fn edge_from(
     }
 }
 
-/// An amount that does between amounts of which none does. While the states of contacts and drives are the same, what is carried is a concave function
-/// of a squeeze. So its greatest value is looked for around the best of them.
+/// A sufficient amount between insufficient ones. While contacts and drives keep their states, the carried part is a concave function of the squeeze.
+/// A golden section around the best trial therefore finds its maximum.
 fn refined(tries: Tries<'_>, vain: &mut Vec<(f64, Trial)>) -> Result<Option<(f64, Trial)>, Error> {
     let known = vain.iter().filter_map(|(at, trial)| Some((*at, trial.carried()?)));
     let mut in_order: Vec<_> = known.collect();
     in_order.sort_by(|one, other| one.0.total_cmp(&other.0));
     let carries_most = |i: &usize, j: &usize| in_order[*i].1.total_cmp(&in_order[*j].1);
     let Some(best) = (0..in_order.len()).max_by(carries_most) else { return Ok(None) };
-    // Without a difference there is nothing to follow.
+    // Equal carried parts show no direction.
     if in_order.iter().all(|(_, carried)| *carried == in_order[best].1) {
         return Ok(None);
     }
@@ -345,19 +362,20 @@ fn refined(tries: Tries<'_>, vain: &mut Vec<(f64, Trial)>) -> Result<Option<(f64
 }
 
 impl Threshold {
-    /// An edge beside a bound, as exactly as it takes few amounts.
+    /// This bracket narrowed to [`BESIDE_A_BOUND`].
     pub(super) fn beside(self, tries: Tries<'_>, carried: Option<f64>) -> Result<Self, Error> {
         self.narrowed(tries, carried, BESIDE_A_BOUND)
     }
 
-    /// This edge to the last digits: by secants of what is carried, and by halves where that is not known or jumps.
+    /// This bracket narrowed by secants of the carried part minus 1, and by halving where that is unknown or jumps. `carried` belongs to the
+    /// sufficient amount.
     fn narrowed(mut self, tries: Tries<'_>, carried: Option<f64>, enough: Enough) -> Result<Self, Error> {
         let short = |trial: &Trial| trial.carried().map(|carried| carried - 1.0).filter(|x| x.is_finite());
         let mut over = carried.map(|carried| carried - 1.0).filter(|x| x.is_finite());
         let mut under = short(&self.does_not.1);
-        // Whether the last step kept the same side, how far it is pushed to the other one, and the width three steps ago.
+        // The end that the last step moved, the least distance of the next trial from both ends relative to the amount, and the last three widths.
         let (mut kept, mut push, mut widths) = (None, 0.5 * CLOSE, [f64::INFINITY; 3]);
-        // The carried part jumps at the edge if it still falls by a quarter where the amounts are much closer than at first: only halves help then.
+        // `over` and `under` may be halved below; the last true values measure the fall of the carried part.
         let falls =
             |does: Option<f64>, does_not: Option<f64>| does.zip(does_not).map(|(over, under)| over - under);
         let (mut last_over, mut last_under) = (over, under);
@@ -387,7 +405,7 @@ impl Threshold {
                 break;
             }
             let (at, now) = decided(tries, at, Some(width))?;
-            // What keeps its side twice counts half (Illinois), and the next step is pushed on.
+            // Illinois: where the same end moves twice, the value at the other counts half, and the next trial keeps farther from both ends.
             let is_over = now.does();
             let again = kept == Some(is_over);
             push = if again { 16.0 * push } else { 0.5 * CLOSE };
@@ -415,7 +433,7 @@ impl Threshold {
     }
 }
 
-/// The middle of two amounts, of their logarithms where they lie far apart.
+/// The mean of two amounts, geometric where their ratio exceeds [`QUADRUPLED`].
 fn middle(from: f64, to: f64) -> f64 {
     let is_far = from > 0.0 && to > 0.0 && (from / to).max(to / from) > QUADRUPLED;
     if is_far { (from * to).sqrt() } else { 0.5 * (from + to) }

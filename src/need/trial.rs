@@ -1,4 +1,4 @@
-//! What becomes of one amount of what is sought.
+//! The trial of one amount: whether it meets the demand, and which multiple of the load is carried.
 
 use core::cell::Cell;
 use core::f64::consts::{PI, TAU};
@@ -14,45 +14,48 @@ use crate::prelude::*;
 use crate::squeeze::{Loads, WeakestDirection};
 use crate::words::Words;
 
-/// Forces of any direction are put on in so many of them where the object may slide: to tell a loss there is no closed form.
+/// Directions, 5° apart, in which a force of any direction is tried in the plane where the object may slide: a loss has no closed form. Fewer can
+/// pass over the weakest direction.
 const DIRECTIONS_IN_THE_PLANE: usize = 72;
+/// Directions in which a force of any direction is tried in space, spread evenly over the sphere. Fewer can pass over the weakest direction.
 const DIRECTIONS_IN_SPACE: usize = 200;
-/// A load that turns is looked at after so many parts of its angle where forces have to balance it.
+/// Equal parts of a turn after which forces have to balance the load. Fewer leave the range of amounts wider, though still proved.
 const TURNED: u32 = 8;
-/// A force in some direction presses an open contact on, and no closed form compares directions then.
+/// The doubt where a force in some direction closes an open contact, so that no closed form compares directions.
 const OPEN: &str = "a contact is open or at its edge before the force acts, and directions are compared only where all of them press";
-/// What is carried where what acts at rest has no equilibrium at all.
+/// The carried part where the load at rest has no equilibrium at all. It has to lie below 0, the part where only the load at rest is carried.
 pub(super) const NOT_AT_REST: f64 = -1.0;
 
-/// A load is followed up to so many times itself, so that an amount that does tells how near it is to one that does not; where the load itself is sought, up
-/// to so many times.
+/// Multiple up to which the load of a trial is followed, so that the carried part of a sufficient amount shows its distance from the bound. A smaller
+/// one hides that distance, a larger one costs longer paths.
 const FOLLOWED: f64 = 32.0;
+/// Largest ratio of an amount to the start of the search, and of the start to an amount. Where the load is sought it is followed up to this multiple.
 pub(super) const MOST_LOADS: f64 = (1u32 << 20) as f64;
 
-/// What becomes of an amount.
+/// The result of a trial.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Trial {
     Does {
-        /// How many times the load is carried; infinite where that was not found.
+        /// The multiple of the load that is carried, at least 1; infinite where no loss was found.
         carried: f64,
     },
     DoesNot {
-        /// A sentence that says what happens.
+        /// The sentence of the verdict.
         says: String,
-        /// The part of the load that is carried until then, below 0 where not even what acts at rest is.
+        /// The fraction of the load that is carried; below 0 where the load at rest is not carried in full.
         carried: f64,
     },
-    /// A sentence that says why it is not known.
+    /// Undecided, with the reason in a sentence.
     Unknown(String),
 }
 
 impl Trial {
-    /// What happens, when nothing of the load is carried.
+    /// A refutation where nothing of the load is carried.
     fn nothing(says: impl Into<String>) -> Self {
         Self::DoesNot { says: says.into(), carried: 0.0 }
     }
 
-    /// What does whatever the load.
+    /// A sufficient amount, however large the load.
     const fn always() -> Self {
         Self::Does { carried: f64::INFINITY }
     }
@@ -61,7 +64,7 @@ impl Trial {
         matches!(self, Self::Does { .. })
     }
 
-    /// How many times the load is carried, where that is known.
+    /// The carried multiple of the load; `None` where the trial is undecided.
     pub(super) fn carried(&self) -> Option<f64> {
         match self {
             Self::Does { carried } | Self::DoesNot { carried, .. } => Some(*carried),
@@ -69,7 +72,7 @@ impl Trial {
         }
     }
 
-    /// Of two loads the one that carries less, or else the one of which it is not known.
+    /// The worse of two trials: a refutation before an undecided one before a sufficient one, and among equals the smaller carried part.
     fn or_worse(self, other: Self) -> Self {
         let rank = |trial: &Self| match trial {
             Self::DoesNot { .. } => 0,
@@ -82,7 +85,7 @@ impl Trial {
     }
 }
 
-/// What becomes of an amount as far as it was tried: whether it is held, and whether nothing slides.
+/// The trials of one amount by demand: whether the loads are held, and whether nothing slides. `None` where not tried.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Trials {
     pub(super) held: Option<Trial>,
@@ -100,20 +103,21 @@ impl Trials {
     }
 }
 
-/// Loads that are put on a grasp, so many times as large.
+/// A grasp with an amount set, and its loads with their factor.
 pub(super) struct Loading<const C: usize> {
     pub(super) grasp: Grasp<C>,
     pub(super) loads: Loads<C>,
-    /// What acts besides, not so many times as large.
+    /// The load at rest, to which `times` does not apply.
     pub(super) base: Wrench<C>,
+    /// Factor on `loads`.
     pub(super) times: f64,
     words: Words,
-    /// How many times the load is followed.
+    /// The multiple of the load up to which a path follows it.
     followed: f64,
 }
 
 impl<const C: usize> Loading<C> {
-    /// The grasp and its loads with an amount of what is sought, where everything is as much worse as is to be safe against.
+    /// The grasp and its loads with an amount of the sought quantity, friction and squeeze reduced and loads enlarged by `safety`.
     pub(super) fn of(grasp: &Grasp<C>, need: &Need<C>, amount: f64, safety: Safety) -> Result<Self, Error> {
         let [friction, squeeze] = safety.lower.map(|part| 1.0 - part);
         let changed =
@@ -148,7 +152,8 @@ impl<const C: usize> Loading<C> {
         Ok(Self { grasp, loads, base, times, words: need.words, followed })
     }
 
-    /// Loads that forces have to balance for the amount to do: what acts at rest, and what acts with each load.
+    /// Loads that contact forces must balance for the amount to suffice: the load at rest, and its sum with each load. A force of any direction
+    /// counts along both senses of each axis, a turn at [`TURNED`] + 1 angles.
     pub(super) fn to_balance(&self) -> Vec<Wrench<C>> {
         let mut list = vec![self.base];
         match &self.loads {
@@ -170,8 +175,8 @@ impl<const C: usize> Loading<C> {
         list
     }
 
-    /// Puts the loads on. The one of this number comes first, and the number of one that is not carried takes its place: it decides the next amount
-    /// with a single verdict as a rule.
+    /// The trials of this loading. The load of index `first` comes first, and the index of a load that is not carried replaces it: as a rule that
+    /// load refutes the next amount with a single verdict.
     pub(super) fn put_on(&self, demand: Demand, first: &Cell<usize>) -> Result<Trials, Error> {
         if demand.repeats() {
             return Ok(Trials::only(demand, self.again_and_again(demand)?));
@@ -189,7 +194,7 @@ impl<const C: usize> Loading<C> {
                         Trials::only(demand, trial.unwrap_or_else(Trial::always))
                     }
                     _ => {
-                        // What acts at rest and the load beside the force come before it.
+                        // The constant load beside the force is put on first, on top of the load at rest.
                         let force = |d: [f64; C]| force_at(d.map(|x| x * *size * times), *point);
                         let loaded = besides + *base * times;
                         let mut ramps = vec![Ramp::load(besides, *base * times)];
@@ -202,13 +207,13 @@ impl<const C: usize> Loading<C> {
         })
     }
 
-    /// A turn of loads so many times as large, beside what acts anyway.
+    /// The turn with its loads multiplied by `times`, plus the load at rest.
     pub(super) fn so_many(&self, turn: &Turn<C>) -> Turn<C> {
         let [constant, cosine, sine] = turn.parts().map(|part| part * self.times);
         Turn::new(self.base + constant, cosine, sine).up_to(turn.angle())
     }
 
-    /// Each of these is put on, until one is not carried.
+    /// The trials of these ramps, up to the first that is not carried.
     fn all(&self, ramps: &[Ramp<C>], demand: Demand, first: &Cell<usize>) -> Result<Trials, Error> {
         let (mut held, mut sticks) = (Trial::always(), Trial::always());
         for k in 0..ramps.len() {
@@ -219,7 +224,7 @@ impl<const C: usize> Loading<C> {
             let wanted = if demand == Demand::Sticks { &sticks } else { &held };
             if let Trial::DoesNot { .. } = wanted {
                 first.set(which);
-                // What is not held slides, and of what slides it is not known whether all loads are held.
+                // A load that is not held slides, too. Where one slides before all were tried, holding stays open.
                 let held = (!held.does() || k + 1 == ramps.len()).then_some(held);
                 return Ok(Trials { held, sticks: Some(sticks) });
             }
@@ -227,7 +232,8 @@ impl<const C: usize> Loading<C> {
         Ok(Trials { held: Some(held), sticks: Some(sticks) })
     }
 
-    /// Whether everything sticks under a force of any direction, at rest and with the load alone, too; `None` where that is not asked and not so.
+    /// Whether everything sticks under a force of any direction, and without it at rest and under `load`. `None` where something slides and the
+    /// demand allows it.
     fn any_force(
         &self,
         load: Wrench<C>,
@@ -275,7 +281,7 @@ impl<const C: usize> Loading<C> {
         match does {
             Some(true) => {
                 let lost = verdict.lost.as_ref().map(|lost| lost.factor);
-                // What was followed to the end is carried at least so far.
+                // A path that ended before the limit without a loss carries at least the load reached.
                 let held = lost.or((verdict.held_to < self.followed).then_some(verdict.held_to));
                 let slides = verdict.first_slip.as_ref().map(|first| first.factor);
                 let carried = if demand == Demand::Sticks { slides.or(held) } else { held };
@@ -335,13 +341,13 @@ impl<const C: usize> Loading<C> {
     }
 }
 
-/// A force at a point, with its moment about the origin.
+/// The wrench of a force (N) at a point (m), with its moment about the origin.
 pub(super) fn force_at<const C: usize>(force: [f64; C], point: [f64; C]) -> Wrench<C> {
     let wrench = crate::grasp::wrench_of::<crate::numerics::Fixed<6>, C>(&point.into(), &force.into());
     Wrench::among(&wrench)
 }
 
-/// Unit vectors all around, evenly: on a circle, or on a spiral over the sphere.
+/// Evenly spread unit vectors: on a circle, or on a golden spiral over the sphere.
 fn directions<const C: usize>() -> Vec<[f64; C]> {
     let count = if C == 2 { DIRECTIONS_IN_THE_PLANE } else { DIRECTIONS_IN_SPACE };
     let golden = PI * (3.0 - 5.0_f64.sqrt());

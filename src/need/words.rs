@@ -1,4 +1,4 @@
-//! What is needed in a sentence, as one would say it to a colleague.
+//! The needed amount in a sentence, as one would say it to a colleague.
 
 use core::fmt;
 
@@ -7,9 +7,9 @@ use super::question::Demand;
 use crate::prelude::*;
 use crate::words::{Words, listed, printable};
 
-/// Forces and amounts this close are called one.
+/// Relative difference up to which a sentence names two forces or amounts as one. Six digits do not show it.
 const ALIKE: f64 = 1e-6;
-/// More contacts are not told one by one.
+/// Most contacts that a sentence lists one by one; a longer list buries the amount.
 const MANY: usize = 9;
 
 impl fmt::Display for Needed {
@@ -133,12 +133,12 @@ impl Needed {
         Ok(())
     }
 
-    /// Whether a squeeze is sought where nothing presses that one could be.
+    /// Whether a squeeze is sought although no command presses.
     fn has_no_squeeze(&self) -> bool {
         self.in_place_of_squeeze && self.quantity == Quantity::Squeeze
     }
 
-    /// Where more of it is too much, or less too little.
+    /// The sentence about the far end: more is too much, or less too little.
     fn far_end(&self, f: &mut fmt::Formatter<'_>, end: Option<&FarEnd>) -> fmt::Result {
         let Some(end) = end else { return Ok(()) };
         let [more, too] = if self.quantity.is_least() { ["More", "much"] } else { ["Less", "little"] };
@@ -148,7 +148,7 @@ impl Needed {
         limit.map_or(Ok(()), |limit| write!(f, ". There, at rest, {limit}"))
     }
 
-    /// With how much nothing slides, beside with how much it holds. Returns whether both are one.
+    /// The amount with which nothing slides, after the one that holds. Returns whether the sentence still has only one amount.
     fn beside(&self, f: &mut fmt::Formatter<'_>, does: f64) -> Result<bool, fmt::Error> {
         let words = Words::of(f);
         let is_least = self.quantity.is_least();
@@ -178,7 +178,7 @@ impl Needed {
         Ok(false)
     }
 
-    /// What is safe where friction and squeeze are less than said, or loads are larger.
+    /// The safe amount, for reduced friction and squeeze or larger loads.
     fn safe_amount(
         &self,
         f: &mut fmt::Formatter<'_>,
@@ -197,7 +197,7 @@ impl Needed {
         match &self.safe {
             Some(Amount::Bound { does: safe, presses: safe_presses, .. }) => {
                 let much = match (alike(presses), alike(safe_presses)) {
-                    // Drives at their limit press no harder, however far they are told to go.
+                    // Drives at their limit press no harder under a larger command.
                     (Some(one), Some(other)) if (one - other).abs() <= ALIKE * one.abs() && *safe != does => {
                         format!("{} times that command", words.number(safe / does))
                     }
@@ -206,7 +206,7 @@ impl Needed {
                     }
                     _ => self.short(words, *safe, safe_presses),
                 };
-                // What is safe against less may be too much, or too little, for what was given.
+                // An amount that is safe for reduced data may be too much, or too little, for the data as given.
                 let beside = if self.amount.takes(*safe, self.quantity.is_least()) {
                     ""
                 } else {
@@ -249,7 +249,7 @@ impl Needed {
         }
     }
 
-    /// An amount in the unit that people set, with where it is.
+    /// An amount in the user's unit with its place: "12 N at left and right".
     fn much(&self, words: Words, amount: f64, presses: &[Press]) -> String {
         match self.quantity {
             Quantity::Squeeze => {
@@ -283,7 +283,7 @@ impl Needed {
         }
     }
 
-    /// The same where it was said before where it is.
+    /// An amount in the user's unit without its place, which the sentence has named before: "12 N".
     fn short(&self, words: Words, amount: f64, presses: &[Press]) -> String {
         match self.quantity {
             Quantity::Squeeze => match alike(presses) {
@@ -301,7 +301,7 @@ impl Needed {
         }
     }
 
-    /// " on jaw".
+    /// The place of a force: " on jaw".
     fn at(&self) -> String {
         match &self.of {
             None => String::new(),
@@ -318,7 +318,7 @@ impl PressedBy {
     }
 }
 
-/// One digit of how far was looked in doublings, within what was.
+/// The amount rounded to one digit, up or down: ends of a search by doublings, rounded into the searched interval.
 fn roughly(amount: f64, up: bool) -> f64 {
     if amount <= 0.0 {
         return amount;
@@ -328,7 +328,7 @@ fn roughly(amount: f64, up: bool) -> f64 {
     digit * if up { digits.ceil() } else { digits.floor() }
 }
 
-/// "motor is at its limit and presses no harder".
+/// The drives at their limit, if there are any: "motor is at its limit and presses no harder".
 fn at_limit(drives: &[String]) -> Option<String> {
     let names: Vec<_> = drives.iter().map(|name| printable(name)).collect();
     let are = match names.len() {
@@ -340,7 +340,7 @@ fn at_limit(drives: &[String]) -> Option<String> {
 }
 
 impl Amount {
-    /// Whether it is known that this amount does, or rounding apart from one that does.
+    /// Whether this amount, to within [`ALIKE`], lies in a window of sufficient ones. Where there is no bound it counts as sufficient.
     fn takes(&self, amount: f64, is_least: bool) -> bool {
         let Self::Bound { does, until, elsewhere, .. } = self else { return true };
         let (near, far) = (Some(*does), until.as_ref().map(|end| end.does));
@@ -355,7 +355,7 @@ impl Amount {
     }
 }
 
-/// The force that all contacts press with, if it is one.
+/// The normal force that all contacts share, to within [`ALIKE`], N.
 fn alike(presses: &[Press]) -> Option<f64> {
     let first = presses.first()?.force;
     presses.iter().all(|press| (press.force - first).abs() <= ALIKE * first.abs()).then_some(first)

@@ -1,4 +1,4 @@
-//! The question for an amount, as a scene asks it.
+//! The question for an amount, as a scene states it.
 
 use std::collections::BTreeMap;
 
@@ -12,7 +12,7 @@ use crate::need::{Demand, Need, Quantity};
 use crate::serial::AsGiven;
 use crate::squeeze::Loads;
 
-/// How much of a quantity it needs, for loads that are given in one of four ways.
+/// The question how much of a quantity a grasp needs, for loads given in one of four ways: `load`, `loads`, `any_force` or `turn`.
 ///
 /// ```
 /// use grasp_lcp::scene::Scene;
@@ -37,49 +37,50 @@ use crate::squeeze::Loads;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct NeedAsked<const C: usize> {
-    /// What is sought.
+    /// The sought quantity.
     pub quantity: Quantity,
-    /// What is to be kept: it is held unless said otherwise, and with how much nothing slides is told beside it.
+    /// The demand on it: by default that the object is held. Then the answer adds the amount with which nothing slides.
     #[serde(default)]
     pub demand: Demand,
-    /// What acts besides, whatever the amount.
+    /// The load at rest; none if left out. It is constant, except where a force without `of` is sought: then amounts multiply it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub base: Option<Wrench<C>>,
-    /// A load; of an arm the force where it hangs now.
+    /// One load. For an arm: the wrench of the force at displacement 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub load: Option<Wrench<C>>,
-    /// Loads, one at a time.
+    /// Several loads, one at a time.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub loads: Vec<Wrench<C>>,
-    /// A force of any direction and this size, N, beside the load; it acts at `at`.
+    /// Size of a force of any direction, N, which acts at the point `at` beside `load`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub any_force: Option<f64>,
-    /// Where a force of any direction acts, m; the origin if left out.
+    /// Point at which the force of any direction acts, m; the origin if left out.
     #[serde(default, with = "AsGiven::<Option<SVector<f64, C>>>", skip_serializing_if = "Option::is_none")]
     #[cfg_attr(feature = "schema", schemars(!default))]
     pub at: Option<SVector<f64, C>>,
     /// A load that turns.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub turn: Option<Turn<C>>,
-    /// Of an arm: what a metre more adds to the load.
+    /// For an arm: the change of the load per metre of displacement.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub per_metre: Option<Wrench<C>>,
-    /// Of friction: the contact that it is sought of, from 0; all if left out.
+    /// For friction: the index, from 0, of the contact whose coefficient is sought; that of all contacts if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub contact: Option<usize>,
-    /// Of a force: the body whose load it is, or the contact, link or joint whose command or force; the load at rest, `base`, if left out.
+    /// For a force: the name of the body whose load is sought, or of the contact, link or joint whose command or force is. The load at rest, `base`,
+    /// if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub of: Option<String>,
-    /// Of several bodies those that have loads which grow with the one load; then without a base.
+    /// Loads of further bodies, by name, which grow together with `load`; without `base` then.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub together_with: BTreeMap<String, Wrench<C>>,
-    /// For the safe amount: loads may be so many times as large.
+    /// For the safe amount: factor on the loads; 1 if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub safety: Option<f64>,
-    /// For the safe amount: friction may be less by this part; a tenth if left out, nothing beside `safety`.
+    /// For the safe amount: relative reduction of friction, from 0 to less than 1. The default is 0.1, or 0 if `safety` is given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub friction_less: Option<f64>,
-    /// The squeeze may be less by this part; a twentieth if left out, nothing beside `safety`.
+    /// For the safe amount: relative reduction of the squeeze, from 0 to less than 1. The default is 0.05, or 0 if `safety` is given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub squeeze_less: Option<f64>,
 }
@@ -88,11 +89,11 @@ fn wrong(field: &'static str, fault: &'static str) -> Error {
     Error::Question { question: "need", field, fault }
 }
 
-/// By what friction and squeeze may be less where nothing else is said.
+/// Default reductions of friction and squeeze for the safe amount, the same as those of [`Need`]: other ones would make scenes and calls disagree.
 const LESS: [f64; 2] = [0.1, 0.05];
 
 impl<const C: usize> NeedAsked<C> {
-    /// A question for a quantity, for no loads yet.
+    /// The question for a quantity, still without loads.
     #[must_use]
     pub fn of(quantity: Quantity) -> Self {
         Self {
@@ -114,7 +115,7 @@ impl<const C: usize> NeedAsked<C> {
         }
     }
 
-    /// The loads, if they are given in one way.
+    /// The loads, or an error unless they are given in exactly one way.
     fn loads(&self) -> Result<Loads<C>, Error> {
         let others = self.load.is_some() || !self.loads.is_empty() || self.any_force.is_some();
         match self.turn {
@@ -128,7 +129,7 @@ impl<const C: usize> NeedAsked<C> {
     }
 }
 
-/// Loads that are given in one way: one, or several, or a force of any direction, beside which one may be.
+/// The loads of a question given in exactly one way: one, several, or a force of any direction, which may have one constant load beside it.
 pub(super) fn loads_given<const C: usize>(
     question: &'static str,
     (load, loads): (Option<Wrench<C>>, &[Wrench<C>]),
@@ -149,25 +150,25 @@ pub(super) fn loads_given<const C: usize>(
 }
 
 impl<const C: usize> NeedAsked<C> {
-    /// The load, where it is the only one and its amount or what holds it is sought.
+    /// The load, if it is the only one and the quantity is neither an arm nor an angle.
     pub(super) fn only_load(&self) -> Option<Wrench<C>> {
         let others = self.loads.is_empty() && self.any_force.is_none() && self.turn.is_none();
         let sought = !matches!(self.quantity, Quantity::Arm | Quantity::Angle);
         self.load.filter(|_| others && sought)
     }
 
-    /// The loads that are given as such.
+    /// The loads given as wrenches in `load` and `loads`.
     pub(super) fn put_on(&self) -> impl Iterator<Item = &Wrench<C>> {
         self.load.iter().chain(&self.loads)
     }
 }
 
 impl<const C: usize> Setup<C> {
-    /// The question for an amount as the grasp has it. Friction sought of a soft fingertip is that of all its points.
+    /// The [`Need`] of a grasp for a question of its scene. The friction of a soft fingertip is that of all its points.
     ///
     /// # Errors
-    /// [`Error::Question`] unless loads are given in one way, an arm with what a metre adds and an angle with a turn. [`Error::Argument`] for a contact that
-    /// is none of the scene, and for numbers out of range.
+    /// [`Error::Question`] unless loads are given in exactly one way, an arm with `per_metre`, an angle with `turn`, and no field of another
+    /// quantity. [`Error::Argument`] for the index of a contact that the scene does not have, and for numbers out of range.
     pub fn need(&self, asked: &NeedAsked<C>) -> Result<Need<C>, Error> {
         let of_its_own = [
             (
@@ -239,7 +240,7 @@ impl<const C: usize> Setup<C> {
         Ok(need)
     }
 
-    /// The points of a contact of the scene, as the grasp counts them.
+    /// Indices in the grasp of the points of a contact of the scene; a soft fingertip has several.
     pub(super) fn points_of(&self, contact: usize) -> Result<Vec<usize>, Error> {
         let mut first = 0;
         for (index, entry) in self.entries().enumerate() {

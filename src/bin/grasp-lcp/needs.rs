@@ -1,4 +1,4 @@
-//! Amounts that the command line asks for.
+//! The question for an amount on the command line.
 
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::need::{Demand, Quantity};
@@ -12,7 +12,7 @@ use crate::loads::{direction, point, total_force};
 use crate::own_masses::{accelerated, of_own_masses, tilted};
 
 impl<const C: usize> Meaning<C> {
-    /// How much does it need?
+    /// The question for the quantity of the command line; `None` if there is none.
     pub(crate) fn need(
         &self,
         wanted: &Wanted,
@@ -47,7 +47,7 @@ impl<const C: usize> Meaning<C> {
         Ok(Some(asked))
     }
 
-    /// The loads that it is sought for.
+    /// Sets the loads of a question from the options.
     fn put_loads(
         &self,
         asked: &mut NeedAsked<C>,
@@ -104,7 +104,7 @@ impl<const C: usize> Meaning<C> {
     }
 }
 
-/// Refuses options that another quantity has.
+/// Refuses options that belong to another quantity.
 fn refuse_others(wanted: &Wanted, sought: QuantityAsked) -> Result<(), Failure> {
     let of_its_own = [
         (wanted.along.is_some(), QuantityAsked::Arm, "--along", "an arm"),
@@ -127,7 +127,7 @@ fn refuse_others(wanted: &Wanted, sought: QuantityAsked) -> Result<(), Failure> 
     Err(Failure::Usage(message.to_owned()))
 }
 
-/// The contact of this name, of an option.
+/// The index of the contact with the name that an option gives.
 pub(crate) fn named<const C: usize>(option: &str, name: &str, setup: &Setup<C>) -> Result<usize, Failure> {
     let labels: Vec<_> = setup.entries().enumerate().map(|(i, entry)| entry.contact.label_text(i)).collect();
     let name = printable(name);
