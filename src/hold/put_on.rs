@@ -54,25 +54,10 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let first_slip = self.first_slip(&onset, &events).filter(is_small);
         let while_on = state.is_some().then(|| path.everything_slides_from((1, 0.0))).flatten();
         let everything_slides = while_on.or_else(|| path.everything_slides_from(end)).map(reached);
-        let holding = match (&state, path.end()) {
-            (Some(state), _) => self.held(state, &events, first_slip.as_ref()),
-            (None, _) if too_far.is_some() => Holding::Lost,
-            // Friction falls to the kinetic one at contacts that slide at rest, and nothing catches the object.
-            (None, Some(PathEnd::Lost(_))) if path.state().is_none() => self
-                .lost_at_rest(&ramp.base, settings)
-                .map_or(Holding::Lost, |at_rest| Holding::LostAtRest { at_rest }),
-            (None, Some(PathEnd::Lost(_))) => Holding::Lost,
-            (None, Some(PathEnd::NoStart(start))) => match &**start {
-                Outcome::NoEquilibrium(none) => Holding::NoRest(none.clone()),
-                Outcome::Undecided(undecided) => self
-                    .lost_at_rest(&ramp.base, settings)
-                    .map_or(Holding::Undecided { doubt: undecided.doubt }, |at_rest| Holding::LostAtRest {
-                        at_rest,
-                    }),
-                Outcome::Equilibrium(_) => Holding::Undecided { doubt: Doubt::Inaccurate },
-            },
-            (None, Some(PathEnd::Undecided { doubt, .. })) => Holding::Undecided { doubt: *doubt },
-            (None, Some(PathEnd::Completed) | None) => Holding::Undecided { doubt: Doubt::Inaccurate },
+        let holding = match &state {
+            Some(state) => self.held(state, &events, first_slip.as_ref()),
+            None if too_far.is_some() => Holding::Lost,
+            None => self.not_held(&path, &ramp.base, settings),
         };
         let went_too_far = too_far.map(|far| {
             let state = path.state_at(far.leg, far.fraction);
@@ -112,6 +97,26 @@ impl<D: Size, const C: usize> Engine<D, C> {
             lost,
             state,
         })
+    }
+
+    /// The end of a path along which not all of the load was put on.
+    fn not_held(&self, path: &LoadPath<'_, C>, base: &Wrench<C>, settings: &Settings) -> Holding<C> {
+        let inaccurate = Holding::Undecided { doubt: Doubt::Inaccurate };
+        let or_at_rest = |otherwise: Holding<C>| {
+            self.lost_at_rest(base, settings).map_or(otherwise, |at_rest| Holding::LostAtRest { at_rest })
+        };
+        match path.end() {
+            // Friction falls to the kinetic one at contacts that slide at rest, and nothing catches the object.
+            Some(PathEnd::Lost(_)) if path.state().is_none() => or_at_rest(Holding::Lost),
+            Some(PathEnd::Lost(_)) => Holding::Lost,
+            Some(PathEnd::NoStart(start)) => match &**start {
+                Outcome::NoEquilibrium(none) => Holding::NoRest(none.clone()),
+                Outcome::Undecided(undecided) => or_at_rest(Holding::Undecided { doubt: undecided.doubt }),
+                Outcome::Equilibrium(_) => inaccurate,
+            },
+            Some(PathEnd::Undecided { doubt, .. }) => Holding::Undecided { doubt: *doubt },
+            Some(PathEnd::Completed) | None => inaccurate,
+        }
     }
 
     /// The loss of the load at rest as it grows from zero together with the commands; `None` where that path has no loss.

@@ -34,24 +34,11 @@ pub(super) fn rigid_motion<D: Size, const C: usize>(rates: &Problem<D, C>) -> Op
     }
     // An orthonormal basis of the motions that links resist.
     let mut resisted: Vec<Vector<D>> = Vec::new();
-    let across = |resisted: &[Vector<D>], mut v: Vector<D>| {
-        for _ in 0..2 {
-            v = resisted.iter().fold(v, |v, e| {
-                let part = e.dot(&v);
-                v - e * part
-            });
-        }
-        v
-    };
     for (law, site) in rates.laws.iter().zip(rates.sites) {
         match law {
             Law::Bonded => {
                 for axis in 0..site.springs.axes() {
-                    let column = site.map.column(axis);
-                    let rest = across(&resisted, column.clone());
-                    if rest.norm() > DEPENDENT * column.norm() {
-                        resisted.push(rest.normalize());
-                    }
+                    resist(&mut resisted, &site.map.column(axis));
                 }
             }
             Law::Absent | Law::Cone { gap: true } => {}
@@ -92,12 +79,28 @@ pub(super) fn rigid_motion<D: Size, const C: usize>(rates: &Problem<D, C>) -> Op
         let sideways = push.iter().skip(1).map(|x| x * x).sum::<f64>().sqrt();
         let slides = sideways >= rates.local(i).cone().limit(push[0]) * (1.0 - NEAR);
         for column in &columns[C * k..C * k + if slides { 1 } else { C }] {
-            let rest = across(&resisted, column.clone());
-            if rest.norm() > DEPENDENT * column.norm() {
-                resisted.push(rest.normalize());
-            }
+            resist(&mut resisted, column);
         }
     }
     let free = across(&resisted, load.clone());
     (free.norm() > NONE * load.norm()).then(|| free.normalize())
+}
+
+/// The part of a motion across an orthonormal basis; subtracted twice, so that rounding leaves it orthogonal.
+fn across<D: Size>(basis: &[Vector<D>], mut motion: Vector<D>) -> Vector<D> {
+    for _ in 0..2 {
+        for unit in basis {
+            let part = unit.dot(&motion);
+            motion = motion - unit * part;
+        }
+    }
+    motion
+}
+
+/// Adds a motion to the basis of resisted ones, unless it depends on them.
+fn resist<D: Size>(basis: &mut Vec<Vector<D>>, motion: &Vector<D>) {
+    let rest = across(basis, motion.clone());
+    if rest.norm() > DEPENDENT * motion.norm() {
+        basis.push(rest.normalize());
+    }
 }
