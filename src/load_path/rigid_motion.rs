@@ -91,7 +91,7 @@ fn across<D: Size>(basis: &[Vector<D>], mut motion: Vector<D>) -> Vector<D> {
     for _ in 0..2 {
         for unit in basis {
             let part = unit.dot(&motion);
-            motion = motion - unit * part;
+            motion -= unit * part;
         }
     }
     motion
