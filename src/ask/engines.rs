@@ -6,7 +6,6 @@ use core::any::Any;
 use super::questions::Questions;
 use crate::error::Error;
 use crate::grasp::{Bodies, Contact, Engine, Finger, Hand};
-use crate::numerics::Fixed;
 use crate::prelude::*;
 
 type Made<const C: usize> = Result<Arc<dyn Questions<C>>, Error>;
@@ -32,11 +31,11 @@ pub(super) fn of_bodies<const C: usize>(bodies: Bodies<C>) -> Made<C> {
 // None of the six functions has a parameter. If one had, every program with an optimised build would compile it again, with the engine behind it.
 
 fn planar(contacts: Vec<Contact<2>>) -> Made<2> {
-    Ok(Arc::new(Engine::<Fixed<3>, 2>::new(contacts)?))
+    Ok(Arc::new(Engine::<2>::new(contacts)?))
 }
 
 fn spatial(contacts: Vec<Contact<3>>) -> Made<3> {
-    Ok(Arc::new(Engine::<Fixed<6>, 3>::new(contacts)?))
+    Ok(Arc::new(Engine::<3>::new(contacts)?))
 }
 
 fn planar_hand(hand: Hand<2>) -> Made<2> {

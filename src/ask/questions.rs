@@ -19,7 +19,7 @@ use crate::load_path::{
     Beyond, Derivative, GeometryGradient, Leg, LoadPath, Onset, OnsetEvent, OnsetGradient, Parameter,
     PatchPath, Ramp, Response, SteppedPath, StickingRange, Turn, TurnOnset,
 };
-use crate::numerics::{Any, Fixed, Memory};
+use crate::numerics::Memory;
 use crate::prelude::*;
 use crate::shake::{Shakedown, Shaken};
 use crate::squeeze::{Bounds, LeastOnset, LeastSqueeze, Loads, WeakestDirection};
@@ -27,28 +27,16 @@ use crate::statics::{Budget, Closure, LoadLimit, WrenchBall, WrenchScale};
 use crate::structured::{Search, SearchSettings};
 use crate::sweep::{OnsetSpread, Reserve, RobustOnset, Uncertainty};
 
-/// Declares the questions once, and answers them by the engine's methods of the same names. Engines of hands refuse the questions without joints, so
-/// these are compiled for the plane and for space alone.
+/// Declares the questions once, and answers them by the engine's methods of the same names. Hands and bodies are refused where the question has no
+/// mathematics for them.
 macro_rules! questions {
     (any $any:tt without_joints $other:tt) => {
         questions!(@trait $any $other);
-        questions!(@without_joints 3, 2, $any $other);
-        questions!(@without_joints 6, 3, $any $other);
-        impl<const C: usize> Questions<C> for Engine<Any, C> {
+        impl<const C: usize> Questions<C> for Engine<C> {
             questions!(@answered $any);
-            questions!(@refused $other);
+            questions!(@without_joints $other);
             questions!(@changed);
         }
-    };
-    (@without_joints $coordinates:literal, $axes:literal, $any:tt $other:tt) => {
-        const _: () = {
-            const C: usize = $axes;
-            impl Questions<C> for Engine<Fixed<$coordinates>, C> {
-                questions!(@answered $any);
-                questions!(@answered $other);
-                questions!(@changed);
-            }
-        };
     };
     (@trait
         { $($(#[$attribute:meta])* fn $name:ident $(<$life:lifetime>)? (&self $(, $argument:ident: $type:ty)*) -> $answer:ty;)* }
@@ -77,9 +65,10 @@ macro_rules! questions {
             Engine::$name(self $(, $argument)*)
         })*
     };
-    (@refused { $(fn $other:ident(&self $(, $given:ident: $kind:ty)*) -> $told:ty;)* }) => {
-        $(fn $other(&self $(, _: $kind)*) -> $told {
-            Err(Error::NotForHands { question: stringify!($other) })
+    (@without_joints { $(fn $other:ident(&self $(, $given:ident: $kind:ty)*) -> $told:ty;)* }) => {
+        $(fn $other(&self $(, $given: $kind)*) -> $told {
+            self.refuse_hands(stringify!($other))?;
+            Engine::$other(self $(, $given)*)
         })*
     };
     (@changed) => {

@@ -10,7 +10,7 @@ use crate::error::Error;
 use crate::grasp::Engine;
 use crate::lcp::{self, Basis, Lcp, Parametric, Variable};
 use crate::load_path::Ramp;
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::object::Piece;
 use crate::prelude::*;
 
@@ -54,7 +54,7 @@ impl<const C: usize> Agreement<C> {
     }
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Energy::agreement`](crate::ask::Energy::agreement).
     pub(crate) fn agreement_with_minimum_energy(
         &self,
@@ -77,15 +77,15 @@ impl<D: Size, const C: usize> Engine<D, C> {
 }
 
 /// The program along a ramp.
-struct Line<'g, D: Size, const C: usize> {
-    program: EnergyProgram<'g, D, C>,
+struct Line<'g, const C: usize> {
+    program: EnergyProgram<'g, C>,
     change: Vec<SVector<f64, C>>,
-    direction: Vector<D>,
+    direction: Vector,
 }
 
-impl<D: Size, const C: usize> Line<'_, D, C> {
+impl<const C: usize> Line<'_, C> {
     /// The forces of these springs at factor 0, and their rates.
-    fn forces(&self, springs: &Piece<D, C>) -> Option<[Vec<SVector<f64, C>>; 2]> {
+    fn forces(&self, springs: &Piece<C>) -> Option<[Vec<SVector<f64, C>>; 2]> {
         let problem = &self.program.problem;
         let start = springs.solve(problem.sites, &problem.drives, problem.load()).ok()?;
         let rates = springs.solve(problem.sites, &self.change, &self.direction).ok()?;
@@ -120,7 +120,7 @@ impl<D: Size, const C: usize> Line<'_, D, C> {
         let factor = if rate < 0.0 { (value / -rate).max(0.0) } else { seen };
         let most = |list: &[SVector<f64, C>]| list.iter().map(SVector::norm).fold(0.0, f64::max);
         let size = most(&forces) + factor * most(&rates);
-        let binds = |(r, other): &(usize, &ForceCondition<D, C>)| {
+        let binds = |(r, other): &(usize, &ForceCondition<C>)| {
             let (value, rate) = (other.value(&forces), other.value(&rates));
             *r == row || (rate < 0.0 && (value + factor * rate).abs() <= ROUNDING * size * other.weight)
         };

@@ -8,7 +8,7 @@ use crate::contact::{LocalLaw, Spring, tangential};
 use crate::error::Error;
 use crate::grasp::{Engine, Twist, Wrench};
 use crate::lcp::Outcome;
-use crate::numerics::{Size, Vector, unit};
+use crate::numerics::{Vector, unit};
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 use crate::proofs::separating_motion;
@@ -91,7 +91,7 @@ impl<const C: usize> AssociatedContact<C> {
     }
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Energy::associated_friction`](crate::ask::Energy::associated_friction).
     pub(crate) fn associated_friction(
         &self,
@@ -123,8 +123,8 @@ impl<D: Size, const C: usize> Engine<D, C> {
     fn at_rest(
         &self,
         load: &Wrench<C>,
-        law: &AssociatedLaw<D, C>,
-        state: &PieceState<D, C>,
+        law: &AssociatedLaw<C>,
+        state: &PieceState<C>,
         binding: &[usize],
     ) -> AssociatedState<C> {
         let contact = |(i, local): (usize, LocalLaw<'_, C>)| {
@@ -148,14 +148,14 @@ impl<D: Size, const C: usize> Engine<D, C> {
 }
 
 /// The associated law for one grasp and load, in inside coordinates.
-struct AssociatedLaw<'g, D: Size, const C: usize> {
-    problem: Problem<'g, D, C>,
-    stuck: Piece<D, C>,
-    rows: Vec<ForceCondition<D, C>>,
+struct AssociatedLaw<'g, const C: usize> {
+    problem: Problem<'g, C>,
+    stuck: Piece<C>,
+    rows: Vec<ForceCondition<C>>,
 }
 
-impl<'g, D: Size, const C: usize> AssociatedLaw<'g, D, C> {
-    fn new(problem: Problem<'g, D, C>) -> Self {
+impl<'g, const C: usize> AssociatedLaw<'g, C> {
+    fn new(problem: Problem<'g, C>) -> Self {
         let stuck = axis_springs(problem.sites, &|_, _| true);
         let rows = rows(&problem, &stuck, &|local| local.may_open() && local.facets().is_empty(), true);
         Self { problem, stuck, rows }
@@ -164,7 +164,7 @@ impl<'g, D: Size, const C: usize> AssociatedLaw<'g, D, C> {
     /// A state that satisfies the law, its binding rows, and the twist that the pivots give.
     ///
     /// Lemke's method on `0 <= z ⟂ N x⁰ + N (1 - Π) Nᵀ z >= 0` finds the binding rows. If everything sticks, no row binds.
-    fn solve(&self, settings: &Settings) -> Option<(PieceState<D, C>, Vec<usize>, Vector<D>)> {
+    fn solve(&self, settings: &Settings) -> Option<(PieceState<C>, Vec<usize>, Vector)> {
         let (rows, problem) = (&self.rows, &self.problem);
         let trial = self.stuck.solve(problem.sites, &problem.drives, problem.load()).ok()?;
         let vector = values(rows, &trial.forces);
@@ -182,7 +182,7 @@ impl<'g, D: Size, const C: usize> AssociatedLaw<'g, D, C> {
 
     /// The state on the faces of the cones where the rows `binding` are active; `None` if it does not satisfy the law. The twist is the least one. If
     /// that lets a contact slip against its force, the free part of `near` is added.
-    fn on_faces(&self, binding: &[usize], near: &Vector<D>) -> Option<PieceState<D, C>> {
+    fn on_faces(&self, binding: &[usize], near: &Vector) -> Option<PieceState<C>> {
         let problem = &self.problem;
         let springs = Piece::of_springs(problem.sites, &|contact, list| {
             let own = binding.iter().map(|r| &self.rows[*r]).filter(|row| row.contact == contact);
@@ -200,13 +200,13 @@ impl<'g, D: Size, const C: usize> AssociatedLaw<'g, D, C> {
     }
 
     /// The jump between the surfaces of a contact, m: (gap, -slip).
-    fn jump(&self, contact: usize, state: &PieceState<D, C>) -> SVector<f64, C> {
+    fn jump(&self, contact: usize, state: &PieceState<C>) -> SVector<f64, C> {
         let give = self.problem.sites[contact].springs.give(&state.forces[contact]);
         give - self.problem.stretch(contact, &state.twist)
     }
 
     /// Whether every jump lies in the cone of outward normals, so that its work with every force of the friction cone is not negative.
-    fn jumps_outwards(&self, state: &PieceState<D, C>) -> bool {
+    fn jumps_outwards(&self, state: &PieceState<C>) -> bool {
         self.problem.locals().enumerate().filter(|(_, local)| !local.is_bonded()).all(|(i, local)| {
             let (jump, cone) = (self.jump(i, state), local.cone());
             let slack = -ROUNDING * self.problem.span(i, &state.twist);

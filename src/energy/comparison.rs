@@ -8,7 +8,7 @@ use crate::equilibrium::{Equilibrium, Outcome};
 use crate::error::Error;
 
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
@@ -146,7 +146,7 @@ impl<const C: usize> MinimumEnergy<C> {
     }
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Energy::compare`](crate::ask::Energy::compare).
     pub(crate) fn compare_with_minimum_energy(
         &self,
@@ -188,10 +188,10 @@ impl<D: Size, const C: usize> Engine<D, C> {
             energy_size: equilibrium.stored_energy,
         };
         // In inside coordinates free motions are orthonormal.
-        let mut apart: Vector<D> = equilibrium.local.twist.to() - minimum.inside.twist.to();
+        let mut apart: Vector = equilibrium.local.twist.to() - minimum.inside.twist.to();
         for _ in 0..2 {
             for v in equilibrium.local.free_motions.iter().chain(&minimum.inside.free_motions) {
-                let v: Vector<D> = v.to();
+                let v: Vector = v.to();
                 apart -= &v * v.dot(&apart);
             }
         }

@@ -10,7 +10,7 @@ use crate::Settings;
 use crate::contact::{LocalLaw, Spring};
 use crate::grasp::Site;
 use crate::lcp::{self, Lcp, Outcome};
-use crate::numerics::{Map, Size, Vector, unit};
+use crate::numerics::{Map, Vector, unit};
 use crate::object::{Piece, Problem};
 use crate::prelude::*;
 
@@ -25,7 +25,7 @@ const MOST_OPERATIONS: f64 = 2e11;
 
 /// A condition `normal·x_i >= 0` on the force of a contact.
 #[derive(Debug, Clone)]
-pub(super) struct ForceCondition<D: Size, const C: usize> {
+pub(super) struct ForceCondition<const C: usize> {
     pub(super) contact: usize,
     /// The facet of the friction cone; `None` for the normal force.
     pub(super) facet: Option<usize>,
@@ -38,15 +38,15 @@ pub(super) struct ForceCondition<D: Size, const C: usize> {
     /// Scale of the rounding of [`Self::value`] for forces of size one.
     pub(super) weight: f64,
     /// Qᵀ times the normal: the component of the row along motions of the object.
-    pub(super) seen: Vector<D>,
+    pub(super) seen: Vector,
 }
 
-impl<D: Size, const C: usize> ForceCondition<D, C> {
+impl<const C: usize> ForceCondition<C> {
     fn new(
         (contact, local): (usize, &LocalLaw<'_, C>),
         facet: Option<usize>,
         law: SVector<f64, C>,
-        seen: &Map<D, C>,
+        seen: &Map<C>,
     ) -> Self {
         let normal = law.component_mul(&local.springs.root());
         let length = normal.norm();
@@ -83,10 +83,10 @@ impl<D: Size, const C: usize> ForceCondition<D, C> {
 }
 
 /// The springs of all axes for which `holds(contact, axis)` is true.
-pub(super) fn axis_springs<D: Size, const C: usize>(
-    sites: &[Site<D, C>],
+pub(super) fn axis_springs<const C: usize>(
+    sites: &[Site<C>],
     holds: &dyn Fn(usize, usize) -> bool,
-) -> Piece<D, C> {
+) -> Piece<C> {
     Piece::of_springs(sites, &|contact, list| {
         let springs = &sites[contact].springs;
         let held = (0..springs.axes()).filter(|axis| holds(contact, *axis));
@@ -95,12 +95,12 @@ pub(super) fn axis_springs<D: Size, const C: usize>(
 }
 
 /// The rows contact by contact: `F_n >= 0` if `presses` is true, and the facets of the cone if `with_facets` is true.
-pub(super) fn rows<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
-    stuck: &Piece<D, C>,
+pub(super) fn rows<const C: usize>(
+    problem: &Problem<C>,
+    stuck: &Piece<C>,
     presses: &dyn Fn(&LocalLaw<'_, C>) -> bool,
     with_facets: bool,
-) -> Vec<ForceCondition<D, C>> {
+) -> Vec<ForceCondition<C>> {
     let mut rows = Vec::new();
     for (i, local) in problem.locals().enumerate() {
         let seen = stuck.seen(i);
@@ -116,8 +116,8 @@ pub(super) fn rows<D: Size, const C: usize>(
 }
 
 /// `n·x` of every row, where x are the scaled forces.
-pub(super) fn values<'r, D: Size, const C: usize>(
-    rows: impl IntoIterator<Item = &'r ForceCondition<D, C>>,
+pub(super) fn values<'r, const C: usize>(
+    rows: impl IntoIterator<Item = &'r ForceCondition<C>>,
     forces: &[SVector<f64, C>],
 ) -> DVector<f64> {
     let mut values = Vec::new();

@@ -10,7 +10,7 @@ use super::optimality::{EnergyProgram, Faces, NotOptimal, ProgramPoint};
 use crate::Settings;
 use crate::error::Error;
 use crate::grasp::{Coordinates, Engine, Motion, Twist, Wrench, object_alone};
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::object::Unbalanced;
 use crate::prelude::*;
 
@@ -120,7 +120,7 @@ pub struct Binding {
     pub multiplier: f64,
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Energy::minimum`](crate::ask::Energy::minimum).
     pub(crate) fn minimum_energy(
         &self,
@@ -159,8 +159,8 @@ impl<D: Size, const C: usize> Engine<D, C> {
     fn write_out(
         &self,
         load: &Wrench<C>,
-        program: &EnergyProgram<D, C>,
-        point: &ProgramPoint<D, C>,
+        program: &EnergyProgram<C>,
+        point: &ProgramPoint<C>,
         pivots: usize,
     ) -> MinimumEnergy<C> {
         let most = program.problem.largest_force(&point.forces, &point.twist);
@@ -169,8 +169,8 @@ impl<D: Size, const C: usize> Engine<D, C> {
             .filter(|(row, l)| row.contact < self.len() && (**l != 0.0 || row.binds(&point.forces, most)))
             .map(|(row, l)| Binding { contact: row.contact, facet: row.facet, multiplier: l / row.length });
         let held = program.held_from_outside(&point.multipliers);
-        let pushed: Vector<D> = self.sites().iter().zip(&held).map(|(site, f)| &site.map * f).sum();
-        let object = object_alone::<D, C>(&point.twist);
+        let pushed: Vector = self.sites().iter().zip(&held).map(|(site, f)| &site.map * f).sum();
+        let object = object_alone::<C>(&point.twist);
         let contact = |i: usize| {
             let site = &self.sites()[i];
             MinimumContact {
@@ -187,7 +187,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             stored_energy += drives.map(|(drive, force)| drive.stored(force)).sum::<f64>();
         }
         let own_work = match self.bodies() {
-            None => self.with_vacuum(load).coordinates::<D>().dot(&self.outside_coordinates(&point.twist)),
+            None => self.with_vacuum(load).coordinates().dot(&self.outside_coordinates(&point.twist)),
             Some(_) => self.load_unchecked(load).dot(&point.twist),
         };
         MinimumEnergy {

@@ -27,16 +27,16 @@ use nalgebra::{DMatrix, DVector, SVector};
 use super::energy_rows::{ForceCondition, ROUNDING, axis_springs, by_pivots, dense, rows, values};
 use crate::Settings;
 use crate::lcp::{Basis, Outcome};
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
 /// The gaps that may open, the rows that may bind, and the springs with all of them active.
-pub(super) struct EnergyProgram<'g, D: Size, const C: usize> {
-    pub(super) problem: Problem<'g, D, C>,
-    pub(super) stuck: Piece<D, C>,
-    pub(super) gaps: Vec<ForceCondition<D, C>>,
-    pub(super) friction: Vec<ForceCondition<D, C>>,
+pub(super) struct EnergyProgram<'g, const C: usize> {
+    pub(super) problem: Problem<'g, C>,
+    pub(super) stuck: Piece<C>,
+    pub(super) gaps: Vec<ForceCondition<C>>,
+    pub(super) friction: Vec<ForceCondition<C>>,
 }
 
 /// The open gaps and the binding friction rows.
@@ -48,13 +48,13 @@ pub(super) struct Faces {
 
 /// A point of the program.
 #[derive(Debug, Clone)]
-pub(super) struct ProgramPoint<D: Size, const C: usize> {
+pub(super) struct ProgramPoint<const C: usize> {
     pub(super) forces: Vec<SVector<f64, C>>,
-    pub(super) twist: Vector<D>,
+    pub(super) twist: Vector,
     pub(super) gaps: Vec<f64>,
     /// Multipliers of all friction rows, scaled to unit length.
     pub(super) multipliers: Vec<f64>,
-    pub(super) free: Vec<Vector<D>>,
+    pub(super) free: Vec<Vector>,
 }
 
 pub(super) enum NotOptimal {
@@ -62,8 +62,8 @@ pub(super) enum NotOptimal {
     Unsolved,
 }
 
-impl<'g, D: Size, const C: usize> EnergyProgram<'g, D, C> {
-    pub(super) fn new(problem: Problem<'g, D, C>) -> Self {
+impl<'g, const C: usize> EnergyProgram<'g, C> {
+    pub(super) fn new(problem: Problem<'g, C>) -> Self {
         let stuck = axis_springs(problem.sites, &|_, _| true);
         Self {
             gaps: rows(&problem, &stuck, &|local| local.may_open() && !local.never_slides(), false),
@@ -73,7 +73,7 @@ impl<'g, D: Size, const C: usize> EnergyProgram<'g, D, C> {
         }
     }
 
-    fn rows(&self) -> impl Iterator<Item = &ForceCondition<D, C>> {
+    fn rows(&self) -> impl Iterator<Item = &ForceCondition<C>> {
         self.gaps.iter().chain(&self.friction)
     }
 
@@ -96,9 +96,9 @@ impl<'g, D: Size, const C: usize> EnergyProgram<'g, D, C> {
     /// The open gaps and binding rows found by Lemke's method, the number of pivots, and the twist that the pivots give.
     pub(super) fn faces(
         &self,
-        stuck: &PieceState<D, C>,
+        stuck: &PieceState<C>,
         settings: &Settings,
-    ) -> Result<(Faces, usize, Vector<D>), NotOptimal> {
+    ) -> Result<(Faces, usize, Vector), NotOptimal> {
         let matrix = self.matrix().ok_or(NotOptimal::Unsolved)?;
         match by_pivots(matrix, self.vector(&stuck.forces), settings) {
             Some(Outcome::Solved(solution)) => {
@@ -126,12 +126,12 @@ impl<'g, D: Size, const C: usize> EnergyProgram<'g, D, C> {
     }
 
     /// The springs that act on these faces: an open gap removes the normal spring of its contact.
-    pub(super) fn springs(&self, faces: &Faces) -> Piece<D, C> {
+    pub(super) fn springs(&self, faces: &Faces) -> Piece<C> {
         axis_springs(self.problem.sites, &|contact, axis| axis > 0 || !faces.open[contact])
     }
 
     /// The point at which everything sticks.
-    pub(super) fn sticking(&self, stuck: &PieceState<D, C>) -> ProgramPoint<D, C> {
+    pub(super) fn sticking(&self, stuck: &PieceState<C>) -> ProgramPoint<C> {
         ProgramPoint {
             forces: stuck.forces.clone(),
             twist: stuck.twist.clone(),
@@ -146,9 +146,9 @@ impl<'g, D: Size, const C: usize> EnergyProgram<'g, D, C> {
     pub(super) fn on_faces(
         &self,
         faces: &Faces,
-        stuck: &PieceState<D, C>,
-        near: &Vector<D>,
-    ) -> Option<ProgramPoint<D, C>> {
+        stuck: &PieceState<C>,
+        near: &Vector,
+    ) -> Option<ProgramPoint<C>> {
         let problem = &self.problem;
         let opened = faces.open.contains(&true).then(|| self.springs(faces));
         let (springs, PieceState { mut forces, mut twist }) = match &opened {
@@ -159,7 +159,7 @@ impl<'g, D: Size, const C: usize> EnergyProgram<'g, D, C> {
         if !faces.binding.is_empty() {
             twist += springs.motion(&self.bind(faces, springs, &mut forces, &mut multipliers)?);
         }
-        let gaps_at = |twist: &Vector<D>| -> Vec<f64> {
+        let gaps_at = |twist: &Vector| -> Vec<f64> {
             let gap = |i: usize| {
                 let give = problem.sites[i].springs.give_along(0, forces[i][0]);
                 if faces.open[i] { give - problem.stretch(i, twist)[0] } else { 0.0 }
@@ -191,10 +191,10 @@ impl<'g, D: Size, const C: usize> EnergyProgram<'g, D, C> {
     fn bind(
         &self,
         faces: &Faces,
-        springs: &Piece<D, C>,
+        springs: &Piece<C>,
         forces: &mut [SVector<f64, C>],
         multipliers: &mut [f64],
-    ) -> Option<Vector<D>> {
+    ) -> Option<Vector> {
         let problem = &self.problem;
         let rows: Vec<_> = faces.binding.iter().map(|&r| &self.friction[r]).collect();
         let seen: Vec<_> = (0..forces.len()).map(|i| springs.seen(i)).collect();
@@ -248,7 +248,7 @@ impl<'g, D: Size, const C: usize> EnergyProgram<'g, D, C> {
     }
 
     /// Whether a point satisfies every condition of the minimum up to rounding.
-    pub(super) fn holds(&self, point: &ProgramPoint<D, C>, faces: &Faces) -> bool {
+    pub(super) fn holds(&self, point: &ProgramPoint<C>, faces: &Faces) -> bool {
         let problem = &self.problem;
         let most = problem.largest_force(&point.forces, &point.twist);
         // Multipliers of rows of unit length have the unit of x = K^{-1/2} F.
@@ -260,7 +260,7 @@ impl<'g, D: Size, const C: usize> EnergyProgram<'g, D, C> {
         let largest = point.multipliers.iter().fold(x_size, |most, l| most.max(l.abs()));
         // The multiplier of a gap is √k_n (x - Nᵀλ)_n.
         let held = self.held_from_outside(&point.multipliers);
-        let gap_holds = |row: &ForceCondition<D, C>| {
+        let gap_holds = |row: &ForceCondition<C>| {
             let i = row.contact;
             let (push, held) = (point.forces[i][0], held[i][0]);
             let span = problem.span(i, &point.twist) + problem.sites[i].springs.give_along(0, push);

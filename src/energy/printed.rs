@@ -7,7 +7,6 @@ use super::program_rows::ProgramRows;
 use crate::contact::{LocalLaw, PolygonCone};
 use crate::error::{Error, Field, LARGEST};
 use crate::grasp::{Contact, Engine, Stiffness, Twist, Wrench, grasp_map};
-use crate::numerics::Size;
 use crate::prelude::*;
 
 /// The meaning of an equality row of the printed program.
@@ -176,7 +175,7 @@ impl<const C: usize> PrintedQp<C> {
     }
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Energy::printed_qp`](crate::ask::Energy::printed_qp).
     pub(crate) fn printed_qp(&self, load: &Wrench<C>, cone: &PolygonCone) -> Result<PrintedQp<C>, Error> {
         self.refuse_hands("printed_qp")?;

@@ -7,7 +7,7 @@ use super::program_rows::ProgramRows;
 use crate::contact::{LocalLaw, PolygonCone};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench, grasp_map};
-use crate::numerics::{Size, unit};
+use crate::numerics::unit;
 use crate::prelude::*;
 
 /// The unknowns that a reduced program keeps.
@@ -71,7 +71,7 @@ pub struct ReducedQp<const C: usize> {
     pub constant: f64,
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Energy::reduced_qp`](crate::ask::Energy::reduced_qp).
     pub(crate) fn reduced_qp(
         &self,

@@ -91,7 +91,7 @@ pub struct SecondOrder<const C: usize> {
     pub stability: Stability<C>,
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Energy::second_order`](crate::ask::Energy::second_order).
     pub(crate) fn second_order_equilibrium(
         &self,
@@ -103,7 +103,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             Outcome::Equilibrium(equilibrium) => *equilibrium,
             other => return Ok(SecondOrderOutcome::NoFirstOrder(Box::new(other))),
         };
-        let mut twist: Vector<D> = first_order.twist.coordinates();
+        let mut twist: Vector = first_order.twist.coordinates();
         let mut last = f64::INFINITY;
         for iterations in 1..=MOST_ITERATIONS {
             let Some(found) = self.iterate(&twist, load, settings) else {
@@ -127,11 +127,11 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 
     /// Solves the first-order problem linearised about a twist.
-    fn iterate(&self, twist: &Vector<D>, load: &Wrench<C>, settings: &Settings) -> Option<Step<D, C>> {
+    fn iterate(&self, twist: &Vector, load: &Wrench<C>, settings: &Settings) -> Option<Step<C>> {
         let size = self.size();
         let in_units = Vector::from_fn(size, |k| if k < C { 1.0 } else { 1.0 / self.length() });
         let mut drives = self.drives();
-        let sites: Vec<Site<D, C>> = self
+        let sites: Vec<Site<C>> = self
             .sites()
             .iter()
             .zip(self.contacts())
@@ -144,7 +144,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
                 site.with_map(in_units.times(&site.frame))
             })
             .collect();
-        let wrench: Vector<D> = load.coordinates().component_mul(&in_units);
+        let wrench: Vector = load.coordinates().component_mul(&in_units);
         let polygon = Polygon::shared(&settings.cone);
         let round = settings.is_round::<C>();
         let problem = Problem::at_rest(
@@ -165,8 +165,8 @@ impl<D: Size, const C: usize> Engine<D, C> {
     fn second_order(
         &self,
         first_order: Equilibrium<C>,
-        twist: &Vector<D>,
-        step: Step<D, C>,
+        twist: &Vector,
+        step: Step<C>,
         iterations: usize,
     ) -> SecondOrder<C> {
         let (mut dropped, mut force, mut displacement) = (0.0_f64, 0.0_f64, 0.0_f64);
@@ -192,22 +192,22 @@ impl<D: Size, const C: usize> Engine<D, C> {
         }
     }
 
-    fn largest_displacement(&self, twist: &Vector<D>) -> f64 {
-        let at = |point: &SVector<f64, C>| displacement_of::<D, C>(point, twist).norm();
+    fn largest_displacement(&self, twist: &Vector) -> f64 {
+        let at = |point: &SVector<f64, C>| displacement_of::<C>(point, twist).norm();
         self.contacts().iter().map(|contact| at(&contact.point)).fold(0.0, f64::max)
     }
 }
 
 /// The result of one outer iteration.
-struct Step<D: Size, const C: usize> {
-    twist: Vector<D>,
+struct Step<const C: usize> {
+    twist: Vector,
     forces: Vec<SVector<f64, C>>,
     states: Vec<ContactState<C>>,
 }
 
 /// The state of a contact, with directions along the coordinate axes.
-fn as_physics<D: Size, const C: usize>(
-    ((local, site), state): ((LocalLaw<'_, C>, &Site<D, C>), &State<C>),
+fn as_physics<const C: usize>(
+    ((local, site), state): ((LocalLaw<'_, C>, &Site<C>), &State<C>),
 ) -> ContactState<C> {
     match state {
         Mode::Open => ContactState::Separated,
@@ -221,28 +221,25 @@ fn as_physics<D: Size, const C: usize>(
 }
 
 /// `θ × v`.
-fn turned<D: Size, const C: usize>(v: &SVector<f64, C>, twist: &Vector<D>) -> SVector<f64, C> {
+fn turned<const C: usize>(v: &SVector<f64, C>, twist: &Vector) -> SVector<f64, C> {
     let mut rotation = twist.clone();
     rotation.iter_mut().take(C).for_each(|x| *x = 0.0);
-    displacement_of::<D, C>(v, &rotation)
+    displacement_of::<C>(v, &rotation)
 }
 
 /// `δ + θ × r + ½ θ × (θ × r)`.
-fn second_order_displacement<D: Size, const C: usize>(
-    point: &SVector<f64, C>,
-    twist: &Vector<D>,
-) -> SVector<f64, C> {
-    displacement_of::<D, C>(point, twist) + turned(&turned(point, twist), twist) * 0.5
+fn second_order_displacement<const C: usize>(point: &SVector<f64, C>, twist: &Vector) -> SVector<f64, C> {
+    displacement_of::<C>(point, twist) + turned(&turned(point, twist), twist) * 0.5
 }
 
 /// Jᵀ: the columns are the derivatives of the components of the displacement.
-fn tangent<D: Size, const C: usize>(size: D, point: &SVector<f64, C>, twist: &Vector<D>) -> Map<D, C> {
+fn tangent<const C: usize>(size: Size, point: &SVector<f64, C>, twist: &Vector) -> Map<C> {
     let once = turned(point, twist);
     let mut tangent = Map::zeros(size);
     for k in 0..size.count() {
         let unit = Vector::unit(size, k);
         let twice = turned(&once, &unit) + turned(&turned(point, &unit), twist);
-        tangent.set_row(k, &(displacement_of::<D, C>(point, &unit) + twice * 0.5));
+        tangent.set_row(k, &(displacement_of::<C>(point, &unit) + twice * 0.5));
     }
     tangent
 }

@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, SVector, SymmetricEigen};
 
 use crate::equilibrium::{ContactState, Equilibrium};
 use crate::grasp::{Engine, Motion, grasp_map, of_the_object};
-use crate::numerics::{Any, Size, Square, Vector};
+use crate::numerics::{Size, Square, Vector};
 use crate::prelude::*;
 
 /// An eigenvalue of the Hessian below this part of the largest may be zero up to rounding. A smaller bound would decide stability by rounding.
@@ -75,7 +75,7 @@ impl<const C: usize> Stability<C> {
     }
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Energy::stability`](crate::ask::Energy::stability).
     pub(crate) fn stability(&self, equilibrium: &Equilibrium<C>) -> Stability<C> {
         let arms = self.contacts().iter().map(|contact| contact.point);
@@ -86,7 +86,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 
     /// Elastic stiffness of the drives of a hand, and whether one of them slips.
-    fn drives_that_hold(&self, equilibrium: &Equilibrium<C>) -> (Square<D>, bool) {
+    fn drives_that_hold(&self, equilibrium: &Equilibrium<C>) -> (Square, bool) {
         let (mut elastic, mut slips) = (Square::zeros(self.size()), false);
         let Some(linkage) = self.linkage() else { return (elastic, slips) };
         if !equilibrium.knows_all_of(self.sites().len()) {
@@ -108,7 +108,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 
     /// Adds the geometric stiffness of bodies that are not in the coordinates of the object.
-    fn turning_bodies(&self, contact: usize, force: &SVector<f64, C>, geometric: &mut Square<D>) {
+    fn turning_bodies(&self, contact: usize, force: &SVector<f64, C>, geometric: &mut Square) {
         let Some(bodies) = self.bodies() else { return };
         let object = of_the_object::<C>();
         for (body, place) in bodies.places.iter().enumerate() {
@@ -117,7 +117,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
                 continue;
             }
             let arm = self.contacts()[contact].point - place.centre;
-            let part = turning_arm::<Any, C>(Any::of(object), &arm, force);
+            let part = turning_arm::<C>(Size::of(object), &arm, force);
             for (row, column) in (0..object).flat_map(|row| (0..object).map(move |column| (row, column))) {
                 geometric[(place.first + row, place.first + column)] += sign * part[(row, column)];
             }
@@ -130,7 +130,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         arms: &[SVector<f64, C>],
         forces: &[SVector<f64, C>],
         states: &[ContactState<C>],
-        (mut elastic, mut slides): (Square<D>, bool),
+        (mut elastic, mut slides): (Square, bool),
     ) -> Stability<C> {
         let size = self.size();
         let mut geometric = Square::zeros(size);
@@ -182,7 +182,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
 }
 
 /// The Schur complement of the stiffness on the first coordinates: all others take the values at which no force acts on them.
-fn condensed<D: Size>(stiffness: &Square<D>, told: usize) -> DMatrix<f64> {
+fn condensed(stiffness: &Square, told: usize) -> DMatrix<f64> {
     let part = |rows: Range<usize>, columns: Range<usize>| {
         DMatrix::from_fn(rows.len(), columns.len(), |i, j| stiffness[(rows.start + i, columns.start + j)])
     };
@@ -198,7 +198,7 @@ fn condensed<D: Size>(stiffness: &Square<D>, told: usize) -> DMatrix<f64> {
 }
 
 /// Adds `k g gᵀ`.
-fn add_spring<D: Size>(stiffness: &mut Square<D>, g: &Vector<D>, k: f64) {
+fn add_spring(stiffness: &mut Square, g: &Vector, k: f64) {
     for i in 0..stiffness.size().count() {
         for j in 0..stiffness.size().count() {
             stiffness[(i, j)] += g[i] * g[j] * k;
@@ -207,11 +207,7 @@ fn add_spring<D: Size>(stiffness: &mut Square<D>, g: &Vector<D>, k: f64) {
 }
 
 /// `-F · ∂²u/∂q²` of one contact.
-fn turning_arm<D: Size, const C: usize>(
-    size: D,
-    arm: &SVector<f64, C>,
-    force: &SVector<f64, C>,
-) -> Square<D> {
+fn turning_arm<const C: usize>(size: Size, arm: &SVector<f64, C>, force: &SVector<f64, C>) -> Square {
     let mut part = Square::zeros(size);
     let along = arm.dot(force);
     if C == 2 {
@@ -228,7 +224,7 @@ fn turning_arm<D: Size, const C: usize>(
 }
 
 /// Least and largest eigenvalue of a symmetric matrix, and a unit eigenvector of the least.
-fn extremes<D: Size>(matrix: &Square<D>) -> (f64, f64, Vector<D>) {
+fn extremes(matrix: &Square) -> (f64, f64, Vector) {
     let count = matrix.size().count();
     let dynamic = DMatrix::from_fn(count, count, |i, j| 0.5 * (matrix[(i, j)] + matrix[(j, i)]));
     let eigen = SymmetricEigen::new(dynamic);

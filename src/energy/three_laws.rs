@@ -11,7 +11,6 @@ use crate::Settings;
 use crate::equilibrium::{ContactAnswer, Outcome};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::Size;
 use crate::prelude::*;
 
 /// The answers of Coulomb's law, the paper's minimum of energy and the associated law to one load; in space all use the same polygonal cone.
@@ -26,7 +25,7 @@ pub struct ThreeLaws<const C: usize> {
     labels: Vec<String>,
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Energy::three_laws`](crate::ask::Energy::three_laws).
     pub(crate) fn three_laws(&self, load: &Wrench<C>, settings: &Settings) -> Result<ThreeLaws<C>, Error> {
         self.refuse_hands("three_laws")?;

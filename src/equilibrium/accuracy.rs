@@ -6,7 +6,7 @@ use super::answer::{Equilibrium, LocalAnswer};
 use super::cone::Cone;
 use crate::contact::{Polygon, PolygonCone, State};
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::{Draw, Size, Vector};
+use crate::numerics::{Draw, Vector};
 use crate::object::{Load, Piece, PieceState, PreciseTwist, Problem};
 use crate::prelude::*;
 use crate::search::Rung;
@@ -38,7 +38,7 @@ pub struct Accuracy {
     pub condition: f64,
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Grasp::accuracy`](crate::ask::Grasp::accuracy).
     pub(crate) fn accuracy(&self, equilibrium: &Equilibrium<C>) -> Option<Accuracy> {
         let problem = self.problem_of(equilibrium)?;
@@ -78,7 +78,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 
     /// The local problem that an equilibrium solves; `None` for an equilibrium with another number of contacts.
-    pub(super) fn problem_of(&self, equilibrium: &Equilibrium<C>) -> Option<Problem<'_, D, C>> {
+    pub(super) fn problem_of(&self, equilibrium: &Equilibrium<C>) -> Option<Problem<'_, C>> {
         if !equilibrium.knows_all_of(self.sites().len()) {
             return None;
         }
@@ -93,24 +93,24 @@ impl<D: Size, const C: usize> Engine<D, C> {
 }
 
 /// First-order residual of the conditions if every number of the question changes by its own size, up or down by the pattern of signs.
-struct Variation<D: Size, const C: usize> {
+struct Variation<const C: usize> {
     stretches: Vec<SVector<f64, C>>,
-    load: Vector<D>,
+    load: Vector,
     /// Change of the friction forces by their coefficients.
     dragged: Vec<SVector<f64, C>>,
 }
 
-impl<D: Size, const C: usize> Variation<D, C> {
+impl<const C: usize> Variation<C> {
     fn new(
-        grasp: &Engine<D, C>,
+        grasp: &Engine<C>,
         load: &Wrench<C>,
-        problem: &Problem<D, C>,
+        problem: &Problem<C>,
         states: &[State<C>],
-        at: &PieceState<D, C>,
+        at: &PieceState<C>,
         pattern: u64,
     ) -> Self {
         let mut signs = Draw::new([pattern, 0, 0]);
-        let load = load.coordinates::<D>().map(|w| w * signs.sign());
+        let load = load.coordinates().map(|w| w * signs.sign());
         let n = problem.len();
         let mut variation = Self {
             stretches: vec![SVector::zeros(); n],
@@ -118,7 +118,7 @@ impl<D: Size, const C: usize> Variation<D, C> {
             dragged: vec![SVector::zeros(); n],
         };
         if let Some(bodies) = grasp.bodies() {
-            let own = bodies.loads.iter().map(|load| load.coordinates::<D>().map(|w| w * signs.sign()));
+            let own = bodies.loads.iter().map(|load| load.coordinates().map(|w| w * signs.sign()));
             let own: Vec<_> = own.map(|load| Wrench::among(&load)).collect();
             variation.load += grasp.put_on_each(bodies, &own);
         }

@@ -4,7 +4,6 @@ use super::answer::{Equilibrium, Outcome};
 use crate::contact::{Fit, PolygonCone};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::Size;
 use crate::search::Settings;
 
 /// One load on three friction cones: inscribed polygon ⊂ round cone ⊂ circumscribed polygon.
@@ -47,7 +46,7 @@ pub struct Spread {
     pub displacement: f64,
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Grasp::bracket`](crate::ask::Grasp::bracket).
     pub(crate) fn bracket(&self, load: &Wrench<C>, settings: &Settings) -> Result<Bracket<C>, Error> {
         let on = |fit: Fit| {

@@ -7,7 +7,7 @@ use nalgebra::SVector;
 use super::answer::Equilibrium;
 use super::contact_answer::ContactState;
 use crate::grasp::{Engine, Site, object_alone};
-use crate::numerics::{Map, Size};
+use crate::numerics::Map;
 use crate::object::least_forces;
 use crate::prelude::*;
 
@@ -21,7 +21,7 @@ pub struct Decomposition<const C: usize> {
     pub interaction: Vec<SVector<f64, C>>,
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Statics::decompose`](crate::ask::Statics::decompose).
     pub(crate) fn decompose(&self, equilibrium: &Equilibrium<C>) -> Decomposition<C> {
         let contact = |i: usize| equilibrium.contacts.get(i);
@@ -29,15 +29,15 @@ impl<D: Size, const C: usize> Engine<D, C> {
             (0..self.len()).map(|i| contact(i).is_some_and(|c| c.state != ContactState::Separated)).collect();
         let load = self.inside_unchecked(&self.with_vacuum(&equilibrium.load));
         // Only forces on the object count, whatever joints are behind the contacts.
-        let load = object_alone::<D, C>(&load);
-        let on_object = |site: &Site<D, C>| {
+        let load = object_alone::<C>(&load);
+        let on_object = |site: &Site<C>| {
             let mut map = Map::zeros(site.map.size());
             for a in 0..C {
-                map.set_column(a, &object_alone::<D, C>(&site.map.column(a)));
+                map.set_column(a, &object_alone::<C>(&site.map.column(a)));
             }
             site.with_map(map)
         };
-        let sites: Cow<'_, [Site<D, C>]> = match self.linkage() {
+        let sites: Cow<'_, [Site<C>]> = match self.linkage() {
             None => self.sites().into(),
             Some(_) => self.sites()[..self.len()].iter().map(on_object).collect(),
         };

@@ -6,7 +6,6 @@
 use super::answer::Equilibrium;
 use crate::contact::{Mode, State};
 use crate::grasp::Engine;
-use crate::numerics::Size;
 use crate::object::largest_force;
 use crate::prelude::*;
 
@@ -16,7 +15,7 @@ const ROUNDING_OF_DATA: f64 = 1e-12;
 /// Value of a condition, over the estimated error, below which it may be that error.
 const ERRORS: f64 = 10.0;
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Grasp::distinct`](crate::ask::Grasp::distinct).
     pub(crate) fn distinct(&self, equilibrium: &Equilibrium<C>) -> Option<Vec<bool>> {
         let problem = self.problem_of(equilibrium)?;

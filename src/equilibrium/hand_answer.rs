@@ -6,7 +6,6 @@ use crate::contact::State;
 use crate::grasp::{
     Drive, Engine, HandPart, JointKind, Linkage, Named, Owner, PartLabel, Role, of_the_object,
 };
-use crate::numerics::Size;
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::Found;
@@ -91,12 +90,12 @@ struct Own {
     yielded: f64,
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// Answers for joints and tendons, from a solution of the local problem.
     pub(super) fn hand_answers(
         &self,
-        problem: &Problem<D, C>,
-        found: &Found<D, C>,
+        problem: &Problem<C>,
+        found: &Found<C>,
     ) -> (Vec<JointAnswer>, Vec<TendonAnswer>) {
         let Some(linkage) = self.linkage() else { return (Vec::new(), Vec::new()) };
         let own = |owner: Owner| self.own(linkage, problem, found, owner);
@@ -133,13 +132,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         (joints, linkage.tendons.iter().enumerate().map(tendon).collect())
     }
 
-    fn own(
-        &self,
-        linkage: &Linkage<D, C>,
-        problem: &Problem<D, C>,
-        found: &Found<D, C>,
-        owner: Owner,
-    ) -> Own {
+    fn own(&self, linkage: &Linkage<C>, problem: &Problem<C>, found: &Found<C>, owner: Owner) -> Own {
         let mut own = Own { carried: 0.0, state: DriveState::Absent, yielded: 0.0 };
         for (k, drive) in linkage.drives.iter().enumerate().filter(|(_, drive)| drive.owner == owner) {
             let i = self.len() + k;
@@ -166,8 +159,8 @@ fn margin(named: &Named, carried: f64, state: DriveState) -> f64 {
 }
 
 /// State of a drive, and the displacement by which it has yielded along its own axis.
-fn doing<D: Size, const C: usize>(
-    drive: &Drive<D>,
+fn doing<const C: usize>(
+    drive: &Drive,
     state: &State<C>,
     stretch: &SVector<f64, C>,
     force: &SVector<f64, C>,

@@ -8,7 +8,7 @@ use super::answer::Equilibrium;
 use super::contact_answer::{ContactAnswer, ContactState};
 use crate::error::ContactLabel;
 use crate::grasp::{Engine, WholeContacts, Wrench, displacement_of, of_the_object};
-use crate::numerics::{Fixed, Size, Vector};
+use crate::numerics::Vector;
 use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
@@ -167,7 +167,7 @@ impl<const C: usize> Equilibrium<C> {
     }
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// The soft fingertips among the contacts of a solution.
     pub(super) fn pads(&self, solved: &[ContactAnswer<C>]) -> Vec<PadAnswer<C>> {
         let contacts = self.contacts();
@@ -211,13 +211,13 @@ impl<D: Size, const C: usize> Engine<D, C> {
             let arm = self.contacts()[i].point - about;
             // The work of a force on a unit rotation about an axis is its moment about that axis.
             for turn in 0..of_the_object::<C>() - C {
-                let mut unit = Vector::<Fixed<6>>::zeros();
+                let mut unit = Vector::zeros();
                 if C == 2 {
                     unit[C] = 1.0;
                 } else {
                     (0..C).for_each(|a| unit[C + a] = frame[(a, turn)]);
                 }
-                add(C + turn, displacement_of::<Fixed<6>, C>(&arm, &unit).dot(&contact.force_world));
+                add(C + turn, displacement_of::<C>(&arm, &unit).dot(&contact.force_world));
             }
         }
         let clean = |[sum, size]: &[f64; 2]| if sum.abs() <= ROUNDING * size { 0.0 } else { *sum };

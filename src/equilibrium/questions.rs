@@ -7,7 +7,7 @@ use super::no_equilibrium::{NoEquilibrium, Proof};
 use crate::contact::Polygon;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{
@@ -23,7 +23,7 @@ const ACCURATE_ON_THE_ROUND_CONE: f64 = 1e-12;
 /// Difference of forces and of displacements, over the largest, below which two answers are the same equilibrium.
 const SAME: f64 = 1e-9;
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Grasp::solve`](crate::ask::Grasp::solve).
     pub(crate) fn solve(&self, load: &Wrench<C>, settings: &Settings) -> Result<Outcome<C>, Error> {
         let problem = self.problem_under(load, settings)?;
@@ -63,7 +63,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let search = search(&problem, false);
         let effort = Effort { combinations: search.tried, ..Effort::default() };
         let mut list: Vec<Equilibrium<C>> = Vec::new();
-        let mut add = |found: Found<D, C>, rule, effort: &Effort| {
+        let mut add = |found: Found<C>, rule, effort: &Effort| {
             let equilibrium =
                 self.equilibrium(&problem, load, found, rule, effort, AnswerFor::of::<C>(settings));
             if accurate(&equilibrium) && !list.iter().any(|known| same(known, &equilibrium)) {
@@ -88,7 +88,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         &self,
         load: &Wrench<C>,
         settings: &Settings,
-    ) -> Result<Problem<'_, D, C>, Error> {
+    ) -> Result<Problem<'_, C>, Error> {
         settings.small_motions.check()?;
         let polygon = Polygon::shared(&settings.cone);
         let load = self.load(load, "load")?;
@@ -97,14 +97,14 @@ impl<D: Size, const C: usize> Engine<D, C> {
 
     pub(crate) fn outcome(
         &self,
-        problem: &Problem<D, C>,
+        problem: &Problem<C>,
         load: &Wrench<C>,
-        settled: Settled<D, C>,
+        settled: Settled<C>,
         effort: &Effort,
         answer_for: AnswerFor,
     ) -> Outcome<C> {
         let none = |proof| Outcome::NoEquilibrium(NoEquilibrium { proof });
-        let motion_and_work = |v: &Vector<D>| (self.motion_outside(v), v.dot(&problem.wrench));
+        let motion_and_work = |v: &Vector| (self.motion_outside(v), v.dot(&problem.wrench));
         match settled {
             Settled::Found(found, rule) => {
                 let equilibrium = self.equilibrium(problem, load, found, rule, effort, answer_for);

@@ -7,7 +7,7 @@ use super::contact_answer::{ContactAnswer, ContactState};
 use super::residuals::Residuals;
 use crate::contact::{Coulomb, Polygon};
 use crate::grasp::{Engine, Hold, Site, Wrench, displacement_of, object_alone, of_the_object, wrench_of};
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::object::{NO_FORCE, Problem, least_spring_force};
 use crate::prelude::*;
 use crate::search::Found;
@@ -28,8 +28,8 @@ struct Told<'a, const C: usize> {
 }
 
 /// Law of one site, and the sizes by which its residuals are divided, N and m.
-struct ContactLaw<'c, D: Size, const C: usize> {
-    site: &'c Site<D, C>,
+struct ContactLaw<'c, const C: usize> {
+    site: &'c Site<C>,
     friction: Coulomb,
     polygon: &'c Polygon<C>,
     cone: Cone,
@@ -39,7 +39,7 @@ struct ContactLaw<'c, D: Size, const C: usize> {
 
 impl Residuals {
     /// Raises each residual to that of one site, if that is larger.
-    fn note<D: Size, const C: usize>(&mut self, law: &ContactLaw<'_, D, C>, told: &Told<'_, C>) {
+    fn note<const C: usize>(&mut self, law: &ContactLaw<'_, C>, told: &Told<'_, C>) {
         let ContactLaw { site, friction, polygon, cone, force_size, travel } = *law;
         let Told { force: f, gap: g, separated, stretch, slip: s } = *told;
         let give = site.springs.give(f);
@@ -81,14 +81,14 @@ impl Residuals {
     }
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// Recomputes the residuals of an answer from points, normals, stiffnesses, commands and load; for joints from their Jacobians and drives.
     pub(crate) fn residuals(
         &self,
-        problem: &Problem<D, C>,
+        problem: &Problem<C>,
         load: &Wrench<C>,
-        twist: &Vector<D>,
-        (answers, found): (&[ContactAnswer<C>], &Found<D, C>),
+        twist: &Vector,
+        (answers, found): (&[ContactAnswer<C>], &Found<C>),
         cone: Cone,
     ) -> Residuals {
         let [force_terms, travel_terms] = found.sizes;
@@ -99,7 +99,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         let load_force = SVector::<f64, C>::from_fn(|a, _| load.components()[a]);
         let object = of_the_object::<C>();
         let turned: f64 = twist.iter().take(object).skip(C).map(|x| x.abs()).sum();
-        let translated = object_alone::<D, C>(twist);
+        let translated = object_alone::<C>(twist);
         // The law is about the slip since the state from which the drives count.
         let slip = |i: usize| answers[i].slip - problem.slips[i];
         let of_drives = self.drives_told(problem, twist, found);
@@ -153,7 +153,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 
     /// Displacement of a contact by the joints of its finger, along the coordinate axes, and the size of the terms of that sum.
-    fn carried(&self, contact: usize, twist: &Vector<D>) -> (SVector<f64, C>, f64) {
+    fn carried(&self, contact: usize, twist: &Vector) -> (SVector<f64, C>, f64) {
         let (mut sum, mut size) = (SVector::zeros(), 0.0);
         let Some(linkage) = self.linkage() else { return (sum, size) };
         for (k, motion) in &linkage.motions[contact] {
@@ -165,12 +165,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 
     /// Answers at the drives of a hand.
-    fn drives_told<'a>(
-        &self,
-        problem: &Problem<D, C>,
-        twist: &Vector<D>,
-        found: &'a Found<D, C>,
-    ) -> Vec<Told<'a, C>> {
+    fn drives_told<'a>(&self, problem: &Problem<C>, twist: &Vector, found: &'a Found<C>) -> Vec<Told<'a, C>> {
         if self.linkage().is_none() {
             return Vec::new();
         }
@@ -191,7 +186,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         &self,
         load: &Wrench<C>,
         answers: &[ContactAnswer<C>],
-        found: &Found<D, C>,
+        found: &Found<C>,
         force_size: f64,
     ) -> f64 {
         let Some(linkage) = self.linkage() else { return 0.0 };
@@ -225,7 +220,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
     /// Imbalance of forces and moments on the object, over their sizes. `spring_force` is the least force that a spring could have from the
     /// displacements of its contact, or the size of the terms of the forces.
     fn out_of_balance(&self, load: &Wrench<C>, answers: &[ContactAnswer<C>], spring_force: f64) -> f64 {
-        let mut sum = load.coordinates::<D>();
+        let mut sum = load.coordinates();
         if let Some(bodies) = self.bodies() {
             let on_object = bodies.shared(load)[bodies.object] + bodies.loads[bodies.object];
             sum = on_object.coordinates();
@@ -235,7 +230,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
             *(if k < C { &mut force_size } else { &mut moment_size }) += sum[k].abs();
         }
         for (i, (contact, answer)) in self.contacts().iter().zip(answers).enumerate() {
-            sum += &wrench_of::<D, C>(&contact.point, &answer.force_world) * self.sign_on_object(i);
+            sum += &wrench_of::<C>(&contact.point, &answer.force_world) * self.sign_on_object(i);
             force_size += answer.force_world.norm();
             moment_size += contact.point.norm() * answer.force_world.norm();
         }
@@ -270,7 +265,6 @@ mod tests {
     use crate::contact::{Polygon, PolygonCone};
     use crate::equilibrium::Residuals;
     use crate::grasp::{Contact, Engine, Wrench};
-    use crate::numerics::Fixed;
     use crate::object::Load;
     use crate::search::{Found, Settings};
 
@@ -283,7 +277,7 @@ mod tests {
                 .friction(0.5)
                 .command([0.01, 0.0])
         };
-        let grasp = Engine::<Fixed<3>, 2>::new(vec![jaw(-1.0), jaw(1.0)])?;
+        let grasp = Engine::<2>::new(vec![jaw(-1.0), jaw(1.0)])?;
         let load = Wrench::<2>::force([0.0, -1.0]);
         let answer = grasp.solve(&load, &Settings::default())?.equilibrium().ok_or("the jaws hold")?.clone();
         let wrench = grasp.inside(&load, "load")?;

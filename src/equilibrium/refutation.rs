@@ -6,7 +6,6 @@ use core::marker::PhantomData;
 
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::Size;
 use crate::prelude::*;
 use crate::proofs::{self, ProofStep};
 use crate::search::{self, Settings};
@@ -37,7 +36,7 @@ impl<const C: usize> Refutation<C> {
     }
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Grasp::refutation`](crate::ask::Grasp::refutation).
     pub(crate) fn refutation(
         &self,
@@ -60,7 +59,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
     ) -> Result<Option<f64>, Error> {
         let problem = self.problem_under(load, &Settings::default())?;
         // Steps in another number of coordinates belong to another grasp.
-        let steps = proof.steps().downcast_ref::<Vec<ProofStep<D, C>>>();
+        let steps = proof.steps().downcast_ref::<Vec<ProofStep<C>>>();
         Ok(steps.and_then(|steps| proofs::check(&problem, steps)))
     }
 }

@@ -9,7 +9,7 @@ use nalgebra::SVector;
 
 use crate::contact::State;
 use crate::grasp::{Engine, WholeContact, WholeContacts, of_the_object};
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Found, SmallMotions};
@@ -121,23 +121,23 @@ pub(crate) fn farthest(motions: &[CountedMotion]) -> Option<&CountedMotion> {
 
 /// Contacts in known states, with the offsets of their springs.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Standing<'s, D: Size, const C: usize> {
+pub(crate) struct Standing<'s, const C: usize> {
     pub(crate) drives: &'s [SVector<f64, C>],
     pub(crate) slips: &'s [SVector<f64, C>],
     pub(crate) states: &'s [State<C>],
     pub(crate) forces: &'s [SVector<f64, C>],
-    pub(crate) twist: &'s Vector<D>,
+    pub(crate) twist: &'s Vector,
 }
 
-impl<'s, D: Size, const C: usize> Standing<'s, D, C> {
+impl<'s, const C: usize> Standing<'s, C> {
     /// The solution of a local problem.
-    pub(crate) fn found(problem: &'s Problem<'_, D, C>, found: &'s Found<D, C>) -> Self {
+    pub(crate) fn found(problem: &'s Problem<'_, C>, found: &'s Found<C>) -> Self {
         let (drives, slips) = (&problem.drives, &problem.slips);
         Self { drives, slips, states: &found.states, forces: &found.forces, twist: &found.twist }
     }
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// The root mean square distance of contact points from their centroid, of several bodies the largest; infinite where all are at one point.
     pub(crate) fn size_of_grasp(&self) -> f64 {
         let first = self.contacts()[0].point;
@@ -153,7 +153,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
     pub(crate) fn counted_motions(
         &self,
         small: &SmallMotions,
-        standing: &Standing<'_, D, C>,
+        standing: &Standing<'_, C>,
     ) -> Vec<CountedMotion> {
         let mut motions = Vec::with_capacity(self.len() + 1);
         let places = self.bodies().map_or(&[][..], |bodies| &bodies.places);
@@ -207,11 +207,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 
     /// The motion of an answer that is farthest beyond its limit; `None` where all motions are small.
-    pub(super) fn farthest_beyond(
-        &self,
-        small: &SmallMotions,
-        standing: &Standing<'_, D, C>,
-    ) -> Option<TooFar> {
+    pub(super) fn farthest_beyond(&self, small: &SmallMotions, standing: &Standing<'_, C>) -> Option<TooFar> {
         let motions = self.counted_motions(small, standing);
         farthest(&motions)
             .filter(|motion| motion.over_the_limit() > 1.0)

@@ -9,18 +9,18 @@ use super::too_far::Standing;
 use crate::contact::{LocalLaw, Mode, State, ZERO_SLACK};
 use crate::forms::{LeftOut, Why};
 use crate::grasp::{Contact, Coordinates, Engine, Hold, Stiffness, Twist, Wrench};
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Effort, Found, Rung};
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// The answer in physical quantities for a solution of the local problem.
     pub(crate) fn equilibrium(
         &self,
-        problem: &Problem<D, C>,
+        problem: &Problem<C>,
         load: &Wrench<C>,
-        found: Found<D, C>,
+        found: Found<C>,
         rule: Rung,
         effort: &Effort,
         AnswerFor { cone, small }: AnswerFor,
@@ -36,7 +36,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         };
         let contacts: Vec<_> = solved.map(answer).collect();
         let twist = self.outside_coordinates(&found.twist);
-        let motions = |list: &[Vector<D>]| list.iter().map(|v| self.motion_outside(v)).collect::<Vec<_>>();
+        let motions = |list: &[Vector]| list.iter().map(|v| self.motion_outside(v)).collect::<Vec<_>>();
         let drive_forces = found.forces[self.len()..].to_vec();
         let stored = contacts.iter().zip(self.sites()).map(|(c, site)| site.springs.stored(&c.force));
         let mut stored_energy: f64 = stored.sum();
@@ -115,16 +115,13 @@ impl<D: Size, const C: usize> Engine<D, C> {
 }
 
 /// State of every site in a solution of the local problem, in order: contacts, then the drives of a hand.
-pub(crate) fn site_states<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
-    found: &Found<D, C>,
-) -> Vec<ContactState<C>> {
+pub(crate) fn site_states<const C: usize>(problem: &Problem<C>, found: &Found<C>) -> Vec<ContactState<C>> {
     solved_sites(problem, found).map(|solved| solved.state().0).collect()
 }
 
-fn solved_sites<'s, D: Size, const C: usize>(
-    problem: &'s Problem<'s, D, C>,
-    found: &'s Found<D, C>,
+fn solved_sites<'s, const C: usize>(
+    problem: &'s Problem<'s, C>,
+    found: &'s Found<C>,
 ) -> impl Iterator<Item = SolvedContact<'s, C>> {
     let solved = problem.locals().zip(problem.sites).zip(&found.states).zip(&found.forces);
     let history = problem.drives.iter().zip(&problem.slips);

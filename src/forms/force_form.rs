@@ -8,13 +8,13 @@ use nalgebra::{DMatrix, DVector, SVector};
 use super::rows::{Form, Row};
 use crate::contact::{LocalLaw, Mode, State};
 use crate::lcp::{Basis, Lcp};
-use crate::numerics::{Map, Size, Square, Vector};
+use crate::numerics::{Map, Square, Vector};
 use crate::object::Problem;
 use crate::prelude::*;
 
 /// The force form, or `None` for rates with contacts on an edge (they have no copositive force form) and if a
 /// number overflows.
-pub(crate) fn force_form<D: Size, const C: usize>(problem: &Problem<D, C>) -> Option<Form> {
+pub(crate) fn force_form<const C: usize>(problem: &Problem<C>) -> Option<Form> {
     if problem.locals().any(|local| local.is_on_an_edge()) {
         return None;
     }
@@ -49,8 +49,8 @@ pub(crate) fn force_form<D: Size, const C: usize>(problem: &Problem<D, C>) -> Op
 }
 
 /// The contact states of a complementary basis.
-pub(crate) fn force_states<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
+pub(crate) fn force_states<const C: usize>(
+    problem: &Problem<C>,
     form: &Form,
     basis: &Basis,
 ) -> Vec<State<C>> {
@@ -84,7 +84,7 @@ pub(crate) fn force_states<D: Size, const C: usize>(
 }
 
 /// Units of the twist components: a unit twist stretches the springs by order one, in root energy.
-fn twist_units<D: Size, const C: usize>(problem: &Problem<D, C>) -> Vector<D> {
+fn twist_units<const C: usize>(problem: &Problem<C>) -> Vector {
     let mut sums = Vector::all_zero(problem.size());
     for site in problem.sites {
         let springs = site.springs.force(&SVector::repeat(1.0));
@@ -94,20 +94,20 @@ fn twist_units<D: Size, const C: usize>(problem: &Problem<D, C>) -> Vector<D> {
     sums.map(|sum| if sum > 0.0 { 1.0 / sum.sqrt() } else { 1.0 })
 }
 
-struct Builder<'p, 'g, D: Size, const C: usize> {
-    problem: &'p Problem<'g, D, C>,
+struct Builder<'p, 'g, const C: usize> {
+    problem: &'p Problem<'g, C>,
     rows: Vec<Row>,
     z_unit: Vec<f64>,
     w_unit: Vec<f64>,
     /// The first row of each contact.
     first: Vec<usize>,
     /// Σ G k Gᵀ of the springs that act both ways, and the load plus the forces of their drives.
-    stiffness: Square<D>,
-    load: Vector<D>,
+    stiffness: Square,
+    load: Vector,
 }
 
-impl<'p, 'g, D: Size, const C: usize> Builder<'p, 'g, D, C> {
-    fn new(problem: &'p Problem<'g, D, C>) -> Self {
+impl<'p, 'g, const C: usize> Builder<'p, 'g, C> {
+    fn new(problem: &'p Problem<'g, C>) -> Self {
         Self {
             problem,
             rows: Vec::new(),
@@ -141,7 +141,7 @@ impl<'p, 'g, D: Size, const C: usize> Builder<'p, 'g, D, C> {
         }
     }
 
-    fn fill(&mut self, contact: usize, m: &mut DMatrix<f64>, q: &mut DVector<f64>, unit: &Vector<D>) {
+    fn fill(&mut self, contact: usize, m: &mut DMatrix<f64>, q: &mut DVector<f64>, unit: &Vector) {
         let problem = self.problem;
         let local = problem.local(contact);
         if local.is_absent() {
@@ -157,7 +157,7 @@ impl<'p, 'g, D: Size, const C: usize> Builder<'p, 'g, D, C> {
         });
         let facets = local.facets().len();
         // Couples a wrench v to the split, scaled twist in one row and, if `skew`, its negative to the force in the balance rows.
-        let couple = |m: &mut DMatrix<f64>, row: usize, v: Vector<D>, skew: bool| {
+        let couple = |m: &mut DMatrix<f64>, row: usize, v: Vector, skew: bool| {
             for (axis, entry) in v.component_mul(unit).iter().enumerate() {
                 let column = twist_columns + 2 * axis;
                 m[(row, column)] += entry;

@@ -16,7 +16,6 @@ use nalgebra::{DMatrix, DVector, SVector};
 use super::rows::{Form, Row};
 use crate::contact::{LocalLaw, Mode, State, tangential};
 use crate::lcp::{Basis, Lcp};
-use crate::numerics::Size;
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
@@ -30,10 +29,7 @@ struct Jump<const C: usize> {
 }
 
 /// The rows that these contacts need, on the trial state in which every contact sticks.
-fn jumps<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
-    contacts: impl Iterator<Item = usize>,
-) -> Vec<(Row, Jump<C>)> {
+fn jumps<const C: usize>(problem: &Problem<C>, contacts: impl Iterator<Item = usize>) -> Vec<(Row, Jump<C>)> {
     let mut jumps = Vec::new();
     for contact in contacts {
         let local = problem.local(contact);
@@ -57,10 +53,10 @@ fn jumps<D: Size, const C: usize>(
 
 /// The kinematic form on the trial state in which every contact sticks; `None` if no contact needs a row or a number
 /// overflows.
-pub(crate) fn kinematic_form<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
-    trial: &Piece<D, C>,
-    state: &PieceState<D, C>,
+pub(crate) fn kinematic_form<const C: usize>(
+    problem: &Problem<C>,
+    trial: &Piece<C>,
+    state: &PieceState<C>,
 ) -> Option<Form> {
     let (rows, jumps): (Vec<_>, Vec<_>) = jumps(problem, 0..problem.len()).into_iter().unzip();
     if jumps.is_empty() {
@@ -87,10 +83,10 @@ pub(crate) fn kinematic_form<D: Size, const C: usize>(
 pub(crate) struct Moved(BTreeMap<usize, Vec<Vec<f64>>>);
 
 /// The kinematic form of a few contacts among many coordinates, with all others in the trial state.
-pub(crate) fn kinematic_form_among<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
-    trial: &Piece<D, C>,
-    state: &PieceState<D, C>,
+pub(crate) fn kinematic_form_among<const C: usize>(
+    problem: &Problem<C>,
+    trial: &Piece<C>,
+    state: &PieceState<C>,
     contacts: &[usize],
     Moved(known): &mut Moved,
 ) -> Option<Form> {
@@ -117,9 +113,9 @@ pub(crate) fn kinematic_form_among<D: Size, const C: usize>(
 }
 
 /// The form of these rows; `felt(i, j)` is the product of row i with `Q Qᵀ` and the column of row j.
-fn form<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
-    state: &PieceState<D, C>,
+fn form<const C: usize>(
+    problem: &Problem<C>,
+    state: &PieceState<C>,
     rows: Vec<Row>,
     jumps: &[Jump<C>],
     felt: impl Fn(usize, usize) -> f64,
@@ -142,8 +138,8 @@ fn form<D: Size, const C: usize>(
 }
 
 /// The contact states of a complementary basis.
-pub(crate) fn kinematic_states<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
+pub(crate) fn kinematic_states<const C: usize>(
+    problem: &Problem<C>,
     form: &Form,
     basis: &Basis,
 ) -> Vec<State<C>> {

@@ -6,9 +6,8 @@ use super::rows::Form;
 use crate::contact::PolygonCone;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::Size;
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Grasp::kinematic_form`](crate::ask::Grasp::kinematic_form).
     pub(crate) fn kinematic_form(&self, load: &Wrench<C>, cone: &PolygonCone) -> Result<Option<Form>, Error> {
         let problem = self.on_polygons(load, cone)?;

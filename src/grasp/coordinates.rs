@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use super::rotation::of_the_object;
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::prelude::*;
 
 /// Inside coordinates of the object and of the joints behind it. Without joints nothing is allocated.
@@ -14,12 +14,12 @@ pub(crate) struct Coordinates<const C: usize> {
 }
 
 impl<const C: usize> Coordinates<C> {
-    pub(crate) fn of<D: Size>(coordinates: &Vector<D>) -> Self {
+    pub(crate) fn of(coordinates: &Vector) -> Self {
         Self::of_in(coordinates, Vec::new())
     }
 
     /// [`Self::of`] in the memory of `joints`.
-    pub(crate) fn of_in<D: Size>(coordinates: &Vector<D>, mut joints: Vec<f64>) -> Self {
+    pub(crate) fn of_in(coordinates: &Vector, mut joints: Vec<f64>) -> Self {
         let all = coordinates.as_slice();
         let (of_object, of_joints) = all.split_at(of_the_object::<C>().min(all.len()));
         joints.clear();
@@ -30,8 +30,8 @@ impl<const C: usize> Coordinates<C> {
     }
 
     /// As coordinates of this size, with zeros behind the stored ones.
-    pub(crate) fn to<D: Size>(&self) -> Vector<D> {
-        let mut coordinates = Vector::<D>::zeros();
+    pub(crate) fn to(&self) -> Vector {
+        let mut coordinates = Vector::zeros();
         let of_object = self.object.iter().take(of_the_object::<C>());
         for (k, x) in of_object.chain(&self.joints).enumerate() {
             coordinates[k] = *x;

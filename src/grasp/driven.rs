@@ -6,10 +6,10 @@ use super::engine::Engine;
 use super::rotation::of_the_object;
 use super::vacuum::Vacuum;
 use crate::error::{Error, Field, MODERATE, is_moderate};
-use crate::numerics::{Size, cleared_for};
+use crate::numerics::cleared_for;
 use crate::prelude::*;
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Grasp::with_commands`](crate::ask::Grasp::with_commands).
     pub(crate) fn with_commands(&self, commands: &[SVector<f64, C>]) -> Result<Self, Error> {
         self.check_commands(commands, "commands", Field::Command)?;

@@ -6,45 +6,43 @@ use super::bodies::{PlacedBodies, refuse_sides};
 use super::contact::Contact;
 use super::hand::{Drive, HandPart, Linkage};
 use super::remembered::Remembered;
-use super::rotation::assert_plane_or_space;
+use super::rotation::{assert_plane_or_space, of_the_object};
 use super::site::Site;
 use super::vacuum::Vacuum;
 use super::wrench::Wrench;
 use crate::error::{Error, LARGEST};
-use crate::numerics::{Fixed, Size};
+use crate::numerics::Size;
 use crate::prelude::*;
 
-/// A checked list of contacts in D coordinates: 3 of the object in the plane or 6 in space, then those of joints and other bodies.
+/// A checked list of contacts in coordinates: 3 of the object in the plane or 6 in space, then those of joints and other bodies.
 #[derive(Debug, Clone)]
-pub(crate) struct Engine<D: Size, const C: usize> {
-    size: D,
+pub(crate) struct Engine<const C: usize> {
+    size: Size,
     pub(super) contacts: Vec<Contact<C>>,
-    pub(super) sites: Vec<Site<D, C>>,
+    pub(super) sites: Vec<Site<C>>,
     /// Centroid of the contact points, m. Inside, moments and rotations are taken about it, so that a far reference point costs no digits.
     pub(super) origin: SVector<f64, C>,
     /// Root mean square distance of the contact points from their centroid, m. Inside it is the unit of length of arms. Rotations and translations
     /// then have comparable size in any unit of the user.
     pub(super) length: f64,
     /// The joints behind the contacts, if any.
-    pub(super) linkage: Option<Box<Linkage<D, C>>>,
+    pub(super) linkage: Option<Box<Linkage<C>>>,
     /// Total pull of the vacuums, in addition to the caller's loads.
-    pub(super) vacuum: Option<Box<Vacuum<D, C>>>,
+    pub(super) vacuum: Option<Box<Vacuum<C>>>,
     /// Factors of the elastic trial, made on first use.
     trial: Remembered,
 }
 
-impl<const D: usize, const C: usize> Engine<Fixed<D>, C> {
+impl<const C: usize> Engine<C> {
     /// [`Grasp::new`](crate::ask::Grasp::new).
     pub(crate) fn new(contacts: Vec<Contact<C>>) -> Result<Self, Error> {
-        const { assert_plane_or_space::<D, C>() };
+        const { assert_plane_or_space::<C>() };
         refuse_sides(&contacts)?;
-        Self::of(Fixed, contacts, &|_| true)
+        Self::of(Size::of(of_the_object::<C>()), contacts, &|_| true)
     }
-}
 
-impl<D: Size, const C: usize> Engine<D, C> {
     /// A grasp by contacts that joints move, in `size` coordinates.
-    pub(super) fn by_hand(size: D, contacts: Vec<Contact<C>>, linkage: Linkage<D, C>) -> Result<Self, Error> {
+    pub(super) fn by_hand(size: Size, contacts: Vec<Contact<C>>, linkage: Linkage<C>) -> Result<Self, Error> {
         let on_object =
             |i: usize| linkage.bodies.as_ref().map_or(1.0, |bodies| bodies.sign(i, bodies.object));
         let mut grasp = Self::of(size, contacts, &|i| on_object(i) != 0.0)?;
@@ -101,7 +99,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 
     /// A grasp by contacts; its origin is the centroid of those for which `is_meant` is true.
-    fn of(size: D, contacts: Vec<Contact<C>>, is_meant: &dyn Fn(usize) -> bool) -> Result<Self, Error> {
+    fn of(size: Size, contacts: Vec<Contact<C>>, is_meant: &dyn Fn(usize) -> bool) -> Result<Self, Error> {
         if contacts.is_empty() {
             return Err(Error::EmptyGrasp);
         }
@@ -123,7 +121,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
 
     /// Number of coordinates.
     #[inline]
-    pub(crate) fn size(&self) -> D {
+    pub(crate) fn size(&self) -> Size {
         self.size
     }
 
@@ -198,7 +196,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 
     /// Drives of an actuator, with the numbers of their sites. Actuators are the joints, then the tendons.
-    pub(crate) fn drives_of(&self, actuator: usize) -> impl Iterator<Item = (usize, &Drive<D>)> {
+    pub(crate) fn drives_of(&self, actuator: usize) -> impl Iterator<Item = (usize, &Drive)> {
         let first = self.len();
         self.linkage()
             .into_iter()
@@ -207,7 +205,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 
     /// The joints behind the contacts, if any.
-    pub(crate) fn linkage(&self) -> Option<&Linkage<D, C>> {
+    pub(crate) fn linkage(&self) -> Option<&Linkage<C>> {
         self.linkage.as_deref()
     }
 
@@ -216,7 +214,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         &self.trial
     }
 
-    pub(crate) fn sites(&self) -> &[Site<D, C>] {
+    pub(crate) fn sites(&self) -> &[Site<C>] {
         &self.sites
     }
 }

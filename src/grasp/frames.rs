@@ -16,7 +16,7 @@ use super::commands::Axes;
 use super::contact::Contact;
 use super::rotation::{moved_twist, moved_wrench};
 use super::wrench::{Twist, Wrench};
-use crate::numerics::{Fixed, Size, Vector};
+use crate::numerics::Vector;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
@@ -72,7 +72,7 @@ impl<const C: usize> Contact<C> {
 }
 
 /// `v` with its linear and its angular part rotated.
-fn turned<R: AbstractRotation<f64, C>, D: Size, const C: usize>(rotation: &R, v: &Vector<D>) -> Vector<D> {
+fn turned<R: AbstractRotation<f64, C>, const C: usize>(rotation: &R, v: &Vector) -> Vector {
     let part = |from: usize| rotation.transform_vector(&SVector::from_fn(|a, _| v[from + a]));
     let linear = part(0);
     // A rotation about the one axis of the plane is the same in all frames, and so are displacements of joints.
@@ -94,7 +94,7 @@ macro_rules! in_other_frames {
             /// parallel to the old ones. In its result `point` is the origin.
             #[must_use]
             pub fn about(&self, point: impl Into<[f64; $c]>) -> Self {
-                Self::among(&moved_wrench::<Fixed<6>, $c>(&-SVector::from(point.into()), &self.coordinates()))
+                Self::among(&moved_wrench::<$c>(&-SVector::from(point.into()), &self.coordinates()))
             }
 
             /// This load in other coordinates: `pose` is the frame in which it was given as seen
@@ -102,8 +102,8 @@ macro_rules! in_other_frames {
             /// p × f'`; in the plane R leaves m as it is.
             #[must_use]
             pub fn transformed<R: AbstractRotation<f64, $c>>(&self, pose: &Isometry<f64, R, $c>) -> Self {
-                let turned = turned::<_, Fixed<6>, $c>(&pose.rotation, &self.coordinates());
-                Self::among(&moved_wrench::<Fixed<6>, $c>(&pose.translation.vector, &turned))
+                let turned = turned::<_, $c>(&pose.rotation, &self.coordinates());
+                Self::among(&moved_wrench::<$c>(&pose.translation.vector, &turned))
             }
         }
 
@@ -112,7 +112,7 @@ macro_rules! in_other_frames {
             /// [`Self::displacement_at`] that point, its rotation stays. In its result `point` is the origin.
             #[must_use]
             pub fn about(&self, point: impl Into<[f64; $c]>) -> Self {
-                Self::among(&moved_twist::<Fixed<6>, $c>(&-SVector::from(point.into()), &self.coordinates()))
+                Self::among(&moved_twist::<$c>(&-SVector::from(point.into()), &self.coordinates()))
             }
 
             /// This motion in other coordinates: `pose` is the frame in which it was given as seen
@@ -120,8 +120,8 @@ macro_rules! in_other_frames {
             /// p × θ'` for the translation u of the origin; in the plane R leaves θ as it is.
             #[must_use]
             pub fn transformed<R: AbstractRotation<f64, $c>>(&self, pose: &Isometry<f64, R, $c>) -> Self {
-                let turned = turned::<_, Fixed<6>, $c>(&pose.rotation, &self.coordinates());
-                Self::among(&moved_twist::<Fixed<6>, $c>(&pose.translation.vector, &turned))
+                let turned = turned::<_, $c>(&pose.rotation, &self.coordinates());
+                Self::among(&moved_twist::<$c>(&pose.translation.vector, &turned))
             }
         }
     };

@@ -71,8 +71,7 @@ pub use payload::{ArmMotion, Payload};
 pub use pressure::Pressure;
 pub(crate) use remembered::Remembered;
 pub(crate) use rotation::{
-    assert_plane_or_space, displacement_of, grasp_map, moved_twist, moved_wrench, object_alone,
-    of_the_object, wrench_of,
+    displacement_of, grasp_map, moved_twist, moved_wrench, object_alone, of_the_object, wrench_of,
 };
 pub(crate) use scaled::PressOfPart;
 pub(crate) use site::{Site, size_of};

@@ -15,10 +15,10 @@ use nalgebra::{SMatrix, SVector};
 use crate::numerics::{DoubleDouble, Map, Size, Vector};
 
 /// Refuses other dimensions at compile time.
-pub(crate) const fn assert_plane_or_space<const D: usize, const C: usize>() {
+pub(crate) const fn assert_plane_or_space<const C: usize>() {
     assert!(
-        (D == 3 && C == 2) || (D == 6 && C == 3),
-        "D degrees of freedom and C axes a contact are 3 and 2 in the plane, 6 and 3 in space: \
+        C == 2 || C == 3,
+        "a contact has 2 axes in the plane and 3 in space: \
          take the names in `grasp_lcp::planar` or `grasp_lcp::spatial`"
     );
 }
@@ -29,7 +29,7 @@ pub(crate) const fn of_the_object<const C: usize>() -> usize {
 }
 
 /// A vector over all coordinates, with zeros behind the object's.
-pub(crate) fn object_alone<D: Size, const C: usize>(v: &Vector<D>) -> Vector<D> {
+pub(crate) fn object_alone<const C: usize>(v: &Vector) -> Vector {
     let mut alone = v.clone();
     alone.iter_mut().skip(of_the_object::<C>()).for_each(|x| *x = 0.0);
     alone
@@ -45,7 +45,7 @@ pub(crate) const fn planes<const C: usize>() -> &'static [(usize, usize)] {
 }
 
 /// Wrench (force, moment about the origin of `arm`) of the force `f` at the end of `arm`.
-pub(crate) fn wrench_of<D: Size, const C: usize>(arm: &SVector<f64, C>, f: &SVector<f64, C>) -> Vector<D> {
+pub(crate) fn wrench_of<const C: usize>(arm: &SVector<f64, C>, f: &SVector<f64, C>) -> Vector {
     let mut w = Vector::zeros();
     for a in 0..C {
         w[a] = f[a];
@@ -58,10 +58,7 @@ pub(crate) fn wrench_of<D: Size, const C: usize>(arm: &SVector<f64, C>, f: &SVec
 
 /// Displacement, to first order, of the point at the end of `arm` under the twist (translation,
 /// rotation).
-pub(crate) fn displacement_of<D: Size, const C: usize>(
-    arm: &SVector<f64, C>,
-    twist: &Vector<D>,
-) -> SVector<f64, C> {
+pub(crate) fn displacement_of<const C: usize>(arm: &SVector<f64, C>, twist: &Vector) -> SVector<f64, C> {
     let mut u = SVector::zeros();
     for a in 0..C {
         u[a] = twist[a];
@@ -74,8 +71,8 @@ pub(crate) fn displacement_of<D: Size, const C: usize>(
 }
 
 /// A wrench about `p`, converted to the origin.
-pub(crate) fn moved_wrench<D: Size, const C: usize>(p: &SVector<f64, C>, w: &Vector<D>) -> Vector<D> {
-    let moments = wrench_of::<D, C>(p, &SVector::from_fn(|a, _| w[a]));
+pub(crate) fn moved_wrench<const C: usize>(p: &SVector<f64, C>, w: &Vector) -> Vector {
+    let moments = wrench_of::<C>(p, &SVector::from_fn(|a, _| w[a]));
     let mut moved = w.clone();
     for k in C..of_the_object::<C>() {
         moved[k] = w[k] + moments[k];
@@ -84,8 +81,8 @@ pub(crate) fn moved_wrench<D: Size, const C: usize>(p: &SVector<f64, C>, w: &Vec
 }
 
 /// A twist of the object's point at `p`, converted to the point at the origin.
-pub(crate) fn moved_twist<D: Size, const C: usize>(p: &SVector<f64, C>, q: &Vector<D>) -> Vector<D> {
-    let translation = displacement_of::<D, C>(&-p, q);
+pub(crate) fn moved_twist<const C: usize>(p: &SVector<f64, C>, q: &Vector) -> Vector {
+    let translation = displacement_of::<C>(&-p, q);
     let mut moved = q.clone();
     for k in 0..C {
         moved[k] = translation[k];
@@ -95,26 +92,26 @@ pub(crate) fn moved_twist<D: Size, const C: usize>(p: &SVector<f64, C>, q: &Vect
 
 /// The grasp map of one contact, `d x c`: the columns are the wrenches of unit forces along the
 /// axes of its frame.
-pub(crate) fn grasp_map<D: Size, const C: usize>(
-    size: D,
+pub(crate) fn grasp_map<const C: usize>(
+    size: Size,
     arm: &SVector<f64, C>,
     frame: &SMatrix<f64, C, C>,
-) -> Map<D, C> {
+) -> Map<C> {
     let mut map = Map::zeros(size);
     for a in 0..C {
-        map.set_column(a, &wrench_of::<D, C>(arm, &frame.column(a).into_owned()));
+        map.set_column(a, &wrench_of::<C>(arm, &frame.column(a).into_owned()));
     }
     map
 }
 
 /// The grasp map about `origin` in the unit `length`, and its rounding: the exact map of this point and this frame less the first, rounded.
-pub(super) fn grasp_map_in_twice<D: Size, const C: usize>(
-    size: D,
+pub(super) fn grasp_map_in_twice<const C: usize>(
+    size: Size,
     point: &SVector<f64, C>,
     origin: &SVector<f64, C>,
     length: f64,
     frame: &SMatrix<f64, C, C>,
-) -> (Map<D, C>, Map<D, C>) {
+) -> (Map<C>, Map<C>) {
     let arm = (point - origin) / length;
     let map = grasp_map(size, &arm, frame);
     let arm_rest = SVector::<f64, C>::from_fn(|a, _| {

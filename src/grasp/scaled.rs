@@ -4,7 +4,6 @@ use super::engine::Engine;
 use super::whole_contact::WholeContacts;
 use super::wrench::Wrench;
 use crate::error::{Error, MODERATE, is_moderate};
-use crate::numerics::Size;
 use crate::prelude::*;
 use crate::words::{listed, printable};
 
@@ -17,7 +16,7 @@ pub(crate) struct PressOfPart {
     pub(crate) size: Option<(f64, &'static str)>,
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// Whether a command, a held force or torque, or a vacuum is not zero: the squeeze consists of these.
     pub(crate) fn is_squeezed(&self) -> bool {
         let commanded = |i: usize| {

@@ -15,15 +15,15 @@ use crate::numerics::DoubleDouble;
 
 /// Data of one contact or drive, in inside coordinates.
 #[derive(Debug, Clone)]
-pub(crate) struct Site<D: Size, const C: usize> {
+pub(crate) struct Site<const C: usize> {
     /// Grasp map G_i.
-    pub(crate) map: Map<D, C>,
+    pub(crate) map: Map<C>,
     /// Rounding of G_i for the given points and frame: the exact map less G_i.
-    pub(crate) map_rest: Map<D, C>,
+    pub(crate) map_rest: Map<C>,
     /// Norm of G_i.
     size: f64,
     /// Coordinates in which G_i has entries.
-    pub(crate) support: Support<D>,
+    pub(crate) support: Support,
     /// Contact frame, columns n, t….
     pub(crate) frame: SMatrix<f64, C, C>,
     pub(crate) springs: Compliance<C>,
@@ -35,13 +35,13 @@ pub(crate) struct Site<D: Size, const C: usize> {
     pub(crate) polygon: Option<Arc<Polygon<C>>>,
 }
 
-impl<D: Size, const C: usize> Site<D, C> {
+impl<const C: usize> Site<C> {
     /// The contact with this index, about the centroid `origin` and in the inside unit of `length`.
     ///
     /// # Errors
     /// [`Error::Contact`] if the contact has no frame.
     pub(super) fn new(
-        size: D,
+        size: Size,
         (contact, index): (&Contact<C>, usize),
         (origin, length): (&SVector<f64, C>, f64),
     ) -> Result<Self, Error> {
@@ -67,7 +67,7 @@ impl<D: Size, const C: usize> Site<D, C> {
     }
 
     /// This site with another map, taken as exact.
-    pub(crate) fn with_map(&self, mut map: Map<D, C>) -> Self {
+    pub(crate) fn with_map(&self, mut map: Map<C>) -> Self {
         let mut map_rest = Map::zeros(map.size());
         let (size, support) = (map.norm(), Support::of(&mut map, &mut map_rest));
         Self { map, map_rest, size, support, ..self.clone() }
@@ -75,8 +75,8 @@ impl<D: Size, const C: usize> Site<D, C> {
 
     /// A site with a force along one of its own axes only: a drive of a hand.
     pub(super) fn of_axis(
-        size: D,
-        (axis, along): (usize, &Vector<D>),
+        size: Size,
+        (axis, along): (usize, &Vector),
         springs: Compliance<C>,
         hold: Hold,
     ) -> Self {
@@ -101,7 +101,7 @@ impl<D: Size, const C: usize> Site<D, C> {
     pub(super) fn move_with(
         &mut self,
         motions: &[(usize, SVector<f64, C>)],
-        lengths: &Vector<D>,
+        lengths: &Vector,
         on_object: f64,
     ) {
         let object = of_the_object::<C>();
@@ -141,7 +141,7 @@ impl<D: Size, const C: usize> Site<D, C> {
 
     /// Number of coordinates.
     #[inline]
-    pub(crate) fn coordinates(&self) -> D {
+    pub(crate) fn coordinates(&self) -> Size {
         self.map.size()
     }
 
@@ -156,13 +156,13 @@ impl<D: Size, const C: usize> Site<D, C> {
 
     /// Stretch of the springs, `a - G_iᵀq`.
     #[inline(always)]
-    pub(crate) fn stretch(&self, drive: &SVector<f64, C>, twist: &Vector<D>) -> SVector<f64, C> {
+    pub(crate) fn stretch(&self, drive: &SVector<f64, C>, twist: &Vector) -> SVector<f64, C> {
         drive - self.map.tr_mul(twist)
     }
 
     /// Scale of rounding of the displacements at the contact: translation and rotation may cancel there, but their rounding does not.
     #[inline(always)]
-    pub(crate) fn span(&self, drive: &SVector<f64, C>, twist: &Vector<D>) -> f64 {
+    pub(crate) fn span(&self, drive: &SVector<f64, C>, twist: &Vector) -> f64 {
         self.span_moved(drive, twist.norm())
     }
 
@@ -175,6 +175,6 @@ impl<D: Size, const C: usize> Site<D, C> {
 
 /// Number of coordinates of these sites; a grasp has at least one site.
 #[inline]
-pub(crate) fn size_of<D: Size, const C: usize>(sites: &[Site<D, C>]) -> D {
-    sites.first().map_or(D::default(), Site::coordinates)
+pub(crate) fn size_of<const C: usize>(sites: &[Site<C>]) -> Size {
+    sites.first().map_or(Size::default(), Site::coordinates)
 }

@@ -9,14 +9,14 @@ use crate::prelude::*;
 /// Coordinates in which a map has entries, as two ranges: those of the object, if any, and some neighbouring joints; or those of two bodies other
 /// than the object. A contact depends on the joints of one finger, a drive on its own.
 #[derive(Debug, Clone)]
-pub(crate) struct Support<D: Size> {
-    size: D,
+pub(crate) struct Support {
+    size: Size,
     ranges: [Range<usize>; 2],
 }
 
-impl<D: Size> Support<D> {
+impl Support {
     /// Support of these two maps together; both then store these rows only.
-    pub(super) fn of<const C: usize>(map: &mut Map<D, C>, rest: &mut Map<D, C>) -> Self {
+    pub(super) fn of<const C: usize>(map: &mut Map<C>, rest: &mut Map<C>) -> Self {
         let size = map.size();
         let count = size.count();
         let is_felt = |k: &usize| map.row(*k).iter().chain(rest.row(*k).iter()).any(|x| *x != 0.0);

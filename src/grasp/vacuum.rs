@@ -7,7 +7,7 @@ use super::site::Site;
 use super::whole_contact::{WholeContact, WholeContacts};
 use super::wrench::Wrench;
 use crate::error::ContactLabel;
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::prelude::*;
 use crate::words::listed;
 
@@ -19,16 +19,16 @@ pub(crate) fn vacuum_is_gone(cups: &[WholeContact]) -> String {
 
 /// Total pull of the vacuums of all contacts.
 #[derive(Debug, Clone)]
-pub(crate) struct Vacuum<D: Size, const C: usize> {
+pub(crate) struct Vacuum<const C: usize> {
     /// On object and joints, in inside coordinates.
-    pub(crate) inside: Vector<D>,
+    pub(crate) inside: Vector,
     /// On the object, as the caller sees loads.
     pub(crate) on_object: Wrench<C>,
 }
 
-impl<D: Size, const C: usize> Vacuum<D, C> {
+impl<const C: usize> Vacuum<C> {
     /// Pulls between fingers and object along the contact normals; `None` without a vacuum.
-    pub(super) fn of(contacts: &[Contact<C>], sites: &[Site<D, C>]) -> Option<Box<Self>> {
+    pub(super) fn of(contacts: &[Contact<C>], sites: &[Site<C>]) -> Option<Box<Self>> {
         if contacts.iter().all(|contact| contact.suction == 0.0) {
             return None;
         }
@@ -43,14 +43,14 @@ impl<D: Size, const C: usize> Vacuum<D, C> {
 
 impl<const C: usize> Contact<C> {
     /// Wrench of its vacuum on the object, about the origin.
-    pub(crate) fn pulled<D: Size>(&self, site: &Site<D, C>) -> Vector<D> {
-        wrench_of::<D, C>(&self.point, &(site.frame.column(0) * -self.suction))
+    pub(crate) fn pulled(&self, site: &Site<C>) -> Vector {
+        wrench_of::<C>(&self.point, &(site.frame.column(0) * -self.suction))
     }
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// Total pull of the vacuums, if there are any.
-    pub(crate) fn vacuum(&self) -> Option<&Vacuum<D, C>> {
+    pub(crate) fn vacuum(&self) -> Option<&Vacuum<C>> {
         self.vacuum.as_deref()
     }
 

@@ -1,6 +1,6 @@
 //! Wrenches and twists: loads on the object, and its small motions.
 
-use crate::numerics::{Fixed, Size, Vector};
+use crate::numerics::Vector;
 use core::fmt;
 use core::ops::{Add, Mul, Neg, Sub};
 
@@ -80,13 +80,13 @@ macro_rules! vector_like {
             }
 
             /// The components of the object, taken from all coordinates.
-            pub(crate) fn among<D: Size>(coordinates: &Vector<D>) -> Self {
+            pub(crate) fn among(coordinates: &Vector) -> Self {
                 Self::from_components(coordinates.as_slice())
             }
 
             /// As the first of all coordinates, with zeros behind them.
-            pub(crate) fn coordinates<D: Size>(&self) -> Vector<D> {
-                let mut coordinates = Vector::<D>::zeros();
+            pub(crate) fn coordinates(&self) -> Vector {
+                let mut coordinates = Vector::zeros();
                 self.components().iter().enumerate().for_each(|(k, x)| coordinates[k] = *x);
                 coordinates
             }
@@ -135,7 +135,7 @@ macro_rules! vector_like {
             /// Its components as a vector: linear ones first, then angular ones.
             #[must_use]
             pub fn to_vector(&self) -> SVector<f64, $size> {
-                self.coordinates::<Fixed<$size>>().to_svector()
+                self.coordinates().to_svector()
             }
         }
     };
@@ -155,7 +155,7 @@ vector_like!(Twist);
 impl<const C: usize> Wrench<C> {
     /// A force through a point.
     pub(crate) fn force_through(point: &SVector<f64, C>, force: &SVector<f64, C>) -> Self {
-        Self::among(&wrench_of::<Fixed<6>, C>(point, force))
+        Self::among(&wrench_of::<C>(point, force))
     }
 
     /// Refuses components that are not finite or too large; `what` names the wrench in the message.
@@ -191,7 +191,7 @@ impl Wrench<2> {
     /// ```
     #[must_use]
     pub fn force_at(force: impl Into<[f64; 2]>, point: impl Into<[f64; 2]>) -> Self {
-        Self::among(&wrench_of::<Fixed<6>, 2>(&point.into().into(), &force.into().into()))
+        Self::among(&wrench_of::<2>(&point.into().into(), &force.into().into()))
     }
 
     /// The sum of its forces, N.
@@ -231,7 +231,7 @@ impl Wrench<3> {
     /// ```
     #[must_use]
     pub fn force_at(force: impl Into<[f64; 3]>, point: impl Into<[f64; 3]>) -> Self {
-        Self::among(&wrench_of::<Fixed<6>, 3>(&point.into().into(), &force.into().into()))
+        Self::among(&wrench_of::<3>(&point.into().into(), &force.into().into()))
     }
 
     /// The sum of its forces, N.
@@ -278,7 +278,7 @@ impl Twist<2> {
     /// ```
     #[must_use]
     pub fn displacement_at(&self, point: impl Into<[f64; 2]>) -> [f64; 2] {
-        displacement_of::<Fixed<6>, 2>(&point.into().into(), &self.0.into()).into()
+        displacement_of::<2>(&point.into().into(), &self.0.into()).into()
     }
 }
 
@@ -313,6 +313,6 @@ impl Twist<3> {
     /// ```
     #[must_use]
     pub fn displacement_at(&self, point: impl Into<[f64; 3]>) -> [f64; 3] {
-        displacement_of::<Fixed<6>, 3>(&point.into().into(), &self.0.into()).into()
+        displacement_of::<3>(&point.into().into(), &self.0.into()).into()
     }
 }

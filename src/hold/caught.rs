@@ -5,7 +5,6 @@ use core::fmt;
 use super::words::{AT_ONCE, amount_of};
 use crate::grasp::{Contact, Engine, WholeContact, WholeContacts};
 use crate::load_path::{Event, Jump, JumpSlip, Leg, PathEnd, Ramp};
-use crate::numerics::Size;
 use crate::prelude::*;
 use crate::search::Settings;
 #[cfg(feature = "serde")]
@@ -95,7 +94,7 @@ impl fmt::Display for MovesTo {
     }
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// The multiple of the load that is held with kinetic friction from the start; `None` where that path does not end in a loss.
     pub(super) fn carried_while_it_slides(&self, ramp: &Ramp<C>, settings: &Settings) -> Option<f64> {
         let sliding = self.with_friction_of_sliding().ok()?;

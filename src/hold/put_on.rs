@@ -10,7 +10,6 @@ use crate::load_path::{
     Beyond, Change, ContactChange, Departure, EndOfSmallMotions, Event, Leaving, Leg, LoadPath, Loss,
     LossKind, Onset, PathEnd, Ramp,
 };
-use crate::numerics::Size;
 use crate::object::Load;
 use crate::proofs::nothing_near;
 use crate::search::{Doubt, Settings};
@@ -25,7 +24,7 @@ use crate::prelude::*;
 /// rounding choose between tipping and turning; nothing is decided by it.
 const SHUT: f64 = 1e-9;
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Grasp::hold`](crate::ask::Grasp::hold).
     pub(crate) fn hold(&self, ramp: &Ramp<C>, settings: &Settings) -> Result<Verdict<C>, Error> {
         if !(settings.most_load > 0.0 && is_moderate(settings.most_load)) {
@@ -284,9 +283,9 @@ impl<D: Size, const C: usize> Engine<D, C> {
         drives.iter_mut().zip(ramp.drive_changes(self).ok()?).for_each(|(drive, change)| *drive += change);
         let polygon = Polygon::shared(&settings.cone);
         let problem = self.problem(polygon, settings.is_round::<C>(), drives, &Load::from(&load));
-        let at = state.local.twist.to::<D>();
+        let at = state.local.twist.to();
         // Any virtual motion may give the proof: as a rule that of the loss, otherwise the one along the load.
-        let virtually = [loss.virtual_motion().map(Coordinates::to::<D>), Some(load)];
+        let virtually = [loss.virtual_motion().map(Coordinates::to), Some(load)];
         let radii = virtually.into_iter().flatten().filter_map(|v| nothing_near(&problem, &at, &v));
         let radius = radii.max_by(f64::total_cmp)?;
         let lengths = self.bodies().into_iter().flat_map(|bodies| self.rotation_lengths(bodies));

@@ -3,7 +3,6 @@
 use nalgebra::SVector;
 
 use crate::grasp::{BodyMotion, Contact, Hold, Motion, Twist, WholeContact, WholeContacts, displacement_of};
-use crate::numerics::Fixed;
 use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
@@ -144,8 +143,8 @@ pub(super) fn comes_apart<const C: usize>(
 ) -> bool {
     let fastest = motion.bodies.iter().map(BodyMotion::speed).fold(0.0, f64::max);
     let at_the_point = |body: usize| {
-        let twist = motion.bodies[body].twist.coordinates::<Fixed<6>>();
-        displacement_of::<Fixed<6>, C>(&contact.point, &twist)
+        let twist = motion.bodies[body].twist.coordinates();
+        displacement_of::<C>(&contact.point, &twist)
     };
     let other = against.map_or_else(SVector::zeros, at_the_point);
     (at_the_point(on) - other).norm() > STAYS * fastest
@@ -164,8 +163,8 @@ fn seen_from<const C: usize>(
     sign: &dyn Fn(usize) -> f64,
     touches: &dyn Fn(usize) -> bool,
 ) -> WayOut<C> {
-    let coordinates = twist.coordinates::<Fixed<6>>();
-    let velocity = |point: &SVector<f64, C>| displacement_of::<Fixed<6>, C>(point, &coordinates);
+    let coordinates = twist.coordinates();
+    let velocity = |point: &SVector<f64, C>| displacement_of::<C>(point, &coordinates);
     let parts = WholeContacts::of(contacts);
     let touches = |i: usize| sign(i) != 0.0 && touches(i);
     let touching = parts.with(&touches);

@@ -18,7 +18,7 @@ use super::segment::{Here, Segment};
 use crate::contact::{Slide, State, Tangent, tangential_norm};
 use crate::equilibrium::NoEquilibrium;
 use crate::grasp::Site;
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::object::{Imbalance, Piece, PieceState};
 use crate::prelude::*;
 
@@ -36,31 +36,31 @@ const LEAST_COSINE: f64 = 0.5;
 const CORRECTED: f64 = 1e-6;
 
 /// Contacts in fixed states along an arc.
-pub(super) struct Arc<'s, 'g, D: Size, const C: usize> {
-    pub(super) segment: &'s Segment<'g, D, C>,
+pub(super) struct Arc<'s, 'g, const C: usize> {
+    pub(super) segment: &'s Segment<'g, C>,
     pub(super) states: &'s [State<C>],
     /// The contacts that slide.
     pub(super) sliding: Vec<usize>,
     /// u, the displacement that counts in arclength as much as the whole leg, m.
     unit: f64,
     /// T of the contacts that do not slide; motions that nothing resists are held, or pushed along by contacts without force.
-    fixed: PathStiffness<D>,
+    fixed: PathStiffness,
     /// b of the contacts that do not slide, without the rate of the load.
-    push: Vector<D>,
+    push: Vector,
     /// Whether commands change.
     pub(super) driven: bool,
 }
 
 /// A direction of the path.
 #[derive(Debug, Clone)]
-pub(super) struct Direction<D: Size> {
+pub(super) struct Direction {
     /// q'.
-    pub(super) twist: Vector<D>,
+    pub(super) twist: Vector,
     /// λ'.
     pub(super) factor: f64,
 }
 
-impl<D: Size> Direction<D> {
+impl Direction {
     /// Towards a larger factor, with any motion: the row across it keeps the factor fixed.
     pub(super) fn onward() -> Self {
         Self { twist: Vector::zeros(), factor: 1.0 }
@@ -72,17 +72,14 @@ impl<D: Size> Direction<D> {
     }
 }
 
-impl<'s, 'g, D: Size, const C: usize> Arc<'s, 'g, D, C> {
+impl<'s, 'g, const C: usize> Arc<'s, 'g, C> {
     /// The arc in these states, on which motions that nothing resists continue at their rates for one unit of the factor.
     pub(super) fn new<'m>(
-        segment: &'s Segment<'g, D, C>,
+        segment: &'s Segment<'g, C>,
         states: &'s [State<C>],
-        free_motions: impl IntoIterator<Item = (&'m Vector<D>, f64)>,
+        free_motions: impl IntoIterator<Item = (&'m Vector, f64)>,
         unit: f64,
-    ) -> Self
-    where
-        D: 'm,
-    {
+    ) -> Self {
         let sites = segment.grasp.sites();
         let size = segment.grasp.size();
         let mut free_motions = free_motions.into_iter().peekable();
@@ -111,12 +108,12 @@ impl<'s, 'g, D: Size, const C: usize> Arc<'s, 'g, D, C> {
         Self { segment, states, sliding, unit, fixed, push, driven }
     }
 
-    pub(super) fn sites(&self) -> &'g [Site<D, C>] {
+    pub(super) fn sites(&self) -> &'g [Site<C>] {
         self.segment.grasp.sites()
     }
 
     /// b of the contacts that do not slide, at a factor.
-    fn push_at(&self, factor: f64) -> Vector<D> {
+    fn push_at(&self, factor: f64) -> Vector {
         self.segment.course.rate_at(factor) + &self.push
     }
 
@@ -144,14 +141,14 @@ impl<'s, 'g, D: Size, const C: usize> Arc<'s, 'g, D, C> {
         &self,
         tangents: &[Tangent<C>],
         factor: f64,
-        across: &Direction<D>,
-    ) -> Option<(PathFactors<D>, f64)> {
+        across: &Direction,
+    ) -> Option<(PathFactors, f64)> {
         let (stiffness, push) = self.balance(tangents, factor);
         self.factored(stiffness, &push, across)
     }
 
     /// T and b at a factor.
-    pub(super) fn balance(&self, tangents: &[Tangent<C>], factor: f64) -> (PathStiffness<D>, Vector<D>) {
+    pub(super) fn balance(&self, tangents: &[Tangent<C>], factor: f64) -> (PathStiffness, Vector) {
         let (mut t, mut push) = (self.fixed.clone(), self.push_at(factor));
         for (&i, tangent) in self.sliding.iter().zip(tangents) {
             let map = &self.sites()[i].map;
@@ -173,10 +170,10 @@ impl<'s, 'g, D: Size, const C: usize> Arc<'s, 'g, D, C> {
     /// Factors of the bordered matrix, and the size of its entries. `None` if more than one direction is open.
     pub(super) fn factored(
         &self,
-        mut t: PathStiffness<D>,
-        push: &Vector<D>,
-        across: &Direction<D>,
-    ) -> Option<(PathFactors<D>, f64)> {
+        mut t: PathStiffness,
+        push: &Vector,
+        across: &Direction,
+    ) -> Option<(PathFactors, f64)> {
         t.scale(self.unit);
         let scale = t.amax().max(push.amax());
         let row = &across.twist * (scale / self.unit);
@@ -185,7 +182,7 @@ impl<'s, 'g, D: Size, const C: usize> Arc<'s, 'g, D, C> {
     }
 
     /// Twist and factor from a solution in scaled coordinates.
-    pub(super) fn unscaled(&self, (x, factor): (Vector<D>, f64)) -> Direction<D> {
+    pub(super) fn unscaled(&self, (x, factor): (Vector, f64)) -> Direction {
         Direction { twist: x * self.unit, factor }
     }
 
@@ -194,8 +191,8 @@ impl<'s, 'g, D: Size, const C: usize> Arc<'s, 'g, D, C> {
         &self,
         tangents: &[Tangent<C>],
         factor: f64,
-        along: &Direction<D>,
-    ) -> Option<Direction<D>> {
+        along: &Direction,
+    ) -> Option<Direction> {
         let (bordered, scale) = self.bordered(tangents, factor, along)?;
         let (x, factor) = bordered.solve(&Vector::zeros(), scale);
         let length = (x.norm_squared() + factor * factor).sqrt();
@@ -208,7 +205,7 @@ impl<'s, 'g, D: Size, const C: usize> Arc<'s, 'g, D, C> {
         &self,
         contact: usize,
         tangent: &Tangent<C>,
-        way: &Direction<D>,
+        way: &Direction,
     ) -> [SVector<f64, C>; 2] {
         let site = &self.sites()[contact];
         let stretch = site.stretch(&(self.segment.change[contact] * way.factor), &way.twist);
@@ -216,7 +213,7 @@ impl<'s, 'g, D: Size, const C: usize> Arc<'s, 'g, D, C> {
     }
 
     /// Rates of all forces, given the tangents of the sliding contacts.
-    pub(super) fn force_rates(&self, slid: &[Tangent<C>], way: &Direction<D>) -> Vec<SVector<f64, C>> {
+    pub(super) fn force_rates(&self, slid: &[Tangent<C>], way: &Direction) -> Vec<SVector<f64, C>> {
         let mut slid = slid.iter();
         let rate = |(i, state): (usize, &State<C>)| {
             let sliding = state.slides().then(|| slid.next()).flatten();
@@ -230,11 +227,11 @@ impl<'s, 'g, D: Size, const C: usize> Arc<'s, 'g, D, C> {
     /// factor.
     pub(super) fn balanced(
         &self,
-        mut twist: Vector<D>,
+        mut twist: Vector,
         mut factor: f64,
-        across: &Direction<D>,
+        across: &Direction,
         frictions: &[SVector<f64, C>],
-    ) -> Option<(PieceState<D, C>, f64)> {
+    ) -> Option<(PieceState<C>, f64)> {
         let tangents = self.tangents(frictions.iter().copied());
         let (bordered, _) = self.bordered(&tangents, factor, across)?;
         let rounding = BALANCED * ((self.sites().len() + 2) as f64).sqrt();
@@ -267,12 +264,7 @@ impl<'s, 'g, D: Size, const C: usize> Arc<'s, 'g, D, C> {
     }
 
     /// Forces at a twist and a factor, with friction on the cones in these directions.
-    fn forces_at(
-        &self,
-        twist: &Vector<D>,
-        factor: f64,
-        frictions: &[SVector<f64, C>],
-    ) -> Vec<SVector<f64, C>> {
+    fn forces_at(&self, twist: &Vector, factor: f64, frictions: &[SVector<f64, C>]) -> Vec<SVector<f64, C>> {
         let drives = self.segment.drives(factor);
         let mut slid = frictions.iter();
         let force = |i: usize| {
@@ -295,16 +287,16 @@ impl<'s, 'g, D: Size, const C: usize> Arc<'s, 'g, D, C> {
     }
 }
 
-impl<D: Size, const C: usize> Segment<'_, D, C> {
+impl<const C: usize> Segment<'_, C> {
     /// State and rates where contacts slide on the round cone: the first order of the path as long as the states last. The state is the one near `at`
     /// with friction on the cones: where a contact has opened, the others take its share. Motions that nothing resists move at the rates `pushed`.
     pub(super) fn tangent(
         &self,
         states: &[State<C>],
         factor: f64,
-        at: &PieceState<D, C>,
-        pushed: Option<&Vector<D>>,
-    ) -> Result<Here<D, C>, NoEquilibrium<C>> {
+        at: &PieceState<C>,
+        pushed: Option<&Vector>,
+    ) -> Result<Here<C>, NoEquilibrium<C>> {
         let piece = alloc::sync::Arc::new(Piece::new(&self.problem, states));
         let rate = piece
             .solve(self.problem.sites, &self.change, &self.course.rate_at(factor))
@@ -313,7 +305,7 @@ impl<D: Size, const C: usize> Segment<'_, D, C> {
         let frictions: Vec<_> = states.iter().filter_map(State::slide).map(|slide| slide.direction).collect();
         let arc = Arc::new(self, states, piece.free_motions().iter().map(|v| (v, 0.0)), 1.0);
         let largest = self.problem.largest_force(&at.forces, &at.twist).max(self.largest);
-        let is_near = |(there, _): &(PieceState<D, C>, f64)| {
+        let is_near = |(there, _): &(PieceState<C>, f64)| {
             there.forces.iter().zip(&at.forces).all(|(f, g)| (f - g).norm() <= CORRECTED * largest)
         };
         let balanced =

@@ -12,7 +12,7 @@ use crate::equilibrium::{ContactState, NoEquilibrium, Outcome, site_states};
 use crate::forms::kinematic_form;
 use crate::grasp::{Engine, Motion, WholeContact};
 use crate::lcp;
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::object::{Piece, Problem};
 use crate::prelude::*;
 use crate::proofs::{nothing_holds, separates_from_here_on, separating_motion};
@@ -95,10 +95,10 @@ pub struct Continuation<const C: usize> {
 }
 
 /// The continuation of an equilibrium whose rates have a solution.
-pub(super) fn continuation<D: Size, const C: usize>(
-    grasp: &Engine<D, C>,
-    rates: &Problem<D, C>,
-    found: Found<D, C>,
+pub(super) fn continuation<const C: usize>(
+    grasp: &Engine<C>,
+    rates: &Problem<C>,
+    found: Found<C>,
     rule: Rung,
 ) -> Beyond<C> {
     let (mut states, mut force_rates) = (site_states(rates, &found), found.forces);
@@ -117,25 +117,25 @@ pub(super) fn continuation<D: Size, const C: usize>(
 }
 
 /// The end of an equilibrium.
-pub(super) struct EquilibriumEnd<'f, D: Size, const C: usize> {
+pub(super) struct EquilibriumEnd<'f, const C: usize> {
     pub(super) factor: f64,
     pub(super) forces: &'f [SVector<f64, C>],
     /// The motion with which the object leaves, inside coordinates.
-    pub(super) motion: Option<Vector<D>>,
+    pub(super) motion: Option<Vector>,
 }
 
 /// The situation beyond an end where the rates have no solution.
-pub(super) fn beyond_end<D: Size, const C: usize>(
-    segment: &Segment<'_, D, C>,
-    rates: &Problem<D, C>,
-    (settled, effort): (Settled<D, C>, &Effort),
-    end: &EquilibriumEnd<'_, D, C>,
+pub(super) fn beyond_end<const C: usize>(
+    segment: &Segment<'_, C>,
+    rates: &Problem<C>,
+    (settled, effort): (Settled<C>, &Effort),
+    end: &EquilibriumEnd<'_, C>,
     settings: &Settings,
 ) -> Beyond<C> {
     let here = segment.problem_at(end.factor);
     // The problem at a finite distance beyond the end, as a part of [`way_beyond`].
     let past = |part: f64| segment.problem_at(end.factor + part * way_beyond(&here, rates));
-    let separates = |v: &Vector<D>| separates_from_here_on(&here, v, &rates.wrench);
+    let separates = |v: &Vector| separates_from_here_on(&here, v, &rates.wrench);
     if end.motion.as_ref().is_some_and(separates)
         || separating_motion(&past(A_LITTLE)).as_ref().is_some_and(separates)
     {
@@ -168,7 +168,7 @@ pub(super) fn beyond_end<D: Size, const C: usize>(
 
 /// Whether Farkas' lemma excludes every choice of slips and gaps: then the rates have no solution. The form is computed in floating point, so the
 /// proof holds up to its rounding. It is sought by linear programs with two rows for each row of the form.
-pub(super) fn no_rates<D: Size, const C: usize>(rates: &Problem<D, C>) -> bool {
+pub(super) fn no_rates<const C: usize>(rates: &Problem<C>) -> bool {
     if !dense_is_affordable(rates, 2) {
         return false;
     }
@@ -179,8 +179,8 @@ pub(super) fn no_rates<D: Size, const C: usize>(rates: &Problem<D, C>) -> bool {
 }
 
 /// Searches an equilibrium from scratch slightly beyond the end, with the slip so far.
-fn from_scratch<'g, D: Size, const C: usize>(
-    past: impl Fn(f64) -> Problem<'g, D, C>,
+fn from_scratch<'g, const C: usize>(
+    past: impl Fn(f64) -> Problem<'g, C>,
     forces: &[SVector<f64, C>],
     settings: &Settings,
 ) -> Beyond<C> {
@@ -219,13 +219,13 @@ fn is_near<const C: usize>(found: &[SVector<f64, C>], forces: &[SVector<f64, C>]
 
 /// The load step that parts beyond the end refer to: [`whole_way`], or the whole leg where there is no load yet. With a zero step all parts would lie
 /// at the end itself.
-fn way_beyond<D: Size, const C: usize>(here: &Problem<D, C>, rates: &Problem<D, C>) -> f64 {
+fn way_beyond<const C: usize>(here: &Problem<C>, rates: &Problem<C>) -> f64 {
     let way = whole_way(here, rates);
     if way > ZERO_SLACK { way } else { 1.0 }
 }
 
 /// The change of the load factor that makes up the whole load, or all commands, whichever is less; zero if there is neither.
-fn whole_way<D: Size, const C: usize>(here: &Problem<D, C>, rates: &Problem<D, C>) -> f64 {
+fn whole_way<const C: usize>(here: &Problem<C>, rates: &Problem<C>) -> f64 {
     let total = |drives: &[SVector<f64, C>]| drives.iter().map(nalgebra::Matrix::norm).sum::<f64>();
     let load_way = here.wrench.norm() / rates.wrench.norm();
     let command_way = total(&here.drives) / total(&rates.drives);
@@ -233,7 +233,7 @@ fn whole_way<D: Size, const C: usize>(here: &Problem<D, C>, rates: &Problem<D, C
     if way.is_finite() { way } else { 0.0 }
 }
 
-fn search_beyond<D: Size, const C: usize>(here: &Problem<D, C>, rates: &Problem<D, C>) -> Beyond<C> {
+fn search_beyond<const C: usize>(here: &Problem<C>, rates: &Problem<C>) -> Beyond<C> {
     // The complete laws under the rates of load and commands.
     let rates = &Problem {
         drives: rates.drives.clone(),

@@ -6,7 +6,7 @@ use alloc::sync::Arc;
 use super::leg::{Leg, LegGoal, LegLoad};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::prelude::*;
 
 /// The body and the change of its load along a leg.
@@ -66,7 +66,7 @@ impl<const C: usize> Leg<C> {
     }
 
     /// Refuses loads on bodies that do not exist, two loads on one body, and such loads while the load turns.
-    pub(super) fn check_bodies<D: Size>(&self, grasp: &Engine<D, C>) -> Result<(), Error> {
+    pub(super) fn check_bodies(&self, grasp: &Engine<C>) -> Result<(), Error> {
         for (k, (name, goal)) in self.bodies.iter().enumerate() {
             let refuse = |fault: &str| Err(Error::Body { name: name.to_string(), fault: fault.to_owned() });
             grasp.body_called(name)?;
@@ -108,7 +108,7 @@ impl<const C: usize> BodyLoads<C> {
     }
 
     /// The sum of these loads in inside coordinates, at the beginning and at the end of the leg.
-    pub(super) fn inside<D: Size>(&self, grasp: &Engine<D, C>) -> Option<[Vector<D>; 2]> {
+    pub(super) fn inside(&self, grasp: &Engine<C>) -> Option<[Vector; 2]> {
         let (loads, bodies) = self.0.as_ref().zip(grasp.bodies())?;
         Some([0, 1].map(|end| grasp.put_on_each(bodies, &loads[end])))
     }
@@ -119,11 +119,7 @@ impl<const C: usize> BodyLoads<C> {
     }
 
     /// The grasp with its bodies under their loads at a fraction of the leg.
-    pub(super) fn put_on<'g, D: Size>(
-        &self,
-        grasp: &'g Engine<D, C>,
-        fraction: f64,
-    ) -> Cow<'g, Engine<D, C>> {
+    pub(super) fn put_on<'g>(&self, grasp: &'g Engine<C>, fraction: f64) -> Cow<'g, Engine<C>> {
         let Some(loads) = &self.0 else { return Cow::Borrowed(grasp) };
         let at = |(from, to): (&Wrench<C>, &Wrench<C>)| *from + (*to - *from) * fraction;
         let now = loads[0].iter().zip(&loads[1]).map(at).collect();

@@ -17,7 +17,7 @@ use super::letting_go::JumpInProgress;
 use super::pieces::Pieces;
 use crate::contact::{Law, LocalLaw, Mode, Resistance, ZERO_SLACK, tangential};
 use crate::grasp::Coordinates;
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::object::PieceState;
 use crate::prelude::*;
 use crate::search::Found;
@@ -62,10 +62,10 @@ fn lets_pass<const C: usize>(
     }
 }
 
-impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
+impl<'g, const C: usize> Pieces<'g, C> {
     /// The way along a motion to the gap that closes first. `None` where a contact resists the motion, where no gap closes, or where the motion is
     /// not small.
-    fn free_way(&self, motion: &Vector<D>) -> Option<FreeWay> {
+    fn free_way(&self, motion: &Vector) -> Option<FreeWay> {
         let grasp = self.segment.grasp;
         let drives = self.segment.drives(self.factor);
         let (mut still, mut gaps, mut fastest) = (Vec::new(), Vec::new(), 0.0);
@@ -106,9 +106,9 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
     /// Lets contacts on an edge yield along the motion, and returns the changes of state.
     fn yield_along(
         &mut self,
-        motion: &Vector<D>,
+        motion: &Vector,
         way: &FreeWay,
-        journey: &Journey<'g, D, C>,
+        journey: &Journey<'g, C>,
     ) -> Vec<(usize, Change<C>)> {
         let rates = self.edge(journey).rates;
         let mut states = rates.yielding();
@@ -123,7 +123,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
     }
 
     /// Moves to the end of the way; `None` where rounding keeps the state there from being computed.
-    fn go_free_way(&mut self, motion: &Vector<D>, way: &FreeWay) -> Option<()> {
+    fn go_free_way(&mut self, motion: &Vector, way: &FreeWay) -> Option<()> {
         let here = self.node.look(&self.segment.at_rest(self.factor), self.factor, None).ok()?;
         // Forces are solved anew in the new states, so that contacts that have opened lose the rounding of their force, too.
         let forces = here.lines.iter().map(|line| line.force).collect();
@@ -143,11 +143,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
     }
 
     /// The event at which a gap closes after a free motion from a loss; the path continues from there. `None` where no gap closes.
-    pub(super) fn caught_by_a_gap(
-        &mut self,
-        journey: &Journey<'g, D, C>,
-        loss: &Loss<C>,
-    ) -> Option<Event<C>> {
+    pub(super) fn caught_by_a_gap(&mut self, journey: &Journey<'g, C>, loss: &Loss<C>) -> Option<Event<C>> {
         if self.fallen.is_some() || self.pace.steps >= journey.settings.most_steps {
             return None;
         }
@@ -181,7 +177,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
     }
 }
 
-impl<'g, D: Size, const C: usize> JumpInProgress<'g, D, C> {
+impl<'g, const C: usize> JumpInProgress<'g, C> {
     /// Continues after a loss on its leg: contacts that begin to slide release the force that their friction loses, or else the object moves until a
     /// gap closes. Whether a force is released.
     ///
@@ -190,11 +186,11 @@ impl<'g, D: Size, const C: usize> JumpInProgress<'g, D, C> {
     pub(super) fn go_on_freely(
         &mut self,
         loss: &Loss<C>,
-        goal: &Vector<D>,
-        journey: &Journey<'g, D, C>,
+        goal: &Vector,
+        journey: &Journey<'g, C>,
     ) -> Result<bool, PathEnd<C>> {
         let lost = || PathEnd::Lost(Box::new(loss.clone()));
-        let motion: Option<Vector<D>> = loss.leaves.as_ref().map(Coordinates::to);
+        let motion: Option<Vector> = loss.leaves.as_ref().map(Coordinates::to);
         let motion = motion.filter(|_| loss.kind != LossKind::LetsGo).ok_or_else(lost)?;
         let way = self.leg.free_way(&motion).ok_or_else(lost)?;
         let changes = self.leg.yield_along(&motion, &way, journey);

@@ -7,10 +7,9 @@ use super::onset_margins::Leaver;
 use super::turn::EdgeOf;
 use crate::error::ContactLabel;
 use crate::grasp::{Engine, PartLabel, Role};
-use crate::numerics::Size;
 use crate::prelude::*;
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// Separates the changes of contacts from those of drives, which go by the names of their owners.
     pub(super) fn contacts_and_drives(
         &self,

@@ -6,7 +6,6 @@ use super::flow::{Flow, Reached, Rule, StepGoal};
 use super::pieces::Pieces;
 use super::segment::Here;
 use super::watch::{Watch, watch};
-use crate::numerics::Size;
 use crate::prelude::*;
 
 /// Least distance of a secant step from either end of the bracket, as a part of it.
@@ -16,23 +15,23 @@ const INSIDE: f64 = 1e-3;
 const MOST_TRIALS: usize = 80;
 
 /// The end of a step.
-pub(super) struct StepEnd<D: Size, const C: usize> {
+pub(super) struct StepEnd<const C: usize> {
     pub(super) length: f64,
     pub(super) rule: Rule,
-    pub(super) reached: Reached<D, C>,
+    pub(super) reached: Reached<C>,
     pub(super) watches: Vec<Watch>,
     /// The condition at which the step was made to end.
     pub(super) located: Option<usize>,
 }
 
-impl<D: Size, const C: usize> Pieces<'_, D, C> {
+impl<const C: usize> Pieces<'_, C> {
     /// A step of a length, with the conditions at its end.
     pub(super) fn step(
         &self,
-        here: &Here<D, C>,
+        here: &Here<C>,
         (length, trial): (f64, usize),
         rule: Rule,
-    ) -> Option<StepEnd<D, C>> {
+    ) -> Option<StepEnd<C>> {
         let unit = self.pace.unit?;
         let flow = Flow::new(&self.segment, &self.node.states, self.factor, here, unit);
         let reached = flow.reach(length, StepGoal::after(1.0, trial), rule)?;
@@ -41,7 +40,7 @@ impl<D: Size, const C: usize> Pieces<'_, D, C> {
     }
 
     /// The condition violated at the end of a step that linear interpolation between both ends would reach first.
-    pub(super) fn first_crossing(start: &[Watch], end: &StepEnd<D, C>) -> Option<usize> {
+    pub(super) fn first_crossing(start: &[Watch], end: &StepEnd<C>) -> Option<usize> {
         let part = |k: usize| {
             let (from, to) = (start[k].value.max(0.0), end.watches[k].value);
             from / (from - to)
@@ -53,11 +52,11 @@ impl<D: Size, const C: usize> Pieces<'_, D, C> {
     /// The step that ends where condition `k` is just met and no other is violated.
     pub(super) fn locate(
         &self,
-        here: &Here<D, C>,
+        here: &Here<C>,
         start: &[Watch],
-        mut end: StepEnd<D, C>,
+        mut end: StepEnd<C>,
         mut k: usize,
-    ) -> Option<StepEnd<D, C>> {
+    ) -> Option<StepEnd<C>> {
         let (mut low, mut high) = ((0.0, start[k].value.max(0.0)), (end.length, end.watches[k].value));
         if start[k].is_met() {
             // The condition is met at the start already, and is violated at once.

@@ -11,7 +11,7 @@ use crate::contact::{Coulomb, State};
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::prelude::*;
 use crate::search::{Doubt, Settings};
 
@@ -22,8 +22,8 @@ const SAME: f64 = 1e-9;
 
 /// A program of repeated cycles in progress.
 #[derive(Debug)]
-pub(crate) struct Cycles<'g, D: Size, const C: usize> {
-    path: Following<'g, D, C, Pieces<'g, D, C>>,
+pub(crate) struct Cycles<'g, const C: usize> {
+    path: Following<'g, C, Pieces<'g, C>>,
     legs: Vec<Leg<C>>,
     base: Wrench<C>,
     gone: usize,
@@ -31,12 +31,12 @@ pub(crate) struct Cycles<'g, D: Size, const C: usize> {
 
 /// The state of a grasp between two cycles.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct CycleState<D: Size, const C: usize> {
+pub(crate) struct CycleState<const C: usize> {
     pub(crate) forces: Vec<SVector<f64, C>>,
     /// Gaps of open sites, m; zero for closed ones.
     pub(crate) gaps: Vec<f64>,
     pub(crate) slips: Vec<SVector<f64, C>>,
-    pub(crate) twist: Vector<D>,
+    pub(crate) twist: Vector,
     /// Whether each site slides with less friction than at rest; empty where no contact has kinetic friction.
     pub(crate) weaker: Vec<bool>,
 }
@@ -82,13 +82,13 @@ fn are_alike<const C: usize>(a: &[State<C>], b: &[State<C>]) -> bool {
     a.iter().zip(b).all(|(a, b)| a.is_kind_of(b))
 }
 
-impl<'g, D: Size, const C: usize> Cycles<'g, D, C> {
+impl<'g, const C: usize> Cycles<'g, C> {
     /// Before the first cycle, at the equilibrium under the base load.
     ///
     /// # Errors
     /// As for [`Grasp::follow`](crate::ask::Grasp::follow), and [`Error::NotClosed`] for legs that do not lead back.
     pub(crate) fn at_rest(
-        grasp: &'g Engine<D, C>,
+        grasp: &'g Engine<C>,
         (base, legs): (&Wrench<C>, &[Leg<C>]),
         settings: &Settings,
     ) -> Result<Self, Error> {
@@ -98,7 +98,7 @@ impl<'g, D: Size, const C: usize> Cycles<'g, D, C> {
     }
 
     /// Before a cycle that begins in another state; `None` if that state is no equilibrium of the grasp with these slips.
-    pub(crate) fn beginning_at(&self, from: &CycleState<D, C>, settings: &Settings) -> Option<Self> {
+    pub(crate) fn beginning_at(&self, from: &CycleState<C>, settings: &Settings) -> Option<Self> {
         let grasp = self.path.journey.grasp;
         let largest = from.forces.iter().map(Matrix::norm).fold(0.0, f64::max);
         let begin = Following::start(grasp, (&self.base, &self.legs), settings, |journey, problem| {
@@ -181,7 +181,7 @@ impl<'g, D: Size, const C: usize> Cycles<'g, D, C> {
     }
 
     /// The state of the grasp after the cycles so far.
-    pub(crate) fn standing(&self) -> Option<CycleState<D, C>> {
+    pub(crate) fn standing(&self) -> Option<CycleState<C>> {
         let follower = self.path.follower.as_ref()?;
         let (at, segment) = (&follower.node.at, &follower.segment);
         let drives = segment.drives(follower.factor);
@@ -199,9 +199,9 @@ impl<'g, D: Size, const C: usize> Cycles<'g, D, C> {
     }
 }
 
-impl<D: Size, const C: usize> CycleState<D, C> {
+impl<const C: usize> CycleState<C> {
     /// The friction of each site: kinetic where it slides with less friction. Empty if `weaker` is.
-    fn cones(&self, grasp: &Engine<D, C>) -> Vec<Coulomb> {
+    fn cones(&self, grasp: &Engine<C>) -> Vec<Coulomb> {
         let sites = grasp.sites().iter().zip(&self.weaker);
         sites.map(|(site, weaker)| site.kinetic.filter(|_| *weaker).unwrap_or(site.friction)).collect()
     }
@@ -209,7 +209,7 @@ impl<D: Size, const C: usize> CycleState<D, C> {
 
 impl<const C: usize> CycleRecord<C> {
     /// Adds a piece of the way, with the slips after it.
-    fn add<D: Size>(&mut self, piece: &Stretch<'_, D, C>, after: &[SVector<f64, C>], first: usize) {
+    fn add(&mut self, piece: &Stretch<'_, C>, after: &[SVector<f64, C>], first: usize) {
         let leg = piece.leg.saturating_sub(first);
         if let Some(fallen) = &piece.fallen {
             for (i, _) in fallen.slid.iter().enumerate().filter(|(_, slid)| **slid) {

@@ -5,7 +5,7 @@ use super::event::{Loss, LossKind, PathEnd};
 use super::follower::StandAtEdge;
 use super::rigid_motion::rigid_motion;
 use crate::contact::State;
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::object::{Piece, Problem};
 use crate::prelude::*;
 use crate::search::{Effort, Settings, Settled};
@@ -14,9 +14,9 @@ use crate::search::{Effort, Settings, Settled};
 ///
 /// The object gives way where a motion meets no resistance. Otherwise the end is a corner: the contacts on an edge have rates in no combination of
 /// states. Where that is not known, a proof that nothing holds beyond suffices.
-pub(super) fn end_of_path<D: Size, const C: usize>(
-    edge: &StandAtEdge<'_, D, C>,
-    (settled, effort): (Settled<D, C>, &Effort),
+pub(super) fn end_of_path<const C: usize>(
+    edge: &StandAtEdge<'_, C>,
+    (settled, effort): (Settled<C>, &Effort),
     loss: Loss<C>,
     settings: &Settings,
 ) -> PathEnd<C> {
@@ -51,22 +51,22 @@ pub(super) fn end_of_path<D: Size, const C: usize>(
 /// The object leaves by a motion that then changes no force, and on which the load works. No force of these states does work on the virtual motion,
 /// which is inclined by friction: for a block that slides to the right it points upwards along the edge of the cone. Where there are no such motions,
 /// both are the motion of the rates in these states. The rates balance the load, but slip against friction: the reversed motion slips along it.
-pub(super) fn leaving_motions<D: Size, const C: usize>(
-    rates: &Problem<D, C>,
-    load: &Vector<D>,
+pub(super) fn leaving_motions<const C: usize>(
+    rates: &Problem<C>,
+    load: &Vector,
     states: &[State<C>],
-) -> Option<[Vector<D>; 2]> {
+) -> Option<[Vector; 2]> {
     let piece = Piece::new(rates, states);
     let solved = match piece.solve(rates.sites, &rates.drives, &rates.wrench) {
         Err(unbalanced) => {
             // Where friction is exhausted no spring resists, but the friction forces work on the motion. Where only commands change, the load itself
             // drives the object out.
-            let along = |motions: &[Vector<D>], wrench: &Vector<D>| {
+            let along = |motions: &[Vector], wrench: &Vector| {
                 let v = motions.iter().fold(Vector::zeros(), |sum, v| sum + v * v.dot(wrench));
                 (v.norm() > 0.0).then(|| v.normalize())
             };
             let worked_on =
-                |motions: &[Vector<D>]| along(motions, &rates.wrench).or_else(|| along(motions, load));
+                |motions: &[Vector]| along(motions, &rates.wrench).or_else(|| along(motions, load));
             let free = piece.free_motions();
             let against = unbalanced.motion.or_else(|| worked_on(free))?;
             let neutral = || worked_on(&piece.neutral_motions());

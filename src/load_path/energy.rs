@@ -6,7 +6,7 @@ use super::segment::{Here, Segment};
 use super::turning_state::TurningState;
 use crate::contact::State;
 use crate::grasp::Site;
-use crate::numerics::{Harmonic, Size};
+use crate::numerics::Harmonic;
 use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
@@ -46,9 +46,9 @@ impl LegEnergy {
     }
 
     /// Adds the energy that the springs take up between two states.
-    pub(super) fn store<D: Size, const C: usize>(
+    pub(super) fn store<const C: usize>(
         &mut self,
-        sites: &[Site<D, C>],
+        sites: &[Site<C>],
         from: &[SVector<f64, C>],
         to: &[SVector<f64, C>],
     ) {
@@ -69,11 +69,11 @@ impl LegEnergy {
     }
 
     /// Adds the energies of a piece from a factor on, with fixed states and no contact sliding on a round cone.
-    pub(super) fn add<D: Size, const C: usize>(
+    pub(super) fn add<const C: usize>(
         &mut self,
-        segment: &Segment<D, C>,
+        segment: &Segment<C>,
         states: &[State<C>],
-        here: &Here<D, C>,
+        here: &Here<C>,
         factor: f64,
         step: f64,
     ) {
@@ -105,11 +105,11 @@ impl LegEnergy {
     }
 
     /// Adds the energies of a piece along which everything turns with the load: works of one harmonic on another.
-    fn add_turned<D: Size, const C: usize>(
+    fn add_turned<const C: usize>(
         &mut self,
-        segment: &Segment<D, C>,
+        segment: &Segment<C>,
         states: &[State<C>],
-        turned: &TurningState<D, C>,
+        turned: &TurningState<C>,
         step: f64,
     ) {
         let angle = turned.angle * step;

@@ -7,7 +7,7 @@ use super::jump::{Jump, JumpSlip};
 use crate::equilibrium::{Equilibrium, Outcome};
 use crate::error::ContactLabel;
 use crate::grasp::{Coordinates, Engine, Motion, PartLabel, Wrench};
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::prelude::*;
 use crate::search::Doubt;
 #[cfg(feature = "serde")]
@@ -199,13 +199,13 @@ impl<const C: usize> Loss<C> {
     }
 
     /// This loss with a virtual motion other than the one with which the object leaves.
-    pub(super) fn and_virtually<D: Size>(mut self, against: Option<&Vector<D>>) -> Self {
+    pub(super) fn and_virtually(mut self, against: Option<&Vector>) -> Self {
         self.against = against.map(Coordinates::of);
         self
     }
 
     /// This loss with the motion with which the object leaves, in inside coordinates.
-    pub(super) fn leaving<D: Size>(mut self, grasp: &Engine<D, C>, motion: Option<&Vector<D>>) -> Self {
+    pub(super) fn leaving(mut self, grasp: &Engine<C>, motion: Option<&Vector>) -> Self {
         self.motion = motion.map(|v| grasp.motion_outside(v));
         self.leaves = motion.map(Coordinates::of);
         self.against.clone_from(&self.leaves);

@@ -7,16 +7,15 @@ use super::jump::Jump;
 use super::pieces::Pieces;
 use super::trajectory::Trajectory;
 use crate::contact::{ActiveSet, Mode};
-use crate::numerics::Size;
 use crate::prelude::*;
 
 /// Forces below this part of the largest have vanished, where alternating stick and slip has brought them there.
 const RUN_OUT: f64 = 1e-9;
 
-impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
+impl<'g, const C: usize> Pieces<'g, C> {
     /// Gives every contact a cone of its own from rest on, if some have lower friction while they slide. Contacts that slide already get the lower
     /// one. Cones already present belong to a path in progress, and stay.
-    pub(super) fn with_falling_friction(mut self, journey: &Journey<'g, D, C>) -> Result<Self, PathEnd<C>> {
+    pub(super) fn with_falling_friction(mut self, journey: &Journey<'g, C>) -> Result<Self, PathEnd<C>> {
         let grasp = journey.grasp;
         if self.friction_falls() || grasp.weaker_once_they_slide().next().is_none() {
             return Ok(self);
@@ -105,7 +104,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
     /// Sets the friction of contacts after these changes, and makes the jump that follows if some begin to slide.
     pub(super) fn friction_after(
         &mut self,
-        journey: &Journey<'g, D, C>,
+        journey: &Journey<'g, C>,
         changes: &[(usize, Change<C>)],
     ) -> Result<Option<Box<Jump<C>>>, PathEnd<C>> {
         self.friction_of_rest();

@@ -12,7 +12,7 @@ use super::turn::Turn;
 use crate::contact::{ActiveSet, At, Exit, Line, LocalLaw};
 use crate::equilibrium::ACCURATE;
 use crate::grasp::{Site, Wrench};
-use crate::numerics::{Harmonic, Size, Vector, cleared_for};
+use crate::numerics::{Harmonic, Vector, cleared_for};
 use crate::object::{Imbalance, PieceState};
 use crate::prelude::*;
 use crate::search::{Found, Rung};
@@ -27,18 +27,18 @@ const ROUGHLY: f64 = 1e-6;
 const FAR: f64 = 1e6;
 
 /// The contact that stops sticking first, and the state there.
-pub(super) struct FirstToLeave<D: Size, const C: usize> {
+pub(super) struct FirstToLeave<const C: usize> {
     pub(super) factor: f64,
     contact: usize,
     exit: Exit<C>,
-    there: PieceState<D, C>,
+    there: PieceState<C>,
 }
 
 /// The first contact to leave along a ramp; `None` where this simple case does not apply.
-pub(super) fn first_to_leave<D: Size, const C: usize>(
-    segment: &Segment<'_, D, C>,
-    memory: &mut OnsetMemory<D, C>,
-) -> Option<FirstToLeave<D, C>> {
+pub(super) fn first_to_leave<const C: usize>(
+    segment: &Segment<'_, C>,
+    memory: &mut OnsetMemory<C>,
+) -> Option<FirstToLeave<C>> {
     let problem = &segment.problem;
     let piece = problem.trial();
     if !piece.free_motions().is_empty() {
@@ -65,19 +65,19 @@ pub(super) fn first_to_leave<D: Size, const C: usize>(
 }
 
 /// The result of a turn.
-pub(super) enum WhileTurning<D: Size, const C: usize> {
+pub(super) enum WhileTurning<const C: usize> {
     /// One contact leaves before all others.
-    First(FirstToLeave<D, C>),
+    First(FirstToLeave<C>),
     /// Everything keeps sticking.
     Never,
 }
 
 /// The first contact to leave while a load turns, or the answer that none leaves. `None` where this simple case does not apply.
-pub(super) fn first_to_leave_on_turn<D: Size, const C: usize>(
-    segment: &Segment<'_, D, C>,
+pub(super) fn first_to_leave_on_turn<const C: usize>(
+    segment: &Segment<'_, C>,
     turn: &Turn<C>,
-    inside: &Harmonic<Vector<D>>,
-) -> Option<WhileTurning<D, C>> {
+    inside: &Harmonic<Vector>,
+) -> Option<WhileTurning<C>> {
     let problem = &segment.problem;
     let piece = problem.trial();
     if !piece.free_motions().is_empty() {
@@ -131,13 +131,13 @@ pub(super) fn first_to_leave_on_turn<D: Size, const C: usize>(
     Some(WhileTurning::First(FirstToLeave { factor: angle, contact: *contact, exit, there }))
 }
 
-impl<D: Size, const C: usize> FirstToLeave<D, C> {
+impl<const C: usize> FirstToLeave<C> {
     /// The onset on this segment, under the load there.
     pub(super) fn onset(
         self,
-        mut segment: Segment<'_, D, C>,
+        mut segment: Segment<'_, C>,
         load: Wrench<C>,
-        memory: &mut OnsetMemory<D, C>,
+        memory: &mut OnsetMemory<C>,
     ) -> Onset<C> {
         let Self { factor, contact, exit, there } = self;
         let OnsetMemory { states, stands, leaving, sites, .. } = memory;
@@ -177,10 +177,10 @@ struct First<const C: usize> {
 }
 
 /// The first exit, if everything clearly sticks at the base and no other exit is near.
-fn first_exit<D: Size, const C: usize>(
-    segment: &Segment<'_, D, C>,
-    base: &PieceState<D, C>,
-    (direction, rate): (&Vector<D>, &PieceState<D, C>),
+fn first_exit<const C: usize>(
+    segment: &Segment<'_, C>,
+    base: &PieceState<C>,
+    (direction, rate): (&Vector, &PieceState<C>),
 ) -> Option<First<C>> {
     let problem = &segment.problem;
     let largest = problem.largest_force(&base.forces, &base.twist);
@@ -216,11 +216,7 @@ fn first_exit<D: Size, const C: usize>(
 }
 
 /// Whether forces balance a load within the accuracy required of an answer.
-fn is_balanced<D: Size, const C: usize>(
-    sites: &[Site<D, C>],
-    load: &Vector<D>,
-    forces: &[SVector<f64, C>],
-) -> bool {
+fn is_balanced<const C: usize>(sites: &[Site<C>], load: &Vector, forces: &[SVector<f64, C>]) -> bool {
     let Imbalance { left, size } = Imbalance::of(sites, forces, load, load.norm());
     left.norm() <= ACCURATE * size
 }

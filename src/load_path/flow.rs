@@ -87,11 +87,11 @@ impl StepGoal {
 }
 
 /// The differential equation of an arc in fixed contact states, from one point of the path.
-pub(super) struct Flow<'s, 'g, D: Size, const C: usize> {
-    arc: Arc<'s, 'g, D, C>,
+pub(super) struct Flow<'s, 'g, const C: usize> {
+    arc: Arc<'s, 'g, C>,
     from: f64,
     /// The start, with rates for one unit of arclength.
-    here: &'s Here<D, C>,
+    here: &'s Here<C>,
     /// Friction forces of the sliding contacts at the start.
     begin: Vec<SVector<f64, C>>,
     /// Whether each of them is losing its normal force, so that its slip is not known any more.
@@ -102,10 +102,10 @@ pub(super) struct Flow<'s, 'g, D: Size, const C: usize> {
 
 /// The state at the end of a step.
 #[derive(Debug, Clone)]
-pub(super) struct Reached<D: Size, const C: usize> {
+pub(super) struct Reached<const C: usize> {
     pub(super) to: f64,
     /// State with rates for one unit of arclength.
-    pub(super) here: Here<D, C>,
+    pub(super) here: Here<C>,
     pub(super) energy: LegEnergy,
     /// Estimated relative error: of forces over the largest of them, of the twist over the largest displacement; the larger of both.
     pub(super) error: f64,
@@ -113,8 +113,8 @@ pub(super) struct Reached<D: Size, const C: usize> {
     pub(super) backwards: bool,
 }
 
-impl<D: Size, const C: usize> Reached<D, C> {
-    pub(super) fn at(&self) -> PieceState<D, C> {
+impl<const C: usize> Reached<C> {
+    pub(super) fn at(&self) -> PieceState<C> {
         PieceState {
             forces: self.here.lines.iter().map(|line| line.force).collect(),
             twist: self.here.twist.clone(),
@@ -122,13 +122,13 @@ impl<D: Size, const C: usize> Reached<D, C> {
     }
 }
 
-impl<'s, 'g, D: Size, const C: usize> Flow<'s, 'g, D, C> {
+impl<'s, 'g, const C: usize> Flow<'s, 'g, C> {
     /// The flow from a state with rates for one unit of the arclength of (q/unit, λ).
     pub(super) fn new(
-        segment: &'s Segment<'g, D, C>,
+        segment: &'s Segment<'g, C>,
         states: &'s [State<C>],
         from: f64,
-        here: &'s Here<D, C>,
+        here: &'s Here<C>,
         unit: f64,
     ) -> Self {
         let sites = segment.grasp.sites();
@@ -139,7 +139,7 @@ impl<'s, 'g, D: Size, const C: usize> Flow<'s, 'g, D, C> {
         let spans = sites.iter().zip(&drives).map(|(site, a)| site.span(a, &here.twist));
         let sizes = [force, spans.fold(0.0, f64::max)];
         // Motions that no force drives continue at their present rate.
-        let pushed = |v: &Vector<D>| {
+        let pushed = |v: &Vector| {
             let rate = v.dot(&here.twist_rate);
             if rate.abs() > UNPUSHED * here.twist_rate.norm() { rate / here.factor_rate } else { 0.0 }
         };
@@ -155,7 +155,7 @@ impl<'s, 'g, D: Size, const C: usize> Flow<'s, 'g, D, C> {
     }
 
     /// The direction of the path at the start.
-    fn onward(&self) -> Direction<D> {
+    fn onward(&self) -> Direction {
         Direction { twist: self.here.twist_rate.clone(), factor: self.here.factor_rate }
     }
 
@@ -178,7 +178,7 @@ impl<'s, 'g, D: Size, const C: usize> Flow<'s, 'g, D, C> {
     }
 
     /// A step of this length, ended at the goal if it comes near enough. `None` if no such step exists.
-    pub(super) fn reach(&self, length: f64, goal: StepGoal, rule: Rule) -> Option<Reached<D, C>> {
+    pub(super) fn reach(&self, length: f64, goal: StepGoal, rule: Rule) -> Option<Reached<C>> {
         let mut backwards = false;
         let mut rate = |y: &[f64], out: &mut [f64]| self.rate(y, out).map(|back| backwards |= back);
         let [load, works] = self.places();
@@ -239,12 +239,12 @@ impl<'s, 'g, D: Size, const C: usize> Flow<'s, 'g, D, C> {
         [load, load + 1]
     }
 
-    fn size(&self) -> D {
+    fn size(&self) -> Size {
         self.arc.segment.grasp.size()
     }
 
     /// The change of the twist among the variables.
-    fn moved(&self, y: &[f64]) -> Vector<D> {
+    fn moved(&self, y: &[f64]) -> Vector {
         let first = self.begin.len() * (C - 1);
         Vector::from_fn(self.size(), |k| y[first + k])
     }
@@ -330,7 +330,7 @@ impl<'s, 'g, D: Size, const C: usize> Flow<'s, 'g, D, C> {
     }
 
     /// The step from the start to a factor on the way, of length at most `most`.
-    pub(super) fn reach_factor(&self, goal: f64, most: f64, rule: Rule) -> Option<Reached<D, C>> {
+    pub(super) fn reach_factor(&self, goal: f64, most: f64, rule: Rule) -> Option<Reached<C>> {
         let (mut low, mut high) = (0.0, most);
         let mut length = (goal - self.from) / self.here.factor_rate;
         for trial in 0..MOST_TRIALS {

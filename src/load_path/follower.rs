@@ -12,7 +12,6 @@ use super::segment::Segment;
 use super::small_motions::EndOfSmallMotions;
 use crate::equilibrium::Equilibrium;
 use crate::grasp::WholeContact;
-use crate::numerics::Size;
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::Settings;
@@ -30,15 +29,15 @@ pub(crate) enum Came<T> {
 
 /// The contacts at the present place, and the rates of those on an edge.
 #[derive(Debug)]
-pub(crate) struct StandAtEdge<'g, D: Size, const C: usize> {
-    pub(super) segment: Segment<'g, D, C>,
-    pub(super) rates: Problem<'g, D, C>,
+pub(crate) struct StandAtEdge<'g, const C: usize> {
+    pub(super) segment: Segment<'g, C>,
+    pub(super) rates: Problem<'g, C>,
     pub(super) forces: Vec<SVector<f64, C>>,
 }
 
 /// A way to follow a program: piece by piece for a few contacts, one event at a time for thousands, or in steps. The follower knows its place on the
 /// present leg and the slip so far; the path keeps the leg and those that follow.
-pub(crate) trait Follower<'g, D: Size, const C: usize>: Debug {
+pub(crate) trait Follower<'g, const C: usize>: Debug {
     /// The type of reports on the way.
     type Report;
 
@@ -49,25 +48,25 @@ pub(crate) trait Follower<'g, D: Size, const C: usize>: Debug {
     ///
     /// # Errors
     /// How the path ends if it cannot start.
-    fn set_out(&mut self, journey: &Journey<'g, D, C>) -> Result<(), PathEnd<C>>;
+    fn set_out(&mut self, journey: &Journey<'g, C>) -> Result<(), PathEnd<C>>;
 
     /// Advances to the next place that needs a decision.
     ///
     /// # Errors
     /// How the path ends here.
-    fn go_on(&mut self, journey: &Journey<'g, D, C>) -> Result<Came<Self::Report>, PathEnd<C>>;
+    fn go_on(&mut self, journey: &Journey<'g, C>) -> Result<Came<Self::Report>, PathEnd<C>>;
 
     /// The fraction of the leg already followed.
     fn fraction(&self) -> f64;
 
     /// The equilibrium there; `None` where rounding keeps it from being computed.
-    fn state(&self, journey: &Journey<'g, D, C>) -> Option<Equilibrium<C>>;
+    fn state(&self, journey: &Journey<'g, C>) -> Option<Equilibrium<C>>;
 
     /// Contact forces there, N, in the contact frames.
-    fn forces(&self, journey: &Journey<'g, D, C>) -> Vec<SVector<f64, C>>;
+    fn forces(&self, journey: &Journey<'g, C>) -> Vec<SVector<f64, C>>;
 
     /// The contacts on an edge there, with their rates.
-    fn edge(&self, journey: &Journey<'g, D, C>) -> StandAtEdge<'g, D, C>;
+    fn edge(&self, journey: &Journey<'g, C>) -> StandAtEdge<'g, C>;
 
     /// The situation beyond a jump that nothing caught, from a follower with falling friction; `None` where the path did not end in one.
     fn beyond_a_jump(&self, _settings: &Settings) -> Option<Beyond<C>> {
@@ -78,11 +77,7 @@ pub(crate) trait Follower<'g, D: Size, const C: usize>: Debug {
     ///
     /// # Errors
     /// As for [`Self::go_on`].
-    fn go_up_to(
-        &mut self,
-        journey: &Journey<'g, D, C>,
-        _most: f64,
-    ) -> Result<Came<Self::Report>, PathEnd<C>> {
+    fn go_up_to(&mut self, journey: &Journey<'g, C>, _most: f64) -> Result<Came<Self::Report>, PathEnd<C>> {
         self.go_on(journey)
     }
 
@@ -112,7 +107,7 @@ pub(crate) trait Follower<'g, D: Size, const C: usize>: Debug {
     }
 
     /// Suction cups whose lips are open all around from here on, for a follower that checks them.
-    fn cups_open(&self, _journey: &Journey<'g, D, C>) -> Vec<WholeContact> {
+    fn cups_open(&self, _journey: &Journey<'g, C>) -> Vec<WholeContact> {
         Vec::new()
     }
 

@@ -14,36 +14,35 @@ use super::small_motions::EndOfSmallMotions;
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::{Coordinates, Engine, Wrench};
-use crate::numerics::Size;
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Settings, settle};
 
 /// A journey with its follower.
 #[derive(Debug)]
-pub(crate) struct Following<'g, D: Size, const C: usize, F> {
-    pub(super) journey: Journey<'g, D, C>,
+pub(crate) struct Following<'g, const C: usize, F> {
+    pub(super) journey: Journey<'g, C>,
     /// `None` if there is no equilibrium to start from.
     pub(super) follower: Option<F>,
     end: Option<PathEnd<C>>,
 }
 
-impl<'g, D: Size, const C: usize, F: Follower<'g, D, C>> Following<'g, D, C, F> {
+impl<'g, const C: usize, F: Follower<'g, C>> Following<'g, C, F> {
     /// A path from rest under a load; the follower begins at the equilibrium if there is one, before the first leg.
     pub(super) fn start(
-        grasp: &'g Engine<D, C>,
+        grasp: &'g Engine<C>,
         (start, legs): (&Wrench<C>, &[Leg<C>]),
         settings: &Settings,
-        begin: impl FnOnce(&Journey<'g, D, C>, &Problem<'g, D, C>) -> Result<F, PathEnd<C>>,
+        begin: impl FnOnce(&Journey<'g, C>, &Problem<'g, C>) -> Result<F, PathEnd<C>>,
     ) -> Result<Self, Error> {
         Self::of(Journey::new(grasp, start, settings)?, legs, begin)
     }
 
     /// The path of a journey that has no legs yet.
     pub(super) fn of(
-        mut journey: Journey<'g, D, C>,
+        mut journey: Journey<'g, C>,
         legs: &[Leg<C>],
-        begin: impl FnOnce(&Journey<'g, D, C>, &Problem<'g, D, C>) -> Result<F, PathEnd<C>>,
+        begin: impl FnOnce(&Journey<'g, C>, &Problem<'g, C>) -> Result<F, PathEnd<C>>,
     ) -> Result<Self, Error> {
         journey.extend(legs, F::STRAIGHT_ONLY)?;
         let problem = journey.problem_at_start();
@@ -78,7 +77,7 @@ impl<'g, D: Size, const C: usize, F: Follower<'g, D, C>> Following<'g, D, C, F> 
     /// The report of a follower that advances by `on`; `None` where the path has ended or there is nothing to report yet.
     pub(super) fn go(
         &mut self,
-        on: impl FnOnce(&mut F, &Journey<'g, D, C>) -> Result<Came<F::Report>, PathEnd<C>>,
+        on: impl FnOnce(&mut F, &Journey<'g, C>) -> Result<Came<F::Report>, PathEnd<C>>,
     ) -> Option<F::Report> {
         match on(self.follower.as_mut()?, &self.journey) {
             Ok(Came::To(told)) => {
@@ -115,7 +114,7 @@ pub(crate) trait AnyPath<const C: usize, T>: Debug {
     fn all_slide_from(&self, until: (usize, f64)) -> Option<(usize, f64)>;
 }
 
-impl<'g, D: Size, const C: usize, F: Follower<'g, D, C>> AnyPath<C, F::Report> for Following<'g, D, C, F> {
+impl<'g, const C: usize, F: Follower<'g, C>> AnyPath<C, F::Report> for Following<'g, C, F> {
     fn next(&mut self) -> Option<F::Report> {
         while self.end.is_none() {
             if let told @ Some(_) = self.go(F::go_on) {

@@ -12,14 +12,10 @@
 use nalgebra::{SMatrix, SVector};
 
 use crate::grasp::{Site, grasp_map};
-use crate::numerics::{Map, Size};
+use crate::numerics::Map;
 
 /// dG for a point that moves along a coordinate axis, in inside coordinates whose unit of length is `length`, 1/m.
-pub(super) fn map_by_point<D: Size, const C: usize>(
-    site: &Site<D, C>,
-    axis: usize,
-    length: f64,
-) -> Map<D, C> {
+pub(super) fn map_by_point<const C: usize>(site: &Site<C>, axis: usize, length: f64) -> Map<C> {
     let mut arm = SVector::<f64, C>::zeros();
     arm[axis] = 1.0 / length;
     let mut map = grasp_map(site.map.size(), &arm, &site.frame);
@@ -30,7 +26,7 @@ pub(super) fn map_by_point<D: Size, const C: usize>(
 
 /// dG for a frame that turns, 1/rad: about its normal from t₁ to t₂ (axis 0, only in space), or so that the normal tilts towards the tangent with
 /// this axis. `None` for an axis that does not exist.
-pub(super) fn map_by_normal<D: Size, const C: usize>(site: &Site<D, C>, axis: usize) -> Option<Map<D, C>> {
+pub(super) fn map_by_normal<const C: usize>(site: &Site<C>, axis: usize) -> Option<Map<C>> {
     let (from, to) = match axis {
         0 if C == 3 => (1, 2),
         1.. if axis < C => (0, axis),

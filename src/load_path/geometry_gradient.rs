@@ -7,7 +7,6 @@ use super::onset_margins::{Leaver, OnsetMargins};
 use super::sensitivity::Parameter;
 use crate::error::Error;
 use crate::grasp::Engine;
-use crate::numerics::Size;
 use crate::prelude::*;
 
 /// Derivatives of the load factor (without unit) at which one contact stops sticking, with respect to the geometry of every contact. Commands,
@@ -33,7 +32,7 @@ pub struct GeometryGradient<const C: usize> {
     pub normal: Vec<SVector<f64, C>>,
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Sensitivity::onset_gradients_by_geometry`](crate::ask::Sensitivity::onset_gradients_by_geometry).
     pub(crate) fn onset_gradients_by_geometry(
         &self,

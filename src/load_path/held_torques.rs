@@ -6,7 +6,7 @@ use alloc::sync::Arc;
 use super::leg::{Leg, LegGoal, LegLoad};
 use crate::error::{Error, MODERATE, is_moderate};
 use crate::grasp::{Engine, of_the_object};
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::prelude::*;
 
 impl<const C: usize> Leg<C> {
@@ -55,7 +55,7 @@ impl<const C: usize> Leg<C> {
     }
 
     /// Refuses torques that are not one for each joint, that are not finite or too large, or that change while the load turns.
-    pub(super) fn check_torques<D: Size>(&self, grasp: &Engine<D, C>) -> Result<(), Error> {
+    pub(super) fn check_torques(&self, grasp: &Engine<C>) -> Result<(), Error> {
         let (LegGoal::By(torques) | LegGoal::To(torques)) = &self.torques else { return Ok(()) };
         let what = "torques of a leg";
         let expected = grasp.held_torques().len();
@@ -94,7 +94,7 @@ impl HeldTorques {
     }
 
     /// The load of these torques less those of the hand, in inside coordinates, at the beginning and at the end of the leg.
-    pub(super) fn inside<D: Size, const C: usize>(&self, grasp: &Engine<D, C>) -> Option<[Vector<D>; 2]> {
+    pub(super) fn inside<const C: usize>(&self, grasp: &Engine<C>) -> Option<[Vector; 2]> {
         let (torques, linkage) = self.0.as_ref().zip(grasp.linkage())?;
         Some([0, 1].map(|end| {
             let mut inside = Vector::all_zero(grasp.size());
@@ -112,11 +112,11 @@ impl HeldTorques {
     }
 
     /// The grasp with the torques that hold its joints at a fraction of the leg.
-    pub(super) fn put_on<'g, D: Size, const C: usize>(
+    pub(super) fn put_on<'g, const C: usize>(
         &self,
-        grasp: Cow<'g, Engine<D, C>>,
+        grasp: Cow<'g, Engine<C>>,
         fraction: f64,
-    ) -> Cow<'g, Engine<D, C>> {
+    ) -> Cow<'g, Engine<C>> {
         let Some(torques) = &self.0 else { return grasp };
         let [from, to] = &**torques;
         let now: Vec<f64> = from.iter().zip(to).map(|(from, to)| from + (to - from) * fraction).collect();

@@ -12,32 +12,28 @@ use crate::contact::Polygon;
 use crate::equilibrium::{AnswerFor, Equilibrium};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::object::{Load, Problem};
 use crate::prelude::*;
 use crate::search::{Doubt, Effort, Found, Rung, Settings, Settled, settle_at_rest};
 
 /// The settled equilibrium to start from.
-pub(crate) type Rest<D, const C: usize> = (Settled<D, C>, Effort);
+pub(crate) type Rest<const C: usize> = (Settled<C>, Effort);
 
 /// A program of legs in progress.
 #[derive(Debug)]
-pub(crate) struct Journey<'g, D: Size, const C: usize> {
-    pub(super) grasp: &'g Engine<D, C>,
+pub(crate) struct Journey<'g, const C: usize> {
+    pub(super) grasp: &'g Engine<C>,
     pub(super) settings: Settings,
     pub(super) polygon: Arc<Polygon<C>>,
     pub(super) program: Program<C>,
     /// The start, if it is known already.
-    pub(super) rest: Option<Rest<D, C>>,
+    pub(super) rest: Option<Rest<C>>,
 }
 
-impl<'g, D: Size, const C: usize> Journey<'g, D, C> {
+impl<'g, const C: usize> Journey<'g, C> {
     /// A journey that has not begun yet, from rest under a load.
-    pub(super) fn new(
-        grasp: &'g Engine<D, C>,
-        start: &Wrench<C>,
-        settings: &Settings,
-    ) -> Result<Self, Error> {
+    pub(super) fn new(grasp: &'g Engine<C>, start: &Wrench<C>, settings: &Settings) -> Result<Self, Error> {
         grasp.load_alone(start, "start load")?;
         settings.small_motions.check()?;
         let polygon = Polygon::shared(&settings.cone);
@@ -45,18 +41,18 @@ impl<'g, D: Size, const C: usize> Journey<'g, D, C> {
     }
 
     /// The question of one equilibrium with these drives, for the cone of the journey.
-    pub(super) fn problem(&self, drives: Vec<SVector<f64, C>>, load: &Vector<D>) -> Problem<'g, D, C> {
+    pub(super) fn problem(&self, drives: Vec<SVector<f64, C>>, load: &Vector) -> Problem<'g, C> {
         let round = self.settings.is_round::<C>();
         self.grasp.problem(self.polygon.clone(), round, drives, &Load::from(load))
     }
 
     /// The problem at the start, with contacts that have not slipped yet.
-    pub(super) fn problem_at_start(&self) -> Problem<'g, D, C> {
+    pub(super) fn problem_at_start(&self) -> Problem<'g, C> {
         self.problem(self.grasp.drives(), &self.program.inside_course(self.grasp).at(0.0))
     }
 
     /// The equilibrium to start from; else how the path ends before it begins.
-    pub(super) fn start(&self, problem: &Problem<'g, D, C>) -> Result<Found<D, C>, PathEnd<C>> {
+    pub(super) fn start(&self, problem: &Problem<'g, C>) -> Result<Found<C>, PathEnd<C>> {
         match self.rest.clone().unwrap_or_else(|| settle_at_rest(problem, &self.settings)) {
             (Settled::Found(found, _), _) => Ok(found),
             (nothing, effort) => {
@@ -69,7 +65,7 @@ impl<'g, D: Size, const C: usize> Journey<'g, D, C> {
 
     /// The present leg, with slips up to its beginning. It is computed anew from the goals of the leg, so that rounding does not add up over many
     /// legs.
-    pub(super) fn segment(&self, slips: Vec<SVector<f64, C>>) -> Segment<'g, D, C> {
+    pub(super) fn segment(&self, slips: Vec<SVector<f64, C>>) -> Segment<'g, C> {
         let course = self.program.inside_course(self.grasp);
         let [mut drives, change] = self.program.drives(self.grasp);
         drives.iter_mut().zip(&slips).for_each(|(drive, slip)| *drive -= slip);
@@ -85,9 +81,9 @@ impl<'g, D: Size, const C: usize> Journey<'g, D, C> {
     /// The equilibrium found at a fraction of the present leg, as an answer.
     pub(super) fn equilibrium(
         &self,
-        problem: &Problem<'g, D, C>,
+        problem: &Problem<'g, C>,
         fraction: f64,
-        found: Found<D, C>,
+        found: Found<C>,
     ) -> Equilibrium<C> {
         let (load, effort) = (self.program.load_at(fraction), Effort::default());
         let grasp = self.program.bodies.put_on(self.grasp, fraction);
@@ -101,7 +97,7 @@ impl<'g, D: Size, const C: usize> Journey<'g, D, C> {
         fraction: f64,
         kind: LossKind,
         sites: Vec<usize>,
-        motion: Option<&Vector<D>>,
+        motion: Option<&Vector>,
     ) -> Loss<C> {
         let (contacts, drives) = self.grasp.sites_apart(sites);
         let (leg, load) = (self.program.leg, self.program.load_at(fraction));

@@ -10,7 +10,6 @@ use super::trajectory::Trajectory;
 use super::turn::Turn;
 use crate::error::{Error, Field};
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::Size;
 use crate::prelude::*;
 
 /// One leg of a load program: the load, the finger commands, or both change linearly to their goals.
@@ -217,7 +216,7 @@ impl<const C: usize> Leg<C> {
         [Self::load_by(change), Self::load_by(change * -1.0)]
     }
 
-    pub(super) fn check<D: Size>(&self, grasp: &Engine<D, C>) -> Result<(), Error> {
+    pub(super) fn check(&self, grasp: &Engine<C>) -> Result<(), Error> {
         match &self.load {
             LegLoad::Straight(LegGoal::Stay) => {}
             LegLoad::Straight(LegGoal::By(load) | LegGoal::To(load)) => {

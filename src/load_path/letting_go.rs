@@ -25,7 +25,7 @@ use super::stretch::{Bend, Fallen};
 use super::trajectory::Trajectory;
 use crate::contact::{ActiveSet, tangential_norm};
 use crate::equilibrium::ACCURATE;
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Doubt, Found, Settings, Settled, settle};
@@ -35,9 +35,9 @@ use crate::search::{Doubt, Found, Settings, Settled, settle};
 const MOST_OFTEN: usize = 16;
 
 /// A jump in progress.
-pub(super) struct JumpInProgress<'g, D: Size, const C: usize> {
+pub(super) struct JumpInProgress<'g, const C: usize> {
     /// The leg along which the missing force is released.
-    pub(super) leg: Pieces<'g, D, C>,
+    pub(super) leg: Pieces<'g, C>,
     /// Slips before the jump, and the states of all sites in it so far.
     fallen: Fallen<C>,
     pub(super) changes: Vec<(usize, Change<C>)>,
@@ -45,16 +45,16 @@ pub(super) struct JumpInProgress<'g, D: Size, const C: usize> {
     pub(super) reaches: Vec<usize>,
 }
 
-impl<'g, D: Size, const C: usize> JumpInProgress<'g, D, C> {
+impl<'g, const C: usize> JumpInProgress<'g, C> {
     /// A jump at the beginning of its leg.
-    pub(super) fn of(leg: Pieces<'g, D, C>) -> Self {
+    pub(super) fn of(leg: Pieces<'g, C>) -> Self {
         let slips = leg.segment.problem.slips.clone();
         let fallen = Fallen { slid: vec![false; slips.len()], slips, states: Vec::new() };
         Self { leg, fallen, changes: Vec::new(), reaches: Vec::new() }
     }
 
     /// Follows the leg to its end; contacts that leave their cone on the way join.
-    pub(super) fn go(&mut self, goal: &Vector<D>, journey: &Journey<'g, D, C>) -> Result<(), PathEnd<C>> {
+    pub(super) fn go(&mut self, goal: &Vector, journey: &Journey<'g, C>) -> Result<(), PathEnd<C>> {
         let mut left = MOST_OFTEN * self.fallen.slid.len();
         loop {
             let begin = match self.go_to_the_next_node(journey) {
@@ -78,7 +78,7 @@ impl<'g, D: Size, const C: usize> JumpInProgress<'g, D, C> {
 
     /// Advances along the leg, or decides its continuation. Returns the contacts that begin to slide with less friction than at rest; `None` at the
     /// end of the leg.
-    fn go_to_the_next_node(&mut self, journey: &Journey<'g, D, C>) -> Result<Option<Vec<usize>>, PathEnd<C>> {
+    fn go_to_the_next_node(&mut self, journey: &Journey<'g, C>) -> Result<Option<Vec<usize>>, PathEnd<C>> {
         let leg = &mut self.leg;
         if !core::mem::take(&mut leg.at_node) {
             let done =
@@ -102,21 +102,21 @@ impl<'g, D: Size, const C: usize> JumpInProgress<'g, D, C> {
     }
 
     /// Slips of the contacts in the jump so far.
-    fn slips(&self, journey: &Journey<'g, D, C>) -> Vec<JumpSlip<C>> {
+    fn slips(&self, journey: &Journey<'g, C>) -> Vec<JumpSlip<C>> {
         let contacts = journey.grasp.contacts().iter().enumerate().filter(|(i, _)| self.fallen.slid[*i]);
         let slip = |i: usize| self.leg.segment.problem.slips[i] - self.fallen.slips[i];
         contacts.map(|(i, contact)| JumpSlip { contact: contact.label(i), slip: slip(i) }).collect()
     }
 }
 
-impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
+impl<'g, const C: usize> Pieces<'g, C> {
     /// The leg along which the missing force is released after the contacts `begin` have begun to slide. At its end the load is `goal`. `None` where
     /// they start from an apex, with no force to lose: the continuation is then decided once more, with less friction.
     pub(super) fn let_go(
         &mut self,
-        goal: &Vector<D>,
+        goal: &Vector,
         begin: &[usize],
-        journey: &Journey<'g, D, C>,
+        journey: &Journey<'g, C>,
     ) -> Result<Option<Self>, PathEnd<C>> {
         self.at_node = true;
         let mut any = false;
@@ -167,7 +167,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
     /// Moves to the equilibrium after the friction of these contacts falls. `None` where they have no friction force to lose.
     pub(super) fn jump(
         &mut self,
-        journey: &Journey<'g, D, C>,
+        journey: &Journey<'g, C>,
         begin: &[usize],
     ) -> Result<Option<Jump<C>>, PathEnd<C>> {
         if begin.is_empty() {
@@ -200,9 +200,9 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
     /// Moves to the end of a jump, at the load `goal`.
     pub(super) fn land(
         &mut self,
-        journey: &Journey<'g, D, C>,
-        goal: &Vector<D>,
-        fall: JumpInProgress<'g, D, C>,
+        journey: &Journey<'g, C>,
+        goal: &Vector,
+        fall: JumpInProgress<'g, C>,
     ) -> Result<Jump<C>, PathEnd<C>> {
         let slips = fall.slips(journey);
         let mut segment = self.segment.clone();
@@ -242,7 +242,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
     }
 
     /// Energies of a jump from these forces and this twist: the work of the load less the energy that springs take up is lost.
-    fn energy_of(&self, load: &Vector<D>, forces: &[SVector<f64, C>], twist: &Vector<D>) -> LegEnergy {
+    fn energy_of(&self, load: &Vector, forces: &[SVector<f64, C>], twist: &Vector) -> LegEnergy {
         let works = load.component_mul(&(&self.node.at.twist - twist));
         let mut energy =
             LegEnergy { load_work: works.sum(), turnover: works.map(f64::abs).sum(), ..LegEnergy::default() };
@@ -253,10 +253,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
 }
 
 /// Whether an equilibrium exists at the load of a jump that was not caught, with the remaining friction.
-pub(super) fn beyond_a_jump<D: Size, const C: usize>(
-    fallen: &Problem<'_, D, C>,
-    settings: &Settings,
-) -> Beyond<C> {
+pub(super) fn beyond_a_jump<const C: usize>(fallen: &Problem<'_, C>, settings: &Settings) -> Beyond<C> {
     match settle(fallen, settings).0 {
         Settled::Found(..) => Beyond::Snap,
         Settled::Undecided(doubt) => Beyond::Undecided { doubt },

@@ -12,7 +12,6 @@ use super::trajectory::Trajectory;
 use super::transition::{change, nothing_changes, others};
 use crate::contact::{ActiveSet, Law, Mode, State, ZERO_SLACK};
 use crate::equilibrium::{ContactState, site_states};
-use crate::numerics::Size;
 use crate::object::{PieceState, Problem};
 use crate::prelude::*;
 use crate::search::{
@@ -29,17 +28,17 @@ const AHEAD: [f64; 4] = [1e-3, 1e-5, 1e-7, 1e-9];
 const ANGLE_KNOWN: f64 = 1e-12;
 
 /// The decision from the rates at a node.
-struct Decided<'g, D: Size, const C: usize> {
+struct Decided<'g, const C: usize> {
     /// The factor at which the rates were taken.
     ahead: f64,
-    rates: Problem<'g, D, C>,
-    settled: Settled<D, C>,
+    rates: Problem<'g, C>,
+    settled: Settled<C>,
     effort: Effort,
 }
 
 /// The state of the path at a node, contact by contact.
 #[derive(Debug, Clone)]
-pub(super) struct Node<D: Size, const C: usize> {
+pub(super) struct Node<const C: usize> {
     /// States; contacts that slide on the round cone have the direction of their friction force.
     pub(super) states: Vec<State<C>>,
     /// Directions in which contacts slide, coordinate axes.
@@ -51,26 +50,26 @@ pub(super) struct Node<D: Size, const C: usize> {
     pub(super) sets_out: bool,
     /// Contacts whose slip has ended here.
     pub(super) stopped: Vec<usize>,
-    pub(super) at: PieceState<D, C>,
+    pub(super) at: PieceState<C>,
     /// The factor whose rates decide: the present one, or a little ahead while the load turns.
     pub(super) ahead: f64,
 }
 
 /// The continuation of the path from a node.
-pub(super) struct Onward<D: Size, const C: usize> {
-    pub(super) here: Here<D, C>,
+pub(super) struct Onward<const C: usize> {
+    pub(super) here: Here<C>,
     pub(super) changes: Vec<(usize, Change<C>)>,
     pub(super) other_continuations: Option<usize>,
 }
 
-impl<D: Size, const C: usize> Node<D, C> {
+impl<const C: usize> Node<C> {
     /// Decides the states of all contacts on an edge, from the rates.
     pub(super) fn go_on(
         &mut self,
-        segment: &mut Segment<'_, D, C>,
-        journey: &Journey<'_, D, C>,
+        segment: &mut Segment<'_, C>,
+        journey: &Journey<'_, C>,
         factor: f64,
-    ) -> Result<Onward<D, C>, PathEnd<C>> {
+    ) -> Result<Onward<C>, PathEnd<C>> {
         let settings = &journey.settings;
         let Decided { ahead, rates, settled, effort } = self.decided(segment, factor, settings);
         self.ahead = ahead;
@@ -124,12 +123,7 @@ impl<D: Size, const C: usize> Node<D, C> {
     /// While the load turns, a slip may stop and a force may touch its edge. Rates at the node do not show in which direction these continue; rates
     /// slightly ahead do. The loads for which given states hold in rates form a convex cone, and the rates of the load in between lie between those
     /// at both ends: states that hold at both ends hold all the way.
-    fn decided<'g>(
-        &self,
-        segment: &Segment<'g, D, C>,
-        factor: f64,
-        settings: &Settings,
-    ) -> Decided<'g, D, C> {
+    fn decided<'g>(&self, segment: &Segment<'g, C>, factor: f64, settings: &Settings) -> Decided<'g, C> {
         let laws = segment.laws_of_rates(&self.stands, &self.states);
         let at = |ahead: f64| {
             let rates = segment.rates(ahead, laws.clone());
@@ -162,7 +156,7 @@ impl<D: Size, const C: usize> Node<D, C> {
     }
 
     /// Tries the two usual continuations: nothing changes, or contacts on an edge slide.
-    fn guess(&self, segment: &Segment<'_, D, C>, factor: f64, rates: &Problem<D, C>) -> Judged<D, C> {
+    fn guess(&self, segment: &Segment<'_, C>, factor: f64, rates: &Problem<C>) -> Judged<C> {
         // Within a leg a contact has just left its cone, and must change.
         let as_before =
             (factor == 0.0).then(|| nothing_changes(&segment.problem, rates, &self.states)).flatten();
@@ -192,7 +186,7 @@ impl<D: Size, const C: usize> Node<D, C> {
     /// Opens contacts that touch without force and gain none, so that they do not drag the object along. A contact opens where it may as well part
     /// from the object and the object then moves less; forces are the same. Where nothing presses at all, and a contact would slide on the round
     /// cone, all contacts that touch open.
-    fn without_dragging(&self, rates: &Problem<D, C>, found: Found<D, C>) -> Found<D, C> {
+    fn without_dragging(&self, rates: &Problem<C>, found: Found<C>) -> Found<C> {
         let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
         // Friction of zero force has no direction to slide in.
         let slides = rates.round && found.twist.norm() > 0.0 && found.states.iter().any(State::slides);
@@ -223,10 +217,10 @@ impl<D: Size, const C: usize> Node<D, C> {
     /// Takes over the states from the rates and returns the changes.
     pub(super) fn take_over(
         &mut self,
-        segment: &mut Segment<'_, D, C>,
+        segment: &mut Segment<'_, C>,
         factor: f64,
-        rates: &Problem<D, C>,
-        found: &Found<D, C>,
+        rates: &Problem<C>,
+        found: &Found<C>,
     ) -> Vec<(usize, Change<C>)> {
         let mut changes = Vec::new();
         self.sets_out = false;
@@ -251,7 +245,7 @@ impl<D: Size, const C: usize> Node<D, C> {
 }
 
 /// Lets a contact slide that sticks along a tangent of the round cone, see [`LocalLaw::grazes`](crate::contact::LocalLaw::grazes).
-fn slide_where_they_graze<D: Size, const C: usize>(rates: &Problem<D, C>, found: &mut Found<D, C>) {
+fn slide_where_they_graze<const C: usize>(rates: &Problem<C>, found: &mut Found<C>) {
     let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
     for (i, state) in found.states.iter_mut().enumerate() {
         let (local, rate) = (rates.local(i), &found.forces[i]);
@@ -263,9 +257,9 @@ fn slide_where_they_graze<D: Size, const C: usize>(rates: &Problem<D, C>, found:
 }
 
 /// The directions in which contacts slide.
-pub(super) fn directions<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
-    found: &Found<D, C>,
+pub(super) fn directions<const C: usize>(
+    problem: &Problem<C>,
+    found: &Found<C>,
 ) -> Vec<Option<SVector<f64, C>>> {
     let direction =
         |state| if let ContactState::Sliding { direction } = state { Some(direction) } else { None };

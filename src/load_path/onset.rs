@@ -8,7 +8,6 @@ use crate::contact::{ActiveSet, LocalLaw};
 use crate::equilibrium::{Cone, Equilibrium, NoEquilibrium, Undecided};
 use crate::error::ContactLabel;
 use crate::grasp::{Coordinates, Wrench};
-use crate::numerics::Size;
 use crate::prelude::*;
 use crate::search::{Found, Kept, Rung};
 #[cfg(feature = "serde")]
@@ -100,12 +99,12 @@ pub(super) struct StickingState<const C: usize> {
 
 impl<const C: usize> OnsetEvent<C> {
     /// The event at a factor, with the load, the sticking state and the active sets of contacts there, in lists supplied by the caller.
-    pub(super) fn new<D: Size>(
-        segment: Segment<'_, D, C>,
+    pub(super) fn new(
+        segment: Segment<'_, C>,
         (factor, load): (f64, Wrench<C>),
         (leaving, sites): (Vec<Leaving<C>>, Vec<usize>),
         stands: Vec<ActiveSet<C>>,
-        (found, rule): (Found<D, C>, Rung),
+        (found, rule): (Found<C>, Rung),
         lists: &mut [Vec<f64>; 3],
     ) -> Self {
         let mut lists = lists.iter_mut();

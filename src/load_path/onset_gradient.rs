@@ -6,7 +6,6 @@ use super::onset::OnsetEvent;
 use super::onset_margins::{Leaver, OnsetMargins};
 use super::sensitivity::Parameter;
 use crate::grasp::{Engine, of_the_object};
-use crate::numerics::Size;
 use crate::prelude::*;
 
 /// Derivatives of the load factor (without unit) at which one contact stops sticking. Derivatives with respect to positions and normals are a
@@ -38,7 +37,7 @@ pub struct OnsetGradient<const C: usize> {
     pub load_scale: f64,
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Sensitivity::onset_gradients`](crate::ask::Sensitivity::onset_gradients).
     pub(crate) fn onset_gradients(&self, event: &OnsetEvent<C>) -> Vec<OnsetGradient<C>> {
         let Some(margins) = OnsetMargins::new(self, event) else { return Vec::new() };
@@ -47,7 +46,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
 
     fn gradients_of(
         &self,
-        margins: &OnsetMargins<D, C>,
+        margins: &OnsetMargins<C>,
         event: &OnsetEvent<C>,
     ) -> Option<Vec<OnsetGradient<C>>> {
         let (n, actuators) = (self.len(), self.joint_commands().len());

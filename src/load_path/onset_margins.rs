@@ -7,7 +7,6 @@ use super::sensitivity::{Local, Parameter};
 use crate::contact::tangential;
 use crate::equilibrium::Cone;
 use crate::grasp::{Engine, HandPart, Wrench};
-use crate::numerics::Size;
 use crate::prelude::*;
 use crate::search::Settings;
 
@@ -22,8 +21,8 @@ pub enum Leaver {
 }
 
 /// The margins that vanish at one onset, with the equilibrium there.
-pub(crate) struct OnsetMargins<'g, D: Size, const C: usize> {
-    local: Local<'g, D, C>,
+pub(crate) struct OnsetMargins<'g, const C: usize> {
+    local: Local<'g, C>,
     margins: Vec<Margin<C>>,
 }
 
@@ -36,10 +35,10 @@ struct Margin<const C: usize> {
     slope: f64,
 }
 
-impl<'g, D: Size, const C: usize> OnsetMargins<'g, D, C> {
+impl<'g, const C: usize> OnsetMargins<'g, C> {
     /// `None` if the onset was reached after a contact had closed on the way or as one closes, or if the event has another number of
     /// contacts.
-    pub(crate) fn new(grasp: &'g Engine<D, C>, event: &OnsetEvent<C>) -> Option<Self> {
+    pub(crate) fn new(grasp: &'g Engine<C>, event: &OnsetEvent<C>) -> Option<Self> {
         let state = grasp.state_at_onset(event, &Settings::default())?;
         let local = Local::new(grasp, &state)?;
         let has_slipped = |i: usize| {
@@ -54,7 +53,7 @@ impl<'g, D: Size, const C: usize> OnsetMargins<'g, D, C> {
         if leaving.iter().any(|&site| local.states[site].is_open()) {
             return None;
         }
-        let rates = local.piece.solve(grasp.sites(), drive_rates, &wrench_rate.to::<D>()).ok()?;
+        let rates = local.piece.solve(grasp.sites(), drive_rates, &wrench_rate.to()).ok()?;
         let mut margins = Vec::with_capacity(leaving.len());
         for &site in leaving {
             let Some(leaver) = grasp.leaver(site) else { continue };
@@ -96,7 +95,7 @@ impl<'g, D: Size, const C: usize> OnsetMargins<'g, D, C> {
 }
 
 impl<const C: usize> Margin<C> {
-    fn of<D: Size>(&self, local: &Local<D, C>, force: &SVector<f64, C>) -> f64 {
+    fn of(&self, local: &Local<C>, force: &SVector<f64, C>) -> f64 {
         let cone = local.problem.local(self.site).cone();
         self.h.map_or(force[0], |h| cone.facet_margin(force, &h))
     }
@@ -104,11 +103,7 @@ impl<const C: usize> Margin<C> {
 
 /// The facet that is reached; inner `None` where only the normal force counts.
 #[expect(clippy::option_option, reason = "there may be no facet to find, and none to look for")]
-fn facet<D: Size, const C: usize>(
-    local: &Local<D, C>,
-    cone: Cone,
-    site: usize,
-) -> Option<Option<SVector<f64, C>>> {
+fn facet<const C: usize>(local: &Local<C>, cone: Cone, site: usize) -> Option<Option<SVector<f64, C>>> {
     let (law, force) = (local.problem.local(site), &local.forces[site]);
     if !law.cone().has_edges() {
         return Some(None);

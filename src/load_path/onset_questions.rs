@@ -21,12 +21,12 @@ use crate::contact::{Polygon, PolygonCone, State};
 use crate::equilibrium::{AnswerFor, Cone, Equilibrium, Outcome};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::{Memory, Size};
+use crate::numerics::Memory;
 use crate::object::{Load, Problem, are_many};
 use crate::prelude::*;
 use crate::search::{Effort, Found, Rung, Settings, Settled, settle, settle_at_rest};
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Grasp::onset`](crate::ask::Grasp::onset).
     pub(crate) fn onset(&self, ramp: &Ramp<C>, settings: &Settings) -> Result<Onset<C>, Error> {
         self.onset_in_memory(ramp, settings, &mut OnsetMemory::default())
@@ -40,7 +40,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         memory: &mut Memory,
         told: Option<Onset<C>>,
     ) -> Result<Onset<C>, Error> {
-        let memory = memory.of(OnsetMemory::<D, C>::default);
+        let memory = memory.of(OnsetMemory::<C>::default);
         if let Some(told) = told {
             memory.take_back(told);
         }
@@ -52,7 +52,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         &self,
         ramp: &Ramp<C>,
         settings: &Settings,
-    ) -> Result<(Onset<C>, Option<Rest<D, C>>), Error> {
+    ) -> Result<(Onset<C>, Option<Rest<C>>), Error> {
         let mut memory = OnsetMemory::default();
         let onset = self.onset_in_memory(ramp, settings, &mut memory)?;
         // With few coordinates the base is found at once.
@@ -63,7 +63,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         &self,
         ramp: &Ramp<C>,
         settings: &Settings,
-        memory: &mut OnsetMemory<D, C>,
+        memory: &mut OnsetMemory<C>,
     ) -> Result<Onset<C>, Error> {
         let base = self.load_alone(&ramp.base, "base load")?;
         let direction = self.inside(&ramp.direction, "load direction")?;
@@ -85,8 +85,8 @@ impl<D: Size, const C: usize> Engine<D, C> {
     /// base.
     pub(super) fn walked<'a>(
         &'a self,
-        segment: Segment<'a, D, C>,
-        rest: &Rest<D, C>,
+        segment: Segment<'a, C>,
+        rest: &Rest<C>,
         (course, end): (Trajectory<Wrench<C>>, f64),
         settings: &'a Settings,
     ) -> TurnOnset<C> {
@@ -133,7 +133,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 
     /// The local problem at an onset.
-    fn problem_at_onset(&self, event: &OnsetEvent<C>) -> Option<Problem<'_, D, C>> {
+    fn problem_at_onset(&self, event: &OnsetEvent<C>) -> Option<Problem<'_, C>> {
         let local = &event.local;
         if local.found.states.len() != self.sites().len() {
             return None;
@@ -148,12 +148,12 @@ impl<D: Size, const C: usize> Engine<D, C> {
     /// The equilibrium at factor 0 if no contact slides in it.
     fn sticking_base(
         &self,
-        segment: &Segment<'_, D, C>,
+        segment: &Segment<'_, C>,
         course: &Trajectory<Wrench<C>>,
-        (settled, effort): &Rest<D, C>,
-    ) -> Result<(Found<D, C>, Rung), Box<Onset<C>>> {
+        (settled, effort): &Rest<C>,
+    ) -> Result<(Found<C>, Rung), Box<Onset<C>>> {
         let (problem, answer_for) = (&segment.problem, segment.answer_for);
-        let slides = |found: &Found<D, C>| found.states.iter().any(State::slides);
+        let slides = |found: &Found<C>| found.states.iter().any(State::slides);
         match settled {
             Settled::Found(found, rule) if !slides(found) => {
                 return Ok((found.clone(), *rule));

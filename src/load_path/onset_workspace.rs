@@ -11,22 +11,22 @@ use super::trajectory::Trajectory;
 use crate::contact::{ActiveSet, Polygon, PolygonCone, State};
 use crate::equilibrium::{AnswerFor, Cone};
 use crate::grasp::{Coordinates, Engine};
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::object::{Lists, Load, PieceState, SolutionMemory};
 use crate::prelude::*;
 use crate::search::Settings;
 
 /// The lists that an onset needs.
 #[derive(Debug, Clone)]
-pub(super) struct OnsetMemory<D: Size, const C: usize> {
+pub(super) struct OnsetMemory<const C: usize> {
     pub(super) lists: Lists<C>,
     pub(super) change: Vec<SVector<f64, C>>,
     polygon: Option<(PolygonCone, Arc<Polygon<C>>)>,
     pub(super) solution: SolutionMemory,
     /// State at the base, its rate, and state at the onset with the drives there.
-    pub(super) base: PieceState<D, C>,
-    pub(super) rate: PieceState<D, C>,
-    pub(super) there: PieceState<D, C>,
+    pub(super) base: PieceState<C>,
+    pub(super) rate: PieceState<C>,
+    pub(super) there: PieceState<C>,
     pub(super) driven: Vec<SVector<f64, C>>,
     pub(super) states: Vec<State<C>>,
     pub(super) stands: Vec<ActiveSet<C>>,
@@ -37,10 +37,10 @@ pub(super) struct OnsetMemory<D: Size, const C: usize> {
     pub(super) coordinates: [Vec<f64>; 3],
     place: Option<Box<OnsetEvent<C>>>,
     /// The settled base, if the last question needed it.
-    pub(super) rest: Option<Rest<D, C>>,
+    pub(super) rest: Option<Rest<C>>,
 }
 
-impl<D: Size, const C: usize> Default for OnsetMemory<D, C> {
+impl<const C: usize> Default for OnsetMemory<C> {
     fn default() -> Self {
         Self {
             lists: Lists::default(),
@@ -62,14 +62,14 @@ impl<D: Size, const C: usize> Default for OnsetMemory<D, C> {
     }
 }
 
-impl<D: Size, const C: usize> OnsetMemory<D, C> {
+impl<const C: usize> OnsetMemory<C> {
     /// The segment from a base load, with drive rates from this memory and all contacts at rest.
     pub(super) fn segment<'g>(
         &mut self,
-        grasp: &'g Engine<D, C>,
+        grasp: &'g Engine<C>,
         settings: &Settings,
-        course: Trajectory<Vector<D>>,
-    ) -> Segment<'g, D, C> {
+        course: Trajectory<Vector>,
+    ) -> Segment<'g, C> {
         let answer_for = AnswerFor::of::<C>(settings);
         let mut lists = core::mem::take(&mut self.lists);
         grasp.drives_into(&mut lists.drives);

@@ -9,7 +9,7 @@ use super::trajectory::Trajectory;
 use super::watch::{has_vanished, is_vanishing};
 use crate::contact::{ActiveSet, Line, State, ZERO_SLACK, tangential};
 use crate::equilibrium::NoEquilibrium;
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::object::{PieceState, Problem, least_spring_force};
 use crate::prelude::*;
 use crate::search::Found;
@@ -22,20 +22,20 @@ const NO_FORCE_AT_REST: f64 = 16.0 * f64::EPSILON;
 
 /// Whether all forces are as small as the rounding of displacements in the softest spring. Rounding alone would then decide which contacts press, so
 /// none of them does. The same holds for rates of forces and of displacements.
-pub(super) fn carries_nothing<D: Size, const C: usize>(
-    problem: &Problem<'_, D, C>,
+pub(super) fn carries_nothing<const C: usize>(
+    problem: &Problem<'_, C>,
     forces: &[SVector<f64, C>],
-    twist: &Vector<D>,
+    twist: &Vector,
 ) -> bool {
     let largest = forces.iter().map(Matrix::norm).fold(problem.wrench.norm(), f64::max);
     let spans = (0..problem.len()).map(|contact| problem.span(contact, twist));
     largest <= NO_FORCE_AT_REST * least_spring_force(problem.sites, spans)
 }
 
-impl<D: Size, const C: usize> Node<D, C> {
+impl<const C: usize> Node<C> {
     /// The node at the start of the path, with active sets from forces and gaps: the one-shot solution does not report them. Slip from rest to here
     /// becomes memory.
-    pub(super) fn at_start(segment: &mut Segment<'_, D, C>, found: Found<D, C>) -> Self {
+    pub(super) fn at_start(segment: &mut Segment<'_, C>, found: Found<C>) -> Self {
         let n = segment.problem.len();
         let mut node = Self {
             directions: directions(&segment.problem, &found),
@@ -68,10 +68,10 @@ impl<D: Size, const C: usize> Node<D, C> {
     /// Forces and their rates in the present states. Motions that these leave free move at the rates `pushed`.
     pub(super) fn look(
         &self,
-        segment: &Segment<'_, D, C>,
+        segment: &Segment<'_, C>,
         factor: f64,
-        pushed: Option<&Vector<D>>,
-    ) -> Result<Here<D, C>, NoEquilibrium<C>> {
+        pushed: Option<&Vector>,
+    ) -> Result<Here<C>, NoEquilibrium<C>> {
         if self.turns() {
             segment.tangent(&self.states, factor, &self.at, pushed)
         } else {
@@ -80,7 +80,7 @@ impl<D: Size, const C: usize> Node<D, C> {
     }
 
     /// Adds the slip of sliding contacts to memory; on the round cone they continue to slide along their friction force.
-    fn slip_until_now(&mut self, segment: &mut Segment<'_, D, C>, factor: f64) {
+    fn slip_until_now(&mut self, segment: &mut Segment<'_, C>, factor: f64) {
         for i in 0..self.states.len() {
             if self.states[i].slides() {
                 segment.remember_slip(i, factor, &self.at.twist, &self.at.forces[i]);
@@ -93,7 +93,7 @@ impl<D: Size, const C: usize> Node<D, C> {
         }
     }
 
-    fn stand(&mut self, segment: &mut Segment<'_, D, C>, here: &Here<D, C>) {
+    fn stand(&mut self, segment: &mut Segment<'_, C>, here: &Here<C>) {
         for (i, line) in here.lines.iter().enumerate() {
             if self.states[i].is_open() {
                 self.stands[i].apex = here.gaps[i].gap <= ZERO_SLACK * here.gaps[i].size;
@@ -116,10 +116,10 @@ impl<D: Size, const C: usize> Node<D, C> {
     /// Moves to the end of a piece: the slip on it becomes memory.
     pub(super) fn arrive(
         &mut self,
-        segment: &mut Segment<'_, D, C>,
-        here: &Here<D, C>,
+        segment: &mut Segment<'_, C>,
+        here: &Here<C>,
         factor: f64,
-        there: &PieceState<D, C>,
+        there: &PieceState<C>,
     ) {
         self.at = there.clone();
         if matches!(segment.course, Trajectory::Turn { .. }) {
@@ -141,7 +141,7 @@ impl<D: Size, const C: usize> Node<D, C> {
 
     /// While the load turns, removes edges from active sets that contacts have moved away from by now: at the event their rates did not show that
     /// yet.
-    fn leave_behind(&mut self, segment: &Segment<'_, D, C>, here: &Here<D, C>, factor: f64) {
+    fn leave_behind(&mut self, segment: &Segment<'_, C>, here: &Here<C>, factor: f64) {
         let drives = segment.drives(factor);
         for (i, (stand, state)) in self.stands.iter_mut().zip(&self.states).enumerate() {
             if state.is_open() {
@@ -156,7 +156,7 @@ impl<D: Size, const C: usize> Node<D, C> {
 
     /// Puts sliding contacts that have all but lost their normal force at the apex: their friction cannot be followed any further. Whether there is
     /// such a contact.
-    pub(super) fn let_go(&mut self, here: &Here<D, C>) -> bool {
+    pub(super) fn let_go(&mut self, here: &Here<C>) -> bool {
         let mut any = false;
         for (i, line) in here.lines.iter().enumerate() {
             let slides = self.states[i].slides();
@@ -177,8 +177,8 @@ impl<D: Size, const C: usize> Node<D, C> {
     /// stick: sliding on, it would slip against friction.
     pub(super) fn neither_slides_nor_sticks(
         &self,
-        segment: &Segment<'_, D, C>,
-        here: &Here<D, C>,
+        segment: &Segment<'_, C>,
+        here: &Here<C>,
     ) -> Option<usize> {
         let leaves = |i: &&usize| {
             self.states[**i].is_sticking() && segment.problem.local(**i).leaves_by_a_tangent(&here.lines[**i])
@@ -190,7 +190,7 @@ impl<D: Size, const C: usize> Node<D, C> {
     /// Where steps die out, puts contacts near an edge onto it, so that all events within the error of steps happen at one place. Returns the largest
     /// distance from the edge relative to the size of the force or gap; `None` if there is nothing to decide. While the load turns, sliding contacts
     /// alone need no decision: the rates ahead have decided about them.
-    pub(super) fn gather(&mut self, segment: &Segment<'_, D, C>, here: &Here<D, C>) -> Option<f64> {
+    pub(super) fn gather(&mut self, segment: &Segment<'_, C>, here: &Here<C>) -> Option<f64> {
         let mut apart: Option<f64> = None;
         for (i, (line, gap)) in here.lines.iter().zip(&here.gaps).enumerate() {
             let (local, stand) = (segment.problem.local(i), &mut self.stands[i]);

@@ -17,7 +17,7 @@ pub(super) struct NarrowOrder {
 
 impl NarrowOrder {
     /// `None` for few coordinates, where a band is not worthwhile.
-    pub(super) fn of<D: Size, const C: usize>(size: D, sites: &[Site<D, C>]) -> Option<Arc<Self>> {
+    pub(super) fn of<const C: usize>(size: Size, sites: &[Site<C>]) -> Option<Arc<Self>> {
         if !are_many(size) {
             return None;
         }
@@ -30,23 +30,23 @@ impl NarrowOrder {
 
 /// The stiffness T.
 #[derive(Debug, Clone)]
-pub(super) enum PathStiffness<D: Size> {
-    Whole(Square<D>),
+pub(super) enum PathStiffness {
+    Whole(Square),
     Narrow { order: Arc<NarrowOrder>, band: Band },
 }
 
 /// Factors of `[T | c]` with a row below.
 #[derive(Debug, Clone)]
-pub(super) enum PathFactors<D: Size> {
-    Whole(Bordered<D>),
+pub(super) enum PathFactors {
+    Whole(Bordered),
     Narrow { order: Arc<NarrowOrder>, bordered: Box<BorderedBand> },
 }
 
 /// A pivot below this part of the largest means that more than one direction is open.
 const SINGULAR: f64 = 1e-13;
 
-impl<D: Size> PathStiffness<D> {
-    pub(super) fn zeros(size: D, order: Option<Arc<NarrowOrder>>) -> Self {
+impl PathStiffness {
+    pub(super) fn zeros(size: Size, order: Option<Arc<NarrowOrder>>) -> Self {
         match order {
             None => Self::Whole(Square::zeros(size)),
             Some(order) => {
@@ -103,11 +103,11 @@ impl<D: Size> PathStiffness<D> {
     /// Factors with a border: one column and one row. `None` if more than one direction is open.
     pub(super) fn bordered(
         self,
-        size: D,
-        cover: &Vector<D>,
-        gradient: &Vector<D>,
+        size: Size,
+        cover: &Vector,
+        gradient: &Vector,
         corner: f64,
-    ) -> Option<PathFactors<D>> {
+    ) -> Option<PathFactors> {
         let square = match self {
             Self::Whole(square) => square,
             Self::Narrow { order, band } => {
@@ -128,22 +128,22 @@ impl<D: Size> PathStiffness<D> {
     }
 }
 
-impl<D: Size> PathFactors<D> {
+impl PathFactors {
     /// The solution for a right-hand side.
-    pub(super) fn solve(&self, balance: &Vector<D>, last: f64) -> (Vector<D>, f64) {
+    pub(super) fn solve(&self, balance: &Vector, last: f64) -> (Vector, f64) {
         match self {
             Self::Whole(bordered) => bordered.solve(balance, last),
             Self::Narrow { order, bordered } => {
                 let mut x = order.in_order(balance);
                 let z = bordered.solve(&mut x, last);
-                (Vector::from_fn(D::of(x.len()), |k| x[order.numbers[k]]), z)
+                (Vector::from_fn(Size::of(x.len()), |k| x[order.numbers[k]]), z)
             }
         }
     }
 }
 
 impl NarrowOrder {
-    fn in_order<D: Size>(&self, v: &Vector<D>) -> Vec<f64> {
+    fn in_order(&self, v: &Vector) -> Vec<f64> {
         let mut list = vec![0.0; self.numbers.len()];
         self.numbers.iter().enumerate().for_each(|(k, number)| list[*number] = v[k]);
         list

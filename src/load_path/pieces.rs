@@ -28,22 +28,22 @@ use crate::contact::WEIGHTLESS;
 use crate::equilibrium::{ACCURATE, Equilibrium};
 use crate::error::Error;
 use crate::grasp::{Engine, WholeContact, Wrench};
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::object::{PieceState, Problem};
 use crate::prelude::*;
 use crate::search::{Doubt, Settings};
 
 /// The follower of a [`LoadPath`]: it keeps the pieces behind it.
 #[derive(Debug)]
-pub(crate) struct Pieces<'g, D: Size, const C: usize> {
+pub(crate) struct Pieces<'g, const C: usize> {
     pub(super) factor: f64,
-    pub(super) segment: Segment<'g, D, C>,
-    pub(super) node: Node<D, C>,
+    pub(super) segment: Segment<'g, C>,
+    pub(super) node: Node<C>,
     /// Whether the continuation from here is still to be decided.
     pub(super) at_node: bool,
-    pub(super) here: Option<Here<D, C>>,
+    pub(super) here: Option<Here<C>>,
     /// The pieces that the path has passed.
-    pub(super) behind: Vec<Stretch<'g, D, C>>,
+    pub(super) behind: Vec<Stretch<'g, C>>,
     pub(super) energy: Vec<LegEnergy>,
     pub(super) stalls: usize,
     pub(super) pace: Pace,
@@ -56,12 +56,12 @@ pub(crate) struct Pieces<'g, D: Size, const C: usize> {
     /// An event to report before the path starts: a contact slides at rest, and its friction falls.
     pub(super) first: Option<Box<Event<C>>>,
     /// The problem at the end of a jump that no contact stopped.
-    pub(super) fallen: Option<Problem<'g, D, C>>,
+    pub(super) fallen: Option<Problem<'g, C>>,
     /// Where motions cease to be small, if they do.
     pub(super) end_of_small_motions: Option<EndOfSmallMotions>,
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Grasp::follow`](crate::ask::Grasp::follow).
     pub(crate) fn follow(
         &self,
@@ -75,7 +75,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
     /// [`Self::follow`] from the equilibrium under the base load that an onset with these settings has found.
     pub(crate) fn follow_from_rest(
         &self,
-        (start, rest): (&Wrench<C>, Option<Rest<D, C>>),
+        (start, rest): (&Wrench<C>, Option<Rest<C>>),
         legs: &[Leg<C>],
         settings: &Settings,
     ) -> Result<LoadPath<'_, C>, Error> {
@@ -84,10 +84,10 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 }
 
-impl<'g, D: Size, const C: usize> Follower<'g, D, C> for Pieces<'g, D, C> {
+impl<'g, const C: usize> Follower<'g, C> for Pieces<'g, C> {
     type Report = Event<C>;
 
-    fn set_out(&mut self, journey: &Journey<'g, D, C>) -> Result<(), PathEnd<C>> {
+    fn set_out(&mut self, journey: &Journey<'g, C>) -> Result<(), PathEnd<C>> {
         let cones = core::mem::take(&mut self.segment.problem.cones);
         self.segment = journey.segment(core::mem::take(&mut self.segment.problem.slips));
         self.segment.problem.cones = cones;
@@ -100,7 +100,7 @@ impl<'g, D: Size, const C: usize> Follower<'g, D, C> for Pieces<'g, D, C> {
         Ok(())
     }
 
-    fn go_on(&mut self, journey: &Journey<'g, D, C>) -> Result<Came<Event<C>>, PathEnd<C>> {
+    fn go_on(&mut self, journey: &Journey<'g, C>) -> Result<Came<Event<C>>, PathEnd<C>> {
         match self.go_unless_lost(journey) {
             Err(PathEnd::Lost(loss)) => {
                 self.caught_by_a_gap(journey, &loss).map(Came::To).ok_or(PathEnd::Lost(loss))
@@ -113,18 +113,18 @@ impl<'g, D: Size, const C: usize> Follower<'g, D, C> for Pieces<'g, D, C> {
         self.factor
     }
 
-    fn state(&self, journey: &Journey<'g, D, C>) -> Option<Equilibrium<C>> {
+    fn state(&self, journey: &Journey<'g, C>) -> Option<Equilibrium<C>> {
         match self.behind.last() {
             Some(last) => self.state_on(last, last.to),
             None => self.present_state(journey),
         }
     }
 
-    fn forces(&self, _: &Journey<'g, D, C>) -> Vec<SVector<f64, C>> {
+    fn forces(&self, _: &Journey<'g, C>) -> Vec<SVector<f64, C>> {
         self.node.at.forces.clone()
     }
 
-    fn cups_open(&self, journey: &Journey<'g, D, C>) -> Vec<WholeContact> {
+    fn cups_open(&self, journey: &Journey<'g, C>) -> Vec<WholeContact> {
         journey.grasp.cups_open(|i| self.node.states[i].is_open())
     }
 
@@ -156,19 +156,16 @@ impl<'g, D: Size, const C: usize> Follower<'g, D, C> for Pieces<'g, D, C> {
         self.fallen.as_ref().map(|fallen| beyond_a_jump(fallen, settings))
     }
 
-    fn edge(&self, _: &Journey<'g, D, C>) -> StandAtEdge<'g, D, C> {
+    fn edge(&self, _: &Journey<'g, C>) -> StandAtEdge<'g, C> {
         let laws = self.segment.laws_of_rates(&self.node.stands, &self.node.states);
         let rates = self.segment.rates(self.node.ahead, laws);
         StandAtEdge { segment: self.segment.clone(), rates, forces: self.node.at.forces.clone() }
     }
 }
 
-impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
+impl<'g, const C: usize> Pieces<'g, C> {
     /// Starts at the equilibrium of the problem, if there is one.
-    pub(super) fn at_start(
-        journey: &Journey<'g, D, C>,
-        problem: &Problem<'g, D, C>,
-    ) -> Result<Self, PathEnd<C>> {
+    pub(super) fn at_start(journey: &Journey<'g, C>, problem: &Problem<'g, C>) -> Result<Self, PathEnd<C>> {
         let found = journey.start(problem)?;
         // At rest, load and commands do not change.
         let change = journey.grasp.drive_changes(None, None);
@@ -182,7 +179,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
     }
 
     /// At the beginning of a segment.
-    pub(super) fn standing(segment: Segment<'g, D, C>, node: Node<D, C>) -> Self {
+    pub(super) fn standing(segment: Segment<'g, C>, node: Node<C>) -> Self {
         Self {
             factor: 0.0,
             node,
@@ -202,7 +199,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         }
     }
 
-    fn go_unless_lost(&mut self, journey: &Journey<'g, D, C>) -> Result<Came<Event<C>>, PathEnd<C>> {
+    fn go_unless_lost(&mut self, journey: &Journey<'g, C>) -> Result<Came<Event<C>>, PathEnd<C>> {
         if core::mem::take(&mut self.at_node) {
             return Ok(self.decide(journey)?.map_or(Came::OnTheWay, Came::To));
         }
@@ -211,11 +208,11 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         Ok(if leg_done? { Came::ToTheEndOfTheLeg } else { Came::OnTheWay })
     }
 
-    fn stretch_behind(&self, leg: usize, fraction: f64) -> Option<&Stretch<'g, D, C>> {
+    fn stretch_behind(&self, leg: usize, fraction: f64) -> Option<&Stretch<'g, C>> {
         self.behind.iter().find(|s| s.leg == leg && fraction >= s.from && fraction <= s.to)
     }
 
-    pub(super) fn state_on(&self, stretch: &Stretch<'g, D, C>, fraction: f64) -> Option<Equilibrium<C>> {
+    pub(super) fn state_on(&self, stretch: &Stretch<'g, C>, fraction: f64) -> Option<Equilibrium<C>> {
         stretch.state_at(self.segment.grasp, self.segment.answer_for, fraction)
     }
 
@@ -225,7 +222,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
     }
 
     /// Decides the continuation of the path from here. Returns an event if a contact changes its state.
-    fn decide(&mut self, journey: &Journey<'g, D, C>) -> Result<Option<Event<C>>, PathEnd<C>> {
+    fn decide(&mut self, journey: &Journey<'g, C>) -> Result<Option<Event<C>>, PathEnd<C>> {
         if let Some(first) = self.first.take() {
             self.at_node = true;
             return Ok(Some(*first));
@@ -269,12 +266,12 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
     }
 
     /// The equilibrium at the present place in the present states.
-    pub(super) fn present_state(&self, journey: &Journey<'g, D, C>) -> Option<Equilibrium<C>> {
+    pub(super) fn present_state(&self, journey: &Journey<'g, C>) -> Option<Equilibrium<C>> {
         self.state_on(&self.standing_here(journey)?, self.factor)
     }
 
     /// The present place as a piece of zero length.
-    pub(super) fn standing_here(&self, journey: &Journey<'g, D, C>) -> Option<Stretch<'g, D, C>> {
+    pub(super) fn standing_here(&self, journey: &Journey<'g, C>) -> Option<Stretch<'g, C>> {
         let here = match &self.here {
             Some(here) => here.clone(),
             // Where no rates lead further, the state with fixed load and commands.
@@ -290,11 +287,11 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
 
     pub(super) fn stretch(
         &self,
-        journey: &Journey<'g, D, C>,
-        here: Here<D, C>,
+        journey: &Journey<'g, C>,
+        here: Here<C>,
         to: f64,
-        there: PieceState<D, C>,
-    ) -> Stretch<'g, D, C> {
+        there: PieceState<C>,
+    ) -> Stretch<'g, C> {
         Stretch {
             leg: journey.program.leg,
             from: self.factor,
@@ -316,10 +313,10 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
     /// Takes a step of this length along a sliding arc.
     pub(super) fn take(
         &mut self,
-        journey: &Journey<'g, D, C>,
-        here: &Here<D, C>,
+        journey: &Journey<'g, C>,
+        here: &Here<C>,
         (length, rule): (f64, Rule),
-        reached: &Reached<D, C>,
+        reached: &Reached<C>,
     ) {
         let (at, to) = (reached.at(), reached.to);
         if let Some(energy) = self.energy.last_mut() {

@@ -11,7 +11,7 @@ use super::trajectory::Trajectory;
 use super::turn::inside;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::prelude::*;
 
 /// A load program in progress.
@@ -41,7 +41,7 @@ pub(super) struct Program<const C: usize> {
 
 impl<const C: usize> Program<C> {
     /// A program without legs, under a load and the commands of a grasp.
-    pub(super) fn new<D: Size>(grasp: &Engine<D, C>, start: Wrench<C>) -> Self {
+    pub(super) fn new(grasp: &Engine<C>, start: Wrench<C>) -> Self {
         let commands: Vec<_> = grasp.contacts().iter().map(|c| c.command).collect();
         let joints = grasp.joint_commands().to_vec();
         Self {
@@ -60,9 +60,9 @@ impl<const C: usize> Program<C> {
     }
 
     /// Appends legs, all or none of them; none along which the load turns where a method takes `straight_only`.
-    pub(super) fn extend<D: Size>(
+    pub(super) fn extend(
         &mut self,
-        grasp: &Engine<D, C>,
+        grasp: &Engine<C>,
         legs: &[Leg<C>],
         straight_only: Option<&'static str>,
     ) -> Result<(), Error> {
@@ -136,7 +136,7 @@ impl<const C: usize> Program<C> {
     }
 
     /// After all legs, returns exactly to this load and to the commands of a grasp: removes the rounding of a closed program.
-    pub(super) fn return_to<D: Size>(&mut self, grasp: &Engine<D, C>, load: &Wrench<C>) {
+    pub(super) fn return_to(&mut self, grasp: &Engine<C>, load: &Wrench<C>) {
         self.goal = *load;
         self.commands[1] = grasp.contacts().iter().map(|contact| contact.command).collect();
         self.joints[1] = grasp.joint_commands().to_vec();
@@ -156,18 +156,14 @@ impl<const C: usize> Program<C> {
     }
 
     /// Drives, commands less clearances, at the beginning of the present leg, and their change along it.
-    pub(super) fn drives<D: Size>(&self, grasp: &Engine<D, C>) -> [Vec<SVector<f64, C>>; 2] {
+    pub(super) fn drives(&self, grasp: &Engine<C>) -> [Vec<SVector<f64, C>>; 2] {
         let mut drives = [Vec::new(), Vec::new()];
         self.drives_into(grasp, &mut drives);
         drives
     }
 
     /// [`Self::drives`] into lists supplied by the caller.
-    pub(super) fn drives_into<D: Size>(
-        &self,
-        grasp: &Engine<D, C>,
-        [base, change]: &mut [Vec<SVector<f64, C>>; 2],
-    ) {
+    pub(super) fn drives_into(&self, grasp: &Engine<C>, [base, change]: &mut [Vec<SVector<f64, C>>; 2]) {
         let ([from, to], [joints_from, joints_to]) = (&self.commands, &self.joints);
         grasp.driven_by(from.iter().copied(), joints_from, base);
         let of_joints: Vec<_> = joints_to.iter().zip(joints_from).map(|(to, from)| to - from).collect();
@@ -175,7 +171,7 @@ impl<const C: usize> Program<C> {
     }
 
     /// Trajectory of the load along the present leg, in inside coordinates.
-    pub(super) fn inside_course<D: Size>(&self, grasp: &Engine<D, C>) -> Trajectory<Vector<D>> {
+    pub(super) fn inside_course(&self, grasp: &Engine<C>) -> Trajectory<Vector> {
         match &self.course {
             Trajectory::Straight { from, .. } => {
                 let [mut from, mut to] = [from, &self.goal].map(|load| grasp.load_unchecked(load));
@@ -196,7 +192,7 @@ impl<const C: usize> Program<C> {
     }
 
     /// What acts beside the load of the question, at the beginning and at the end of the leg.
-    fn beside<D: Size>(&self, grasp: &Engine<D, C>) -> [Option<[Vector<D>; 2]>; 2] {
+    fn beside(&self, grasp: &Engine<C>) -> [Option<[Vector; 2]>; 2] {
         [self.bodies.inside(grasp), self.torques.inside(grasp)]
     }
 

@@ -2,23 +2,23 @@
 //! contacts without force push it.
 
 use super::segment::Segment;
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::object::{Piece, PieceState};
 
 /// A velocity along a free motion below this part of the pushing velocity is rounding.
 const UNFELT: f64 = 1e-12;
 
-impl<D: Size, const C: usize> Segment<'_, D, C> {
+impl<const C: usize> Segment<'_, C> {
     /// Rates of a piece, with the velocities along its free motions taken from `pushed`.
     pub(super) fn pushed_along(
         &self,
-        piece: &Piece<D, C>,
-        rate: PieceState<D, C>,
-        pushed: Option<&Vector<D>>,
-    ) -> PieceState<D, C> {
+        piece: &Piece<C>,
+        rate: PieceState<C>,
+        pushed: Option<&Vector>,
+    ) -> PieceState<C> {
         let Some(pushed) = pushed else { return rate };
         let apart = pushed - &rate.twist;
-        let felt = |v: &Vector<D>| v.dot(&apart).abs() > UNFELT * pushed.norm();
+        let felt = |v: &Vector| v.dot(&apart).abs() > UNFELT * pushed.norm();
         let moves = piece.free_motions().iter().any(felt) || piece.neutral_motions().iter().any(felt);
         if moves { self.nearest(piece, rate, pushed) } else { rate }
     }
@@ -26,10 +26,10 @@ impl<D: Size, const C: usize> Segment<'_, D, C> {
     /// The state or rate of a piece with free motions whose twist is nearest to `near`.
     pub(super) fn nearest(
         &self,
-        piece: &Piece<D, C>,
-        PieceState { mut forces, mut twist }: PieceState<D, C>,
-        near: &Vector<D>,
-    ) -> PieceState<D, C> {
+        piece: &Piece<C>,
+        PieceState { mut forces, mut twist }: PieceState<C>,
+        near: &Vector,
+    ) -> PieceState<C> {
         for v in piece.free_motions() {
             twist += v * v.dot(&(near - &twist));
         }

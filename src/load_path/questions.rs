@@ -3,7 +3,6 @@
 use super::ramp::Ramp;
 use crate::error::Error;
 use crate::grasp::Engine;
-use crate::numerics::Size;
 use crate::search::Settings;
 
 /// The range of load factors in which no contact stops sticking; see [`Sensitivity::sticking_range`](crate::ask::Sensitivity::sticking_range).
@@ -24,7 +23,7 @@ impl StickingRange {
     }
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Sensitivity::sticking_range`](crate::ask::Sensitivity::sticking_range).
     pub(crate) fn sticking_range(
         &self,

@@ -4,7 +4,6 @@ use nalgebra::SVector;
 
 use crate::error::{Error, Field};
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::Size;
 use crate::prelude::*;
 
 /// At factor τ >= 0 the load is `base + τ direction` and the finger commands are those of the grasp plus τ times their
@@ -92,16 +91,16 @@ impl<const C: usize> Ramp<C> {
     }
 
     /// Rates of the contact and joint drives of a grasp, for each unit of the factor.
-    pub(crate) fn drive_changes<D: Size>(&self, grasp: &Engine<D, C>) -> Result<Vec<SVector<f64, C>>, Error> {
+    pub(crate) fn drive_changes(&self, grasp: &Engine<C>) -> Result<Vec<SVector<f64, C>>, Error> {
         let mut changes = Vec::new();
         self.drive_changes_into(grasp, &mut changes)?;
         Ok(changes)
     }
 
     /// [`Self::drive_changes`] into a list supplied by the caller.
-    pub(super) fn drive_changes_into<D: Size>(
+    pub(super) fn drive_changes_into(
         &self,
-        grasp: &Engine<D, C>,
+        grasp: &Engine<C>,
         changes: &mut Vec<SVector<f64, C>>,
     ) -> Result<(), Error> {
         if let Some(change) = &self.command_change {

@@ -20,14 +20,14 @@ use nalgebra::SVector;
 use super::arc::{Arc, Direction};
 use super::path_stiffness::{PathFactors, PathStiffness};
 use crate::contact::{Tangent, tangential_norm};
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::prelude::*;
 
 /// Angle by which a direction is turned to both sides for the derivative of a tangent, rad: two thirds of the digits remain.
 const TURNED: f64 = 6e-6;
 
 /// A sliding contact at the start of a step.
-struct Turning<D: Size, const C: usize> {
+struct Turning<const C: usize> {
     contact: usize,
     tangent: Tangent<C>,
     /// |F_t|, N.
@@ -37,39 +37,39 @@ struct Turning<D: Size, const C: usize> {
     /// v, N for one radian and one unit of arclength.
     change: SVector<f64, C>,
     /// G v.
-    push: Vector<D>,
+    push: Vector,
     /// c = Cᵀ d, N/m.
     felt: SVector<f64, C>,
     /// G c.
-    pull: Vector<D>,
+    pull: Vector,
 }
 
 /// J at the start of a step.
-pub(super) struct Relaxation<'f, 's, 'g, D: Size, const C: usize> {
-    arc: &'f Arc<'s, 'g, D, C>,
-    contacts: Vec<Turning<D, C>>,
+pub(super) struct Relaxation<'f, 's, 'g, const C: usize> {
+    arc: &'f Arc<'s, 'g, C>,
+    contacts: Vec<Turning<C>>,
     /// T and b.
-    stiffness: PathStiffness<D>,
-    load: Vector<D>,
-    way: Direction<D>,
+    stiffness: PathStiffness,
+    load: Vector,
+    way: Direction,
 }
 
 /// The factors of 1 - hJ.
-pub(super) struct Damped<D: Size> {
+pub(super) struct Damped {
     length: f64,
     /// Of `[T' | -b']` with the row of the path below.
-    bordered: PathFactors<D>,
+    bordered: PathFactors,
     /// e, N.
     sizes: Vec<f64>,
 }
 
-impl<'f, 's, 'g, D: Size, const C: usize> Relaxation<'f, 's, 'g, D, C> {
+impl<'f, 's, 'g, const C: usize> Relaxation<'f, 's, 'g, C> {
     /// J for these friction forces, along the direction of the path there.
     pub(super) fn new(
-        arc: &'f Arc<'s, 'g, D, C>,
+        arc: &'f Arc<'s, 'g, C>,
         frictions: &[SVector<f64, C>],
         factor: f64,
-        way: Direction<D>,
+        way: Direction,
     ) -> Self {
         let tangents = arc.tangents(frictions.iter().copied());
         let (stiffness, load) = arc.balance(&tangents, factor);
@@ -92,7 +92,7 @@ impl<'f, 's, 'g, D: Size, const C: usize> Relaxation<'f, 's, 'g, D, C> {
     }
 
     /// Factors of 1 - hJ for steps of length h. `None` where it is singular.
-    pub(super) fn damped(&self, length: f64) -> Option<Damped<D>> {
+    pub(super) fn damped(&self, length: f64) -> Option<Damped> {
         let (mut stiffness, mut load) = (self.stiffness.clone(), self.load.clone());
         let mut sizes = Vec::with_capacity(self.contacts.len());
         for turning in &self.contacts {
@@ -111,7 +111,7 @@ impl<'f, 's, 'g, D: Size, const C: usize> Relaxation<'f, 's, 'g, D, C> {
 
     /// Solves `(1 - hJ) Δ = g` in place: friction forces, then twist and factor. Works stay unchanged: no rate depends on them, and their own rates
     /// follow from the states within a step.
-    pub(super) fn solve(&self, damped: &Damped<D>, side: &mut [f64]) {
+    pub(super) fn solve(&self, damped: &Damped, side: &mut [f64]) {
         let length = damped.length;
         let mut left = Vector::zeros();
         let mut angles = Vec::with_capacity(self.contacts.len());
@@ -148,12 +148,11 @@ mod tests {
     use crate::contact::{Polygon, Slide, State};
     use crate::equilibrium::AnswerFor;
     use crate::grasp::Engine;
-    use crate::numerics::Fixed;
     use crate::object::Load;
     use crate::spatial::Contact;
 
     /// Fingers round a ball, softer along one tangent than the other, all sliding but one; commands change with the factor.
-    fn fingers(ratio: f64) -> Engine<Fixed<6>, 3> {
+    fn fingers(ratio: f64) -> Engine<3> {
         let finger = |i: u8| {
             let (sin, cos) = (1.3 * f64::from(i)).sin_cos();
             let stiffness = [1.0, 0.8, 0.8 * ratio];

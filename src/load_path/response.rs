@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector, DVectorView};
 use super::sensitivity::{Local, Parameter};
 use crate::equilibrium::Equilibrium;
 use crate::grasp::{Engine, Twist, of_the_object};
-use crate::numerics::{Fixed, Size, Vector};
+use crate::numerics::{Size, Vector};
 use crate::object::least_combination;
 use crate::prelude::*;
 
@@ -24,7 +24,7 @@ pub struct Response {
     pub forces: DMatrix<f64>,
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Sensitivity::response`](crate::ask::Sensitivity::response).
     pub(crate) fn response(&self, equilibrium: &Equilibrium<C>) -> Option<Response> {
         let commands = (0..self.len() * C).map(|k| Parameter::Command { contact: k / C, axis: k % C });
@@ -73,16 +73,13 @@ impl Response {
         if self.twist.nrows() != wanted.len() {
             return None;
         }
-        let command = DVector::from_vec(match wanted.len() {
-            3 => self.least_combination(Fixed::<3>, wanted),
-            _ => self.least_combination(Fixed::<6>, wanted),
-        });
+        let command = DVector::from_vec(self.least_combination(Size::of(wanted.len()), wanted));
         let wanted = DVectorView::from_slice(wanted, wanted.len());
         let missed = (&self.twist * &command - wanted).norm();
         (missed <= REACHED * wanted.norm()).then_some(command)
     }
 
-    fn least_combination<D: Size>(&self, size: D, wanted: &[f64]) -> Vec<f64> {
+    fn least_combination(&self, size: Size, wanted: &[f64]) -> Vec<f64> {
         let columns = self.twist.column_iter().map(|column| Vector::from_fn(size, |k| column[k]));
         least_combination(size, columns.collect(), &Vector::from_fn(size, |k| wanted[k]))
     }

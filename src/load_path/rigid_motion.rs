@@ -14,7 +14,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::contact::Law;
 use crate::friction::FrictionProblem;
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::object::Problem;
 use crate::prelude::*;
 
@@ -28,12 +28,12 @@ const NEAR: f64 = 1e-6;
 const DEPENDENT: f64 = 1e-9;
 
 /// The unit motion with which the object leaves under rates of a load that nothing balances, where no contact presses yet; `None` where one does.
-pub(super) fn rigid_motion<D: Size, const C: usize>(rates: &Problem<D, C>) -> Option<Vector<D>> {
+pub(super) fn rigid_motion<const C: usize>(rates: &Problem<C>) -> Option<Vector> {
     if rates.wrench.as_slice().len() > MOST || rates.drives.iter().any(|drive| drive.norm() > 0.0) {
         return None;
     }
     // An orthonormal basis of the motions that links resist.
-    let mut resisted: Vec<Vector<D>> = Vec::new();
+    let mut resisted: Vec<Vector> = Vec::new();
     for (law, site) in rates.laws.iter().zip(rates.sites) {
         match law {
             Law::Bonded => {
@@ -87,7 +87,7 @@ pub(super) fn rigid_motion<D: Size, const C: usize>(rates: &Problem<D, C>) -> Op
 }
 
 /// The part of a motion across an orthonormal basis; subtracted twice, so that rounding leaves it orthogonal.
-fn across<D: Size>(basis: &[Vector<D>], mut motion: Vector<D>) -> Vector<D> {
+fn across(basis: &[Vector], mut motion: Vector) -> Vector {
     for _ in 0..2 {
         for unit in basis {
             let part = unit.dot(&motion);
@@ -98,7 +98,7 @@ fn across<D: Size>(basis: &[Vector<D>], mut motion: Vector<D>) -> Vector<D> {
 }
 
 /// Adds a motion to the basis of resisted ones, unless it depends on them.
-fn resist<D: Size>(basis: &mut Vec<Vector<D>>, motion: &Vector<D>) {
+fn resist(basis: &mut Vec<Vector>, motion: &Vector) {
     let rest = across(basis, motion.clone());
     if rest.norm() > DEPENDENT * motion.norm() {
         basis.push(rest.normalize());

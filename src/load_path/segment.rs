@@ -9,49 +9,49 @@ use super::turning_state::TurningState;
 use crate::contact::{ActiveSet, Exit, GapLine, Law, Line, State};
 use crate::equilibrium::{AnswerFor, NoEquilibrium, Proof};
 use crate::grasp::Engine;
-use crate::numerics::{Size, Vector, cleared_for};
+use crate::numerics::{Vector, cleared_for};
 use crate::object::{Piece, PieceState, Problem, largest_force};
 use crate::prelude::*;
 
 /// Load and drives at factor 0 and their rates, with the slips of the contacts so far.
 #[derive(Debug, Clone)]
-pub(super) struct Segment<'g, D: Size, const C: usize> {
-    pub(super) grasp: &'g Engine<D, C>,
+pub(super) struct Segment<'g, const C: usize> {
+    pub(super) grasp: &'g Engine<C>,
     pub(super) answer_for: AnswerFor,
     /// The problem at factor 0; its drives count from the slips so far.
-    pub(super) problem: Problem<'g, D, C>,
+    pub(super) problem: Problem<'g, C>,
     /// Rates of the drives; zero while the load turns.
     pub(super) change: Vec<SVector<f64, C>>,
     /// Trajectory of the load.
-    pub(super) course: Trajectory<Vector<D>>,
+    pub(super) course: Trajectory<Vector>,
     /// The largest force on the way so far, N: the scale of rounding where all forces vanish together.
     pub(super) largest: f64,
 }
 
 /// The state at a factor, with its rates.
 #[derive(Debug, Clone)]
-pub(super) struct Here<D: Size, const C: usize> {
+pub(super) struct Here<const C: usize> {
     pub(super) lines: Vec<Line<C>>,
-    pub(super) twist: Vector<D>,
-    pub(super) twist_rate: Vector<D>,
+    pub(super) twist: Vector,
+    pub(super) twist_rate: Vector,
     /// Rate of the factor: one on a straight piece, where rates are per unit of the factor, and less along an arc.
     pub(super) factor_rate: f64,
     /// Motions that stretch no spring in these states.
-    pub(super) free_motions: Vec<Vector<D>>,
-    pub(super) neutral_motions: Vec<Vector<D>>,
+    pub(super) free_motions: Vec<Vector>,
+    pub(super) neutral_motions: Vec<Vector>,
     /// The linear piece of these states.
-    pub(super) piece: alloc::sync::Arc<Piece<D, C>>,
+    pub(super) piece: alloc::sync::Arc<Piece<C>>,
     pub(super) gaps: Vec<GapLine>,
     /// Largest force and displacement among the terms that the state and its rates are sums of.
     pub(super) sizes: [f64; 2],
     pub(super) rate_sizes: [f64; 2],
     /// The future state while the load turns; `None` where rates stay constant, or where nothing beyond them is known.
-    pub(super) turned: Option<alloc::sync::Arc<TurningState<D, C>>>,
+    pub(super) turned: Option<alloc::sync::Arc<TurningState<C>>>,
 }
 
-impl<D: Size, const C: usize> Here<D, C> {
+impl<const C: usize> Here<C> {
     /// Forces and twist after a step, extrapolated from this state.
-    pub(super) fn after(&self, step: f64) -> PieceState<D, C> {
+    pub(super) fn after(&self, step: f64) -> PieceState<C> {
         if let Some(turned) = &self.turned {
             let PieceState { forces, twist } = turned.after(step);
             return PieceState { forces, twist: &self.twist + twist };
@@ -76,16 +76,16 @@ impl<D: Size, const C: usize> Here<D, C> {
     }
 }
 
-impl<'g, D: Size, const C: usize> Segment<'g, D, C> {
+impl<'g, const C: usize> Segment<'g, C> {
     /// Forces, gaps and their rates at a factor. Where the states leave motions free, the twist is the one nearest to `near`, and its rate the one
     /// nearest to `pushed`: no force drives the object along them, but a contact that touches without force may push it.
     pub(super) fn look(
         &self,
         states: &[State<C>],
         factor: f64,
-        near: Option<&Vector<D>>,
-        pushed: Option<&Vector<D>>,
-    ) -> Result<Here<D, C>, NoEquilibrium<C>> {
+        near: Option<&Vector>,
+        pushed: Option<&Vector>,
+    ) -> Result<Here<C>, NoEquilibrium<C>> {
         let piece = self.problem.piece(states);
         let rate = match &self.course {
             Trajectory::Straight { rate, .. } => rate,
@@ -108,17 +108,17 @@ impl<'g, D: Size, const C: usize> Segment<'g, D, C> {
     /// A state on an arc with rates for one unit of arclength, in which the factor changes by `factor_rate`.
     pub(super) fn along(
         &self,
-        piece: &alloc::sync::Arc<Piece<D, C>>,
+        piece: &alloc::sync::Arc<Piece<C>>,
         factor: f64,
-        at: &PieceState<D, C>,
-        rate: &PieceState<D, C>,
+        at: &PieceState<C>,
+        rate: &PieceState<C>,
         factor_rate: f64,
-    ) -> Here<D, C> {
+    ) -> Here<C> {
         self.here(piece.clone(), factor, at.clone(), (rate, factor_rate), (factor, at))
     }
 
     /// The loss from a factor on: nothing resists this motion.
-    pub(super) fn unbalanced(&self, factor: f64, motion: Option<Vector<D>>) -> NoEquilibrium<C> {
+    pub(super) fn unbalanced(&self, factor: f64, motion: Option<Vector>) -> NoEquilibrium<C> {
         let v = motion.unwrap_or_else(Vector::zeros);
         let work = v.dot(&self.course.rate_at(factor));
         let proof = Proof::FreeMotion { motion: self.grasp.motion_outside(&v), work };
@@ -129,19 +129,19 @@ impl<'g, D: Size, const C: usize> Segment<'g, D, C> {
     /// factor `since`, and the change from there.
     pub(super) fn here(
         &self,
-        piece: alloc::sync::Arc<Piece<D, C>>,
+        piece: alloc::sync::Arc<Piece<C>>,
         factor: f64,
-        at: PieceState<D, C>,
-        (rate, factor_rate): (&PieceState<D, C>, f64),
-        (since, base): (f64, &PieceState<D, C>),
-    ) -> Here<D, C> {
+        at: PieceState<C>,
+        (rate, factor_rate): (&PieceState<C>, f64),
+        (since, base): (f64, &PieceState<C>),
+    ) -> Here<C> {
         let PieceState { forces, twist } = at;
         let change: Vec<_> = self.change.iter().map(|a| a * factor_rate).collect();
         let way = factor - since;
         let [base_drives, drives] = [since, factor].map(|factor| self.drives(factor));
         let base_load = self.course.at(since);
         let sites = self.grasp.sites();
-        let sizes = |drives: &[SVector<f64, C>], twist: &Vector<D>, load: f64, forces: &[SVector<f64, C>]| {
+        let sizes = |drives: &[SVector<f64, C>], twist: &Vector, load: f64, forces: &[SVector<f64, C>]| {
             let norm = twist.norm();
             let travel =
                 sites.iter().zip(drives).map(|(site, a)| site.span_moved(a, norm)).fold(0.0, f64::max);
@@ -191,10 +191,10 @@ impl<'g, D: Size, const C: usize> Segment<'g, D, C> {
     /// motions free, the twist is the one nearest to `near`.
     pub(super) fn state(
         &self,
-        piece: &Piece<D, C>,
+        piece: &Piece<C>,
         factor: f64,
-        near: Option<&Vector<D>>,
-    ) -> Option<PieceState<D, C>> {
+        near: Option<&Vector>,
+    ) -> Option<PieceState<C>> {
         let wrench = self.course.at(factor);
         let at = piece.solve(self.problem.sites, &self.drives(factor), &wrench).ok()?;
         Some(if let Some(near) = near { self.nearest(piece, at, near) } else { at })
@@ -206,9 +206,9 @@ impl<'g, D: Size, const C: usize> Segment<'g, D, C> {
         contact: usize,
         state: &State<C>,
         exit: &Exit<C>,
-        here: &Here<D, C>,
+        here: &Here<C>,
         factor: f64,
-        at: &PieceState<D, C>,
+        at: &PieceState<C>,
     ) -> f64 {
         if state.is_open() {
             let drive = self.problem.drives[contact] + self.change[contact] * factor;
@@ -239,7 +239,7 @@ impl<'g, D: Size, const C: usize> Segment<'g, D, C> {
     }
 
     /// The local problem at a factor.
-    pub(super) fn problem_at(&self, factor: f64) -> Problem<'g, D, C> {
+    pub(super) fn problem_at(&self, factor: f64) -> Problem<'g, C> {
         let wrench = self.course.at(factor);
         Problem { drives: self.drives(factor), wrench, wrench_rest: Vector::zeros(), ..self.problem.clone() }
     }
@@ -249,7 +249,7 @@ impl<'g, D: Size, const C: usize> Segment<'g, D, C> {
         &mut self,
         contact: usize,
         factor: f64,
-        twist: &Vector<D>,
+        twist: &Vector,
         force: &SVector<f64, C>,
     ) {
         let site = &self.grasp.sites()[contact];
@@ -263,7 +263,7 @@ impl<'g, D: Size, const C: usize> Segment<'g, D, C> {
     }
 
     /// The exits through which a contact may leave its state.
-    pub(super) fn ways_out(&self, contact: usize, state: &State<C>, here: &Here<D, C>) -> Vec<Exit<C>> {
+    pub(super) fn ways_out(&self, contact: usize, state: &State<C>, here: &Here<C>) -> Vec<Exit<C>> {
         self.problem.local(contact).ways_out(state, &here.lines[contact], &here.gaps[contact])
     }
 
@@ -275,14 +275,14 @@ impl<'g, D: Size, const C: usize> Segment<'g, D, C> {
 
     /// The smallest step to an edge, an apex, a closed gap or a reversal of slip, with all contacts that reach one there. For a load that turns,
     /// steps up to `rest` are searched.
-    pub(super) fn first_exits(&self, states: &[State<C>], here: &Here<D, C>, rest: f64) -> FirstExits<C> {
+    pub(super) fn first_exits(&self, states: &[State<C>], here: &Here<C>, rest: f64) -> FirstExits<C> {
         if let Some(turned) = &here.turned {
             return turned.first_exits(&self.problem, states, rest);
         }
         FirstExits { standing: self.first_on_lines(states, here), touches: Vec::new() }
     }
 
-    fn first_on_lines(&self, states: &[State<C>], here: &Here<D, C>) -> Option<(f64, PathState<C>)> {
+    fn first_on_lines(&self, states: &[State<C>], here: &Here<C>) -> Option<(f64, PathState<C>)> {
         let ways: PathState<C> =
             states.iter().enumerate().map(|(i, state)| (i, self.ways_out(i, state, here))).collect();
         let first =
@@ -298,7 +298,7 @@ impl<'g, D: Size, const C: usize> Segment<'g, D, C> {
     }
 
     /// The problem in rates of this segment at a factor, with these laws.
-    pub(super) fn rates(&self, factor: f64, laws: Vec<Law<C>>) -> Problem<'g, D, C> {
+    pub(super) fn rates(&self, factor: f64, laws: Vec<Law<C>>) -> Problem<'g, C> {
         self.problem.at_rates(laws, self.change.clone(), self.course.rate_at(factor))
     }
 }

@@ -20,7 +20,7 @@ use super::geometry::{map_by_normal, map_by_point};
 use crate::contact::{Mode, Polygon, State};
 use crate::equilibrium::{Cone, Equilibrium};
 use crate::grasp::{Engine, Motion, Twist, Wrench, of_the_object};
-use crate::numerics::{Map, Size, Vector};
+use crate::numerics::{Map, Vector};
 use crate::object::{Load, Piece, Problem};
 use crate::prelude::*;
 use crate::search::Settings;
@@ -100,7 +100,7 @@ pub struct Derivative<const C: usize> {
     pub forces: Vec<SVector<f64, C>>,
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Sensitivity::of`](crate::ask::Sensitivity::of).
     pub(crate) fn sensitivity(&self, equilibrium: &Equilibrium<C>, by: Parameter) -> Option<Derivative<C>> {
         let local = Local::new(self, equilibrium)?;
@@ -112,21 +112,21 @@ impl<D: Size, const C: usize> Engine<D, C> {
 }
 
 /// An equilibrium with the factorised linear law of its states.
-pub(super) struct Local<'g, D: Size, const C: usize> {
-    grasp: &'g Engine<D, C>,
-    pub(super) problem: Problem<'g, D, C>,
+pub(super) struct Local<'g, const C: usize> {
+    grasp: &'g Engine<C>,
+    pub(super) problem: Problem<'g, C>,
     pub(super) states: Vec<State<C>>,
     pub(super) forces: Vec<SVector<f64, C>>,
-    pub(super) piece: Piece<D, C>,
+    pub(super) piece: Piece<C>,
     /// In inside coordinates.
-    twist: Vector<D>,
+    twist: Vector,
 }
 
 /// Forces below this part of the stiffest spring's force, if the whole motion stretched it, are rounding.
 const FREE: f64 = 1e-9;
 
-impl<'g, D: Size, const C: usize> Local<'g, D, C> {
-    pub(super) fn new(grasp: &'g Engine<D, C>, equilibrium: &Equilibrium<C>) -> Option<Self> {
+impl<'g, const C: usize> Local<'g, C> {
+    pub(super) fn new(grasp: &'g Engine<C>, equilibrium: &Equilibrium<C>) -> Option<Self> {
         if !equilibrium.knows_all_of(grasp.sites().len()) {
             return None;
         }
@@ -142,7 +142,7 @@ impl<'g, D: Size, const C: usize> Local<'g, D, C> {
         Some(Self { grasp, problem, states, forces, piece, twist: equilibrium.local.twist.to() })
     }
 
-    pub(super) fn derivative(&self, by: Parameter) -> Option<(Vector<D>, Vec<SVector<f64, C>>)> {
+    pub(super) fn derivative(&self, by: Parameter) -> Option<(Vector, Vec<SVector<f64, C>>)> {
         let n = self.problem.len();
         let mut drives = vec![SVector::zeros(); n];
         let mut wrench = Vector::zeros();
@@ -185,7 +185,7 @@ impl<'g, D: Size, const C: usize> Local<'g, D, C> {
                 wrench = &change * force;
             }
             Parameter::Load { component } if component < of_the_object::<C>() => {
-                let mut unit = Vector::<D>::zeros();
+                let mut unit = Vector::zeros();
                 unit[component] = 1.0;
                 wrench = self.grasp.inside_unchecked(&Wrench::among(&unit));
             }
@@ -203,7 +203,7 @@ impl<'g, D: Size, const C: usize> Local<'g, D, C> {
 
     /// dG of one contact. `None` if the axis is out of range, and for the position of a contact of a hand. `None` also where the changed geometry
     /// would hold a motion that is free in this one: small changes do not determine how far it goes then.
-    fn map_change(&self, contact: usize, by: Parameter) -> Option<Map<D, C>> {
+    fn map_change(&self, contact: usize, by: Parameter) -> Option<Map<C>> {
         let site = &self.problem.sites[contact];
         let change = match by {
             Parameter::Point { axis, .. } if axis < C && self.grasp.linkage().is_none() => {
@@ -212,7 +212,7 @@ impl<'g, D: Size, const C: usize> Local<'g, D, C> {
             Parameter::Normal { axis, .. } => map_by_normal(site, axis)?,
             _ => return None,
         };
-        let stays_free = |motion: &Vector<D>| {
+        let stays_free = |motion: &Vector| {
             let mut drives = vec![SVector::zeros(); self.problem.len()];
             drives[contact] = change.tr_mul(motion);
             let alone = self.problem.local(contact).springs.stiffest() * change.norm() * motion.norm();

@@ -9,14 +9,13 @@ use super::trajectory::Trajectory;
 use crate::contact::{ActiveSet, State, ZERO_SLACK};
 use crate::equilibrium::{ACCURATE, ContactState, Undecided, WorkDone, site_states};
 use crate::grasp::Wrench;
-use crate::numerics::Size;
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Doubt, Found, Rung, Settings, Settled, settle};
 
 /// The walk along a course while nothing slides.
-pub(super) struct StickingPath<'a, D: Size, const C: usize> {
-    pub(super) segment: Segment<'a, D, C>,
+pub(super) struct StickingPath<'a, const C: usize> {
+    pub(super) segment: Segment<'a, C>,
     /// Trajectory of the load, in the coordinates of the question.
     pub(super) course: Trajectory<Wrench<C>>,
     /// The largest factor considered.
@@ -28,7 +27,7 @@ pub(super) struct StickingPath<'a, D: Size, const C: usize> {
     pub(super) touches: Vec<(usize, f64)>,
 }
 
-impl<D: Size, const C: usize> StickingPath<'_, D, C> {
+impl<const C: usize> StickingPath<'_, C> {
     pub(super) fn run(&mut self, mut states: Vec<State<C>>) -> Onset<C> {
         let mut reached: Option<PathState<C>> = None;
         // Every iteration closes a contact for good or ends the walk; the bound only guards against rounding.
@@ -44,7 +43,7 @@ impl<D: Size, const C: usize> StickingPath<'_, D, C> {
                 let laws = self.segment.laws_of_rates(&stands, &states);
                 let rates = self.segment.rates(self.factor, laws);
                 let (settled, _) = settle(&rates, self.settings);
-                let stays = |found: &Found<D, C>| {
+                let stays = |found: &Found<C>| {
                     standing.iter().all(|&(i, _)| {
                         let state = &found.states[i];
                         // A contact that carried no force at the base and opens at once never stuck.
@@ -81,7 +80,7 @@ impl<D: Size, const C: usize> StickingPath<'_, D, C> {
 
     /// Contacts on an edge at the base: those about to cross it with no way left, and those that touch without force. Only the rates decide about
     /// both.
-    fn standing_at_base(&self, states: &[State<C>], here: &Here<D, C>) -> PathState<C> {
+    fn standing_at_base(&self, states: &[State<C>], here: &Here<C>) -> PathState<C> {
         let mut standing = Vec::new();
         for (i, state) in states.iter().enumerate() {
             let mut exits = self.segment.ways_out(i, state, here);
@@ -100,10 +99,10 @@ impl<D: Size, const C: usize> StickingPath<'_, D, C> {
     fn event(
         &self,
         states: Vec<State<C>>,
-        here: &Here<D, C>,
+        here: &Here<C>,
         stands: Vec<ActiveSet<C>>,
-        rates: &Problem<D, C>,
-        settled: &Settled<D, C>,
+        rates: &Problem<C>,
+        settled: &Settled<C>,
     ) -> Onset<C> {
         let (segment, sites) = (&self.segment, self.segment.grasp.sites());
         let next = match settled {
@@ -151,11 +150,7 @@ impl<D: Size, const C: usize> StickingPath<'_, D, C> {
 }
 
 /// The active sets that these exits lead to. A contact without an exit touches without force.
-fn stands<D: Size, const C: usize>(
-    states: &[State<C>],
-    here: &Here<D, C>,
-    standing: &PathState<C>,
-) -> Vec<ActiveSet<C>> {
+fn stands<const C: usize>(states: &[State<C>], here: &Here<C>, standing: &PathState<C>) -> Vec<ActiveSet<C>> {
     let mut stands = vec![ActiveSet::NOWHERE; states.len()];
     for (i, exits) in standing {
         let line = &here.lines[*i];

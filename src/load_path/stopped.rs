@@ -7,7 +7,6 @@ use super::flow::{Flow, Rule, StepGoal};
 use super::pieces::Pieces;
 use super::watch::{Watch, WatchedCondition, watch};
 use crate::contact::{Mode, State};
-use crate::numerics::Size;
 
 /// Ratio of the lengths of successive trial steps; the first one is this part of the rest of the leg.
 const SHORTER: f64 = 0.25;
@@ -15,7 +14,7 @@ const MOST_TRIALS: usize = 40;
 /// Number of accurate trial steps that must break the condition, each by more than rounding.
 const FAILURES: usize = 3;
 
-impl<D: Size, const C: usize> Pieces<'_, D, C> {
+impl<const C: usize> Pieces<'_, C> {
     /// Whether a contact can neither stick nor slide from here.
     pub(super) fn neither_sticks_nor_slides(&self, contact: usize, tolerance: f64) -> bool {
         let slides = State::sliding_along(&self.node.at.forces[contact]);

@@ -6,7 +6,6 @@ use super::first_exits::PathState;
 use super::journey::Journey;
 use super::pieces::Pieces;
 use super::segment::Here;
-use crate::numerics::Size;
 use crate::object::PieceState;
 use crate::prelude::*;
 use crate::search::Doubt;
@@ -17,9 +16,9 @@ const MOST_STALLS: usize = 64;
 /// Largest relative correction of a step; a larger one means that something else is wrong.
 const ROUGHLY: f64 = 1e-6;
 
-impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
+impl<'g, const C: usize> Pieces<'g, C> {
     /// Advances along the present piece to its end: the next edge, or the end of the leg. Whether the leg is done.
-    pub(super) fn advance_straight(&mut self, journey: &Journey<'g, D, C>) -> Result<bool, PathEnd<C>> {
+    pub(super) fn advance_straight(&mut self, journey: &Journey<'g, C>) -> Result<bool, PathEnd<C>> {
         let Some(here) = self.here.clone() else {
             return Err(journey.undecided(self.factor, Doubt::OnTheBoundary));
         };
@@ -68,13 +67,13 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
     }
 
     /// Forces and twist after a step along the present piece.
-    pub(super) fn state_after(&self, here: &Here<D, C>, step: f64) -> PieceState<D, C> {
+    pub(super) fn state_after(&self, here: &Here<C>, step: f64) -> PieceState<C> {
         let near = here.after(step);
         self.segment.state(&here.piece, self.factor + step, Some(&near.twist)).unwrap_or(near)
     }
 
     /// The step to an edge, corrected from the state there: found from afar, it carries the rounding of the present state.
-    fn corrected(&self, here: &Here<D, C>, step: f64, standing: &PathState<C>) -> f64 {
+    fn corrected(&self, here: &Here<C>, step: f64, standing: &PathState<C>) -> f64 {
         let exits = standing.iter().flat_map(|(i, exits)| exits.iter().map(move |exit| (*i, exit)));
         let Some((i, exit)) = exits.min_by(|(_, a), (_, b)| a.uncertainty.total_cmp(&b.uncertainty)) else {
             return step;

@@ -12,7 +12,7 @@ use super::trajectory::Trajectory;
 use crate::contact::{Line, State};
 use crate::equilibrium::{AnswerFor, Equilibrium};
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::object::{PieceState, Problem};
 use crate::prelude::*;
 use crate::search::{Effort, Found, Rung, told_at_rest};
@@ -24,14 +24,14 @@ const ONE_LOAD: f64 = 1e-15;
 
 /// The data from which the state at any fraction of the piece is computed.
 #[derive(Debug)]
-pub(super) struct Stretch<'g, D: Size, const C: usize> {
+pub(super) struct Stretch<'g, const C: usize> {
     pub(super) leg: usize,
     pub(super) from: f64,
     pub(super) to: f64,
     /// The local problem at fraction 0 of the leg, with the slip so far; the rates of its drives; the trajectory of its load.
-    pub(super) problem: Problem<'g, D, C>,
+    pub(super) problem: Problem<'g, C>,
     pub(super) change: Vec<SVector<f64, C>>,
-    pub(super) course: Trajectory<Vector<D>>,
+    pub(super) course: Trajectory<Vector>,
     /// Trajectory of the load of the question.
     pub(super) load: Trajectory<Wrench<C>>,
     /// Loads of bodies with goals of their own.
@@ -40,9 +40,9 @@ pub(super) struct Stretch<'g, D: Size, const C: usize> {
     pub(super) torques: HeldTorques,
     pub(super) states: Vec<State<C>>,
     /// State at `from`, with rates.
-    pub(super) here: Here<D, C>,
+    pub(super) here: Here<C>,
     /// State at `to`.
-    pub(super) there: PieceState<D, C>,
+    pub(super) there: PieceState<C>,
     /// The step, where a contact slides on the round cone.
     pub(super) bend: Option<Bend>,
     /// The jump that led to this piece of zero length.
@@ -70,12 +70,12 @@ pub(super) struct Bend {
     pub(super) rule: Rule,
 }
 
-impl<'g, D: Size, const C: usize> Stretch<'g, D, C> {
+impl<'g, const C: usize> Stretch<'g, C> {
     /// The equilibrium at a fraction of the leg, with all contacts open that carry no force. `None` where rounding keeps a part of a step from being
     /// made.
     pub(super) fn state_at(
         &self,
-        grasp: &'g Engine<D, C>,
+        grasp: &'g Engine<C>,
         answer_for: AnswerFor,
         fraction: f64,
     ) -> Option<Equilibrium<C>> {
@@ -89,7 +89,7 @@ impl<'g, D: Size, const C: usize> Stretch<'g, D, C> {
     /// The equilibrium at the end of the piece, with the contact states of the piece; the event there lists their changes.
     pub(super) fn state_before_event(
         &self,
-        grasp: &'g Engine<D, C>,
+        grasp: &'g Engine<C>,
         answer_for: AnswerFor,
     ) -> Option<Equilibrium<C>> {
         let (problem, found) = self.found_at(grasp, answer_for, self.to)?;
@@ -98,11 +98,11 @@ impl<'g, D: Size, const C: usize> Stretch<'g, D, C> {
 
     fn answer(
         &self,
-        grasp: &Engine<D, C>,
+        grasp: &Engine<C>,
         answer_for: AnswerFor,
         fraction: f64,
-        problem: &Problem<'g, D, C>,
-        found: Found<D, C>,
+        problem: &Problem<'g, C>,
+        found: Found<C>,
     ) -> Equilibrium<C> {
         let load = self.load.at(fraction);
         let grasp = self.torques.put_on(self.bodies.put_on(grasp, fraction), fraction);
@@ -112,10 +112,10 @@ impl<'g, D: Size, const C: usize> Stretch<'g, D, C> {
     /// Problem and contact states at a fraction of the leg; `None` where rounding keeps a part of a step from being made.
     pub(super) fn found_at(
         &self,
-        grasp: &'g Engine<D, C>,
+        grasp: &'g Engine<C>,
         answer_for: AnswerFor,
         fraction: f64,
-    ) -> Option<(Problem<'g, D, C>, Found<D, C>)> {
+    ) -> Option<(Problem<'g, C>, Found<C>)> {
         let segment = self.segment(grasp, answer_for);
         if let Some(bend) = &self.bend {
             return self.on_the_bend(bend, &segment, fraction);
@@ -148,9 +148,9 @@ impl<'g, D: Size, const C: usize> Stretch<'g, D, C> {
     fn on_the_bend(
         &self,
         bend: &Bend,
-        segment: &Segment<'g, D, C>,
+        segment: &Segment<'g, C>,
         fraction: f64,
-    ) -> Option<(Problem<'g, D, C>, Found<D, C>)> {
+    ) -> Option<(Problem<'g, C>, Found<C>)> {
         let at = if fraction >= self.to {
             self.there.clone()
         } else if fraction <= self.from {
@@ -181,12 +181,7 @@ impl<'g, D: Size, const C: usize> Stretch<'g, D, C> {
     }
 
     /// The state at a fraction within the step. Where rounding prevents the part in one step, it is made in successive shorter ones.
-    fn part_of_a_step(
-        &self,
-        bend: &Bend,
-        segment: &Segment<'g, D, C>,
-        fraction: f64,
-    ) -> Option<PieceState<D, C>> {
+    fn part_of_a_step(&self, bend: &Bend, segment: &Segment<'g, C>, fraction: f64) -> Option<PieceState<C>> {
         let (mut from, mut here, mut states) = (self.from, self.here.clone(), self.states.clone());
         let mut length = bend.length;
         for _ in 0..MOST_PARTS {
@@ -213,13 +208,13 @@ impl<'g, D: Size, const C: usize> Stretch<'g, D, C> {
         near.then(|| if to_the_start < to_the_end { start_of(&self.here) } else { self.there.clone() })
     }
 
-    fn segment(&self, grasp: &'g Engine<D, C>, answer_for: AnswerFor) -> Segment<'g, D, C> {
+    fn segment(&self, grasp: &'g Engine<C>, answer_for: AnswerFor) -> Segment<'g, C> {
         let (problem, change) = (self.problem.clone(), self.change.clone());
         Segment { grasp, answer_for, problem, change, course: self.course.clone(), largest: 0.0 }
     }
 }
 
 /// The state at the beginning of a step.
-fn start_of<D: Size, const C: usize>(here: &Here<D, C>) -> PieceState<D, C> {
+fn start_of<const C: usize>(here: &Here<C>) -> PieceState<C> {
     PieceState { forces: here.lines.iter().map(|line| line.force).collect(), twist: here.twist.clone() }
 }

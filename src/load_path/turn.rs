@@ -7,7 +7,7 @@ use nalgebra::SVector;
 use super::trajectory::Trajectory;
 use crate::error::{ContactLabel, Error};
 use crate::grasp::{Engine, PartLabel, Wrench};
-use crate::numerics::{Harmonic, Size, Vector};
+use crate::numerics::{Harmonic, Vector};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 #[cfg(feature = "serde")]
@@ -105,7 +105,7 @@ impl<const C: usize> Turn<C> {
     }
 
     /// The load in inside coordinates, once checked; constant torques on joints belong to the constant part.
-    pub(crate) fn inside<D: Size>(&self, grasp: &Engine<D, C>) -> Harmonic<Vector<D>> {
+    pub(crate) fn inside(&self, grasp: &Engine<C>) -> Harmonic<Vector> {
         inside(grasp, &self.load)
     }
 
@@ -218,10 +218,7 @@ impl Turn<3> {
 }
 
 /// A load that turns in inside coordinates, once checked.
-pub(super) fn inside<D: Size, const C: usize>(
-    grasp: &Engine<D, C>,
-    load: &Harmonic<Wrench<C>>,
-) -> Harmonic<Vector<D>> {
+pub(super) fn inside<const C: usize>(grasp: &Engine<C>, load: &Harmonic<Wrench<C>>) -> Harmonic<Vector> {
     Harmonic {
         constant: grasp.load_unchecked(&load.constant),
         cosine: grasp.inside_unchecked(&load.cosine),

@@ -10,7 +10,6 @@ use super::trajectory::Trajectory;
 use super::turn::{Touch, Turn};
 use crate::error::Error;
 use crate::grasp::Engine;
-use crate::numerics::Size;
 use crate::prelude::*;
 use crate::search::{Settings, settle_at_rest};
 
@@ -25,7 +24,7 @@ pub struct TurnOnset<const C: usize> {
     pub touches: Vec<Touch>,
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn).
     pub(crate) fn onset_of_turn(&self, turn: &Turn<C>, settings: &Settings) -> Result<TurnOnset<C>, Error> {
         turn.check()?;

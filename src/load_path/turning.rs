@@ -24,7 +24,6 @@ use super::trajectory::Trajectory;
 use super::watch::{Watch, WatchedCondition, watch};
 use super::within_a_step::first_dip;
 use crate::contact::{ActiveSet, Exit, Line, Mode, State, ZERO_SLACK, tangential};
-use crate::numerics::Size;
 use crate::prelude::*;
 use crate::search::Doubt;
 
@@ -52,9 +51,9 @@ const MOST_LOOKS: usize = 20;
 /// Steps shorter than this part of the load factor do not advance: the arc ends here.
 const SHORTEST: f64 = 1e-13;
 
-impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
+impl<'g, const C: usize> Pieces<'g, C> {
     /// Makes one step along the arc, up to an event if one comes first. Whether the leg is done.
-    pub(super) fn advance_along_arc(&mut self, journey: &Journey<'g, D, C>) -> Result<bool, PathEnd<C>> {
+    pub(super) fn advance_along_arc(&mut self, journey: &Journey<'g, C>) -> Result<bool, PathEnd<C>> {
         let Some(here) = self.here.take() else {
             return Err(journey.undecided(self.factor, Doubt::OnTheBoundary));
         };
@@ -113,12 +112,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
     }
 
     /// The step, shortened to the first condition that it violates, at its end or within it.
-    fn up_to_a_crossing(
-        &self,
-        here: &Here<D, C>,
-        mut end: StepEnd<D, C>,
-        tolerance: f64,
-    ) -> Option<StepEnd<D, C>> {
+    fn up_to_a_crossing(&self, here: &Here<C>, mut end: StepEnd<C>, tolerance: f64) -> Option<StepEnd<C>> {
         let start = watch(&self.segment, &self.node.states, (self.factor, here));
         let mut looks = 0;
         loop {
@@ -150,7 +144,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
     }
 
     /// The length of a step along which the load turns by [`MOST_TURNED`]. Along a longer step a condition could fail and hold again at the end.
-    fn part_of_a_turn(&self, here: &Here<D, C>) -> f64 {
+    fn part_of_a_turn(&self, here: &Here<C>) -> f64 {
         match self.segment.course {
             Trajectory::Turn { angle, .. } => MOST_TURNED / (angle * here.factor_rate.abs()),
             Trajectory::Straight { .. } => f64::INFINITY,
@@ -158,7 +152,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
     }
 
     /// Length and rule of a step for which the relaxation of friction directions is stable.
-    fn stable(&mut self, here: &Here<D, C>, length: f64, tolerance: f64) -> (f64, Rule) {
+    fn stable(&mut self, here: &Here<C>, length: f64, tolerance: f64) -> (f64, Rule) {
         let unit = self.pace.unit.unwrap_or(1.0);
         let flow = Flow::new(&self.segment, &self.node.states, self.factor, here, unit);
         let stable = STABLE / flow.fastest_relaxation();
@@ -173,7 +167,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
 
     /// Whether the object moves on while no force changes: the load factor approaches its limit and never reaches it. A friction force that relaxes
     /// fast always turns slightly by its rounding, and sticking contacts take that up.
-    fn slides_away(&self, here: &Here<D, C>) -> bool {
+    fn slides_away(&self, here: &Here<C>) -> bool {
         if here.factor_rate.abs() > STANDS_STILL {
             return false;
         }
@@ -187,7 +181,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
 
     /// Length of a step along the tangent, where one is short enough for that. From an apex it gives a friction force its direction; close to an apex
     /// it covers the rest.
-    fn straight_length(&self, here: &Here<D, C>) -> Option<f64> {
+    fn straight_length(&self, here: &Here<C>) -> Option<f64> {
         let rest = (1.0 - self.factor) / here.factor_rate;
         let all_but_gone = |(line, state): (&Line<C>, &State<C>)| {
             let falls = state.slides() && line.rate[0] < -ZERO_SLACK * line.rate_size;
@@ -204,7 +198,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         self.node.sets_out.then_some(SETTING_OUT * way)
     }
 
-    fn first_length(&self, here: &Here<D, C>) -> f64 {
+    fn first_length(&self, here: &Here<C>) -> f64 {
         let mut length = (1.0 - self.factor) / here.factor_rate;
         for (line, state) in here.lines.iter().zip(&self.node.states) {
             let (f, df) = (&line.force, &line.rate);
@@ -220,7 +214,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
         length
     }
 
-    fn way_to_apex(&self, here: &Here<D, C>) -> f64 {
+    fn way_to_apex(&self, here: &Here<C>) -> f64 {
         let mut way = f64::INFINITY;
         for (line, state) in here.lines.iter().zip(&self.node.states) {
             if state.slides()
@@ -236,9 +230,9 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
     /// Moves to the end of a step and adds the edges reached there to the active sets. Whether the leg is done.
     fn arrive_at(
         &mut self,
-        journey: &Journey<'g, D, C>,
-        here: &Here<D, C>,
-        end: &StepEnd<D, C>,
+        journey: &Journey<'g, C>,
+        here: &Here<C>,
+        end: &StepEnd<C>,
     ) -> Result<bool, PathEnd<C>> {
         let tolerance = journey.settings.step_error * self.pace.looser;
         self.pace.accept(end.length, end.reached.error / tolerance, end.located.is_some());
@@ -293,7 +287,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
     }
 
     /// The contacts among these that have not slipped since the step began.
-    fn stands_still(&self, here: &Here<D, C>, contacts: &[usize]) -> Vec<usize> {
+    fn stands_still(&self, here: &Here<C>, contacts: &[usize]) -> Vec<usize> {
         if contacts.is_empty() {
             return Vec::new();
         }
@@ -305,7 +299,7 @@ impl<'g, D: Size, const C: usize> Pieces<'g, D, C> {
     }
 
     /// The loss at the end of an arc; the object leaves along the arc.
-    fn lost(&self, journey: &Journey<'g, D, C>, kind: LossKind, here: &Here<D, C>) -> PathEnd<C> {
+    fn lost(&self, journey: &Journey<'g, C>, kind: LossKind, here: &Here<C>) -> PathEnd<C> {
         let slides = (0..self.node.states.len()).filter(|i| self.node.states[*i].slides());
         let motion = here.twist_rate.normalize();
         PathEnd::Lost(Box::new(journey.loss(self.factor, kind, slides.collect(), Some(&motion))))

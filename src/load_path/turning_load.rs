@@ -9,13 +9,13 @@ use super::trajectory::Trajectory;
 use super::turning_state::TurningState;
 use crate::contact::Wave;
 use crate::equilibrium::NoEquilibrium;
-use crate::numerics::{Harmonic, Size, Vector};
+use crate::numerics::{Harmonic, Vector};
 use crate::object::{Piece, PieceState};
 
 /// A rate below this part of the fastest counts as zero: its angle is known to the rounding of a full turn.
 const TURNS_BACK: f64 = 1e-12;
 
-impl<D: Size, const C: usize> Segment<'_, D, C> {
+impl<const C: usize> Segment<'_, C> {
     /// Whether the load turns back at a factor: its rate vanishes there.
     pub(super) fn load_turns_back(&self, factor: f64) -> bool {
         let Trajectory::Turn { load, angle } = &self.course else { return false };
@@ -25,14 +25,14 @@ impl<D: Size, const C: usize> Segment<'_, D, C> {
     /// Forces, gaps and their rates at a factor, and how they turn from there on.
     pub(super) fn look_round(
         &self,
-        piece: &Arc<Piece<D, C>>,
-        (load, angle): (&Harmonic<Vector<D>>, f64),
+        piece: &Arc<Piece<C>>,
+        (load, angle): (&Harmonic<Vector>, f64),
         factor: f64,
-        near: Option<&Vector<D>>,
-    ) -> Result<Here<D, C>, NoEquilibrium<C>> {
+        near: Option<&Vector>,
+    ) -> Result<Here<C>, NoEquilibrium<C>> {
         let onward = load.from(angle * factor);
         let at_rest = vec![SVector::zeros(); self.problem.len()];
-        let solved = |drives: &[SVector<f64, C>], load: &Vector<D>| {
+        let solved = |drives: &[SVector<f64, C>], load: &Vector| {
             piece.solve(self.problem.sites, drives, load).map_err(|u| self.unbalanced(factor, u.motion))
         };
         let parts = Harmonic {
@@ -79,10 +79,10 @@ impl<D: Size, const C: usize> Segment<'_, D, C> {
     /// The turn of all quantities. `parts` are the states under the parts of the load, the constant one with the drives.
     pub(super) fn turned(
         &self,
-        load: &Harmonic<Vector<D>>,
+        load: &Harmonic<Vector>,
         angle: f64,
-        parts: &Harmonic<PieceState<D, C>>,
-    ) -> TurningState<D, C> {
+        parts: &Harmonic<PieceState<C>>,
+    ) -> TurningState<C> {
         let (sites, problem) = (self.problem.sites, &self.problem);
         let at_rest = vec![SVector::zeros(); sites.len()];
         let states = Harmonic {

@@ -2,24 +2,24 @@
 
 use super::first_exits::FirstExits;
 use crate::contact::{Exit, State, TurningExit, Wave};
-use crate::numerics::{Harmonic, Size, Vector};
+use crate::numerics::{Harmonic, Vector};
 use crate::object::{PieceState, Problem};
 use crate::prelude::*;
 
 /// The turn of all quantities from a place on, while contacts keep their states.
 #[derive(Debug)]
-pub(super) struct TurningState<D: Size, const C: usize> {
+pub(super) struct TurningState<const C: usize> {
     /// Force and stretch of every contact.
     pub(super) waves: Vec<[Wave<C>; 2]>,
-    pub(super) twist: Harmonic<Vector<D>>,
-    pub(super) load: Harmonic<Vector<D>>,
+    pub(super) twist: Harmonic<Vector>,
+    pub(super) load: Harmonic<Vector>,
     /// Angle for one unit of the factor, rad.
     pub(super) angle: f64,
 }
 
-impl<D: Size, const C: usize> TurningState<D, C> {
+impl<const C: usize> TurningState<C> {
     /// Forces after a step of the factor, and the change of the twist.
-    pub(super) fn after(&self, step: f64) -> PieceState<D, C> {
+    pub(super) fn after(&self, step: f64) -> PieceState<C> {
         let angle = self.angle * step;
         let forces = self.waves.iter().map(|[force, _]| force.of.at(angle)).collect();
         PieceState { forces, twist: self.twist.at(angle) - self.twist.at(0.0) }
@@ -28,7 +28,7 @@ impl<D: Size, const C: usize> TurningState<D, C> {
     /// The first exits of contacts in these states, within a step of the factor.
     pub(super) fn first_exits(
         &self,
-        problem: &Problem<'_, D, C>,
+        problem: &Problem<'_, C>,
         states: &[State<C>],
         rest: f64,
     ) -> FirstExits<C> {

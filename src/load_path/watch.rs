@@ -3,7 +3,6 @@
 use super::segment::{Here, Segment};
 use super::trajectory::Trajectory;
 use crate::contact::{Line, Mode, State, ZERO_SLACK, tangential, tangential_norm};
-use crate::numerics::Size;
 use crate::prelude::*;
 
 /// Relative error of values on an arc from its steps, in addition to rounding.
@@ -83,10 +82,10 @@ pub(super) fn has_vanished<const C: usize>(line: &Line<C>) -> bool {
 }
 
 /// The conditions in these states.
-pub(super) fn watch<D: Size, const C: usize>(
-    segment: &Segment<'_, D, C>,
+pub(super) fn watch<const C: usize>(
+    segment: &Segment<'_, C>,
     states: &[State<C>],
-    (factor, here): (f64, &Here<D, C>),
+    (factor, here): (f64, &Here<C>),
 ) -> Vec<Watch> {
     let mut list = vec![
         Watch { what: WatchedCondition::Growth, value: here.factor_rate, rate: None, size: AT_THE_TOP },

@@ -12,7 +12,6 @@ use nalgebra::SVector;
 
 use super::segment::{Here, Segment};
 use crate::contact::{Coulomb, Mode, State};
-use crate::numerics::Size;
 
 /// The term of fourth order, which the cubic leaves out, is estimated by that of third order, but by no less than this part of that of second order.
 /// The terms of accepted steps fall from order to order at least by this factor.
@@ -42,10 +41,10 @@ struct Bounded<const C: usize> {
 
 /// The part of a step to make in place of the whole step, whose ends have rates for one unit of its length. It ends where a sticking or open contact
 /// violates its condition, or earlier where the step is too long for a decision. `None` where all conditions hold within the step.
-pub(super) fn first_dip<D: Size, const C: usize>(
-    segment: &Segment<'_, D, C>,
+pub(super) fn first_dip<const C: usize>(
+    segment: &Segment<'_, C>,
     states: &[State<C>],
-    [from, to]: [&Here<D, C>; 2],
+    [from, to]: [&Here<C>; 2],
     (length, step_error): (f64, f64),
 ) -> Option<f64> {
     let mut first: Option<f64> = None;

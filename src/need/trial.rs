@@ -343,7 +343,7 @@ impl<const C: usize> Loading<C> {
 
 /// The wrench of a force (N) at a point (m), with its moment about the origin.
 pub(super) fn force_at<const C: usize>(force: [f64; C], point: [f64; C]) -> Wrench<C> {
-    let wrench = crate::grasp::wrench_of::<crate::numerics::Fixed<6>, C>(&point.into(), &force.into());
+    let wrench = crate::grasp::wrench_of::<C>(&point.into(), &force.into());
     Wrench::among(&wrench)
 }
 

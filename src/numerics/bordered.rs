@@ -7,27 +7,27 @@
 //!
 //! T alone may be singular on the way; the bordered matrix of an exact basis is regular.
 
-use super::coordinates::{Size, Square, Vector};
+use super::coordinates::{Indices, Size, Square, Vector};
 
 /// LU factors with partial pivoting of a bordered matrix with d + 1 rows.
 #[derive(Debug, Clone)]
-pub(crate) struct Bordered<D: Size> {
+pub(crate) struct Bordered {
     /// The rows of T, stored as columns.
-    rows: Square<D>,
+    rows: Square,
     /// The entries of these rows in the last column.
-    last: Vector<D>,
+    last: Vector,
     /// The row below them.
-    border: Vector<D>,
+    border: Vector,
     corner: f64,
     /// The original index of each row; the border has index d.
-    order: D::Indices,
+    order: Indices,
     order_of_border: usize,
 }
 
-impl<D: Size> Default for Bordered<D> {
+impl Default for Bordered {
     /// Factors of no matrix yet.
     fn default() -> Self {
-        let size = D::default();
+        let size = Size::default();
         Self {
             rows: Square::zeros(size),
             last: Vector::zeros(),
@@ -39,14 +39,9 @@ impl<D: Size> Default for Bordered<D> {
     }
 }
 
-impl<D: Size> Bordered<D> {
+impl Bordered {
     /// `None` if the matrix is singular.
-    pub(crate) fn new(
-        stiffness: &Square<D>,
-        cover: &Vector<D>,
-        gradient: &Vector<D>,
-        corner: f64,
-    ) -> Option<Self> {
+    pub(crate) fn new(stiffness: &Square, cover: &Vector, gradient: &Vector, corner: f64) -> Option<Self> {
         let mut factors = Self::default();
         factors.assign(stiffness, cover, gradient, corner)?;
         Some(factors)
@@ -55,9 +50,9 @@ impl<D: Size> Bordered<D> {
     /// The factors of another matrix, in the same memory. If it is singular, `None`, and the factors are unusable.
     pub(crate) fn assign(
         &mut self,
-        stiffness: &Square<D>,
-        cover: &Vector<D>,
-        gradient: &Vector<D>,
+        stiffness: &Square,
+        cover: &Vector,
+        gradient: &Vector,
         corner: f64,
     ) -> Option<()> {
         let size = stiffness.size();
@@ -110,8 +105,8 @@ impl<D: Size> Bordered<D> {
         // Stored inverted, since the pivot is used as a divisor only.
         top[k] = inverse;
         // Zeros up to the pivot: loops over a fixed number of coordinates run over all of them.
-        let row = Vector::<D>::from_fn(size, |j| if j > k { top[j] } else { 0.0 });
-        let open = size.looped(k + 1..d);
+        let row = Vector::from_fn(size, |j| if j > k { top[j] } else { 0.0 });
+        let open = k + 1..d;
         let row = &row.as_slice()[open.clone()];
         let top_last = last[k];
         let below = behind.chunks_exact_mut(d).zip(&mut last[k + 1..]);
@@ -135,22 +130,22 @@ impl<D: Size> Bordered<D> {
         least / largest
     }
 
-    pub(crate) fn solve(&self, balance: &Vector<D>, last: f64) -> (Vector<D>, f64) {
+    pub(crate) fn solve(&self, balance: &Vector, last: f64) -> (Vector, f64) {
         let [solution] = self.solve_each([(balance, last)]);
         solution
     }
 
     /// Solutions for several right-hand sides.
-    pub(crate) fn solve_each<const R: usize>(&self, sides: [(&Vector<D>, f64); R]) -> [(Vector<D>, f64); R] {
+    pub(crate) fn solve_each<const R: usize>(&self, sides: [(&Vector, f64); R]) -> [(Vector, f64); R] {
         sides.map(|(balance, last)| self.solved(balance, last))
     }
 
-    fn solved(&self, balance: &Vector<D>, last: f64) -> (Vector<D>, f64) {
+    fn solved(&self, balance: &Vector, last: f64) -> (Vector, f64) {
         let size = self.rows.size();
         let d = size.count();
         let given = |from: usize| if from == d { last } else { balance[from] };
         let order = self.order.as_ref();
-        let mut solution = Vector::<D>::from_fn(size, |i| given(order[i]));
+        let mut solution = Vector::from_fn(size, |i| given(order[i]));
         let mut z = given(self.order_of_border);
         let (x, border, lasts) = (solution.as_mut_slice(), self.border.as_slice(), self.last.as_slice());
         let rows = self.rows.as_slice();

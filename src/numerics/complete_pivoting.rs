@@ -1,6 +1,7 @@
 //! Small linear systems by complete pivoting, with rank, kernels and the unreachable part of a right-hand side.
 
-use crate::numerics::{Size, Square, Vector};
+use crate::numerics::Indices;
+use crate::numerics::{Square, Vector};
 use crate::prelude::*;
 
 /// A pivot below this part of the largest entry counts as zero. The matrices here are products of orthonormal factors
@@ -9,17 +10,17 @@ const SINGULAR: f64 = 1e-13;
 
 /// Complete-pivoting LU of the leading `rows x cols` block of a `D x D` matrix.
 #[derive(Debug, Clone)]
-pub(crate) struct CompletePivoting<D: Size> {
-    lu: Square<D>,
-    row_order: D::Indices,
-    col_order: D::Indices,
+pub(crate) struct CompletePivoting {
+    lu: Square,
+    row_order: Indices,
+    col_order: Indices,
     rows: usize,
     cols: usize,
     rank: usize,
 }
 
-impl<D: Size> CompletePivoting<D> {
-    pub(crate) fn new(mut a: Square<D>, rows: usize, cols: usize) -> Self {
+impl CompletePivoting {
+    pub(crate) fn new(mut a: Square, rows: usize, cols: usize) -> Self {
         let d = a.size().count();
         let mut row_order = a.size().in_order();
         let mut col_order = row_order.clone();
@@ -61,8 +62,8 @@ impl<D: Size> CompletePivoting<D> {
     }
 
     /// A solution of `A x = b` with zeros in the free columns, and the largest remainder of b that no x can reach.
-    pub(crate) fn solve(&self, b: &Vector<D>) -> (Vector<D>, f64) {
-        let mut reached = Vector::<D>::all_zero(self.lu.size());
+    pub(crate) fn solve(&self, b: &Vector) -> (Vector, f64) {
+        let mut reached = Vector::all_zero(self.lu.size());
         let (d, lu, order) = (self.lu.size().count(), self.lu.as_slice(), self.row_order.as_ref());
         let y = reached.as_mut_slice();
         for i in 0..self.rows {
@@ -74,10 +75,10 @@ impl<D: Size> CompletePivoting<D> {
     }
 
     /// A basis of {x : A x = 0}.
-    pub(crate) fn kernel(&self) -> Vec<Vector<D>> {
+    pub(crate) fn kernel(&self) -> Vec<Vector> {
         (self.rank..self.cols)
             .map(|free| {
-                let mut y = Vector::<D>::zeros();
+                let mut y = Vector::zeros();
                 for i in 0..self.rank {
                     y[i] = -self.lu[(i, free)];
                 }
@@ -89,11 +90,11 @@ impl<D: Size> CompletePivoting<D> {
     }
 
     /// A basis of {z : Aᵀ z = 0}.
-    pub(crate) fn left_kernel(&self) -> Vec<Vector<D>> {
+    pub(crate) fn left_kernel(&self) -> Vec<Vector> {
         // With P A Q = L U, `Aᵀ z = 0` requires `(P z)ᵀ L = 0` in the first `rank` places, solved from the last row of L up.
         (self.rank..self.rows)
             .map(|free| {
-                let mut y = Vector::<D>::zeros();
+                let mut y = Vector::zeros();
                 y[free] = 1.0;
                 for j in (0..self.rank).rev() {
                     y[j] = -(j + 1..self.rows).map(|i| y[i] * self.lu[(i, j)]).sum::<f64>();
@@ -109,7 +110,7 @@ impl<D: Size> CompletePivoting<D> {
 
     /// Largest row sum of |A⁻¹|, but at least 1: the growth of an error of the right-hand side.
     pub(crate) fn growth(&self) -> f64 {
-        let mut sums = Vector::<D>::zeros();
+        let mut sums = Vector::zeros();
         for e in 0..self.rank {
             let mut unit = Vector::zeros();
             unit[self.row_order.as_ref()[e]] = 1.0;
@@ -121,9 +122,9 @@ impl<D: Size> CompletePivoting<D> {
         sums.iter().copied().fold(1.0, f64::max)
     }
 
-    fn back(&self, y: &Vector<D>) -> Vector<D> {
+    fn back(&self, y: &Vector) -> Vector {
         let size = self.lu.size();
-        let (mut s, mut x) = (Vector::<D>::all_zero(size), Vector::all_zero(size));
+        let (mut s, mut x) = (Vector::all_zero(size), Vector::all_zero(size));
         let (d, lu, order) = (self.lu.size().count(), self.lu.as_slice(), self.col_order.as_ref());
         let (s, found) = (s.as_mut_slice(), x.as_mut_slice());
         for i in (0..self.rank).rev() {

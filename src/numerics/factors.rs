@@ -1,6 +1,6 @@
 //! LU factors of a small square matrix: partial pivoting if it is far from singular, complete pivoting otherwise.
 
-use crate::numerics::{Size, Square, Vector};
+use crate::numerics::{Square, Vector};
 
 use super::complete_pivoting::CompletePivoting;
 use super::partial_pivoting::PartialPivoting;
@@ -12,14 +12,14 @@ const OUT_OF_REACH: f64 = 1e-12;
 /// Factors of a `D x D` matrix A.
 #[derive(Debug, Clone)]
 #[allow(clippy::large_enum_variant)] // boxing would allocate at every step of Newton's method
-pub(crate) enum Factors<D: Size> {
-    Regular(PartialPivoting<D>),
+pub(crate) enum Factors {
+    Regular(PartialPivoting),
     /// Singular or nearly so: complete pivoting distinguishes singular from soft.
-    Singular(CompletePivoting<D>),
+    Singular(CompletePivoting),
 }
 
-impl<D: Size> Factors<D> {
-    pub(crate) fn new(matrix: &Square<D>) -> Self {
+impl Factors {
+    pub(crate) fn new(matrix: &Square) -> Self {
         if let Some(regular) = PartialPivoting::new(matrix) {
             return Self::Regular(regular);
         }
@@ -28,7 +28,7 @@ impl<D: Size> Factors<D> {
     }
 
     /// A solution of `A y = b`. A part of b that no y reaches is ignored.
-    pub(crate) fn solve(&self, b: &Vector<D>) -> Vector<D> {
+    pub(crate) fn solve(&self, b: &Vector) -> Vector {
         match self {
             Self::Regular(regular) => regular.solve(b),
             Self::Singular(full) => full.solve(b).0,
@@ -36,7 +36,7 @@ impl<D: Size> Factors<D> {
     }
 
     /// A solution of `A y = b`, if there is one; `size` is that of the terms whose sum is b.
-    pub(crate) fn solve_exactly(&self, b: &Vector<D>, size: f64) -> Option<Vector<D>> {
+    pub(crate) fn solve_exactly(&self, b: &Vector, size: f64) -> Option<Vector> {
         match self {
             Self::Regular(regular) => Some(regular.solve(b)),
             Self::Singular(full) => {
@@ -47,7 +47,7 @@ impl<D: Size> Factors<D> {
     }
 
     /// A basis of {y : A y = 0}.
-    pub(crate) fn kernel(&self) -> Vec<Vector<D>> {
+    pub(crate) fn kernel(&self) -> Vec<Vector> {
         match self {
             Self::Regular(_) => Vec::new(),
             Self::Singular(full) => full.kernel(),

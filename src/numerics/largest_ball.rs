@@ -98,7 +98,7 @@ impl<const D: usize> Polytope<D> {
             self.points[vertices[row]][column] - self.middle[column]
         });
         let Some(solver) = PartialPivoting::new(&Square::from(rows)) else { return };
-        let normal = solver.solve(&SVector::<f64, D>::repeat(1.0).into()).to_svector();
+        let normal = solver.solve(&SVector::<f64, D>::repeat(1.0).into()).to_svector::<D>();
         let distance = (1.0 + normal.dot(&self.middle)) / normal.norm();
         self.queue.push(Waiting { distance, face: self.faces.len() });
         self.alive.push(self.faces.len());

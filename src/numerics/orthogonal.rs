@@ -4,6 +4,7 @@
 //! equations (G K Gᵀ)⁻¹ would lose the square of that. Gram–Schmidt with column pivoting, every column
 //! orthogonalised twice, keeps the columns of Q orthonormal to working precision for any grading.
 
+use crate::numerics::Indices;
 use crate::numerics::{Size, Square, Vector};
 use core::ops::Range;
 
@@ -30,38 +31,38 @@ const PROJECTED: f64 = 1e-15;
 /// `A Π = Q [R11 R12; 0 0]` for an `m x D` matrix A of rank r: Q is `m x r` with orthonormal columns, R11 is upper
 /// triangular `r x r`, Π permutes columns.
 #[derive(Debug, Clone)]
-pub(crate) struct Orthogonal<D: Size> {
+pub(crate) struct Orthogonal {
     /// Rows of Q; entries at `rank` and above are zero.
-    q: Vec<Vector<D>>,
-    r: Square<D>,
+    q: Vec<Vector>,
+    r: Square,
     /// The inverse diagonal of R11: a product takes a third of the time of a quotient, and each waits for the one before.
-    over_diagonal: Vector<D>,
-    order: D::Indices,
+    over_diagonal: Vector,
+    order: Indices,
     rank: usize,
 }
 
-impl<D: Size> Default for Orthogonal<D> {
+impl Default for Orthogonal {
     /// Factors of no rows and, if the number of columns is known at run time only, of no columns.
     fn default() -> Self {
-        Self::of(D::default(), Vec::new())
+        Self::of(Size::default(), Vec::new())
     }
 }
 
-impl<D: Size> Orthogonal<D> {
-    pub(crate) fn new(size: D, rows: Vec<Vector<D>>) -> Self {
+impl Orthogonal {
+    pub(crate) fn new(size: Size, rows: Vec<Vector>) -> Self {
         let mut factor = Self::of(size, rows);
         factor.factorise();
         factor
     }
 
     /// Rows that are not factorised yet.
-    fn of(size: D, rows: Vec<Vector<D>>) -> Self {
+    fn of(size: Size, rows: Vec<Vector>) -> Self {
         let (r, over_diagonal) = (Square::zeros(size), Vector::all_zero(size));
         Self { q: rows, r, over_diagonal, order: size.in_order(), rank: 0 }
     }
 
     /// The factors of other rows, in the same memory.
-    pub(crate) fn assign(&mut self, size: D, rows: &[Vector<D>]) {
+    pub(crate) fn assign(&mut self, size: Size, rows: &[Vector]) {
         if self.size() != size {
             *self = Self::of(size, core::mem::take(&mut self.q));
         }
@@ -70,7 +71,7 @@ impl<D: Size> Orthogonal<D> {
         self.factorise();
     }
 
-    pub(crate) fn size(&self) -> D {
+    pub(crate) fn size(&self) -> Size {
         self.r.size()
     }
 
@@ -151,12 +152,12 @@ impl<D: Size> Orthogonal<D> {
     }
 
     /// Row i of Q; its entries at the rank and above are zero.
-    pub(crate) fn row(&self, i: usize) -> &Vector<D> {
+    pub(crate) fn row(&self, i: usize) -> &Vector {
         &self.q[i]
     }
 
     /// Qᵀx.
-    pub(crate) fn coordinates(&self, x: &[f64]) -> Vector<D> {
+    pub(crate) fn coordinates(&self, x: &[f64]) -> Vector {
         let part = |rows: Range<usize>| {
             let mut sum = Vector::all_zero(self.size());
             let sums = sum.as_mut_slice();
@@ -170,7 +171,7 @@ impl<D: Size> Orthogonal<D> {
 
     /// Moves x to the nearest vector with `Aᵀx = -w`, for a w in the range of Aᵀ. Returns the y of the move
     /// `x - Q y`.
-    pub(crate) fn project(&self, x: &mut [f64], w: &Vector<D>) -> Vector<D> {
+    pub(crate) fn project(&self, x: &mut [f64], w: &Vector) -> Vector {
         let load = self.load_coordinates(w);
         let mut moved = Vector::zeros();
         for _ in 0..PASSES {
@@ -185,15 +186,15 @@ impl<D: Size> Orthogonal<D> {
     }
 
     /// x - Q y.
-    pub(crate) fn subtract(&self, x: &mut [f64], y: &Vector<D>) {
+    pub(crate) fn subtract(&self, x: &mut [f64], y: &Vector) {
         for (x, row) in x.iter_mut().zip(&self.q) {
             *x -= row.dot(y);
         }
     }
 
     /// A solution v of `A v = Q c` with zeros in the dependent columns.
-    pub(crate) fn preimage(&self, c: &Vector<D>) -> Vector<D> {
-        let (mut y, mut v) = (Vector::<D>::all_zero(self.size()), Vector::all_zero(self.size()));
+    pub(crate) fn preimage(&self, c: &Vector) -> Vector {
+        let (mut y, mut v) = (Vector::all_zero(self.size()), Vector::all_zero(self.size()));
         let (d, r, over) = (self.size().count(), self.r.as_slice(), self.over_diagonal.as_slice());
         let (y, found, order) = (y.as_mut_slice(), v.as_mut_slice(), self.order.as_ref());
         for i in (0..self.rank).rev() {
@@ -205,7 +206,7 @@ impl<D: Size> Orthogonal<D> {
     }
 
     /// The coordinates `y = Qᵀx` of every x with `Aᵀx = w`, for a w in the range of Aᵀ: `R11ᵀ y = Πᵀw`, first r rows.
-    pub(crate) fn load_coordinates(&self, w: &Vector<D>) -> Vector<D> {
+    pub(crate) fn load_coordinates(&self, w: &Vector) -> Vector {
         let mut found = Vector::all_zero(self.size());
         let (d, r, over) = (self.size().count(), self.r.as_slice(), self.over_diagonal.as_slice());
         let (y, order) = (found.as_mut_slice(), self.order.as_ref());
@@ -217,7 +218,7 @@ impl<D: Size> Orthogonal<D> {
     }
 
     /// An orthonormal basis of the null space {v : A v = 0}.
-    pub(crate) fn null_space(&self) -> Vec<Vector<D>> {
+    pub(crate) fn null_space(&self) -> Vec<Vector> {
         let mut basis = Vec::new();
         if self.rank < self.size().count() {
             self.null_space_into(&mut basis);
@@ -226,7 +227,7 @@ impl<D: Size> Orthogonal<D> {
     }
 
     /// [`Self::null_space`] in the memory of `basis`, which gets room for the null space of any rows.
-    pub(crate) fn null_space_into(&self, basis: &mut Vec<Vector<D>>) {
+    pub(crate) fn null_space_into(&self, basis: &mut Vec<Vector>) {
         basis.clear();
         basis.reserve(self.size().count());
         for free in self.rank..self.size().count() {
@@ -243,8 +244,8 @@ impl<D: Size> Orthogonal<D> {
 }
 
 /// Lengths of the columns, and of the rounding in them.
-fn lengths_and_noise<D: Size>(size: D, rows: &[Vector<D>]) -> (Vector<D>, Vector<D>) {
-    let (mut full, mut noise) = (Vector::<D>::all_zero(size), Vector::<D>::all_zero(size));
+fn lengths_and_noise(size: Size, rows: &[Vector]) -> (Vector, Vector) {
+    let (mut full, mut noise) = (Vector::all_zero(size), Vector::all_zero(size));
     for row in rows {
         let mut sum = 0.0;
         for (full, x) in full.iter_mut().zip(row.iter()) {
@@ -258,11 +259,11 @@ fn lengths_and_noise<D: Size>(size: D, rows: &[Vector<D>]) -> (Vector<D>, Vector
 }
 
 /// Orthogonalises column k a second time against the finished columns: the first time was their own elimination step. Returns its squared length.
-fn again_from_those_before<D: Size>(rows: &mut [Vector<D>], r: &mut Square<D>, k: usize) -> f64 {
+fn again_from_those_before(rows: &mut [Vector], r: &mut Square, k: usize) -> f64 {
     let size = r.size();
     let again = products(size, rows, k, 0..k);
     r.column_slice_mut(k).iter_mut().zip(again.iter()).for_each(|(r, again)| *r += again);
-    let finished = size.looped(0..k);
+    let finished = 0..k;
     let again = &again.as_slice()[finished.clone()];
     let mut square = 0.0;
     for row in rows.iter_mut() {
@@ -277,10 +278,10 @@ fn again_from_those_before<D: Size>(rows: &mut [Vector<D>], r: &mut Square<D>, k
 
 /// Subtracts the projection on column k, a unit vector, from the columns behind it. Returns the coefficients, and leaves the squared lengths of the
 /// remaining columns in `left`.
-fn take_from_the_others<D: Size>(size: D, rows: &mut [Vector<D>], k: usize, left: &mut [f64]) -> Vector<D> {
+fn take_from_the_others(size: Size, rows: &mut [Vector], k: usize, left: &mut [f64]) -> Vector {
     let along = products(size, rows, k, k + 1..size.count());
     left.fill(0.0);
-    let open = size.looped(k + 1..size.count());
+    let open = k + 1..size.count();
     let (left, parts) = (&mut left[open.clone()], &along.as_slice()[open.clone()]);
     for row in rows.iter_mut() {
         let row = row.as_mut_slice();
@@ -294,9 +295,9 @@ fn take_from_the_others<D: Size>(size: D, rows: &mut [Vector<D>], k: usize, left
 }
 
 /// Products of column k with the columns `with`; the other entries are zero.
-fn products<D: Size>(size: D, rows: &[Vector<D>], k: usize, with: Range<usize>) -> Vector<D> {
+fn products(size: Size, rows: &[Vector], k: usize, with: Range<usize>) -> Vector {
     let mut sum = Vector::all_zero(size);
-    let over = size.looped(with.clone());
+    let over = with.clone();
     let sums = &mut sum.as_mut_slice()[over.clone()];
     for row in rows {
         let row = row.as_slice();
@@ -310,14 +311,14 @@ fn products<D: Size>(size: D, rows: &[Vector<D>], k: usize, with: Range<usize>) 
 }
 
 /// Sets all other components to zero, after one loop over the rows that computed all of them.
-fn keep<D: Size>(v: &mut Vector<D>, kept: Range<usize>) {
+fn keep(v: &mut Vector, kept: Range<usize>) {
     for (j, x) in v.iter_mut().enumerate() {
         *x = if kept.contains(&j) { *x } else { 0.0 };
     }
 }
 
 /// v minus its projection on an orthonormal set.
-pub(crate) fn without<D: Size>(mut v: Vector<D>, basis: &[Vector<D>]) -> Vector<D> {
+pub(crate) fn without(mut v: Vector, basis: &[Vector]) -> Vector {
     for b in basis {
         let along = b.dot(&v);
         v -= b * along;
@@ -326,7 +327,7 @@ pub(crate) fn without<D: Size>(mut v: Vector<D>, basis: &[Vector<D>]) -> Vector<
 }
 
 /// Makes v a unit vector orthogonal to an orthonormal set, in two passes.
-pub(crate) fn orthonormalise_against<D: Size>(v: &mut Vector<D>, basis: &[Vector<D>]) {
+pub(crate) fn orthonormalise_against(v: &mut Vector, basis: &[Vector]) {
     for _ in 0..2 {
         *v = without(core::mem::take(v), basis);
     }
@@ -341,19 +342,18 @@ mod tests {
     use nalgebra::SVector;
 
     use super::*;
-    use crate::numerics::Fixed;
 
     #[test]
     fn a_dependent_column_gives_its_null_vector() {
         // Third column = first - 2 second, rows graded over 14 decades.
         let rows = [[1e7, 0.0], [1.0, 1.0], [1e-7, 3e-7], [0.5, 1e7]]
             .map(|[a, b]| Vector::from(SVector::from([a, b, a - 2.0 * b])));
-        let factor = Orthogonal::new(Fixed::<3>, rows.to_vec());
+        let factor = Orthogonal::new(Size::of(3), rows.to_vec());
         assert_eq!(factor.rank(), 2);
         let null = factor.null_space();
         assert_eq!(null.len(), 1);
         let expected = SVector::from([1.0, -2.0, -1.0]).normalize();
-        let null = null[0].to_svector();
+        let null = null[0].to_svector::<3>();
         assert!((null - expected * expected.dot(&null).signum()).norm() < 1e-9);
     }
 
@@ -365,7 +365,7 @@ mod tests {
                 Vector::from(SVector::from([s * a.sin(), s * a.cos(), s * (2.0 * a).sin()]))
             })
             .collect();
-        let factor = Orthogonal::new(Fixed::<3>, rows);
+        let factor = Orthogonal::new(Size::of(3), rows);
         assert_eq!(factor.rank(), 3);
         for a in 0..3 {
             for b in 0..3 {

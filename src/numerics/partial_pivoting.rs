@@ -1,5 +1,6 @@
 //! Small linear systems far from singular, by partial pivoting.
 
+use crate::numerics::Indices;
 use crate::numerics::{Size, Square, Vector};
 
 /// Pivot, relative to the largest entry, below which a matrix has no factors here: [`super::CompletePivoting`] or [`super::Orthogonal`] must
@@ -8,16 +9,16 @@ const REGULAR: f64 = 1e-10;
 
 /// Partial-pivoting LU of a regular `D x D` matrix.
 #[derive(Debug, Clone)]
-pub(crate) struct PartialPivoting<D: Size> {
+pub(crate) struct PartialPivoting {
     /// U above the diagonal, L below it.
-    lu: Square<D>,
-    reciprocal_pivots: Vector<D>,
-    row_order: D::Indices,
+    lu: Square,
+    reciprocal_pivots: Vector,
+    row_order: Indices,
 }
 
-impl<D: Size> PartialPivoting<D> {
+impl PartialPivoting {
     /// The factors, unless the matrix is nearly singular or not finite.
-    pub(crate) fn new(matrix: &Square<D>) -> Option<Self> {
+    pub(crate) fn new(matrix: &Square) -> Option<Self> {
         let size = matrix.size();
         let d = size.count();
         let mut lu = matrix.clone();
@@ -59,11 +60,11 @@ impl<D: Size> PartialPivoting<D> {
         Some(Self { lu, reciprocal_pivots, row_order })
     }
 
-    pub(crate) fn size(&self) -> D {
+    pub(crate) fn size(&self) -> Size {
         self.lu.size()
     }
 
-    pub(crate) fn solve(&self, b: &Vector<D>) -> Vector<D> {
+    pub(crate) fn solve(&self, b: &Vector) -> Vector {
         let size = self.size();
         let d = size.count();
         let order = self.row_order.as_ref();
@@ -96,7 +97,7 @@ mod tests {
     fn solves_what_needs_its_rows_exchanged() {
         let a = SMatrix::<f64, 3, 3>::new(0.0, 2.0, 1.0, 1.0, 0.0, -3.0, 4.0, 1.0, 0.0);
         let x = SVector::from([1.0, -2.0, 0.5]);
-        let found = PartialPivoting::new(&a.into()).map(|lu| lu.solve(&(a * x).into()).to_svector());
+        let found = PartialPivoting::new(&a.into()).map(|lu| lu.solve(&(a * x).into()).to_svector::<3>());
         assert!(found.is_some_and(|found| (found - x).norm() < 1e-15));
     }
 

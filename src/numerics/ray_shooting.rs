@@ -52,7 +52,7 @@ pub(crate) fn shoot<const D: usize>(
         // Where the set is smooth, points come so close that rounding corrupts the plane through them: the result so far is kept.
         let solvers = [points, points.transpose()].map(|matrix| PartialPivoting::new(&Square::from(matrix)));
         let [Some(solver), Some(transposed)] = solvers else { break };
-        let normal = transposed.solve(&SVector::<f64, D>::repeat(1.0).into()).to_svector();
+        let normal = transposed.solve(&SVector::<f64, D>::repeat(1.0).into()).to_svector::<D>();
         let next = Vertex::of(support, normal);
         let reach = normal.dot(&(next.at - origin)).max(1.0);
         let stretch = normal.dot(&ray);
@@ -60,7 +60,7 @@ pub(crate) fn shoot<const D: usize>(
         if reach <= 1.0 + BEYOND {
             break;
         }
-        let change = solver.solve(&(next.at - origin).into()).to_svector();
+        let change = solver.solve(&(next.at - origin).into()).to_svector::<D>();
         let leaving = (0..D).filter(|&k| change[k] > BEYOND * change.amax()).min_by(|&a, &b| {
             let part = |k: usize| shares[k] / change[k];
             // Among ties the largest pivot.
@@ -90,7 +90,7 @@ fn first_face<const D: usize>(
         let vertices: Vec<_> = (0..=D).filter(|&k| k != without).map(|k| simplex[k]).collect();
         let shares = PartialPivoting::new(&Square::from(matrix(&vertices, origin)))?
             .solve(&(*ray).into())
-            .to_svector();
+            .to_svector::<D>();
         Some((vertices, shares))
     };
     let best = (0..=D).filter_map(face).max_by(|(_, a), (_, b)| a.min().total_cmp(&b.min()));

@@ -28,7 +28,7 @@ const POWERS: usize = 4;
 const ESTIMATED: f64 = 2.0;
 
 /// Whether factors in a band pay off for this number of coordinates.
-pub(crate) fn are_many<D: Size>(coordinates: D) -> bool {
+pub(crate) fn are_many(coordinates: Size) -> bool {
     coordinates.count() >= FROM
 }
 
@@ -72,8 +72,8 @@ pub(super) struct Side {
 impl BandPiece {
     /// The band of these sites and springs; `first_springs` holds the first spring of each contact. `None` with few coordinates, or where T is nearly
     /// singular other than by free motions.
-    pub(super) fn new<D: Size, const C: usize>(
-        sites: &[Site<D, C>],
+    pub(super) fn new<const C: usize>(
+        sites: &[Site<C>],
         springs: &[Spring<C>],
         first_springs: &[usize],
     ) -> Option<Self> {
@@ -121,13 +121,13 @@ impl BandPiece {
     }
 
     /// Replaces x by `x - A T⁻¹ (Bᵀx + W)` and returns the twist `T⁻¹ (Bᵀx + W)`.
-    pub(super) fn respond<D: Size>(&self, x: &mut [f64], wrench: &Vector<D>) -> Vector<D> {
+    pub(super) fn respond(&self, x: &mut [f64], wrench: &Vector) -> Vector {
         let mut q = vec![0.0; self.numbers.len()];
         wrench.iter().zip(&self.numbers).for_each(|(w, k)| q[*k] = *w);
         self.springs.add(self.left.as_ref().unwrap_or(&self.right), x, &mut q);
         self.factors.solve(&mut q);
         self.springs.stretch(&self.right, &mut q, |spring, stretch| x[spring] -= stretch);
-        Vector::from_fn(D::of(q.len()), |k| q[self.numbers[k]])
+        Vector::from_fn(Size::of(q.len()), |k| q[self.numbers[k]])
     }
 
     /// Whether T is nearly singular.
@@ -136,16 +136,16 @@ impl BandPiece {
     }
 
     /// Motions in which T is singular.
-    pub(super) fn loose_motions<D: Size>(&self) -> Vec<Vector<D>> {
+    pub(super) fn loose_motions(&self) -> Vec<Vector> {
         let motion = |q: Vec<f64>| {
             let entry = |k: usize| q[self.numbers[k]] * self.right.units[self.numbers[k]];
-            Vector::from_fn(D::of(q.len()), entry)
+            Vector::from_fn(Size::of(q.len()), entry)
         };
         self.factors.null_vectors().into_iter().map(motion).collect()
     }
 
     /// `T⁻¹` times a load.
-    pub(super) fn solve<D: Size>(&self, load: &Vector<D>) -> Vector<D> {
+    pub(super) fn solve(&self, load: &Vector) -> Vector {
         self.respond(&mut vec![0.0; self.springs.counts.iter().sum()], load)
     }
 
@@ -197,13 +197,13 @@ impl BandPiece {
     }
 
     /// The full rows of A and, where a contact slides, of B.
-    pub(super) fn rows<D: Size>(&self) -> [Option<Vec<Vector<D>>>; 2] {
+    pub(super) fn rows(&self) -> [Option<Vec<Vector>>; 2] {
         let whole = |side: &Side| {
             let mut list = Vec::new();
             self.springs.for_each(|_, felt, range| {
                 let mut whole = vec![0.0; self.numbers.len()];
                 felt.iter().zip(&side.rows[range]).for_each(|(k, x)| whole[*k] = *x);
-                list.push(Vector::from_fn(D::of(whole.len()), |k| whole[self.numbers[k]]));
+                list.push(Vector::from_fn(Size::of(whole.len()), |k| whole[self.numbers[k]]));
             });
             list
         };

@@ -16,30 +16,30 @@ use super::precise::{PreciseBalance, PreciseTwist};
 use super::problem::Problem;
 use super::solution::{MOST_CORRECTIONS, NEARLY};
 use crate::contact::{LocalLaw, Mode, Spring, State};
-use crate::numerics::{DoubleDouble, Size, Vector, without};
+use crate::numerics::{DoubleDouble, Vector, without};
 use crate::prelude::*;
 
 /// The difference between a solution and given forces and twist.
 #[derive(Debug, Clone)]
-pub(crate) struct Correction<D: Size, const C: usize> {
+pub(crate) struct Correction<const C: usize> {
     pub(crate) forces: Vec<SVector<f64, C>>,
     /// Without free motions.
-    pub(crate) twist: Vector<D>,
+    pub(crate) twist: Vector,
     /// Uncertainty of the forces, N: the last change by a solution, unless the next would change nothing, and rounding of the stiffest
     /// springs in twice the working precision. Large where the piece is singular at working precision.
     pub(crate) doubt: f64,
 }
 
-impl<D: Size, const C: usize> Piece<D, C> {
+impl<const C: usize> Piece<C> {
     /// The difference between the solution of this piece, made of `states`, and these forces and twist. `size` is the size of the largest
     /// force of the scene.
     pub(crate) fn correction(
         &self,
-        problem: &Problem<D, C>,
+        problem: &Problem<C>,
         states: &[State<C>],
-        (at, from): (&[SVector<f64, C>], &PreciseTwist<D>),
+        (at, from): (&[SVector<f64, C>], &PreciseTwist),
         size: f64,
-    ) -> Correction<D, C> {
+    ) -> Correction<C> {
         let mut forces: Vec<[DoubleDouble; C]> =
             at.iter().map(|f| core::array::from_fn(|a| DoubleDouble::new(f[a]))).collect();
         let mut twist = from.clone();
@@ -80,12 +80,12 @@ impl<D: Size, const C: usize> Piece<D, C> {
     /// Puts sliding contacts on their cones, writes e, spring by spring, and returns ρ.
     fn left_over(
         &self,
-        problem: &Problem<D, C>,
+        problem: &Problem<C>,
         states: &[State<C>],
         forces: &mut [[DoubleDouble; C]],
-        twist: &PreciseTwist<D>,
+        twist: &PreciseTwist,
         e: &mut [f64],
-    ) -> Vector<D> {
+    ) -> Vector {
         let mut balance = PreciseBalance::new(problem.size(), &problem.load());
         for (contact, springs, range) in self.of_each_contact() {
             let (site, force) = (&problem.sites[contact], &mut forces[contact]);

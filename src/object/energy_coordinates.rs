@@ -14,7 +14,7 @@ use nalgebra::{SMatrix, SVector};
 use super::problem::Problem;
 use crate::contact::{LocalLaw, cross, tangential, tangential_norm};
 use crate::grasp::Site;
-use crate::numerics::{Orthogonal, Seen, Size, Vector};
+use crate::numerics::{Orthogonal, Seen, Vector};
 use crate::prelude::*;
 
 /// Facets whose normals enclose an angle with a sine below this leave no independent slips.
@@ -46,9 +46,9 @@ impl<const C: usize> Facet<C> {
 
 /// A contact in energy coordinates.
 #[derive(Debug, Clone)]
-pub(crate) struct EnergyContact<D: Size, const C: usize> {
+pub(crate) struct EnergyContact<const C: usize> {
     /// Q_i, scaled so that the mean of |Q_i|² over the contacts is one.
-    pub(crate) seen: Seen<D, C>,
+    pub(crate) seen: Seen<C>,
     /// The first of its entries in the list of facets: the normal force if it may open, then its facets.
     first: u32,
     pub(crate) facet_count: u16,
@@ -56,7 +56,7 @@ pub(crate) struct EnergyContact<D: Size, const C: usize> {
     pub(crate) gap: bool,
 }
 
-impl<D: Size, const C: usize> EnergyContact<D, C> {
+impl<const C: usize> EnergyContact<C> {
     /// Number of conditions of the contact: one for its gap, and one for each facet.
     pub(crate) fn pairs(&self) -> usize {
         usize::from(self.gap) + usize::from(self.facet_count)
@@ -76,11 +76,11 @@ pub(crate) struct EnergyCoordinates<const C: usize> {
 impl<const C: usize> EnergyCoordinates<C> {
     /// Lays out the contacts of a scene with the factor Q of their springs, and visits them in
     /// order.
-    pub(crate) fn lay_out<D: Size>(
+    pub(crate) fn lay_out(
         &mut self,
-        problem: &Problem<'_, D, C>,
-        factor: &Orthogonal<D>,
-        mut visit: impl FnMut(&LocalLaw<'_, C>, EnergyContact<D, C>),
+        problem: &Problem<'_, C>,
+        factor: &Orthogonal,
+        mut visit: impl FnMut(&LocalLaw<'_, C>, EnergyContact<C>),
     ) {
         self.rank = factor.rank();
         self.weight = self.rank.max(1) as f64 / problem.len().max(1) as f64;
@@ -131,13 +131,13 @@ impl<const C: usize> EnergyCoordinates<C> {
 
     /// The facets of a contact.
     #[inline]
-    pub(crate) fn facets<D: Size>(&self, contact: &EnergyContact<D, C>) -> &[Facet<C>] {
+    pub(crate) fn facets(&self, contact: &EnergyContact<C>) -> &[Facet<C>] {
         &self.pairs(contact)[usize::from(contact.gap)..]
     }
 
     /// The normal force of a contact if it may open, and its facets.
     #[inline]
-    pub(crate) fn pairs<D: Size>(&self, contact: &EnergyContact<D, C>) -> &[Facet<C>] {
+    pub(crate) fn pairs(&self, contact: &EnergyContact<C>) -> &[Facet<C>] {
         let first = contact.first as usize;
         &self.facets[first..first + contact.pairs()]
     }
@@ -218,15 +218,15 @@ pub(crate) fn normal<const C: usize>() -> SVector<f64, C> {
 }
 
 /// The rows of K^{1/2}Gᵀ, spring by spring.
-pub(crate) fn spring_rows<D: Size, const C: usize>(sites: &[Site<D, C>]) -> impl Iterator<Item = Vector<D>> {
+pub(crate) fn spring_rows<const C: usize>(sites: &[Site<C>]) -> impl Iterator<Item = Vector> {
     sites.iter().flat_map(|site| {
         (0..site.springs.axes()).map(|axis| site.map.column(axis) * site.springs.root_along(axis))
     })
 }
 
 /// K^{1/2}v for these stretches of the contacts, spring by spring, in reused memory.
-pub(crate) fn stretched_into<D: Size, const C: usize>(
-    sites: &[Site<D, C>],
+pub(crate) fn stretched_into<const C: usize>(
+    sites: &[Site<C>],
     stretch: impl Fn(usize) -> SVector<f64, C>,
     x: &mut Vec<f64>,
 ) {

@@ -18,7 +18,7 @@ use super::band_piece::are_many;
 use super::limited::{Limited, LimitedAnswer};
 use super::problem::Problem;
 use crate::contact::{Mode, State};
-use crate::numerics::{PositiveBand, Size, Vector, narrow_order, widest};
+use crate::numerics::{PositiveBand, Vector, narrow_order, widest};
 use crate::prelude::*;
 
 /// Outer iterations, each with new limits. The first `AS_THEY_COME` are undamped, later ones average to stop oscillation.
@@ -59,9 +59,7 @@ struct Answers<const C: usize> {
 
 /// States in the plane and on polygons in which forces are nearly balanced, and friction is nearly at the limits of its normal forces. `None` with
 /// few coordinates, free motions or infinite friction.
-pub(crate) fn states_by_given_limits<D: Size, const C: usize>(
-    problem: &Problem<'_, D, C>,
-) -> Option<Vec<State<C>>> {
+pub(crate) fn states_by_given_limits<const C: usize>(problem: &Problem<'_, C>) -> Option<Vec<State<C>>> {
     if !are_many(problem.size()) {
         return None;
     }
@@ -76,9 +74,7 @@ pub(crate) fn states_by_given_limits<D: Size, const C: usize>(
 }
 
 /// The motion on the round cone with nearly balanced forces, and friction nearly at the limits of its normal forces.
-pub(crate) fn twist_by_given_limits<D: Size, const C: usize>(
-    problem: &Problem<'_, D, C>,
-) -> Option<Vector<D>> {
+pub(crate) fn twist_by_given_limits<const C: usize>(problem: &Problem<'_, C>) -> Option<Vector> {
     if !problem.round || !are_many(problem.size()) {
         return None;
     }
@@ -89,7 +85,7 @@ pub(crate) fn twist_by_given_limits<D: Size, const C: usize>(
 }
 
 impl<const C: usize> GivenLimits<C> {
-    fn of<D: Size>(problem: &Problem<'_, D, C>, on_polygons: bool) -> Option<Self> {
+    fn of(problem: &Problem<'_, C>, on_polygons: bool) -> Option<Self> {
         let count = problem.size().count();
         let couplings: Vec<_> = problem.sites.iter().map(|site| site.support.ranges::<C>()).collect();
         let numbers = narrow_order(count, &couplings);

@@ -15,7 +15,7 @@
 //! path has turned away from e, so that the clock runs fast, all contacts are queued again for its
 //! new direction.
 
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 
 use crate::numerics::WaitingLine;
 use crate::prelude::*;
@@ -33,20 +33,20 @@ const AGAIN: usize = 16;
 
 /// A point of a path, or its direction.
 #[derive(Debug, Clone)]
-pub(crate) struct Point<D: Size> {
+pub(crate) struct Point {
     /// Motion of the object in energy coordinates.
-    pub(crate) y: Vector<D>,
+    pub(crate) y: Vector,
     /// The parameter that drives the path, scaled so that its unit weighs as much as a unit of y.
     pub(crate) s: f64,
 }
 
-impl<D: Size> Default for Point<D> {
+impl Default for Point {
     fn default() -> Self {
         Self { y: Vector::zeros(), s: 0.0 }
     }
 }
 
-impl<D: Size> Point<D> {
+impl Point {
     pub(crate) fn size(&self) -> f64 {
         (self.y.norm_squared() + self.s * self.s).sqrt()
     }
@@ -73,10 +73,10 @@ pub(crate) fn slack(value: f64, rate: f64, gradient: f64) -> f64 {
 
 /// Contacts queued by the time until their conditions may be used up.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct LazyPricing<D: Size> {
+pub(crate) struct LazyPricing {
     pub(crate) line: WaitingLine,
     /// e.
-    pub(crate) towards: Point<D>,
+    pub(crate) towards: Point,
     contacts: usize,
     /// Length and steps of the path since all contacts were queued.
     length: f64,
@@ -85,14 +85,14 @@ pub(crate) struct LazyPricing<D: Size> {
     pub(crate) looked: Vec<u32>,
 }
 
-impl<D: Size> LazyPricing<D> {
+impl LazyPricing {
     /// Queues all contacts for a path in this direction; `slack` gives stamp and time of
     /// each contact for e.
     pub(crate) fn line_up(
         &mut self,
         contacts: usize,
-        along: &Point<D>,
-        slack: &(impl Fn(u32, &Point<D>) -> (u32, f64) + Sync),
+        along: &Point,
+        slack: &(impl Fn(u32, &Point) -> (u32, f64) + Sync),
     ) {
         let e = along.direction();
         self.line.line_up(contacts, &|contact| slack(contact, &e));
@@ -102,14 +102,14 @@ impl<D: Size> LazyPricing<D> {
     }
 
     /// The speed of the clock along a direction.
-    pub(crate) fn speed(&self, along: &Point<D>) -> f64 {
+    pub(crate) fn speed(&self, along: &Point) -> f64 {
         let e = &self.towards;
         let forward = (along.y.dot(&e.y) + along.s * e.s).max(0.0);
         forward + along.plus(-forward, e).size() / ACROSS
     }
 
     /// Advances the path by `times` a direction.
-    pub(crate) fn advance(&mut self, times: f64, along: &Point<D>) {
+    pub(crate) fn advance(&mut self, times: f64, along: &Point) {
         self.line.clock += times * self.speed(along);
         self.length += times * along.size();
         self.steps += 1;

@@ -1,34 +1,34 @@
 //! A load on the object to twice the working precision.
 
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 
 /// A load in inside coordinates, and its rounding error from the move to the centroid.
 #[derive(Debug, Clone)]
-pub(crate) struct Load<D: Size> {
-    pub(crate) wrench: Vector<D>,
-    pub(crate) rest: Vector<D>,
+pub(crate) struct Load {
+    pub(crate) wrench: Vector,
+    pub(crate) rest: Vector,
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// The caller's load with the pull of vacuums and the constant loads on bodies and joints, in inside coordinates.
     ///
     /// # Errors
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50; `what` names it.
-    pub(crate) fn load(&self, load: &Wrench<C>, what: &'static str) -> Result<Load<D>, Error> {
+    pub(crate) fn load(&self, load: &Wrench<C>, what: &'static str) -> Result<Load, Error> {
         Ok(Load { wrench: self.load_alone(load, what)?, rest: self.inside_rest(load) })
     }
 
     /// [`Self::load`] without its rounding error.
-    pub(crate) fn load_alone(&self, load: &Wrench<C>, what: &'static str) -> Result<Vector<D>, Error> {
+    pub(crate) fn load_alone(&self, load: &Wrench<C>, what: &'static str) -> Result<Vector, Error> {
         load.check(what)?;
         Ok(self.load_unchecked(load))
     }
 
     /// [`Self::load_alone`] of a wrench that was checked before.
-    pub(crate) fn load_unchecked(&self, load: &Wrench<C>) -> Vector<D> {
+    pub(crate) fn load_unchecked(&self, load: &Wrench<C>) -> Vector {
         let mut inside = self.inside_unchecked(load);
         if let Some(bodies) = self.bodies() {
             inside += self.put_on_each(bodies, &bodies.loads);
@@ -43,8 +43,8 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 }
 
-impl<D: Size> From<&Vector<D>> for Load<D> {
-    fn from(wrench: &Vector<D>) -> Self {
+impl From<&Vector> for Load {
+    fn from(wrench: &Vector) -> Self {
         Self { wrench: wrench.clone(), rest: Vector::zeros() }
     }
 }

@@ -13,7 +13,7 @@ use nalgebra::SVector;
 
 use super::tangent::TangentFactors;
 use crate::grasp::Site;
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 
 /// Most Newton steps: the method converges in a few.
 const STEPS: usize = 20;
@@ -24,17 +24,17 @@ const SHORTEST: f64 = 1e-3;
 
 /// R and the sizes of its terms.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Imbalance<D: Size> {
-    pub(crate) left: Vector<D>,
+pub(crate) struct Imbalance {
+    pub(crate) left: Vector,
     pub(crate) size: f64,
 }
 
-impl<D: Size> Imbalance<D> {
+impl Imbalance {
     /// The imbalance of forces and a load; `beside` adds to the sizes of the forces.
     pub(crate) fn of<const C: usize>(
-        sites: &[Site<D, C>],
+        sites: &[Site<C>],
         forces: &[SVector<f64, C>],
-        load: &Vector<D>,
+        load: &Vector,
         beside: f64,
     ) -> Self {
         let mut sum = Self { left: load.clone(), size: beside };
@@ -43,7 +43,7 @@ impl<D: Size> Imbalance<D> {
     }
 
     /// Adds the terms of a contact.
-    pub(crate) fn add<const C: usize>(&mut self, site: &Site<D, C>, force: &SVector<f64, C>) {
+    pub(crate) fn add<const C: usize>(&mut self, site: &Site<C>, force: &SVector<f64, C>) {
         site.map.push(force, &mut self.left);
         self.size += force.norm();
     }
@@ -55,12 +55,12 @@ impl<D: Size> Imbalance<D> {
 }
 
 /// Contacts that respond to a motion of the object with forces.
-pub(crate) trait StretchAnswers<D: Size> {
+pub(crate) trait StretchAnswers {
     /// The imbalance of their forces at a twist.
-    fn answer(&mut self, twist: &Vector<D>) -> Imbalance<D>;
+    fn answer(&mut self, twist: &Vector) -> Imbalance;
 
     /// T at the last twist; `None` where Newton's method should stop.
-    fn tangent(&mut self) -> Option<TangentFactors<D>>;
+    fn tangent(&mut self) -> Option<TangentFactors>;
 }
 
 /// Newton's method from a twist until forces are out of balance by a part `settled` of their sizes. Returns the twist, the number of steps, and the
@@ -68,11 +68,11 @@ pub(crate) trait StretchAnswers<D: Size> {
 ///
 /// A step that does not reduce the imbalance enough is halved: otherwise the method jumps
 /// to and fro between two states of a contact. Where no shorter step is better, the whole step is taken.
-pub(crate) fn newton<D: Size>(
-    contacts: &mut impl StretchAnswers<D>,
-    mut twist: Vector<D>,
+pub(crate) fn newton(
+    contacts: &mut impl StretchAnswers,
+    mut twist: Vector,
     settled: f64,
-) -> Option<(Vector<D>, usize, Imbalance<D>)> {
+) -> Option<(Vector, usize, Imbalance)> {
     let mut here = contacts.answer(&twist);
     for steps in 0..STEPS {
         let norm = here.left.norm();

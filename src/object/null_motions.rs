@@ -23,22 +23,22 @@ const CLEARED: usize = 2;
 
 /// Motions in which T is singular.
 #[derive(Debug, Clone)]
-pub(super) struct NullMotions<D: Size> {
+pub(super) struct NullMotions {
     /// Orthonormal, like the other lists.
-    pub(super) free: Vec<Vector<D>>,
-    pub(super) neutral: Vec<Vector<D>>,
-    pub(super) unbalanced: Vec<Vector<D>>,
+    pub(super) free: Vec<Vector>,
+    pub(super) neutral: Vec<Vector>,
+    pub(super) unbalanced: Vec<Vector>,
     /// Each motion with its stretches by the rows of B; the lists of stretches are orthonormal.
-    unanswered: Vec<(Vector<D>, Vec<f64>)>,
+    unanswered: Vec<(Vector, Vec<f64>)>,
 }
 
 /// Null vectors in two groups: motions that no spring feels, and the others with the stretches of springs.
-struct Apart<D: Size> {
-    unfelt: Vec<Vector<D>>,
-    felt: Vec<(Vector<D>, Vec<f64>)>,
+struct Apart {
+    unfelt: Vec<Vector>,
+    felt: Vec<(Vector, Vec<f64>)>,
 }
 
-impl<D: Size> NullMotions<D> {
+impl NullMotions {
     /// The null motions of a band; `None` where it is nearly, but not exactly, singular.
     pub(super) fn of(band: &BandPiece) -> Option<Self> {
         let nothing =
@@ -61,7 +61,7 @@ impl<D: Size> NullMotions<D> {
     }
 
     /// The sum of the motions without response, each weighted by the work of these stretches and a load on it; `None` without work.
-    pub(super) fn worked_on(&self, x: &[f64], load: &Vector<D>) -> Option<Vector<D>> {
+    pub(super) fn worked_on(&self, x: &[f64], load: &Vector) -> Option<Vector> {
         let mut sum = Vector::zeros();
         for (z, stretches) in &self.unanswered {
             sum += z * (dot(stretches, x) + z.dot(load));
@@ -70,7 +70,7 @@ impl<D: Size> NullMotions<D> {
     }
 
     /// Whether stretches and load work on such a motion by more than rounding times `growth`.
-    pub(super) fn are_out_of_reach(&self, x: &[f64], load: &Vector<D>, growth: impl Fn() -> f64) -> bool {
+    pub(super) fn are_out_of_reach(&self, x: &[f64], load: &Vector, growth: impl Fn() -> f64) -> bool {
         self.unanswered.iter().any(|(z, stretches)| {
             let sizes = |terms: &mut dyn Iterator<Item = f64>| terms.fold(0.0, |sum, term| sum + term.abs());
             let known = NO_WORK
@@ -83,14 +83,14 @@ impl<D: Size> NullMotions<D> {
 }
 
 /// Groups null vectors of T, or of its transpose, given in units of the columns of the first side.
-fn apart<D: Size>(
+fn apart(
     band: &BandPiece,
     [side, other]: [&Side; 2],
     vectors: Vec<Vec<f64>>,
     solve: fn(&BandFactors, &mut [f64]),
-) -> Option<Apart<D>> {
+) -> Option<Apart> {
     let springs = &band.springs;
-    let mut found: Vec<(Vector<D>, Vec<f64>)> = Vec::new();
+    let mut found: Vec<(Vector, Vec<f64>)> = Vec::new();
     for mut q in vectors {
         let mut stretches = vec![0.0; springs.counts.iter().sum()];
         springs.stretch(side, &mut q, |spring, stretch| stretches[spring] = stretch);
@@ -102,7 +102,7 @@ fn apart<D: Size>(
             springs.stretch(side, &mut back, |spring, stretch| stretches[spring] -= stretch);
             q.iter_mut().zip(&back).for_each(|(q, back)| *q -= back);
         }
-        let mut v = Vector::<D>::from_fn(D::of(q.len()), |k| q[band.numbers[k]]);
+        let mut v = Vector::from_fn(Size::of(q.len()), |k| q[band.numbers[k]]);
         // Orthonormal, in two passes.
         for _ in 0..2 {
             for (known, of_known) in &found {
@@ -123,7 +123,7 @@ fn apart<D: Size>(
         DMatrix::from_fn(count, count, |i, j| dot(&found[i].1, &found[j].1)).symmetric_eigen().eigenvectors;
     let mut apart = Apart { unfelt: Vec::new(), felt: Vec::new() };
     for axis in axes.column_iter() {
-        let mut v = Vector::<D>::zeros();
+        let mut v = Vector::zeros();
         let mut stretches = vec![0.0; springs.counts.iter().sum()];
         for ((known, of_known), part) in found.iter().zip(axis.iter()) {
             v += known * *part;

@@ -1,6 +1,6 @@
 //! Contacts that respond to a motion of the object one by one, each to its own stretch.
 
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use core::ops::Range;
 
 use nalgebra::SVector;
@@ -14,23 +14,23 @@ use crate::prelude::*;
 
 /// Newton's method for contacts that respond one by one, each from its last response; all are open at first. The last responses are left in
 /// `contacts`, a reused list. `beside` is a size of forces below which the method cannot resolve, such as rounding.
-pub(crate) fn newton_one_by_one<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
-    (twist, settled, beside): (Vector<D>, f64, f64),
+pub(crate) fn newton_one_by_one<const C: usize>(
+    problem: &Problem<C>,
+    (twist, settled, beside): (Vector, f64, f64),
     contacts: &mut Vec<ContactResponse<C>>,
     answer: impl Fn(usize, &SVector<f64, C>, &ContactResponse<C>) -> ContactResponse<C> + Sync,
-) -> Option<(Vector<D>, usize, Imbalance<D>)> {
+) -> Option<(Vector, usize, Imbalance)> {
     contacts.clear();
     contacts.resize(problem.len(), ContactResponse::open());
     newton(&mut OneByOne { problem, answer, contacts, beside }, twist, settled)
 }
 
 /// [`newton_one_by_one`] on the round cone: each contact responds with its return map (`contact/answer`), free to change its state.
-pub(crate) fn newton_on_cones<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
-    (twist, settled): (Vector<D>, f64),
+pub(crate) fn newton_on_cones<const C: usize>(
+    problem: &Problem<C>,
+    (twist, settled): (Vector, f64),
     contacts: &mut Vec<ContactResponse<C>>,
-) -> Option<(Vector<D>, usize, Imbalance<D>)> {
+) -> Option<(Vector, usize, Imbalance)> {
     newton_one_by_one(problem, (twist, settled, 0.0), contacts, |i, stretch, last| {
         let near = last.state.slide().map_or(0.0, |slide| slide.lambda);
         problem.local(i).answer(stretch, near)
@@ -38,8 +38,8 @@ pub(crate) fn newton_on_cones<D: Size, const C: usize>(
 }
 
 /// The contacts of a problem with their last responses.
-struct OneByOne<'p, 'g, F, D: Size, const C: usize> {
-    problem: &'p Problem<'g, D, C>,
+struct OneByOne<'p, 'g, F, const C: usize> {
+    problem: &'p Problem<'g, C>,
     /// The response of a contact to a stretch, from its last one.
     answer: F,
     contacts: &'p mut [ContactResponse<C>],
@@ -47,11 +47,11 @@ struct OneByOne<'p, 'g, F, D: Size, const C: usize> {
     beside: f64,
 }
 
-impl<F, D: Size, const C: usize> StretchAnswers<D> for OneByOne<'_, '_, F, D, C>
+impl<F, const C: usize> StretchAnswers for OneByOne<'_, '_, F, C>
 where
     F: Fn(usize, &SVector<f64, C>, &ContactResponse<C>) -> ContactResponse<C> + Sync,
 {
-    fn answer(&mut self, twist: &Vector<D>) -> Imbalance<D> {
+    fn answer(&mut self, twist: &Vector) -> Imbalance {
         let (problem, answer) = (self.problem, &self.answer);
         let part = |(range, contacts): (Range<usize>, &mut [ContactResponse<C>])| {
             let mut sum = Imbalance::default();
@@ -68,7 +68,7 @@ where
             .plus(Imbalance { left: problem.wrench.clone(), size: problem.wrench.norm() + self.beside })
     }
 
-    fn tangent(&mut self) -> Option<TangentFactors<D>> {
+    fn tangent(&mut self) -> Option<TangentFactors> {
         if let Some(band) = self.problem.tangent_in_a_band(&|i| self.contacts[i].state) {
             return Some(band);
         }

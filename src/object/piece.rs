@@ -22,38 +22,38 @@ use crate::prelude::*;
 
 /// One linear piece of the contact law: a state for every contact.
 #[derive(Debug, Clone)]
-pub(crate) struct Piece<D: Size, const C: usize> {
+pub(crate) struct Piece<const C: usize> {
     pub(super) springs: Vec<Spring<C>>,
     /// The first spring of each contact; at the end their number.
     first: Vec<usize>,
     /// Orthonormal motions that stretch no spring of this piece.
-    pub(super) free: Vec<Vector<D>>,
+    pub(super) free: Vec<Vector>,
     /// Orthonormal motions that no left factor balances: a load with work on one has no solution in this piece.
-    pub(super) unbalanced: Vec<Vector<D>>,
+    pub(super) unbalanced: Vec<Vector>,
     /// The band, with many coordinates, unless T is nearly, but not exactly, singular.
-    pub(super) band: Option<(BandPiece, NullMotions<D>)>,
+    pub(super) band: Option<(BandPiece, NullMotions)>,
     /// Orthogonal factors; with many coordinates they are computed on first use.
-    orthogonal: Once<OrthogonalPiece<D>>,
-    size: D,
+    orthogonal: Once<OrthogonalPiece>,
+    size: Size,
 }
 
 /// Orthogonal factors of a piece.
 #[derive(Debug, Clone)]
-pub(super) struct OrthogonalPiece<D: Size> {
-    pub(super) right: Orthogonal<D>,
+pub(super) struct OrthogonalPiece {
+    pub(super) right: Orthogonal,
     /// B and `Q_BᵀQ_A`; `None` if nothing slides, since then B = A.
-    pub(super) left: Option<(Orthogonal<D>, CompletePivoting<D>)>,
+    pub(super) left: Option<(Orthogonal, CompletePivoting)>,
 }
 
-impl<D: Size, const C: usize> Piece<D, C> {
-    pub(crate) fn new(problem: &Problem<D, C>, states: &[State<C>]) -> Self {
+impl<const C: usize> Piece<C> {
+    pub(crate) fn new(problem: &Problem<C>, states: &[State<C>]) -> Self {
         Self::of_springs(problem.sites, &|contact, springs| {
             problem.local(contact).for_each_spring(&states[contact], |spring| springs.push(spring));
         })
     }
 
     /// The piece in which every contact has the springs, at most C, that `add` adds to the list for it.
-    pub(crate) fn of_springs(sites: &[Site<D, C>], add: &dyn Fn(usize, &mut Vec<Spring<C>>)) -> Self {
+    pub(crate) fn of_springs(sites: &[Site<C>], add: &dyn Fn(usize, &mut Vec<Spring<C>>)) -> Self {
         let mut springs = Vec::with_capacity(C * sites.len());
         let mut first = Vec::with_capacity(sites.len() + 1);
         first.push(0);
@@ -87,7 +87,7 @@ impl<D: Size, const C: usize> Piece<D, C> {
     }
 
     /// Its orthogonal factors.
-    pub(super) fn orthogonal(&self) -> &OrthogonalPiece<D> {
+    pub(super) fn orthogonal(&self) -> &OrthogonalPiece {
         self.orthogonal.get_or_init(|| {
             let [right, left] = self.band.as_ref().map_or_else(|| [None, None], |(band, _)| band.rows());
             OrthogonalPiece::new(self.size, right.unwrap_or_default(), left)
@@ -95,18 +95,18 @@ impl<D: Size, const C: usize> Piece<D, C> {
     }
 
     /// Number of coordinates.
-    pub(super) fn size(&self) -> D {
+    pub(super) fn size(&self) -> Size {
         self.size
     }
 
     /// The factors of K^{1/2}Gᵀ, row by row the springs of the contacts in order.
-    pub(crate) fn factor(&self) -> &Orthogonal<D> {
+    pub(crate) fn factor(&self) -> &Orthogonal {
         &self.orthogonal().right
     }
 
     /// The rows of Q of a contact whose springs lie along the axes of its frame: a column for each axis,
     /// zero along axes without a spring.
-    pub(crate) fn seen(&self, contact: usize) -> Map<D, C> {
+    pub(crate) fn seen(&self, contact: usize) -> Map<C> {
         let mut seen = Map::zeros(self.size);
         for spring in self.first[contact]..self.first[contact + 1] {
             seen.set_column(self.springs[spring].right.iamax(), self.factor().row(spring));
@@ -140,23 +140,23 @@ impl<D: Size, const C: usize> Piece<D, C> {
     }
 
     /// The least motion with the coordinates R q.
-    pub(crate) fn motion(&self, coordinates: &Vector<D>) -> Vector<D> {
+    pub(crate) fn motion(&self, coordinates: &Vector) -> Vector {
         without(self.factor().preimage(coordinates), self.free_motions())
     }
 
     /// Motions that stretch no spring of this piece: the twist is determined up to them, and forces do not depend on them.
-    pub(crate) fn free_motions(&self) -> &[Vector<D>] {
+    pub(crate) fn free_motions(&self) -> &[Vector] {
         &self.free
     }
 
     /// Motions along which this piece stays in equilibrium while its forces change: its solution is then a family.
-    pub(crate) fn neutral_motions(&self) -> Vec<Vector<D>> {
+    pub(crate) fn neutral_motions(&self) -> Vec<Vector> {
         if let Some((_, null)) = &self.band {
             return null.neutral.clone();
         }
         let OrthogonalPiece { right, left } = self.orthogonal();
         let Some((_, coupling)) = left else { return Vec::new() };
-        let mut motions: Vec<Vector<D>> = Vec::new();
+        let mut motions: Vec<Vector> = Vec::new();
         for c in coupling.kernel() {
             let mut v = right.preimage(&c);
             let found: Vec<_> = self.free.iter().chain(&motions).cloned().collect();
@@ -168,9 +168,9 @@ impl<D: Size, const C: usize> Piece<D, C> {
 
     /// A virtual motion y without response, on which drives and load work the most: `Σ G_i C_iᵀG_iᵀ y = 0` with the
     /// tangents C_i of this piece.
-    pub(crate) fn unanswered(&self, drives: &[SVector<f64, C>], load: &Vector<D>) -> Option<Vector<D>> {
-        let worked = |basis: &[Vector<D>], work: &Vector<D>| {
-            let part = basis.iter().fold(Vector::zeros(), |sum: Vector<D>, v| sum + v * v.dot(work));
+    pub(crate) fn unanswered(&self, drives: &[SVector<f64, C>], load: &Vector) -> Option<Vector> {
+        let worked = |basis: &[Vector], work: &Vector| {
+            let part = basis.iter().fold(Vector::zeros(), |sum: Vector, v| sum + v * v.dot(work));
             (part.norm() > 0.0).then_some(part)
         };
         if let Some(motion) = worked(&self.unbalanced, load) {
@@ -180,7 +180,7 @@ impl<D: Size, const C: usize> Piece<D, C> {
             return null.worked_on(&self.stretched(|contact| drives[contact]), load);
         }
         let (left, coupling) = self.orthogonal().left.as_ref()?;
-        let mut kernel: Vec<Vector<D>> = Vec::new();
+        let mut kernel: Vec<Vector> = Vec::new();
         for mut z in coupling.left_kernel() {
             orthonormalise_against(&mut z, &kernel);
             kernel.push(z);
@@ -198,7 +198,7 @@ impl<D: Size, const C: usize> Piece<D, C> {
     }
 
     /// Whether the load does no work on the unbalanced motions of this piece.
-    pub(crate) fn resists(&self, wrench: &Vector<D>) -> bool {
+    pub(crate) fn resists(&self, wrench: &Vector) -> bool {
         worked_on(&self.unbalanced, wrench).is_none()
     }
 
@@ -211,9 +211,9 @@ impl<D: Size, const C: usize> Piece<D, C> {
     }
 }
 
-impl<D: Size> OrthogonalPiece<D> {
+impl OrthogonalPiece {
     /// Factors from the rows of A and, where a contact slides, of B.
-    fn new(size: D, right: Vec<Vector<D>>, left: Option<Vec<Vector<D>>>) -> Self {
+    fn new(size: Size, right: Vec<Vector>, left: Option<Vec<Vector>>) -> Self {
         let right = Orthogonal::new(size, right);
         let Some(left) = left else { return Self { right, left: None } };
         let count = left.len();
@@ -227,17 +227,17 @@ impl<D: Size> OrthogonalPiece<D> {
     }
 
     /// The factor whose rows balance loads: B, or A where nothing slides.
-    pub(super) fn balance(&self) -> &Orthogonal<D> {
+    pub(super) fn balance(&self) -> &Orthogonal {
         self.left.as_ref().map_or(&self.right, |(left, _)| left)
     }
 }
 
 /// The smallest forces (least squares, contact frames) of the contacts that carry any which balance a load:
 /// `F = -G⁺W` over the axes that resist.
-pub(crate) fn least_forces<D: Size, const C: usize>(
-    sites: &[Site<D, C>],
+pub(crate) fn least_forces<const C: usize>(
+    sites: &[Site<C>],
     carries: &[bool],
-    wrench: &Vector<D>,
+    wrench: &Vector,
 ) -> Vec<SVector<f64, C>> {
     let axes: Vec<(usize, usize)> = (0..sites.len())
         .filter(|&i| carries[i])
@@ -256,7 +256,7 @@ pub(crate) fn least_forces<D: Size, const C: usize>(
 }
 
 /// The smallest coefficients (least squares) with which these vectors add up to a target that they span.
-pub(crate) fn least_combination<D: Size>(size: D, vectors: Vec<Vector<D>>, target: &Vector<D>) -> Vec<f64> {
+pub(crate) fn least_combination(size: Size, vectors: Vec<Vector>, target: &Vector) -> Vec<f64> {
     let count = vectors.len();
     let factor = Orthogonal::new(size, vectors);
     let coordinates = factor.load_coordinates(target);

@@ -13,13 +13,13 @@ use crate::numerics::DoubleDouble;
 
 /// A vector in twice the working precision.
 #[derive(Debug, Clone)]
-struct Precise<D: Size> {
-    high: Vector<D>,
-    low: Vector<D>,
+struct Precise {
+    high: Vector,
+    low: Vector,
 }
 
-impl<D: Size> Precise<D> {
-    fn new(size: D, mut high: Vector<D>, mut low: Vector<D>) -> Self {
+impl Precise {
+    fn new(size: Size, mut high: Vector, mut low: Vector) -> Self {
         high.reach(size);
         low.reach(size);
         Self { high, low }
@@ -48,38 +48,38 @@ impl<D: Size> Precise<D> {
         }
     }
 
-    fn value(&self) -> Vector<D> {
+    fn value(&self) -> Vector {
         &self.high + &self.low
     }
 }
 
 /// A twist in twice the working precision: along a stiff spring its rounding would be a large force.
 #[derive(Debug, Clone)]
-pub(crate) struct PreciseTwist<D: Size>(Precise<D>);
+pub(crate) struct PreciseTwist(Precise);
 
-impl<D: Size> PreciseTwist<D> {
-    pub(crate) fn new(size: D, twist: Vector<D>) -> Self {
+impl PreciseTwist {
+    pub(crate) fn new(size: Size, twist: Vector) -> Self {
         Self(Precise::new(size, twist, Vector::zeros()))
     }
 
-    pub(crate) fn add(&mut self, step: &Vector<D>) {
+    pub(crate) fn add(&mut self, step: &Vector) {
         let step = step.as_slice();
         self.0.change(0..step.len(), step.iter(), |q, step| q.add(*step));
     }
 
-    pub(crate) fn value(&self) -> Vector<D> {
+    pub(crate) fn value(&self) -> Vector {
         self.0.value()
     }
 
     /// The difference to another twist.
-    pub(super) fn less(mut self, other: &Self) -> Vector<D> {
+    pub(super) fn less(mut self, other: &Self) -> Vector {
         let all = 0..other.0.high.as_slice().len();
         self.0.change(all.clone(), other.0.within(all), DoubleDouble::subtract);
         self.value()
     }
 
     /// `a - g·q` for column `axis` of the grasp map of a contact.
-    pub(crate) fn stretch<const C: usize>(&self, site: &Site<D, C>, axis: usize, drive: f64) -> DoubleDouble {
+    pub(crate) fn stretch<const C: usize>(&self, site: &Site<C>, axis: usize, drive: f64) -> DoubleDouble {
         let mut v = DoubleDouble::new(drive);
         for range in site.support.ranges::<C>() {
             for ((g, rest), q) in site.column_in_twice(axis, range.clone()).zip(self.0.within(range)) {
@@ -91,22 +91,22 @@ impl<D: Size> PreciseTwist<D> {
 }
 
 /// Forces and moments in twice the working precision.
-pub(super) struct PreciseBalance<D: Size>(Precise<D>);
+pub(super) struct PreciseBalance(Precise);
 
-impl<D: Size> PreciseBalance<D> {
-    pub(super) fn new(size: D, load: &Load<D>) -> Self {
+impl PreciseBalance {
+    pub(super) fn new(size: Size, load: &Load) -> Self {
         Self(Precise::new(size, load.wrench.clone(), load.rest.clone()))
     }
 
     /// Adds the wrench of a force along an axis of a contact.
-    pub(super) fn add<const C: usize>(&mut self, site: &Site<D, C>, axis: usize, force: DoubleDouble) {
+    pub(super) fn add<const C: usize>(&mut self, site: &Site<C>, axis: usize, force: DoubleDouble) {
         for range in site.support.ranges::<C>() {
             let column = site.column_in_twice(axis, range.clone());
             self.0.change(range, column, |sum, g| sum.add_product_of_twice(g, force));
         }
     }
 
-    pub(super) fn value(&self) -> Vector<D> {
+    pub(super) fn value(&self) -> Vector {
         self.0.value()
     }
 }

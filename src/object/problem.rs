@@ -21,8 +21,8 @@ use crate::prelude::*;
 
 /// Laws, drives a_i and load of the equation `Σ G_i F_i + W = 0`.
 #[derive(Debug, Clone)]
-pub(crate) struct Problem<'g, D: Size, const C: usize> {
-    pub(crate) sites: &'g [Site<D, C>],
+pub(crate) struct Problem<'g, const C: usize> {
+    pub(crate) sites: &'g [Site<C>],
     /// The polygon of every contact without a polygon of its own.
     pub(crate) polygon: Arc<Polygon<C>>,
     /// Polygons turned to the traction: empty, or one for each contact.
@@ -34,9 +34,9 @@ pub(crate) struct Problem<'g, D: Size, const C: usize> {
     pub(crate) drives: Vec<SVector<f64, C>>,
     /// The slip so far, in the contact frames.
     pub(crate) slips: Vec<SVector<f64, C>>,
-    pub(crate) wrench: Vector<D>,
+    pub(crate) wrench: Vector,
     /// Rounding error of the load from the move to the centroid.
-    pub(crate) wrench_rest: Vector<D>,
+    pub(crate) wrench_rest: Vector,
     /// Contacts with infinite friction get facets, as with a very large finite one.
     pub(crate) infinite_friction_has_edges: bool,
     /// In space: the round cone limits sticking contacts, and the polygon only proposes states.
@@ -59,15 +59,15 @@ impl<const C: usize> Default for Lists<C> {
     }
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// The problem at rest of this grasp.
     pub(crate) fn problem(
         &self,
         polygon: Arc<Polygon<C>>,
         round: bool,
         drives: Vec<SVector<f64, C>>,
-        load: &Load<D>,
-    ) -> Problem<'_, D, C> {
+        load: &Load,
+    ) -> Problem<'_, C> {
         let lists = Lists { drives, ..Lists::default() };
         self.problem_in(lists, polygon, round, load)
     }
@@ -78,8 +78,8 @@ impl<D: Size, const C: usize> Engine<D, C> {
         lists: Lists<C>,
         polygon: Arc<Polygon<C>>,
         round: bool,
-        load: &Load<D>,
-    ) -> Problem<'_, D, C> {
+        load: &Load,
+    ) -> Problem<'_, C> {
         let trial = Some(self.remembered_trial());
         Problem { trial, ..Problem::at_rest(self.sites(), polygon, round, lists, load) }
     }
@@ -88,25 +88,21 @@ impl<D: Size, const C: usize> Engine<D, C> {
     ///
     /// # Errors
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50.
-    pub(crate) fn on_polygons(
-        &self,
-        load: &Wrench<C>,
-        cone: &PolygonCone,
-    ) -> Result<Problem<'_, D, C>, Error> {
+    pub(crate) fn on_polygons(&self, load: &Wrench<C>, cone: &PolygonCone) -> Result<Problem<'_, C>, Error> {
         let polygon = Polygon::shared(cone);
         let wrench = self.load_alone(load, "load")?;
         Ok(self.problem(polygon, false, self.drives(), &Load::from(&wrench)))
     }
 }
 
-impl<'g, D: Size, const C: usize> Problem<'g, D, C> {
+impl<'g, const C: usize> Problem<'g, C> {
     /// Every contact with its whole law, on the round cone if `round`.
     pub(crate) fn at_rest(
-        sites: &'g [Site<D, C>],
+        sites: &'g [Site<C>],
         polygon: Arc<Polygon<C>>,
         round: bool,
         Lists { mut laws, drives, mut slips }: Lists<C>,
-        load: &Load<D>,
+        load: &Load,
     ) -> Self {
         cleared_for(&mut laws, sites.len());
         laws.extend(sites.iter().map(Site::whole_law));
@@ -130,12 +126,7 @@ impl<'g, D: Size, const C: usize> Problem<'g, D, C> {
 
     /// The problem of the rates: these laws, driven at these rates. The round cone matters only at its apex; on an edge it is a
     /// facet.
-    pub(crate) fn at_rates(
-        &self,
-        laws: Vec<Law<C>>,
-        drives: Vec<SVector<f64, C>>,
-        wrench: Vector<D>,
-    ) -> Self {
+    pub(crate) fn at_rates(&self, laws: Vec<Law<C>>, drives: Vec<SVector<f64, C>>, wrench: Vector) -> Self {
         let slips = vec![SVector::zeros(); self.len()];
         let wrench_rest = Vector::zeros();
         let mut rates = Self { laws, drives, slips, wrench, wrench_rest, trial: None, ..self.clone() };
@@ -145,13 +136,13 @@ impl<'g, D: Size, const C: usize> Problem<'g, D, C> {
     }
 
     /// The load to twice the working precision.
-    pub(crate) fn load(&self) -> Load<D> {
+    pub(crate) fn load(&self) -> Load {
         Load { wrench: self.wrench.clone(), rest: self.wrench_rest.clone() }
     }
 
     /// Number of coordinates.
     #[inline]
-    pub(crate) fn size(&self) -> D {
+    pub(crate) fn size(&self) -> Size {
         size_of(self.sites)
     }
 
@@ -206,7 +197,7 @@ impl<'g, D: Size, const C: usize> Problem<'g, D, C> {
 
     /// Stretch of a contact for a motion of the object, `a_i - G_iᵀq`.
     #[inline]
-    pub(crate) fn stretch(&self, contact: usize, twist: &Vector<D>) -> SVector<f64, C> {
+    pub(crate) fn stretch(&self, contact: usize, twist: &Vector) -> SVector<f64, C> {
         self.sites[contact].stretch(&self.drives[contact], twist)
     }
 
@@ -226,7 +217,7 @@ impl<'g, D: Size, const C: usize> Problem<'g, D, C> {
         &self,
         states: &[State<C>],
         forces: &[SVector<f64, C>],
-        twist: &PreciseTwist<D>,
+        twist: &PreciseTwist,
     ) -> Vec<State<C>> {
         let slid_on = |(contact, state): (usize, &State<C>)| {
             let friction = tangential(&forces[contact]);
@@ -247,7 +238,7 @@ impl<'g, D: Size, const C: usize> Problem<'g, D, C> {
         &self,
         contact: usize,
         friction: &SVector<f64, C>,
-        twist: &PreciseTwist<D>,
+        twist: &PreciseTwist,
     ) -> SVector<f64, C> {
         let site = &self.sites[contact];
         SVector::from_fn(|a, _| {

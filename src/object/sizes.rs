@@ -7,7 +7,7 @@ use super::problem::Problem;
 use super::solution::PieceState;
 use crate::contact::At;
 use crate::grasp::Site;
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::prelude::*;
 
 /// Part of the springs' possible forces that counts as a force. Where a statically determinate grasp carries no force at all, three projections
@@ -16,18 +16,15 @@ use crate::prelude::*;
 pub(crate) const NO_FORCE: f64 = 1e-25;
 
 /// The least force that a spring of the scene could have from displacements of these sizes, contact by contact.
-pub(crate) fn least_spring_force<D: Size, const C: usize>(
-    sites: &[Site<D, C>],
-    spans: impl Iterator<Item = f64>,
-) -> f64 {
+pub(crate) fn least_spring_force<const C: usize>(sites: &[Site<C>], spans: impl Iterator<Item = f64>) -> f64 {
     sites.iter().zip(spans).map(|(site, span)| site.springs.softest() * span).fold(f64::INFINITY, f64::min)
 }
 
 /// Size of the largest force of a scene.
-pub(crate) fn largest_force<D: Size, const C: usize>(
-    sites: &[Site<D, C>],
+pub(crate) fn largest_force<const C: usize>(
+    sites: &[Site<C>],
     drives: &[SVector<f64, C>],
-    twist: &Vector<D>,
+    twist: &Vector,
     load: f64,
     forces: impl Iterator<Item = f64>,
 ) -> f64 {
@@ -41,9 +38,9 @@ pub(crate) fn largest_force<D: Size, const C: usize>(
     if least_of(1) <= largest { largest } else { largest.max(least_of(sites.len())) }
 }
 
-impl<D: Size, const C: usize> Problem<'_, D, C> {
+impl<const C: usize> Problem<'_, C> {
     /// Size of the largest force of the scene with these forces and this twist.
-    pub(crate) fn largest_force(&self, forces: &[SVector<f64, C>], twist: &Vector<D>) -> f64 {
+    pub(crate) fn largest_force(&self, forces: &[SVector<f64, C>], twist: &Vector) -> f64 {
         let sizes = forces.iter().map(nalgebra::Matrix::norm);
         largest_force(self.sites, &self.drives, twist, self.wrench.norm(), sizes)
     }
@@ -53,7 +50,7 @@ impl<D: Size, const C: usize> Problem<'_, D, C> {
         &self,
         drives: &[SVector<f64, C>],
         load: f64,
-        state: &PieceState<D, C>,
+        state: &PieceState<C>,
     ) -> Vec<f64> {
         let norms = state.forces.iter().map(nalgebra::Matrix::norm);
         let largest = largest_force(self.sites, drives, &state.twist, load, norms);
@@ -65,7 +62,7 @@ impl<D: Size, const C: usize> Problem<'_, D, C> {
 
     /// Size of the displacements at a contact.
     #[inline]
-    pub(crate) fn span(&self, contact: usize, twist: &Vector<D>) -> f64 {
+    pub(crate) fn span(&self, contact: usize, twist: &Vector) -> f64 {
         self.sites[contact].span(&self.drives[contact], twist)
     }
 
@@ -74,7 +71,7 @@ impl<D: Size, const C: usize> Problem<'_, D, C> {
         &self,
         contact: usize,
         force: &'s SVector<f64, C>,
-        twist: &Vector<D>,
+        twist: &Vector,
         largest: f64,
     ) -> At<'s, C> {
         self.at_moved((contact, force), twist, twist.norm(), largest)
@@ -85,7 +82,7 @@ impl<D: Size, const C: usize> Problem<'_, D, C> {
     pub(crate) fn at_moved<'s>(
         &self,
         (contact, force): (usize, &'s SVector<f64, C>),
-        twist: &Vector<D>,
+        twist: &Vector,
         norm: f64,
         largest: f64,
     ) -> At<'s, C> {

@@ -14,7 +14,7 @@ use super::piece::{OrthogonalPiece, Piece};
 use super::precise::{PreciseBalance, PreciseTwist};
 use super::problem::Problem;
 use crate::grasp::Site;
-use crate::numerics::{DoubleDouble, Size, Vector, cleared_for, without};
+use crate::numerics::{DoubleDouble, Vector, cleared_for, without};
 use crate::prelude::*;
 
 /// A correction by less than this part of the largest force is the last: its own error is this part of it.
@@ -26,14 +26,14 @@ pub(super) const MOST_CORRECTIONS: usize = 4;
 
 /// Forces and a twist of one linear piece.
 #[derive(Debug, Clone)]
-pub(crate) struct PieceState<D: Size, const C: usize> {
+pub(crate) struct PieceState<const C: usize> {
     /// F_i in the contact frames.
     pub(crate) forces: Vec<SVector<f64, C>>,
     /// The twist of least norm, in inside coordinates.
-    pub(crate) twist: Vector<D>,
+    pub(crate) twist: Vector,
 }
 
-impl<D: Size, const C: usize> Default for PieceState<D, C> {
+impl<const C: usize> Default for PieceState<C> {
     fn default() -> Self {
         Self { forces: Vec::new(), twist: Vector::zeros() }
     }
@@ -48,20 +48,20 @@ pub(crate) struct SolutionMemory {
 
 /// The reason why a piece has no solution under a load.
 #[derive(Debug, Clone)]
-pub(crate) struct Unbalanced<D: Size> {
+pub(crate) struct Unbalanced {
     /// The unit motion on which the load works and no contact of this piece resists. `None` when springs
     /// resist it, but friction does not let them push in that direction.
-    pub(crate) motion: Option<Vector<D>>,
+    pub(crate) motion: Option<Vector>,
 }
 
-impl<D: Size, const C: usize> Piece<D, C> {
+impl<const C: usize> Piece<C> {
     /// Forces and the twist of least norm under these drives and this load, with the sites of this piece.
     pub(crate) fn solve(
         &self,
-        sites: &[Site<D, C>],
+        sites: &[Site<C>],
         drives: &[SVector<f64, C>],
-        load: impl Into<Load<D>>,
-    ) -> Result<PieceState<D, C>, Unbalanced<D>> {
+        load: impl Into<Load>,
+    ) -> Result<PieceState<C>, Unbalanced> {
         let mut state = PieceState::default();
         self.solve_into(sites, drives, load, (&mut SolutionMemory::default(), &mut state))?;
         Ok(state)
@@ -70,11 +70,11 @@ impl<D: Size, const C: usize> Piece<D, C> {
     /// [`Self::solve`] in reused memory.
     pub(crate) fn solve_into(
         &self,
-        sites: &[Site<D, C>],
+        sites: &[Site<C>],
         drives: &[SVector<f64, C>],
-        load: impl Into<Load<D>>,
-        (memory, state): (&mut SolutionMemory, &mut PieceState<D, C>),
-    ) -> Result<(), Unbalanced<D>> {
+        load: impl Into<Load>,
+        (memory, state): (&mut SolutionMemory, &mut PieceState<C>),
+    ) -> Result<(), Unbalanced> {
         let load = load.into();
         if let Some(motion) = worked_on(&self.unbalanced, &load.wrench) {
             return Err(Unbalanced { motion: Some(motion) });
@@ -86,7 +86,7 @@ impl<D: Size, const C: usize> Piece<D, C> {
                 return Err(Unbalanced { motion: None });
             }
             let mut twist = PreciseTwist::new(self.size(), band.respond(x, &load.wrench));
-            let respond = |x: &mut [f64], rest: &Vector<D>| band.respond(x, rest);
+            let respond = |x: &mut [f64], rest: &Vector| band.respond(x, rest);
             if self.refine(sites, (drives, &load), (x, change, &mut twist), (respond, SHARP)) {
                 state.twist = without(twist.value(), &self.free);
                 self.forces_into(&mut state.forces, x, drives.len());
@@ -112,7 +112,7 @@ impl<D: Size, const C: usize> Piece<D, C> {
         };
         factors.right.subtract(x, &step);
         let mut twist = PreciseTwist::new(self.size(), factors.right.preimage(&step));
-        let respond = |x: &mut [f64], rest: &Vector<D>| factors.respond(x, rest);
+        let respond = |x: &mut [f64], rest: &Vector| factors.respond(x, rest);
         self.refine(sites, (drives, &load), (x, change, &mut twist), (respond, NEARLY));
         state.twist = without(twist.value(), &self.free);
         self.forces_into(&mut state.forces, x, drives.len());
@@ -123,10 +123,10 @@ impl<D: Size, const C: usize> Piece<D, C> {
     /// the part `sharp`.
     fn refine(
         &self,
-        sites: &[Site<D, C>],
-        (drives, load): (&[SVector<f64, C>], &Load<D>),
-        (x, change, twist): (&mut [f64], &mut Vec<f64>, &mut PreciseTwist<D>),
-        (respond, sharp): (impl Fn(&mut [f64], &Vector<D>) -> Vector<D>, f64),
+        sites: &[Site<C>],
+        (drives, load): (&[SVector<f64, C>], &Load),
+        (x, change, twist): (&mut [f64], &mut Vec<f64>, &mut PreciseTwist),
+        (respond, sharp): (impl Fn(&mut [f64], &Vector) -> Vector, f64),
     ) -> bool {
         cleared_for(change, x.len());
         change.resize(x.len(), 0.0);
@@ -149,7 +149,7 @@ impl<D: Size, const C: usize> Piece<D, C> {
 
     /// Forces and the twist of least norm where all contacts stick and every motion is resisted, without corrections in twice the precision.
     /// The projection is applied twice, which leaves a few roundings of the largest force.
-    pub(crate) fn solve_roughly(&self, drives: &[SVector<f64, C>], wrench: &Vector<D>) -> PieceState<D, C> {
+    pub(crate) fn solve_roughly(&self, drives: &[SVector<f64, C>], wrench: &Vector) -> PieceState<C> {
         let mut state = PieceState::default();
         self.solve_roughly_into(drives, wrench, (&mut SolutionMemory::default(), &mut state));
         state
@@ -159,8 +159,8 @@ impl<D: Size, const C: usize> Piece<D, C> {
     pub(crate) fn solve_roughly_into(
         &self,
         drives: &[SVector<f64, C>],
-        wrench: &Vector<D>,
-        (SolutionMemory { x, .. }, state): (&mut SolutionMemory, &mut PieceState<D, C>),
+        wrench: &Vector,
+        (SolutionMemory { x, .. }, state): (&mut SolutionMemory, &mut PieceState<C>),
     ) {
         self.stretched_into(x, |contact| drives[contact]);
         if let Some((band, _)) = &self.band {
@@ -182,7 +182,7 @@ impl<D: Size, const C: usize> Piece<D, C> {
     }
 
     /// Replaces x by `x - A (BᵀA)⁻¹ (Bᵀx + W)` and returns the twist `(BᵀA)⁻¹ (Bᵀx + W)`.
-    pub(super) fn respond(&self, x: &mut [f64], wrench: &Vector<D>) -> Vector<D> {
+    pub(super) fn respond(&self, x: &mut [f64], wrench: &Vector) -> Vector {
         match &self.band {
             Some((band, _)) => band.respond(x, wrench),
             None => self.orthogonal().respond(x, wrench),
@@ -190,14 +190,14 @@ impl<D: Size, const C: usize> Piece<D, C> {
     }
 
     /// Forces of these stretches of the contacts under this load, as far as this piece balances it.
-    pub(crate) fn forces_of(&self, stretches: &[SVector<f64, C>], load: &Vector<D>) -> Vec<SVector<f64, C>> {
+    pub(crate) fn forces_of(&self, stretches: &[SVector<f64, C>], load: &Vector) -> Vec<SVector<f64, C>> {
         let mut x = self.stretched(|contact| stretches[contact]);
         self.respond(&mut x, load);
         self.forces(&x, stretches.len())
     }
 
     /// Change of the forces along a motion of the object with everything else at rest.
-    pub(crate) fn forces_along(&self, problem: &Problem<D, C>, motion: &Vector<D>) -> Vec<SVector<f64, C>> {
+    pub(crate) fn forces_along(&self, problem: &Problem<C>, motion: &Vector) -> Vec<SVector<f64, C>> {
         let x = self.stretched(|contact| -problem.sites[contact].map.tr_mul(motion));
         self.forces(&x, problem.len())
     }
@@ -238,11 +238,11 @@ impl<D: Size, const C: usize> Piece<D, C> {
     /// Writes e, spring by spring, and returns ρ.
     fn excess(
         &self,
-        sites: &[Site<D, C>],
-        (drives, load): (&[SVector<f64, C>], &Load<D>),
-        (x, twist): (&[f64], &PreciseTwist<D>),
+        sites: &[Site<C>],
+        (drives, load): (&[SVector<f64, C>], &Load),
+        (x, twist): (&[f64], &PreciseTwist),
         e: &mut [f64],
-    ) -> Vector<D> {
+    ) -> Vector {
         let mut balance = PreciseBalance::new(self.size(), load);
         for (contact, springs, range) in self.of_each_contact() {
             let (site, x) = (&sites[contact], &x[range.clone()]);
@@ -275,9 +275,9 @@ impl<D: Size, const C: usize> Piece<D, C> {
     }
 }
 
-impl<D: Size> OrthogonalPiece<D> {
+impl OrthogonalPiece {
     /// Replaces x by `x - Q_A (Q_BᵀQ_A)⁻¹ (Q_Bᵀx + R_B⁻ᵀW)` and returns the twist of that step.
-    fn respond(&self, x: &mut [f64], wrench: &Vector<D>) -> Vector<D> {
+    fn respond(&self, x: &mut [f64], wrench: &Vector) -> Vector {
         let balance = self.balance();
         let excess = balance.coordinates(x) + balance.load_coordinates(wrench);
         let step = match &self.left {

@@ -33,27 +33,27 @@ pub(crate) fn are_stale(changes: usize, contacts: usize) -> bool {
 
 /// T and R sides.
 #[derive(Debug, Clone)]
-pub(crate) struct Sums<D: Size, const R: usize> {
-    pub(crate) stiffness: Square<D>,
-    pub(crate) sides: [Vector<D>; R],
+pub(crate) struct Sums<const R: usize> {
+    pub(crate) stiffness: Square,
+    pub(crate) sides: [Vector; R],
 }
 
-impl<D: Size, const R: usize> Default for Sums<D, R> {
+impl<const R: usize> Default for Sums<R> {
     /// [`Self::sticking`], without coordinates yet if their number is dynamic.
     fn default() -> Self {
-        Self::sticking(D::default())
+        Self::sticking(Size::default())
     }
 }
 
-impl<D: Size, const R: usize> Sums<D, R> {
+impl<const R: usize> Sums<R> {
     /// The sums of contacts that all stick, without allocation: Q has orthonormal columns.
-    pub(crate) fn sticking(size: D) -> Self {
+    pub(crate) fn sticking(size: Size) -> Self {
         let stiffness = Square::from_diagonal(size, |_| 1.0);
         Self { stiffness, sides: core::array::from_fn(|_| Vector::zeros()) }
     }
 
     /// Becomes [`Self::sticking`], in the same memory.
-    pub(crate) fn stick(&mut self, size: D) {
+    pub(crate) fn stick(&mut self, size: Size) {
         self.stiffness.clear(size);
         (0..size.count()).for_each(|k| self.stiffness[(k, k)] = 1.0);
         self.sides.iter_mut().for_each(|side| *side = Vector::zeros());
@@ -62,7 +62,7 @@ impl<D: Size, const R: usize> Sums<D, R> {
     /// The sums over this number of contacts, with the terms from `add`. Entries of y from `rank` on move
     /// nothing.
     pub(crate) fn over(
-        size: D,
+        size: Size,
         contacts: usize,
         rank: usize,
         add: &(impl Fn(&mut Self, usize) + Sync),
@@ -87,7 +87,7 @@ impl<D: Size, const R: usize> Sums<D, R> {
     /// (`None`: identity), and p for each side.
     pub(crate) fn add<const C: usize>(
         &mut self,
-        seen: &Seen<D, C>,
+        seen: &Seen<C>,
         hold: Option<&SMatrix<f64, C, C>>,
         pushed: Option<[SVector<f64, C>; R]>,
         weight: f64,

@@ -8,7 +8,7 @@
 //! equilibrium, not from displacements. After a step R is its own rounding, so that a few steps balance
 //! to the last digits where T is regular; where T is singular, see [`super::Piece`].
 
-use crate::numerics::{Size, Square, Vector};
+use crate::numerics::{Square, Vector};
 use core::ops::Range;
 
 use nalgebra::SMatrix;
@@ -26,14 +26,14 @@ use crate::prelude::*;
 const STEPS: usize = 4;
 
 /// Factors of T, in a band where there are many coordinates.
-pub(crate) enum TangentFactors<D: Size> {
-    Whole(Factors<D>),
+pub(crate) enum TangentFactors {
+    Whole(Factors),
     Band(Box<BandPiece>),
 }
 
-impl<D: Size> TangentFactors<D> {
+impl TangentFactors {
     /// A solution of `T y = b`; where T is singular, of the part of b that has one.
-    pub(crate) fn solve(&self, b: &Vector<D>) -> Vector<D> {
+    pub(crate) fn solve(&self, b: &Vector) -> Vector {
         match self {
             Self::Whole(factors) => factors.solve(b),
             Self::Band(band) => band.solve(b),
@@ -41,7 +41,7 @@ impl<D: Size> TangentFactors<D> {
     }
 
     /// Motions in which the T of a band is singular.
-    pub(crate) fn loose_motions(&self) -> Vec<Vector<D>> {
+    pub(crate) fn loose_motions(&self) -> Vec<Vector> {
         match self {
             Self::Whole(_) => Vec::new(),
             Self::Band(band) => band.loose_motions(),
@@ -57,9 +57,9 @@ impl<D: Size> TangentFactors<D> {
     }
 }
 
-impl<D: Size, const C: usize> Problem<'_, D, C> {
+impl<const C: usize> Problem<'_, C> {
     /// Factors of T in a band with these states of the contacts, where there are many coordinates.
-    pub(crate) fn tangent_in_a_band(&self, state: &dyn Fn(usize) -> State<C>) -> Option<TangentFactors<D>> {
+    pub(crate) fn tangent_in_a_band(&self, state: &dyn Fn(usize) -> State<C>) -> Option<TangentFactors> {
         if !are_many(self.size()) {
             return None;
         }
@@ -76,10 +76,10 @@ impl<D: Size, const C: usize> Problem<'_, D, C> {
 pub(crate) type SpringTangent<const C: usize> = SMatrix<f64, C, C>;
 
 /// T of these contacts with these C_i, by number.
-pub(crate) fn tangent_stiffness<D: Size, const C: usize>(
-    sites: &[Site<D, C>],
+pub(crate) fn tangent_stiffness<const C: usize>(
+    sites: &[Site<C>],
     springs: impl Fn(usize) -> SpringTangent<C> + Sync,
-) -> Square<D> {
+) -> Square {
     let part = |contacts: Range<usize>| {
         let mut t = Square::zeros(size_of(sites));
         for i in contacts {
@@ -87,12 +87,12 @@ pub(crate) fn tangent_stiffness<D: Size, const C: usize>(
         }
         t
     };
-    in_halves(0..sites.len(), &part, &|a: Square<D>, b| a + &b)
+    in_halves(0..sites.len(), &part, &|a: Square, b| a + &b)
 }
 
 /// Adds `G_i C_i G_iᵀ` of one contact to T.
-fn add_tangent<D: Size, const C: usize>(t: &mut Square<D>, site: &Site<D, C>, springs: &SpringTangent<C>) {
-    let pushed: [Vector<D>; C] = core::array::from_fn(|a| &site.map * springs.column(a).into_owned());
+fn add_tangent<const C: usize>(t: &mut Square, site: &Site<C>, springs: &SpringTangent<C>) {
+    let pushed: [Vector; C] = core::array::from_fn(|a| &site.map * springs.column(a).into_owned());
     // A contact of one finger does not feel the joints of the others, and a drive feels only its own joint.
     for columns in site.support.ranges::<C>() {
         for j in columns {
@@ -107,12 +107,12 @@ fn add_tangent<D: Size, const C: usize>(t: &mut Square<D>, site: &Site<D, C>, sp
 
 /// Corrects forces and twist until the imbalance R is at most the part `part` of the sizes of its terms. Returns the sum of the largest
 /// changes of a force; `None` if the steps do not suffice.
-pub(crate) fn balance<D: Size, const C: usize>(
-    sites: &[Site<D, C>],
+pub(crate) fn balance<const C: usize>(
+    sites: &[Site<C>],
     springs: &[SpringTangent<C>],
-    tangent: &PartialPivoting<D>,
-    wrench: &Vector<D>,
-    state: &mut PieceState<D, C>,
+    tangent: &PartialPivoting,
+    wrench: &Vector,
+    state: &mut PieceState<C>,
     part: f64,
 ) -> Option<f64> {
     let mut moved = 0.0_f64;

@@ -17,7 +17,7 @@
 
 use crate::contact::Resistance;
 use crate::grasp::of_the_object;
-use crate::numerics::{Size, Vector, unit};
+use crate::numerics::{Vector, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
@@ -27,15 +27,15 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// The largest ρ such that no equilibrium exists at any `q* + δ`, for δ up to ρ. Such a δ moves the centroid by at most ρ, turns the object by at
 /// most ρ over the inside unit of length, and moves each further coordinate by at most ρ. Infinite where no equilibrium exists at all; `None` where
 /// nothing is proved even at q*.
-pub(crate) fn nothing_near<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
-    at: &Vector<D>,
-    motion: &Vector<D>,
+pub(crate) fn nothing_near<const C: usize>(
+    problem: &Problem<C>,
+    at: &Vector,
+    motion: &Vector,
 ) -> Option<f64> {
     let work = motion.dot(&problem.wrench);
     let mut size = motion.norm() * problem.wrench.norm();
     let mut resisted = 0.0;
-    let mut slope = Vector::<D>::zeros();
+    let mut slope = Vector::zeros();
     // Contacts that may open: the ρ from which they do, and the additional growth of the bound from there.
     let mut openings = Vec::new();
     for (i, (site, local)) in problem.sites.iter().zip(problem.locals()).enumerate() {
@@ -44,7 +44,7 @@ pub(crate) fn nothing_near<D: Size, const C: usize>(
             Resistance::Unlimited => return None,
             Resistance::ByFriction(0.0) => continue,
             Resistance::ByFriction(c) => {
-                let reach = reach::<D, C>(&site.map.column(0));
+                let reach = reach::<C>(&site.map.column(0));
                 if reach > 0.0 {
                     openings.push((stretch[0].max(0.0) / reach, c * reach));
                 }
@@ -64,7 +64,7 @@ pub(crate) fn nothing_near<D: Size, const C: usize>(
         return None;
     }
     openings.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let (mut rho, mut growth) = (0.0, reach::<D, C>(&slope));
+    let (mut rho, mut growth) = (0.0, reach::<C>(&slope));
     for (from, faster) in openings {
         if growth * (from - rho) >= left {
             break;
@@ -77,7 +77,7 @@ pub(crate) fn nothing_near<D: Size, const C: usize>(
 }
 
 /// The largest product of a row with a δ of ρ = 1: the norms of its translation and its rotation, and the sizes of all other entries.
-fn reach<D: Size, const C: usize>(row: &Vector<D>) -> f64 {
+fn reach<const C: usize>(row: &Vector) -> f64 {
     let object = of_the_object::<C>();
     let part = |from: usize, to: usize| (from..to).map(|k| row[k] * row[k]).sum::<f64>().sqrt();
     let joints = row.as_slice().iter().skip(object).map(|x| x.abs()).sum::<f64>();

@@ -17,7 +17,7 @@ use nalgebra::{DMatrix, DVector, SVector};
 use super::escape::counts_from_here_on;
 use crate::contact::LocalLaw;
 use crate::lcp::{Lcp, Outcome, Settings};
-use crate::numerics::{Size, Vector, unit};
+use crate::numerics::{Vector, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
@@ -25,7 +25,7 @@ use crate::prelude::*;
 const MOST_CONTACTS: usize = 8;
 
 /// Whether no forces hold any load between a load (not included) and another a little beyond.
-pub(crate) fn nothing_holds<D: Size, const C: usize>(here: &Problem<D, C>, past: &Problem<D, C>) -> bool {
+pub(crate) fn nothing_holds<const C: usize>(here: &Problem<C>, past: &Problem<C>) -> bool {
     let free: Vec<usize> = (0..here.len()).filter(|&i| here.local(i).may_open()).collect();
     let whole = !here.locals().any(|local| local.is_absent() || local.is_on_an_edge());
     whole
@@ -44,7 +44,7 @@ fn has_row<const C: usize>(local: &LocalLaw<'_, C>) -> bool {
     local.pairs() > 0
 }
 
-fn rows<D: Size, const C: usize>(problem: &Problem<D, C>) -> usize {
+fn rows<const C: usize>(problem: &Problem<C>) -> usize {
     problem.size().count() + problem.locals().filter(has_row).count()
 }
 
@@ -54,11 +54,11 @@ fn springs<const C: usize>(local: &LocalLaw<'_, C>) -> usize {
 }
 
 /// Entries of the rows from stretches of the contacts and a load.
-fn response<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
+fn response<const C: usize>(
+    problem: &Problem<C>,
     open: &[bool],
     stretch: &dyn Fn(usize) -> SVector<f64, C>,
-    mut wrench: Vector<D>,
+    mut wrench: Vector,
 ) -> DVector<f64> {
     let mut w = DVector::zeros(rows(problem));
     let balance = problem.size().count();
@@ -80,12 +80,12 @@ fn response<D: Size, const C: usize>(
 }
 
 /// Entries of the rows from the drives and the load, w.
-fn constant<D: Size, const C: usize>(problem: &Problem<D, C>, open: &[bool]) -> DVector<f64> {
+fn constant<const C: usize>(problem: &Problem<C>, open: &[bool]) -> DVector<f64> {
     response(problem, open, &|i| problem.drives[i], problem.wrench.clone())
 }
 
 /// Columns of Γ with length one: motions in both directions, friction, slacks.
-fn columns<D: Size, const C: usize>(problem: &Problem<D, C>, open: &[bool]) -> Vec<DVector<f64>> {
+fn columns<const C: usize>(problem: &Problem<C>, open: &[bool]) -> Vec<DVector<f64>> {
     let count = rows(problem);
     let mut list = Vec::new();
     let mut push = |column: DVector<f64>, both_ways: bool| {

@@ -16,7 +16,7 @@ use nalgebra::SVector;
 use super::escape::{ESCAPE, LEAST_WORK};
 use crate::contact::{Label, LocalLaw, State};
 use crate::grasp::Site;
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::object::{Piece, Problem};
 use crate::prelude::*;
 
@@ -26,19 +26,16 @@ const BALANCED: f64 = 1e-13;
 
 /// A step of the proof. A division is followed by its second case with all steps below it, then by its first.
 #[derive(Debug, Clone)]
-pub(crate) enum ProofStep<D: Size, const C: usize> {
+pub(crate) enum ProofStep<const C: usize> {
     /// The state of a contact lies in one of two halves.
     Divided { contact: usize, halves: [Label; 2] },
     /// The case is contradicted.
-    Contradicted { motion: Vector<D>, forces: Vec<SVector<f64, C>> },
+    Contradicted { motion: Vector, forces: Vec<SVector<f64, C>> },
 }
 
 /// The least factor by which an equilibrium hidden by rounding would exceed the data, both in √J. `None` where the steps
 /// omit a case, or contradict one too weakly to count.
-pub(crate) fn check<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
-    steps: &[ProofStep<D, C>],
-) -> Option<f64> {
+pub(crate) fn check<const C: usize>(problem: &Problem<C>, steps: &[ProofStep<C>]) -> Option<f64> {
     let trial = problem.trial();
     let state = trial.solve(problem.sites, &problem.drives, problem.load()).ok()?;
     let stored = |forces: &[SVector<f64, C>]| {
@@ -70,11 +67,11 @@ pub(crate) fn check<D: Size, const C: usize>(
 
 /// The proof in a single case that nothing balances drives and load. The most yielding states do not respond to a virtual motion, and
 /// do the least work against it. Virtual forces `-C_iᵀG_iᵀy` balance one another in these states.
-pub(crate) fn yields<D: Size, const C: usize>(problem: &Problem<D, C>) -> Option<f64> {
+pub(crate) fn yields<const C: usize>(problem: &Problem<C>) -> Option<f64> {
     let states = problem.yielding();
     let motion = Piece::new(problem, &states).unanswered(&problem.drives, &problem.wrench)?;
     let forces = |sign: f64| {
-        let force = |((site, local), state): ((&Site<D, C>, LocalLaw<'_, C>), &State<C>)| {
+        let force = |((site, local), state): ((&Site<C>, LocalLaw<'_, C>), &State<C>)| {
             local.tangent(state).matrix().tr_mul(&site.map.tr_mul(&motion)) * -sign
         };
         problem.sites.iter().zip(problem.locals()).zip(&states).map(force).collect()
@@ -84,17 +81,17 @@ pub(crate) fn yields<D: Size, const C: usize>(problem: &Problem<D, C>) -> Option
 }
 
 /// The size of stretches and forces of the case, in √J, that would make up for the contradiction.
-fn escape<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
+fn escape<const C: usize>(
+    problem: &Problem<C>,
     labels: &[Label],
-    motion: &Vector<D>,
+    motion: &Vector,
     forces: &[SVector<f64, C>],
 ) -> Option<f64> {
     if forces.len() != problem.len() {
         return None;
     }
     let (mut gain, mut size, mut worst) = (-motion.dot(&problem.wrench), 0.0, 0.0_f64);
-    let mut unbalanced = Vector::<D>::zeros();
+    let mut unbalanced = Vector::zeros();
     let mut balanced_size = 0.0;
     for (i, phi) in forces.iter().enumerate() {
         let (local, site) = (problem.local(i), &problem.sites[i]);

@@ -18,7 +18,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::wrench_cone::{Generator, straight_generators};
 use crate::contact::{tangential, tangential_norm};
-use crate::numerics::{PositiveBand, Size, Vector, narrow_order, unit, widest};
+use crate::numerics::{PositiveBand, Vector, narrow_order, unit, widest};
 use crate::object::{Problem, are_many};
 use crate::prelude::*;
 
@@ -88,9 +88,9 @@ struct PushedBack<const C: usize> {
 }
 
 /// The residual of a load of many coordinates after the best response of contact forces.
-pub(super) enum Left<D: Size> {
+pub(super) enum Left {
     /// The residual is a separating motion.
-    Proof(Vector<D>),
+    Proof(Vector),
     /// The residual proves nothing.
     Unclear,
     /// No residual: the load is balanced. Also where coordinates are few, or a law is not a cone.
@@ -98,10 +98,7 @@ pub(super) enum Left<D: Size> {
 }
 
 /// The residual of a load of length one after rounds of the augmented Lagrangian; `judged` decides whether a residual is a proof.
-pub(super) fn left_of_many<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
-    judged: &dyn Fn(&Vector<D>) -> bool,
-) -> Left<D> {
+pub(super) fn left_of_many<const C: usize>(problem: &Problem<C>, judged: &dyn Fn(&Vector) -> bool) -> Left {
     let Some(mut pushed) = are_many(problem.size()).then(|| PushedBack::of(problem)).flatten() else {
         return Left::Nothing;
     };
@@ -128,14 +125,14 @@ pub(super) fn left_of_many<D: Size, const C: usize>(
 }
 
 impl<const C: usize> PushedBack<C> {
-    fn of<D: Size>(problem: &Problem<D, C>) -> Option<Self> {
+    fn of(problem: &Problem<C>) -> Option<Self> {
         let count = problem.size().count();
         let couplings: Vec<_> = problem.sites.iter().map(|site| site.support.ranges::<C>()).collect();
         let numbers = narrow_order(count, &couplings);
         let band = PositiveBand::zeros(count, widest(&numbers, &couplings));
         let numbered = |range: &Range<usize>| range.clone().map(|k| (k, numbers[k])).collect::<Vec<_>>();
         let felt = |contact: usize| couplings[contact].iter().flat_map(numbered).collect::<Vec<_>>();
-        let ray = |Generator { contact, wrench, .. }: Generator<D, C>| {
+        let ray = |Generator { contact, wrench, .. }: Generator<C>| {
             let along = |(k, number)| (number, unit::<C>(0) * wrench[k]);
             Pushing {
                 felt: felt(contact).into_iter().map(along).collect(),

@@ -37,15 +37,15 @@ const MOST_COORDINATES: usize = 600;
 
 /// A force of one contact whose wrench is one unit long.
 #[derive(Debug, Clone)]
-pub(crate) struct Generator<D: Size, const C: usize> {
+pub(crate) struct Generator<const C: usize> {
     pub(crate) contact: usize,
     pub(crate) force: SVector<f64, C>,
-    pub(crate) wrench: Vector<D>,
+    pub(crate) wrench: Vector,
 }
 
-impl<D: Size, const C: usize> Generator<D, C> {
+impl<const C: usize> Generator<C> {
     /// The generator along a force of any length.
-    pub(crate) fn along(contact: usize, site: &Site<D, C>, force: SVector<f64, C>) -> Self {
+    pub(crate) fn along(contact: usize, site: &Site<C>, force: SVector<f64, C>) -> Self {
         let wrench = &site.map * force;
         let size = wrench.norm();
         Self { contact, force: force / size, wrench: wrench / size }
@@ -53,34 +53,34 @@ impl<D: Size, const C: usize> Generator<D, C> {
 }
 
 /// The sum of admissible forces whose wrench is nearest to a target.
-pub(crate) struct NearestForces<D: Size, const C: usize> {
+pub(crate) struct NearestForces<const C: usize> {
     /// Sum minus target: no generator works against this motion, except for rounding.
-    pub(crate) motion: Vector<D>,
+    pub(crate) motion: Vector,
     /// The most work of a generator against the motion.
     pub(crate) against: f64,
     /// The generators with a share, and their shares.
-    pub(crate) shares: Vec<(Generator<D, C>, f64)>,
+    pub(crate) shares: Vec<(Generator<C>, f64)>,
 }
 
 /// The nearest sum of the given straight generators, and of generators of round cones that `round` adds where needed.
-pub(crate) fn nearest_forces<D: Size, const C: usize>(
-    size: D,
-    straight: &[Generator<D, C>],
-    round: &dyn Fn(&Vector<D>) -> Vec<Generator<D, C>>,
-    target: &Vector<D>,
-) -> NearestForces<D, C> {
+pub(crate) fn nearest_forces<const C: usize>(
+    size: Size,
+    straight: &[Generator<C>],
+    round: &dyn Fn(&Vector) -> Vec<Generator<C>>,
+    target: &Vector,
+) -> NearestForces<C> {
     let mut target = target.clone();
     target.reach(size);
     let mut nearest = NearestPoint::new(target.as_slice());
     // By its number a straight generator joins once; generators of round cones are all different.
-    let mut joined: Vec<Generator<D, C>> = Vec::new();
+    let mut joined: Vec<Generator<C>> = Vec::new();
     let each = if size.count() <= MOST_COORDINATES { MOST_JOINING_EACH } else { 0 };
     let mut joins_left = MOST_JOINING + each * size.count();
     let (motion, against) = loop {
         let residual = nearest.residual();
-        let v = Vector::<D>::from_fn(size, |k| -residual[k]);
+        let v = Vector::from_fn(size, |k| -residual[k]);
         let (round, next) = (round(&v), straight.len() + joined.len());
-        let mut worst: Option<(usize, &Generator<D, C>, f64)> = None;
+        let mut worst: Option<(usize, &Generator<C>, f64)> = None;
         for (k, generator) in straight.iter().chain(&round).enumerate() {
             let work = generator.wrench.dot(&v);
             if worst.is_none_or(|(.., least)| work.total_cmp(&least).is_lt()) {
@@ -105,41 +105,41 @@ pub(crate) fn nearest_forces<D: Size, const C: usize>(
 }
 
 /// A load, and the friction cones that might balance it.
-struct LoadAndCones<'p, 'g, D: Size, const C: usize> {
-    problem: &'p Problem<'g, D, C>,
-    straight: Vec<Generator<D, C>>,
+struct LoadAndCones<'p, 'g, const C: usize> {
+    problem: &'p Problem<'g, C>,
+    straight: Vec<Generator<C>>,
     load: f64,
     /// Size of load and squeeze together, to which an escape is compared. Where fingers squeeze, forces may be far larger than the load:
     /// their work through rounding must not make up for the work of the load.
     data: f64,
 }
 
-impl<'p, 'g, D: Size, const C: usize> LoadAndCones<'p, 'g, D, C> {
+impl<'p, 'g, const C: usize> LoadAndCones<'p, 'g, C> {
     /// `None` without a load, or where a law is not a cone.
-    fn of(problem: &'p Problem<'g, D, C>) -> Option<Self> {
+    fn of(problem: &'p Problem<'g, C>) -> Option<Self> {
         let load = problem.wrench.norm();
         let straight = (load > 0.0).then(|| straight_generators(problem)).flatten()?;
         Some(Self { problem, straight, load, data: load + squeeze(problem) })
     }
 
     /// Whether a motion separates, on which a load of length one does the work `works`, and against which generators do at most `against`.
-    fn separates(&self, v: &Vector<D>, works: f64, against: f64) -> bool {
+    fn separates(&self, v: &Vector, works: f64, against: f64) -> bool {
         let distance = v.norm();
         let escape = works * self.load / against.max(LEAST_WORK * distance);
         distance > CLEAR && escape >= ESCAPE * self.data
     }
 
     /// The residual of the load after the nearest forces, as a unit motion, if it is a clear proof.
-    fn separating_motion(&self) -> Option<Vector<D>> {
+    fn separating_motion(&self) -> Option<Vector> {
         let target = -&self.problem.wrench / self.load;
-        let round = |v: &Vector<D>| round_generators(self.problem, v).collect();
+        let round = |v: &Vector| round_generators(self.problem, v).collect();
         let NearestForces { motion: v, against, .. } =
             nearest_forces(self.problem.size(), &self.straight, &round, &target);
         self.separates(&v, v.norm_squared(), against).then(|| v.normalize())
     }
 
     /// Whether any given motion separates.
-    fn is_proof(&self, v: &Vector<D>) -> bool {
+    fn is_proof(&self, v: &Vector) -> bool {
         let round = round_generators(self.problem, v);
         let against = self.straight.iter().map(|g| -g.wrench.dot(v)).chain(round.map(|g| -g.wrench.dot(v)));
         self.separates(v, self.problem.wrench.dot(v) / self.load, against.fold(0.0, f64::max))
@@ -147,15 +147,13 @@ impl<'p, 'g, D: Size, const C: usize> LoadAndCones<'p, 'g, D, C> {
 }
 
 /// The unit separating motion in inside coordinates, if there is a clear one.
-pub(crate) fn separating_motion<D: Size, const C: usize>(problem: &Problem<D, C>) -> Option<Vector<D>> {
+pub(crate) fn separating_motion<const C: usize>(problem: &Problem<C>) -> Option<Vector> {
     LoadAndCones::of(problem)?.separating_motion()
 }
 
 /// [`separating_motion`] for many coordinates, by the augmented Lagrangian. Where its residual proves nothing, the nearest forces decide, for at most
 /// [`MOST_COORDINATES`] coordinates.
-pub(crate) fn separating_motion_in_a_band<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
-) -> Option<Vector<D>> {
+pub(crate) fn separating_motion_in_a_band<const C: usize>(problem: &Problem<C>) -> Option<Vector> {
     let all = LoadAndCones::of(problem)?;
     match left_of_many(problem, &|v| all.is_proof(v)) {
         Left::Proof(v) => Some(v.normalize()),
@@ -165,17 +163,17 @@ pub(crate) fn separating_motion_in_a_band<D: Size, const C: usize>(
 }
 
 /// The sum of the wrenches of springs that the commands alone stretch.
-fn squeeze<D: Size, const C: usize>(problem: &Problem<D, C>) -> f64 {
+fn squeeze<const C: usize>(problem: &Problem<C>) -> f64 {
     let pushed =
-        |(site, drive): (&Site<D, C>, &SVector<f64, C>)| site.map.pushed_norm(&site.springs.force(drive));
+        |(site, drive): (&Site<C>, &SVector<f64, C>)| site.map.pushed_norm(&site.springs.force(drive));
     problem.sites.iter().zip(&problem.drives).map(pushed).sum()
 }
 
 /// For every round cone, the unit wrench with the most work against a motion.
-pub(crate) fn round_generators<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
-    v: &Vector<D>,
-) -> impl Iterator<Item = Generator<D, C>> {
+pub(crate) fn round_generators<const C: usize>(
+    problem: &Problem<C>,
+    v: &Vector,
+) -> impl Iterator<Item = Generator<C>> {
     let contacts = problem.locals().zip(problem.sites).enumerate();
     contacts.filter(|(_, (local, _))| local.is_round()).map(move |(contact, (local, site))| {
         let u = site.map.tr_mul(v);
@@ -189,10 +187,10 @@ pub(crate) fn round_generators<D: Size, const C: usize>(
 ///
 /// It is a proof, for any forces in any state, if no admissible contact force works against the motion, the load does not work
 /// against it, and the rate of the load works along it.
-pub(crate) fn separates_from_here_on<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
-    motion: &Vector<D>,
-    rate: &Vector<D>,
+pub(crate) fn separates_from_here_on<const C: usize>(
+    problem: &Problem<C>,
+    motion: &Vector,
+    rate: &Vector,
 ) -> bool {
     let Some(straight) = straight_generators(problem) else { return false };
     let all = straight.into_iter().chain(round_generators(problem, motion));
@@ -204,9 +202,7 @@ pub(crate) fn separates_from_here_on<D: Size, const C: usize>(
 }
 
 /// The unit wrenches that generate the cones that are not round; `None` where a law is not a cone of forces at rest.
-pub(crate) fn straight_generators<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
-) -> Option<Vec<Generator<D, C>>> {
+pub(crate) fn straight_generators<const C: usize>(problem: &Problem<C>) -> Option<Vec<Generator<C>>> {
     let mut list = Vec::new();
     for (contact, (local, site)) in problem.locals().zip(problem.sites).enumerate() {
         if local.is_round() {

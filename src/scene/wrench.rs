@@ -91,8 +91,7 @@ impl<'de, const C: usize> Deserialize<'de> for Wrench<C> {
             if at.is_some() {
                 let at = part(at.as_ref(), C, "at")?;
                 let force = |a: usize| if a < C { wrench[a] } else { 0.0 };
-                let through =
-                    wrench_of::<crate::numerics::Fixed<6>, 3>(&at.into(), &SVector::from_fn(|a, _| force(a)));
+                let through = wrench_of::<3>(&at.into(), &SVector::from_fn(|a, _| force(a)));
                 // The rotation in the plane is about z, the last axis of space.
                 let object = of_the_object::<C>();
                 for k in C..object {

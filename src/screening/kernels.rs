@@ -15,7 +15,7 @@ use super::question::ScreeningQuestion;
 use super::turning_pull::TurningPull;
 use super::watch::{Measured, Watched};
 use crate::error::Error;
-use crate::grasp::{Contact, assert_plane_or_space};
+use crate::grasp::Contact;
 
 /// All questions of screening, for `N` contacts in the plane or in space.
 pub(super) struct Kernels<const D: usize, const C: usize, const N: usize> {
@@ -55,7 +55,13 @@ impl<const D: usize, const C: usize, const N: usize> Kernels<D, C, N> {
     /// The kernels for this number of axes and contacts.
     #[inline]
     pub(super) fn get() -> &'static Self {
-        const { assert_plane_or_space::<D, C>() };
+        const {
+            assert!(
+                (D == 3 && C == 2) || (D == 6 && C == 3),
+                "D degrees of freedom and C axes a contact are 3 and 2 in the plane, 6 and 3 in space: \
+                 take the names in `grasp_lcp::planar` or `grasp_lcp::spatial`"
+            );
+        };
         const { assert!(2 <= N && N <= MOST, "screening is for two to five contacts") };
         let kernels: &'static dyn Any = match (C, N) {
             (2, 2) => &PLANE_2,

@@ -12,7 +12,6 @@ use super::scene::{Log, TrialScene};
 use super::settings::Settings;
 use crate::contact::State;
 use crate::forms::{Moved, kinematic_form_among, kinematic_states};
-use crate::numerics::Size;
 use crate::object::{Piece, PieceState, Problem, states_by_given_limits};
 use crate::prelude::*;
 
@@ -26,22 +25,22 @@ const MANY_LEAVE: usize = 128;
 const MOST_BESIDE: usize = 400;
 
 /// States that all contacts keep except the pivoting set, whose contacts stick, with their solved piece.
-struct Base<D: Size, const C: usize> {
+struct Base<const C: usize> {
     states: Vec<State<C>>,
-    piece: Arc<Piece<D, C>>,
-    at: PieceState<D, C>,
+    piece: Arc<Piece<C>>,
+    at: PieceState<C>,
 }
 
-impl<D: Size, const C: usize> Base<D, C> {
+impl<const C: usize> Base<C> {
     /// The base with these states; `None` where no forces of these states balance the load.
-    fn of(problem: &Problem<D, C>, states: Vec<State<C>>) -> Option<Self> {
+    fn of(problem: &Problem<C>, states: Vec<State<C>>) -> Option<Self> {
         let piece = problem.piece(&states);
         let at = piece.solve(problem.sites, &problem.drives, problem.load()).ok()?;
         Some(Self { states, piece, at })
     }
 
     /// The base with the contacts `among` sticking; itself if they stick already. `None` where its tangent stiffness is singular.
-    fn sticking_at(self, problem: &Problem<D, C>, among: &[usize], moved: &mut Moved) -> Option<Self> {
+    fn sticking_at(self, problem: &Problem<C>, among: &[usize], moved: &mut Moved) -> Option<Self> {
         let mut states = self.states.clone();
         for i in among {
             states[*i] = problem.local(*i).unjumped();
@@ -55,9 +54,9 @@ impl<D: Size, const C: usize> Base<D, C> {
 }
 
 /// States in which no contact breaks a condition, or `None` if the paths find none.
-pub(super) fn propose_of_a_few<D: Size, const C: usize>(
-    scene: &TrialScene<'_, '_, D, C>,
-    problem: &Problem<D, C>,
+pub(super) fn propose_of_a_few<const C: usize>(
+    scene: &TrialScene<'_, '_, C>,
+    problem: &Problem<C>,
     log: &mut Log,
 ) -> Option<Vec<State<C>>> {
     let leaving = breaking(problem, &scene.unjumped, &scene.state);
@@ -78,10 +77,10 @@ pub(super) fn propose_of_a_few<D: Size, const C: usize>(
 }
 
 /// States from Lemke's path on the contacts `among`. Where a path finds no solution, neighbours join, up to `most` contacts altogether.
-fn pivoted<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
+fn pivoted<const C: usize>(
+    problem: &Problem<C>,
     settings: &Settings,
-    (mut base, mut among, most): (Base<D, C>, Vec<usize>, usize),
+    (mut base, mut among, most): (Base<C>, Vec<usize>, usize),
     log: &mut Log,
 ) -> Option<Vec<State<C>>> {
     let mut moved = Moved::default();

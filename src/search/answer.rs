@@ -4,7 +4,7 @@ use nalgebra::SVector;
 
 use crate::contact::State;
 use crate::grasp::Coordinates;
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::prelude::*;
 
 /// By which rule a solution was found; with several equilibria this says which one it is.
@@ -56,12 +56,12 @@ pub enum Doubt {
 
 /// A solution of the local problem.
 #[derive(Debug, Clone)]
-pub(crate) struct Found<D: Size, const C: usize> {
+pub(crate) struct Found<const C: usize> {
     pub(crate) states: Vec<State<C>>,
     pub(crate) forces: Vec<SVector<f64, C>>,
-    pub(crate) twist: Vector<D>,
-    pub(crate) free_motions: Vec<Vector<D>>,
-    pub(crate) neutral_motions: Vec<Vector<D>>,
+    pub(crate) twist: Vector,
+    pub(crate) free_motions: Vec<Vector>,
+    pub(crate) neutral_motions: Vec<Vector>,
     /// On a path, the sizes of the forces, N, and displacements, m, whose sums these are: rounding is relative to them where the sums vanish.
     /// Zero for a solution without a path.
     pub(crate) sizes: [f64; 2],
@@ -69,9 +69,9 @@ pub(crate) struct Found<D: Size, const C: usize> {
     pub(crate) from_polygon: Option<f64>,
 }
 
-impl<D: Size, const C: usize> Found<D, C> {
+impl<const C: usize> Found<C> {
     /// A solution without free motions and history.
-    pub(crate) fn new(states: Vec<State<C>>, forces: Vec<SVector<f64, C>>, twist: Vector<D>) -> Self {
+    pub(crate) fn new(states: Vec<State<C>>, forces: Vec<SVector<f64, C>>, twist: Vector) -> Self {
         Self {
             states,
             forces,
@@ -98,7 +98,7 @@ pub(crate) struct Kept<const C: usize> {
 
 impl<const C: usize> Kept<C> {
     /// Erases the number of coordinates; `list` is reused for the twist.
-    pub(crate) fn of<D: Size>(found: Found<D, C>, list: Vec<f64>) -> Self {
+    pub(crate) fn of(found: Found<C>, list: Vec<f64>) -> Self {
         Self {
             states: found.states,
             forces: found.forces,
@@ -110,7 +110,7 @@ impl<const C: usize> Kept<C> {
         }
     }
 
-    pub(crate) fn found<D: Size>(&self) -> Found<D, C> {
+    pub(crate) fn found(&self) -> Found<C> {
         Found {
             states: self.states.clone(),
             forces: self.forces.clone(),
@@ -125,12 +125,12 @@ impl<const C: usize> Kept<C> {
 
 /// The end of a search.
 #[derive(Debug, Clone)]
-pub(crate) enum Settled<D: Size, const C: usize> {
-    Found(Found<D, C>, Rung),
+pub(crate) enum Settled<const C: usize> {
+    Found(Found<C>, Rung),
     /// The load works on a motion that no spring resists.
-    FreeMotion(Vector<D>),
+    FreeMotion(Vector),
     /// No admissible forces balance the load: this motion separates it from the friction wrench cone.
-    Separating(Vector<D>),
+    Separating(Vector),
     /// Each combination of contact states fails clearly; their number.
     NoneOf(usize),
     /// On the round cone, each case contradicts itself. An escape from this proof is larger than the data by the factor `escape`.

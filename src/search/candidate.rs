@@ -7,7 +7,7 @@ use nalgebra::{DMatrix, DVector, Matrix, SVector};
 use super::answer::Found;
 use crate::contact::{At, State};
 use crate::lcp::{self, Lcp, Outcome};
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::object::{Piece, PieceState, Problem, largest_force};
 use crate::prelude::*;
 
@@ -29,8 +29,8 @@ const OUT_OF_BALANCE: f64 = 1e-11;
 
 /// Verdict on a proposal.
 #[derive(Debug, Clone)]
-pub(crate) enum Judged<D: Size, const C: usize> {
-    Holds(Found<D, C>),
+pub(crate) enum Judged<const C: usize> {
+    Holds(Found<C>),
     Violated {
         /// Whether the violation is small enough to be rounding.
         doubtful: bool,
@@ -40,10 +40,7 @@ pub(crate) enum Judged<D: Size, const C: usize> {
 }
 
 /// Solves the piece with these states and checks every inequality.
-pub(crate) fn try_states<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
-    states: Vec<State<C>>,
-) -> Judged<D, C> {
+pub(crate) fn try_states<const C: usize>(problem: &Problem<C>, states: Vec<State<C>>) -> Judged<C> {
     if problem.locals().zip(&states).any(|(local, state)| local.excludes(state)) {
         return Judged::Violated { doubtful: false };
     }
@@ -58,20 +55,20 @@ pub(crate) fn try_states<D: Size, const C: usize>(
 }
 
 /// A proposal that does not hold, returned unchanged.
-pub(super) struct Refused<D: Size, const C: usize> {
+pub(super) struct Refused<const C: usize> {
     pub(super) states: Vec<State<C>>,
-    pub(super) at: PieceState<D, C>,
+    pub(super) at: PieceState<C>,
     /// Whether the violation is small enough to be rounding.
     doubtful: bool,
 }
 
 /// Checks every inequality for a solution of the piece with these states.
-pub(super) fn admit<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
+pub(super) fn admit<const C: usize>(
+    problem: &Problem<C>,
     states: Vec<State<C>>,
-    piece: &Piece<D, C>,
-    at: PieceState<D, C>,
-) -> Result<Found<D, C>, Refused<D, C>> {
+    piece: &Piece<C>,
+    at: PieceState<C>,
+) -> Result<Found<C>, Refused<C>> {
     let mut worst = violation(problem, &states, &at);
     let growth = OnceCell::new();
     // Most verdicts do not depend on the growth of errors, which costs as much as the factorisation: it is computed on demand.
@@ -112,11 +109,11 @@ pub(super) fn admit<D: Size, const C: usize>(
 }
 
 /// Checks balanced forces of a regular piece: it has one solution, and rounding does not grow in it.
-pub(super) fn admit_regular<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
+pub(super) fn admit_regular<const C: usize>(
+    problem: &Problem<C>,
     states: Vec<State<C>>,
-    state: PieceState<D, C>,
-) -> Option<Found<D, C>> {
+    state: PieceState<C>,
+) -> Option<Found<C>> {
     let mut holds = true;
     for_each_condition(problem, &states, &state.forces, &state.twist, |value, size| {
         // This comparison also refuses NaN.
@@ -126,10 +123,10 @@ pub(super) fn admit_regular<D: Size, const C: usize>(
 }
 
 /// The contacts that break a condition of their states by more than rounding.
-pub(super) fn breaking<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
+pub(super) fn breaking<const C: usize>(
+    problem: &Problem<C>,
     states: &[State<C>],
-    at: &PieceState<D, C>,
+    at: &PieceState<C>,
 ) -> Vec<usize> {
     let largest = problem.largest_force(&at.forces, &at.twist);
     let norm = at.twist.norm();
@@ -145,11 +142,11 @@ pub(super) fn breaking<D: Size, const C: usize>(
 }
 
 /// Calls `visit(value, size)` for every condition `value >= 0` of all contacts.
-pub(crate) fn for_each_condition<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
+pub(crate) fn for_each_condition<const C: usize>(
+    problem: &Problem<C>,
     states: &[State<C>],
     forces: &[SVector<f64, C>],
-    twist: &Vector<D>,
+    twist: &Vector,
     mut visit: impl FnMut(f64, f64),
 ) {
     let (largest, norm) = (problem.largest_force(forces, twist), twist.norm());
@@ -161,21 +158,17 @@ pub(crate) fn for_each_condition<D: Size, const C: usize>(
 
 /// `|Σ G_i F_i + W|` over the sum of the sizes of its terms. Where commands alone move a statically determinate grasp, no force changes.
 /// Its forces are rounding. The sizes therefore include the part `NO_FORCE` of the least force that its springs could have.
-fn out_of_balance<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
-    forces: &[SVector<f64, C>],
-    twist: &Vector<D>,
-) -> f64 {
+fn out_of_balance<const C: usize>(problem: &Problem<C>, forces: &[SVector<f64, C>], twist: &Vector) -> f64 {
     let (left, carried) = problem.imbalance(forces);
     let size = problem.largest_force(forces, twist) + carried;
     if size > 0.0 { left / size } else { 0.0 }
 }
 
 /// Values and sizes of all inequalities.
-fn slacks<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
+fn slacks<const C: usize>(
+    problem: &Problem<C>,
     states: &[State<C>],
-    at: &PieceState<D, C>,
+    at: &PieceState<C>,
 ) -> (Vec<f64>, Vec<f64>) {
     let (mut values, mut sizes) = (Vec::new(), Vec::new());
     for_each_condition(problem, states, &at.forces, &at.twist, |value, size| {
@@ -186,11 +179,7 @@ fn slacks<D: Size, const C: usize>(
 }
 
 /// The worst violation of an inequality, relative to its size; infinite where a value is NaN.
-fn violation<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
-    states: &[State<C>],
-    at: &PieceState<D, C>,
-) -> f64 {
+fn violation<const C: usize>(problem: &Problem<C>, states: &[State<C>], at: &PieceState<C>) -> f64 {
     let mut worst = 0.0;
     for_each_condition(problem, states, &at.forces, &at.twist, |value, size| {
         worst = worse(worst, value, size);
@@ -210,12 +199,12 @@ fn worse(worst: f64, value: f64, size: f64) -> f64 {
 /// ```
 ///
 /// AAᵀ is positive semidefinite, so Lemke finds λ whenever the inequalities can be met.
-fn least_admissible_shift<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
+fn least_admissible_shift<const C: usize>(
+    problem: &Problem<C>,
     states: &[State<C>],
     values: &[f64],
     sizes: &[f64],
-    motions: &[(Vector<D>, Vec<SVector<f64, C>>)],
+    motions: &[(Vector, Vec<SVector<f64, C>>)],
 ) -> Option<DVector<f64>> {
     let b = DVector::from_iterator(values.len(), values.iter().zip(sizes).map(|(value, size)| value / size));
     let mut a = DMatrix::zeros(b.len(), motions.len());

@@ -10,17 +10,13 @@ use super::rungs::{
 };
 use super::scene::{Attempt, Log, TrialScene};
 use super::settings::Settings;
-use crate::numerics::Size;
 use crate::object::Problem;
 
-type TryRung<D, const C: usize> = fn(&TrialScene<'_, '_, D, C>, &mut Log) -> Attempt<D, C>;
+type TryRung<const C: usize> = fn(&TrialScene<'_, '_, C>, &mut Log) -> Attempt<C>;
 
 /// Tries the elastic trial, then rung by rung until a solution or a proof is found.
-pub(crate) fn settle<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
-    settings: &Settings,
-) -> (Settled<D, C>, Effort) {
-    let ladder: [TryRung<D, C>; 14] = [
+pub(crate) fn settle<const C: usize>(problem: &Problem<C>, settings: &Settings) -> (Settled<C>, Effort) {
+    let ladder: [TryRung<C>; 14] = [
         touching_contacts_stick,
         newton_on_answers,
         newton_on_the_round_cone,

@@ -15,7 +15,7 @@ use nalgebra::{DMatrix, DVector, SVector};
 use super::answer::Found;
 use super::candidate::for_each_condition;
 use crate::contact::ZERO_SLACK;
-use crate::numerics::{NearestPoint, Size, Vector};
+use crate::numerics::{NearestPoint, Vector};
 use crate::object::Problem;
 use crate::prelude::*;
 
@@ -29,21 +29,18 @@ const DEPENDENT: f64 = 1e-9;
 const NO_PLACE: f64 = 1e-9;
 
 /// The solution with the shortest admissible part along its free motions.
-pub(super) fn at_the_least_motion<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
-    mut found: Found<D, C>,
-) -> Found<D, C> {
+pub(super) fn at_the_least_motion<const C: usize>(problem: &Problem<C>, mut found: Found<C>) -> Found<C> {
     // On the round cone conditions along a slide are not linear, as the direction depends on the slip.
     if found.free_motions.is_empty() || found.states.iter().any(|state| state.slide().is_some()) {
         return found;
     }
-    let along = |twist: Vector<D>, v: &Vector<D>| {
+    let along = |twist: Vector, v: &Vector| {
         let part = v.dot(&twist);
         twist - v * part
     };
     let base = found.free_motions.iter().fold(found.twist.clone(), along);
     let base = &base + to_what_touches(problem, &found, &base);
-    let conditions = |problem: &Problem<D, C>, forces: &[SVector<f64, C>], twist: &Vector<D>| {
+    let conditions = |problem: &Problem<C>, forces: &[SVector<f64, C>], twist: &Vector| {
         let mut list = Vec::new();
         for_each_condition(problem, &found.states, forces, twist, |value, size| list.push((value, size)));
         list
@@ -67,11 +64,7 @@ pub(super) fn at_the_least_motion<D: Size, const C: usize>(
 }
 
 /// The free motion, shortest in least squares, that closes the gaps of open contacts which touched before anything moved.
-fn to_what_touches<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
-    found: &Found<D, C>,
-    base: &Vector<D>,
-) -> Vector<D> {
+fn to_what_touches<const C: usize>(problem: &Problem<C>, found: &Found<C>, base: &Vector) -> Vector {
     let touches = |i: &usize| {
         let reach = problem.drives[*i][0];
         let open = found.states[*i].is_open() && problem.local(*i).may_open();

@@ -1,7 +1,6 @@
 //! Small changes of the states of many contacts: neighbours of contacts, and states without loose motions.
 
 use crate::contact::{Mode, State};
-use crate::numerics::Size;
 use crate::object::Problem;
 use crate::prelude::*;
 
@@ -9,7 +8,7 @@ use crate::prelude::*;
 const ROUNDS: usize = 8;
 
 /// The contacts that share a coordinate with one of `among`, these included, in order.
-pub(super) fn beside<D: Size, const C: usize>(problem: &Problem<D, C>, among: &[usize]) -> Vec<usize> {
+pub(super) fn beside<const C: usize>(problem: &Problem<C>, among: &[usize]) -> Vec<usize> {
     let felt = |i: usize| problem.sites[i].support.ranges::<C>().into_iter().flatten();
     let mut is_near = vec![false; problem.size().count()];
     among.iter().flat_map(|i| felt(*i)).for_each(|k| is_near[k] = true);
@@ -18,8 +17,8 @@ pub(super) fn beside<D: Size, const C: usize>(problem: &Problem<D, C>, among: &[
 
 /// The states, with further contacts sticking until no motion is loose. For each loose motion the contact with the largest displacement sticks,
 /// among the contacts that do not. `None` if motions are still loose after all rounds.
-pub(super) fn regular<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
+pub(super) fn regular<const C: usize>(
+    problem: &Problem<C>,
     mut states: Vec<State<C>>,
 ) -> Option<Vec<State<C>>> {
     for _ in 0..ROUNDS {

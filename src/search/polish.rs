@@ -8,7 +8,7 @@ use super::answer::Found;
 use super::candidate::{Judged, try_states};
 use super::round_pieces::RoundPieces;
 use crate::contact::State;
-use crate::numerics::{PartialPivoting, Size, Vector};
+use crate::numerics::{PartialPivoting, Vector};
 use crate::object::{Piece, PieceState, Problem, balance, tangent_stiffness};
 use crate::prelude::*;
 
@@ -16,10 +16,7 @@ use crate::prelude::*;
 const NEAR: f64 = 1e-12;
 
 /// Accepts a proposal that holds: the polygon's solution, or on the round cone the solution that Newton's method reaches from it.
-pub(super) fn accept<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
-    states: Vec<State<C>>,
-) -> Judged<D, C> {
+pub(super) fn accept<const C: usize>(problem: &Problem<C>, states: Vec<State<C>>) -> Judged<C> {
     if !problem.round {
         return try_states(problem, states);
     }
@@ -33,10 +30,10 @@ pub(super) fn accept<D: Size, const C: usize>(
 }
 
 /// The solution of the polygon's piece with these states, whether or not every inequality holds: the start of Newton's method.
-pub(crate) fn solution_near<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
+pub(crate) fn solution_near<const C: usize>(
+    problem: &Problem<C>,
     states: &[State<C>],
-) -> Option<PieceState<D, C>> {
+) -> Option<PieceState<C>> {
     if let Some(near) = regular_solution(problem, states) {
         return Some(near);
     }
@@ -50,10 +47,7 @@ pub(crate) fn solution_near<D: Size, const C: usize>(
 }
 
 /// The solution of a piece whose tangent stiffness is regular.
-fn regular_solution<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
-    states: &[State<C>],
-) -> Option<PieceState<D, C>> {
+fn regular_solution<const C: usize>(problem: &Problem<C>, states: &[State<C>]) -> Option<PieceState<C>> {
     let springs: Vec<_> =
         problem.locals().zip(states).map(|(local, state)| local.tangent(state).matrix()).collect();
     let tangent = PartialPivoting::new(&tangent_stiffness(problem.sites, |i| springs[i]))?;
@@ -64,19 +58,16 @@ fn regular_solution<D: Size, const C: usize>(
 }
 
 /// The solution on the round cone that Newton's method finds from a twist.
-pub(super) fn polish_from<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
-    twist: Vector<D>,
-) -> Option<Found<D, C>> {
+pub(super) fn polish_from<const C: usize>(problem: &Problem<C>, twist: Vector) -> Option<Found<C>> {
     RoundPieces::arrived(problem, twist)?.solve(problem)
 }
 
 /// The solution on the round cone near one on the polygon with these states, if Newton's method finds it.
-pub(crate) fn polish<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
+pub(crate) fn polish<const C: usize>(
+    problem: &Problem<C>,
     states: &[State<C>],
-    near: &PieceState<D, C>,
-) -> Option<Found<D, C>> {
+    near: &PieceState<C>,
+) -> Option<Found<C>> {
     let found = RoundPieces::arrived(problem, near.twist.clone())
         .and_then(|arrived| arrived.solve(problem))
         .or_else(|| RoundPieces::on_polygons(problem, states, near).solve(problem))?;

@@ -10,7 +10,6 @@ use super::tree::most_cases;
 use crate::contact::State;
 use crate::forms::Form;
 use crate::lcp::{self, Basis, Outcome};
-use crate::numerics::Size;
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::structured;
@@ -29,25 +28,25 @@ pub(super) const MOST_WORK: usize = 500_000_000;
 
 /// Whether one path on a dense matrix with `times` the rows of the kinematic form is affordable. A path takes about as many
 /// pivots as there are rows.
-pub(crate) fn dense_is_affordable<D: Size, const C: usize>(problem: &Problem<D, C>, times: usize) -> bool {
+pub(crate) fn dense_is_affordable<const C: usize>(problem: &Problem<C>, times: usize) -> bool {
     let rows = problem.locals().map(|local| local.pairs()).sum::<usize>();
     (times * rows).pow(3) <= MOST_WORK
 }
 
 /// Whether every combination of contact states may be tried.
-pub(super) fn enumerable<D: Size, const C: usize>(problem: &Problem<D, C>, settings: &Settings) -> bool {
+pub(super) fn enumerable<const C: usize>(problem: &Problem<C>, settings: &Settings) -> bool {
     combinations(problem) <= settings.most_states as f64
 }
 
 /// A rule that proposes contact states, or `None` where it finds none.
-type Propose<'p, D, const C: usize> = dyn Fn(&Problem<D, C>, &mut Log) -> Option<Vec<State<C>>> + 'p;
+type Propose<'p, const C: usize> = dyn Fn(&Problem<C>, &mut Log) -> Option<Vec<State<C>>> + 'p;
 
 /// Proposes states, solves the piece with these states and checks it; on the round cone Newton's method continues from there.
-pub(super) fn climb<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
-    propose: &Propose<'_, D, C>,
+pub(super) fn climb<const C: usize>(
+    problem: &Problem<C>,
+    propose: &Propose<'_, C>,
     log: &mut Log,
-) -> Option<Found<D, C>> {
+) -> Option<Found<C>> {
     let proposed = propose(problem, log)?;
     if !problem.round {
         return match try_states(problem, proposed) {
@@ -64,9 +63,9 @@ pub(super) fn climb<D: Size, const C: usize>(
 }
 
 /// Contact states from Lemke's method on lists of contact states.
-pub(super) fn propose_structured<D: Size, const C: usize>(
-    scene: &TrialScene<'_, '_, D, C>,
-    problem: &Problem<D, C>,
+pub(super) fn propose_structured<const C: usize>(
+    scene: &TrialScene<'_, '_, C>,
+    problem: &Problem<C>,
     log: &mut Log,
 ) -> Option<Vec<State<C>>> {
     let max_pivots = scene.settings.max_pivots;
@@ -81,11 +80,11 @@ pub(super) fn propose_structured<D: Size, const C: usize>(
 }
 
 /// Contact states from Lemke's method on a complementarity problem with a dense matrix.
-pub(super) fn propose_dense<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
+pub(super) fn propose_dense<const C: usize>(
+    problem: &Problem<C>,
     settings: &Settings,
     (form, most_work): (Option<Form>, usize),
-    states: fn(&Problem<D, C>, &Form, &Basis) -> Vec<State<C>>,
+    states: fn(&Problem<C>, &Form, &Basis) -> Vec<State<C>>,
     log: &mut Log,
 ) -> Option<Vec<State<C>>> {
     let form = form?;

@@ -19,7 +19,7 @@
 use nalgebra::SVector;
 
 use crate::contact::HullRay;
-use crate::numerics::{NearestPoint, Size, Vector};
+use crate::numerics::{NearestPoint, Vector};
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 use crate::proofs::{ESCAPE, LEAST_WORK};
@@ -60,11 +60,7 @@ pub(super) enum Relaxed<const C: usize> {
 
 impl<const C: usize> BalanceEquation<C> {
     /// The equation of a scene with its elastic trial; `None` where the trial carries no force.
-    pub(super) fn new<D: Size>(
-        problem: &Problem<D, C>,
-        trial: &Piece<D, C>,
-        state: &PieceState<D, C>,
-    ) -> Option<Self> {
+    pub(super) fn new(problem: &Problem<C>, trial: &Piece<C>, state: &PieceState<C>) -> Option<Self> {
         let size = C * problem.len();
         let roots: Vec<_> = problem.sites.iter().map(|site| site.springs.root()).collect();
         let energy = |(root, force): (&SVector<f64, C>, &SVector<f64, C>)| {
@@ -202,11 +198,11 @@ impl<const C: usize> BalanceEquation<C> {
     }
 
     /// The contradiction of a case: a virtual motion and self-balanced virtual forces, from the residual.
-    pub(super) fn contradiction<D: Size>(
+    pub(super) fn contradiction(
         &self,
-        trial: &Piece<D, C>,
+        trial: &Piece<C>,
         nearest: &NearestPoint<Tag>,
-    ) -> (Vector<D>, Vec<SVector<f64, C>>) {
+    ) -> (Vector, Vec<SVector<f64, C>>) {
         let y = nearest.residual();
         let mut projected = Vec::new();
         self.projected(y, &mut projected);

@@ -12,7 +12,6 @@ use super::touching::touching_contacts;
 use super::tree::{Tree, has_round_cones, most_cases, search_tree};
 use crate::contact::State;
 use crate::forms;
-use crate::numerics::Size;
 use crate::object::{Problem, twist_by_given_limits};
 use crate::prelude::*;
 use crate::proofs;
@@ -23,35 +22,32 @@ use crate::structured::propose_by_newton;
 const STRUCTURED_FROM: usize = 8;
 
 /// Contacts that would pull are open; all others stick.
-pub(super) fn touching_contacts_stick<D: Size, const C: usize>(
-    scene: &TrialScene<'_, '_, D, C>,
+pub(super) fn touching_contacts_stick<const C: usize>(
+    scene: &TrialScene<'_, '_, C>,
     _: &mut Log,
-) -> Attempt<D, C> {
+) -> Attempt<C> {
     let found = touching_contacts(scene.problem, scene.unjumped.clone(), scene.state.clone());
     Attempt::by(Rung::EverythingTouchingSticks, found)
 }
 
 /// Newton's method on the contacts' forces as functions of the object's motion, for many contacts.
-pub(super) fn newton_on_answers<D: Size, const C: usize>(
-    scene: &TrialScene<'_, '_, D, C>,
-    log: &mut Log,
-) -> Attempt<D, C> {
+pub(super) fn newton_on_answers<const C: usize>(scene: &TrialScene<'_, '_, C>, log: &mut Log) -> Attempt<C> {
     if scene.problem.len() < MANY {
         return Attempt::Nothing;
     }
-    let propose = |problem: &Problem<D, C>, _: &mut Log| propose_by_newton(problem);
+    let propose = |problem: &Problem<C>, _: &mut Log| propose_by_newton(problem);
     Attempt::by(Rung::Newton, climb(scene.proposing(), &propose, log))
 }
 
 /// Lemke's method on the kinematic form, on lists of contact states: a pivot costs a few numbers a contact.
-pub(super) fn kinematic_form_on_states<D: Size, const C: usize>(
-    scene: &TrialScene<'_, '_, D, C>,
+pub(super) fn kinematic_form_on_states<const C: usize>(
+    scene: &TrialScene<'_, '_, C>,
     log: &mut Log,
-) -> Attempt<D, C> {
+) -> Attempt<C> {
     if scene.problem.len() < STRUCTURED_FROM {
         return Attempt::Nothing;
     }
-    let propose = |problem: &Problem<D, C>, log: &mut Log| propose_structured(scene, problem, log);
+    let propose = |problem: &Problem<C>, log: &mut Log| propose_structured(scene, problem, log);
     let found = climb(scene.proposing(), &propose, log).or_else(|| {
         let with_edges = scene.with_edges().filter(|_| !dense_is_affordable(scene.proposing(), 1))?;
         climb(with_edges, &propose, log)
@@ -60,22 +56,19 @@ pub(super) fn kinematic_form_on_states<D: Size, const C: usize>(
 }
 
 /// Lemke's method on the kinematic form of the few contacts that leave the trial, where the object has many coordinates (banded stiffness).
-pub(super) fn kinematic_form_of_a_few<D: Size, const C: usize>(
-    scene: &TrialScene<'_, '_, D, C>,
+pub(super) fn kinematic_form_of_a_few<const C: usize>(
+    scene: &TrialScene<'_, '_, C>,
     log: &mut Log,
-) -> Attempt<D, C> {
+) -> Attempt<C> {
     if !scene.trial.is_banded() {
         return Attempt::Nothing;
     }
-    let propose = |problem: &Problem<D, C>, log: &mut Log| propose_of_a_few(scene, problem, log);
+    let propose = |problem: &Problem<C>, log: &mut Log| propose_of_a_few(scene, problem, log);
     Attempt::by(Rung::KinematicForm, climb(scene.proposing(), &propose, log))
 }
 
 /// In rates at a limit load: all contacts on an edge slide, and nothing resists a motion on which the load works.
-pub(super) fn everything_yields<D: Size, const C: usize>(
-    scene: &TrialScene<'_, '_, D, C>,
-    _: &mut Log,
-) -> Attempt<D, C> {
+pub(super) fn everything_yields<const C: usize>(scene: &TrialScene<'_, '_, C>, _: &mut Log) -> Attempt<C> {
     if !scene.problem.locals().any(|local| local.is_on_an_edge()) {
         return Attempt::Nothing;
     }
@@ -84,26 +77,26 @@ pub(super) fn everything_yields<D: Size, const C: usize>(
 }
 
 /// With many coordinates a separating motion is cheaper than any path, and its absence is soon known.
-pub(super) fn separating_motion_in_a_band<D: Size, const C: usize>(
-    scene: &TrialScene<'_, '_, D, C>,
+pub(super) fn separating_motion_in_a_band<const C: usize>(
+    scene: &TrialScene<'_, '_, C>,
     _: &mut Log,
-) -> Attempt<D, C> {
+) -> Attempt<C> {
     let motion = scene.trial.is_banded().then(|| proofs::separating_motion_in_a_band(scene.proposing()));
     motion.flatten().map_or(Attempt::Nothing, |motion| Attempt::Proof(Settled::Separating(motion)))
 }
 
 /// With many contacts a separating motion is cheaper than any path.
-pub(super) fn separating_motion_of_many<D: Size, const C: usize>(
-    scene: &TrialScene<'_, '_, D, C>,
+pub(super) fn separating_motion_of_many<const C: usize>(
+    scene: &TrialScene<'_, '_, C>,
     log: &mut Log,
-) -> Attempt<D, C> {
+) -> Attempt<C> {
     if scene.problem.len() < MANY { Attempt::Nothing } else { separating_motion(scene, log) }
 }
 
 /// Contact states from Lemke's method on the dense kinematic form.
-fn propose_kinematic<D: Size, const C: usize>(
-    scene: &TrialScene<'_, '_, D, C>,
-    problem: &Problem<D, C>,
+fn propose_kinematic<const C: usize>(
+    scene: &TrialScene<'_, '_, C>,
+    problem: &Problem<C>,
     log: &mut Log,
 ) -> Option<Vec<State<C>>> {
     let form = forms::kinematic_form(problem, &scene.trial, &scene.state);
@@ -111,34 +104,28 @@ fn propose_kinematic<D: Size, const C: usize>(
 }
 
 /// Lemke's method on the kinematic form with a dense matrix.
-pub(super) fn kinematic_form<D: Size, const C: usize>(
-    scene: &TrialScene<'_, '_, D, C>,
-    log: &mut Log,
-) -> Attempt<D, C> {
+pub(super) fn kinematic_form<const C: usize>(scene: &TrialScene<'_, '_, C>, log: &mut Log) -> Attempt<C> {
     // With too many contacts the dense form adds nothing to the lists of states.
     if scene.problem.len() >= MANY && !dense_is_affordable(scene.proposing(), 1) {
         return Attempt::Stop;
     }
-    let propose = |problem: &Problem<D, C>, log: &mut Log| propose_kinematic(scene, problem, log);
+    let propose = |problem: &Problem<C>, log: &mut Log| propose_kinematic(scene, problem, log);
     Attempt::by(Rung::KinematicForm, climb(scene.proposing(), &propose, log))
 }
 
 /// The kinematic form once more, with facets for infinite friction.
-pub(super) fn kinematic_form_with_edges<D: Size, const C: usize>(
-    scene: &TrialScene<'_, '_, D, C>,
+pub(super) fn kinematic_form_with_edges<const C: usize>(
+    scene: &TrialScene<'_, '_, C>,
     log: &mut Log,
-) -> Attempt<D, C> {
-    let propose = |problem: &Problem<D, C>, log: &mut Log| propose_kinematic(scene, problem, log);
+) -> Attempt<C> {
+    let propose = |problem: &Problem<C>, log: &mut Log| propose_kinematic(scene, problem, log);
     let found = scene.with_edges().and_then(|with_edges| climb(with_edges, &propose, log));
     Attempt::by(Rung::KinematicForm, found)
 }
 
 /// Lemke's method on the force form.
-pub(super) fn force_form<D: Size, const C: usize>(
-    scene: &TrialScene<'_, '_, D, C>,
-    log: &mut Log,
-) -> Attempt<D, C> {
-    let propose = |problem: &Problem<D, C>, log: &mut Log| {
+pub(super) fn force_form<const C: usize>(scene: &TrialScene<'_, '_, C>, log: &mut Log) -> Attempt<C> {
+    let propose = |problem: &Problem<C>, log: &mut Log| {
         propose_dense(
             problem,
             scene.settings,
@@ -151,19 +138,16 @@ pub(super) fn force_form<D: Size, const C: usize>(
 }
 
 /// A motion that separates the load from all admissible contact forces.
-pub(super) fn separating_motion<D: Size, const C: usize>(
-    scene: &TrialScene<'_, '_, D, C>,
-    _: &mut Log,
-) -> Attempt<D, C> {
+pub(super) fn separating_motion<const C: usize>(scene: &TrialScene<'_, '_, C>, _: &mut Log) -> Attempt<C> {
     let motion = proofs::separating_motion(scene.proposing());
     motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(Settled::Separating(motion)))
 }
 
 /// Newton's method on the round cone, from the elastic trial state.
-pub(super) fn newton_on_the_round_cone<D: Size, const C: usize>(
-    scene: &TrialScene<'_, '_, D, C>,
+pub(super) fn newton_on_the_round_cone<const C: usize>(
+    scene: &TrialScene<'_, '_, C>,
     _: &mut Log,
-) -> Attempt<D, C> {
+) -> Attempt<C> {
     if !has_round_cones(scene.problem) {
         return Attempt::Nothing;
     }
@@ -174,10 +158,7 @@ pub(super) fn newton_on_the_round_cone<D: Size, const C: usize>(
 }
 
 /// On the round cone: branch and bound over contact states and directions of friction.
-pub(super) fn every_case<D: Size, const C: usize>(
-    scene: &TrialScene<'_, '_, D, C>,
-    log: &mut Log,
-) -> Attempt<D, C> {
+pub(super) fn every_case<const C: usize>(scene: &TrialScene<'_, '_, C>, log: &mut Log) -> Attempt<C> {
     let most = most_cases(scene.problem, scene.settings);
     if most == 0 {
         return Attempt::Nothing;
@@ -193,10 +174,7 @@ pub(super) fn every_case<D: Size, const C: usize>(
 }
 
 /// Every combination of contact states, where they are few.
-pub(super) fn every_combination<D: Size, const C: usize>(
-    scene: &TrialScene<'_, '_, D, C>,
-    log: &mut Log,
-) -> Attempt<D, C> {
+pub(super) fn every_combination<const C: usize>(scene: &TrialScene<'_, '_, C>, log: &mut Log) -> Attempt<C> {
     let problem = scene.proposing();
     // A proof on the polygon says nothing about the round cone.
     if has_round_cones(problem) || !enumerable(problem, scene.settings) {

@@ -3,7 +3,6 @@
 use super::answer::Found;
 use super::candidate::admit;
 use crate::contact::{Mode, State};
-use crate::numerics::Size;
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
@@ -15,11 +14,11 @@ const ROUNDS: usize = 20;
 /// Opens contacts that pull and closes contacts that penetrate, starting from these states and their solution, until neither are left.
 /// The result is accepted if it satisfies every condition. A finger far out of reach thus does not lead to another
 /// equilibrium than the grasp without it.
-pub(super) fn touching_contacts<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
+pub(super) fn touching_contacts<const C: usize>(
+    problem: &Problem<C>,
     mut states: Vec<State<C>>,
-    trial: PieceState<D, C>,
-) -> Option<Found<D, C>> {
+    trial: PieceState<C>,
+) -> Option<Found<C>> {
     let mut solved = trial;
     // `piece` stays empty in the first round: the initial states have already failed.
     let mut piece = None;

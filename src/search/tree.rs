@@ -14,7 +14,7 @@ use super::polish::polish_from;
 use super::relaxed::{BalanceEquation, Relaxed, Tag};
 use super::settings::Settings;
 use crate::contact::{HullRay, Label, LocalLaw};
-use crate::numerics::{NearestPoint, Size, Vector};
+use crate::numerics::{NearestPoint, Vector};
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 use crate::proofs::ProofStep;
@@ -35,8 +35,8 @@ const MOST_CONTACTS: usize = 32;
 
 /// The end of the search.
 #[derive(Debug, Clone)]
-pub(super) enum Tree<D: Size, const C: usize> {
-    Found(Found<D, C>),
+pub(super) enum Tree<const C: usize> {
+    Found(Found<C>),
     /// Each case is contradicted. An escape from this proof is larger than the data by the factor `escape`.
     Contradicted {
         cases: usize,
@@ -57,13 +57,13 @@ struct Case<const C: usize> {
 
 /// Whether friction may have every direction on a circle. Without round cones the polygons decide completely, and rates on an
 /// edge are on a facet.
-pub(super) fn has_round_cones<D: Size, const C: usize>(problem: &Problem<D, C>) -> bool {
+pub(super) fn has_round_cones<const C: usize>(problem: &Problem<C>) -> bool {
     problem.locals().any(|local| local.is_round()) && !problem.locals().any(|local| local.is_on_an_edge())
 }
 
 /// The number of cases that costs as much as [`Settings::most_states`] combinations of contact states. Zero where nothing can be divided, or
 /// with too many contacts.
-pub(super) fn most_cases<D: Size, const C: usize>(problem: &Problem<D, C>, settings: &Settings) -> usize {
+pub(super) fn most_cases<const C: usize>(problem: &Problem<C>, settings: &Settings) -> usize {
     if problem.len() > MOST_CONTACTS || !has_round_cones(problem) {
         return 0;
     }
@@ -72,13 +72,13 @@ pub(super) fn most_cases<D: Size, const C: usize>(problem: &Problem<D, C>, setti
 }
 
 /// Searches every case, at most `most_cases`.
-pub(super) fn search_tree<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
-    trial: &Piece<D, C>,
-    state: &PieceState<D, C>,
+pub(super) fn search_tree<const C: usize>(
+    problem: &Problem<C>,
+    trial: &Piece<C>,
+    state: &PieceState<C>,
     most_cases: usize,
-    mut record: Option<&mut Vec<ProofStep<D, C>>>,
-) -> Tree<D, C> {
+    mut record: Option<&mut Vec<ProofStep<C>>>,
+) -> Tree<C> {
     let Some(balance) = BalanceEquation::new(problem, trial, state) else {
         return Tree::Unresolved(Doubt::RayWithoutProof);
     };
@@ -139,10 +139,10 @@ pub(super) fn search_tree<D: Size, const C: usize>(
 }
 
 /// The steps of a proof that there is no equilibrium, if the tree finds one, with the number of cases.
-pub(crate) fn refute<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
+pub(crate) fn refute<const C: usize>(
+    problem: &Problem<C>,
     settings: &Settings,
-) -> Option<(Vec<ProofStep<D, C>>, usize)> {
+) -> Option<(Vec<ProofStep<C>>, usize)> {
     let most = most_cases(problem, settings);
     if most == 0 {
         return None;
@@ -157,8 +157,8 @@ pub(crate) fn refute<D: Size, const C: usize>(
 }
 
 /// The contact whose force is farthest from its law at its stretch, and that distance.
-fn farthest_from_the_law<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
+fn farthest_from_the_law<const C: usize>(
+    problem: &Problem<C>,
     balance: &BalanceEquation<C>,
     labels: &[Label],
     stretches: &[SVector<f64, C>],

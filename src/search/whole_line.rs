@@ -9,7 +9,6 @@ use super::answer::Found;
 use super::candidate::{Judged, try_states};
 use super::least_motion::at_the_least_motion;
 use crate::contact::{Line, Mode, State, WEIGHTLESS};
-use crate::numerics::Size;
 use crate::object::Problem;
 use crate::prelude::*;
 
@@ -18,20 +17,17 @@ const SAME: f64 = 1e-9;
 
 /// The same forces in states that show the free motions: contacts on an edge of their cone slide, contacts without force part. `found` itself if
 /// these states do not hold.
-pub(crate) fn on_the_whole_line<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
-    found: Found<D, C>,
-) -> Found<D, C> {
+pub(crate) fn on_the_whole_line<const C: usize>(problem: &Problem<C>, found: Found<C>) -> Found<C> {
     // In space, springs across the slip resist; in the plane no tangential direction is left.
     if C > 2 {
         return found;
     }
     let Some(states) = yielding(problem, &found) else { return found };
     let largest = problem.largest_force(&found.forces, &found.twist);
-    let are_the_same = |other: &Found<D, C>| {
+    let are_the_same = |other: &Found<C>| {
         found.forces.iter().zip(&other.forces).all(|(f, g)| (f - g).norm() <= SAME * largest)
     };
-    let free = |other: &Found<D, C>| other.free_motions.len();
+    let free = |other: &Found<C>| other.free_motions.len();
     match try_states(problem, states) {
         Judged::Holds(other) if free(&other) > free(&found) && are_the_same(&other) => {
             at_the_least_motion(problem, other)
@@ -41,7 +37,7 @@ pub(crate) fn on_the_whole_line<D: Size, const C: usize>(
 }
 
 /// The states in which every sticking contact that may yield does: without force it opens, on an edge it slides. `None` if no contact may.
-fn yielding<D: Size, const C: usize>(problem: &Problem<D, C>, found: &Found<D, C>) -> Option<Vec<State<C>>> {
+fn yielding<const C: usize>(problem: &Problem<C>, found: &Found<C>) -> Option<Vec<State<C>>> {
     let largest = found.forces.iter().map(Matrix::norm).fold(problem.wrench.norm(), f64::max);
     let mut states = found.states.clone();
     let mut any = false;

@@ -11,17 +11,16 @@ use super::least_motion::at_the_least_motion;
 use super::settings::Settings;
 use super::whole_line::on_the_whole_line;
 use crate::contact::{ActiveSet, Mode, WEIGHTLESS};
-use crate::numerics::Size;
 use crate::object::{Piece, PieceState, Problem};
 
 /// Forces that differ by less than this part of the largest are the same.
 const SAME: f64 = 1e-9;
 
 /// [`settle`] for a problem at rest.
-pub(crate) fn settle_at_rest<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
+pub(crate) fn settle_at_rest<const C: usize>(
+    problem: &Problem<C>,
     settings: &Settings,
-) -> (Settled<D, C>, Effort) {
+) -> (Settled<C>, Effort) {
     match settle(problem, settings) {
         (Settled::Found(found, rung), effort) => {
             let found = match opened(problem, &found) {
@@ -35,10 +34,7 @@ pub(crate) fn settle_at_rest<D: Size, const C: usize>(
 }
 
 /// A solution with its twist, and with the states and free motions that are reported of a problem at rest.
-pub(crate) fn told_at_rest<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
-    found: Found<D, C>,
-) -> Found<D, C> {
+pub(crate) fn told_at_rest<const C: usize>(problem: &Problem<C>, found: Found<C>) -> Found<C> {
     let open = opened(problem, &found).unwrap_or_else(|| found.clone());
     let told = on_the_whole_line(problem, open);
     Found { twist: found.twist, sizes: found.sizes, ..told }
@@ -46,7 +42,7 @@ pub(crate) fn told_at_rest<D: Size, const C: usize>(
 
 /// The same forces with all contacts open that carry none; `None` if there is no such contact. `None` also if no contact carries a force, since
 /// nothing then defines a small force.
-fn opened<D: Size, const C: usize>(problem: &Problem<D, C>, found: &Found<D, C>) -> Option<Found<D, C>> {
+fn opened<const C: usize>(problem: &Problem<C>, found: &Found<C>) -> Option<Found<C>> {
     let largest = found.forces.iter().map(Matrix::norm).fold(0.0, f64::max);
     // The scale is the largest span of all contacts: the own span of a contact without motion is zero.
     let spans = (0..problem.len()).map(|i| problem.span(i, &found.twist));

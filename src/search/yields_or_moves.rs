@@ -8,7 +8,7 @@ use nalgebra::SVector;
 use super::enumerate::search;
 use crate::contact::{Law, LocalLaw, tangential};
 use crate::grasp::{Contact, Engine, Site, Wrench};
-use crate::numerics::{Draw, Fixed, Size, Vector};
+use crate::numerics::{Draw, Vector};
 use crate::prelude::*;
 use crate::proofs::yields;
 use crate::{Fit, PolygonCone, planar, spatial};
@@ -53,12 +53,12 @@ fn law<const C: usize>(draw: &mut Draw, normals: &[SVector<f64, C>], slip: &SVec
     }
 }
 
-fn ask<D: Size, const C: usize>(grasp: &Engine<D, C>, along: &Wrench<C>, draw: &mut Draw, count: &mut Count) {
+fn ask<const C: usize>(grasp: &Engine<C>, along: &Wrench<C>, draw: &mut Draw, count: &mut Count) {
     let cone = PolygonCone::new(4, Fit::Circumscribed).expect("four facets");
     let mut rates = grasp.on_polygons(along, &cone).expect("a load");
     rates.trial = None;
     let motion = rates.wrench.clone();
-    let mut of = |local: LocalLaw<'_, C>, site: &Site<D, C>| {
+    let mut of = |local: LocalLaw<'_, C>, site: &Site<C>| {
         law(draw, &local.polygon.normals, &-tangential(&site.map.tr_mul(&motion)))
     };
     rates.laws = rates.locals().zip(rates.sites).map(|(local, site)| of(local, site)).collect();
@@ -91,7 +91,7 @@ fn in_the_plane() {
                 .friction(0.25 * (1.0 + whole(&mut draw, 3.0).abs()))
         };
         let contacts: Vec<_> = (0..number).map(contact).collect();
-        let grasp = Engine::<Fixed<3>, 2>::new(contacts).expect("valid");
+        let grasp = Engine::<2>::new(contacts).expect("valid");
         ask(&grasp, &planar::Wrench::force([0.0, draw.sign()]), &mut draw, &mut count);
     }
     println!("in the plane {count:?}");
@@ -117,7 +117,7 @@ fn in_space() {
                 .friction(0.25 * (1.0 + own(3.0)))
         };
         let contacts: Vec<_> = (0..number).map(contact).collect();
-        let grasp = Engine::<Fixed<6>, 3>::new(contacts).expect("valid");
+        let grasp = Engine::<3>::new(contacts).expect("valid");
         let turn = if draw.normal() > 1.0 { 1.0 } else { 0.0 };
         let along = spatial::Wrench::new([0.0, 0.0, draw.sign()], [0.0, 0.0, turn]);
         ask(&grasp, &along, &mut draw, &mut count);

@@ -4,7 +4,6 @@ use nalgebra::{DVector, SVector};
 
 use crate::grasp::{Engine, Site};
 use crate::load_path::{CycleRecord, CycleState, Cycles};
-use crate::numerics::Size;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 use crate::search::Settings;
@@ -29,16 +28,16 @@ pub(super) struct Scale {
 
 /// One cycle, with the states at its beginning and end.
 #[derive(Debug, Clone)]
-pub(super) struct Cycle<D: Size, const C: usize> {
-    pub(super) from: CycleState<D, C>,
-    pub(super) to: CycleState<D, C>,
+pub(super) struct Cycle<const C: usize> {
+    pub(super) from: CycleState<C>,
+    pub(super) to: CycleState<C>,
     pub(super) record: CycleRecord<C>,
     pub(super) scale: Scale,
 }
 
-impl<D: Size, const C: usize> Cycle<D, C> {
+impl<const C: usize> Cycle<C> {
     /// The next cycle; `None` if it is not followed to its end.
-    pub(super) fn next(engine: &Engine<D, C>, cycles: &mut Cycles<'_, D, C>) -> Option<Self> {
+    pub(super) fn next(engine: &Engine<C>, cycles: &mut Cycles<'_, C>) -> Option<Self> {
         let from = cycles.standing()?;
         let record = cycles.go()?;
         let to = cycles.standing()?;
@@ -47,11 +46,11 @@ impl<D: Size, const C: usize> Cycle<D, C> {
 
     /// A cycle from another state, with the follower of the cycles after it.
     pub(super) fn beginning_at<'g>(
-        engine: &'g Engine<D, C>,
-        cycles: &Cycles<'g, D, C>,
-        there: &CycleState<D, C>,
+        engine: &'g Engine<C>,
+        cycles: &Cycles<'g, C>,
+        there: &CycleState<C>,
         settings: &Settings,
-    ) -> Option<(Self, Cycles<'g, D, C>)> {
+    ) -> Option<(Self, Cycles<'g, C>)> {
         let tried = settings.with_most_steps(settings.most_steps.min(MOST_TRIED));
         let mut others = cycles.beginning_at(there, &tried)?;
         let cycle = Self::next(engine, &mut others)?;
@@ -70,7 +69,7 @@ impl<D: Size, const C: usize> Cycle<D, C> {
     }
 
     /// Forces and gaps of a state as numbers without unit; gaps that stayed open during the whole cycle are zero.
-    pub(super) fn numbers(&self, place: &CycleState<D, C>) -> DVector<f64> {
+    pub(super) fn numbers(&self, place: &CycleState<C>) -> DVector<f64> {
         place.numbers(&self.scale, &|i| self.record.open[i].is_some())
     }
 
@@ -119,12 +118,8 @@ impl<D: Size, const C: usize> Cycle<D, C> {
 }
 
 /// The largest force of a cycle, and the stretch of the softest springs under it.
-fn scale_of<D: Size, const C: usize>(
-    engine: &Engine<D, C>,
-    record: &CycleRecord<C>,
-    at: &CycleState<D, C>,
-) -> Scale {
-    let softness = |(site, force): (&Site<D, C>, &SVector<f64, C>)| {
+fn scale_of<const C: usize>(engine: &Engine<C>, record: &CycleRecord<C>, at: &CycleState<C>) -> Scale {
+    let softness = |(site, force): (&Site<C>, &SVector<f64, C>)| {
         let size = force.norm();
         if size > 0.0 { site.springs.give(force).norm() / size } else { 0.0 }
     };

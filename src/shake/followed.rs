@@ -7,7 +7,6 @@ use super::verdict::{Repeats, Shaken};
 use crate::error::Error;
 use crate::grasp::{BodyMotion, Engine, WholeContact, WholeContacts, Wrench};
 use crate::load_path::{CycleState, Cycles, Leg, PathEnd, Ramp};
-use crate::numerics::Size;
 use crate::prelude::*;
 use crate::search::Settings;
 
@@ -29,7 +28,7 @@ const SHORTEST: usize = 4;
 /// Number of further cycles of an object that has walked farther than its size. If a steady walk begins by then, it is the answer.
 const WALKED_OUT: usize = 2 * KEPT;
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Grasp::shake`](crate::ask::Grasp::shake).
     pub(crate) fn shake(
         &self,
@@ -74,17 +73,17 @@ impl<D: Size, const C: usize> Engine<D, C> {
 }
 
 /// The state of a grasp that is shaken.
-struct Shaking<'g, 's, D: Size, const C: usize> {
-    engine: &'g Engine<D, C>,
+struct Shaking<'g, 's, const C: usize> {
+    engine: &'g Engine<C>,
     settings: &'s Settings,
     base: Wrench<C>,
-    rest: CycleState<D, C>,
-    cycles: Cycles<'g, D, C>,
+    rest: CycleState<C>,
+    cycles: Cycles<'g, C>,
     /// The states between the last cycles with the same events.
-    places: Vec<CycleState<D, C>>,
+    places: Vec<CycleState<C>>,
     /// Whether each site has slid so far.
     slid: Vec<bool>,
-    round: Round<D, C>,
+    round: Round<C>,
     /// The period in cycles.
     every: usize,
     /// Number of cycles with the same events as the one before.
@@ -95,9 +94,9 @@ struct Shaking<'g, 's, D: Size, const C: usize> {
     cycles_gone: usize,
 }
 
-impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
+impl<'g, const C: usize> Shaking<'g, '_, C> {
     fn until_it_repeats(mut self) -> Shaken<C> {
-        let (mut last, mut change): (Option<Cycle<D, C>>, _) = (None, 0.0);
+        let (mut last, mut change): (Option<Cycle<C>>, _) = (None, 0.0);
         let (mut most_cycles, mut walked_out) = (self.settings.most_cycles, None);
         while self.followed < most_cycles {
             self.followed += 1;
@@ -161,7 +160,7 @@ impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
     }
 
     /// Continues from another state, `passed` cycles later.
-    fn begin_at(&mut self, there: CycleState<D, C>, passed: usize) {
+    fn begin_at(&mut self, there: CycleState<C>, passed: usize) {
         self.places = vec![there];
         self.round = Round::new();
         self.alike = 0;
@@ -173,7 +172,7 @@ impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
     /// The states from which these events happen form a convex set, and states between the first and the last are on a way along which changes die
     /// out. If the events are the same at both ends, they are the same on all of it. Two events that merely change their order leave the map as it
     /// is.
-    fn ahead(&mut self, last: &Cycle<D, C>) -> Ahead<'g, D, C> {
+    fn ahead(&mut self, last: &Cycle<C>) -> Ahead<'g, C> {
         let places = self.places.clone();
         let numbers: Vec<_> = places.iter().map(|place| last.numbers(place)).collect();
         let Some(recurrence) = Recurrence::of(&places, &numbers, last.same()) else {
@@ -188,7 +187,7 @@ impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
             let (there, foretold) = recurrence.after(passed);
             self.followed += 1;
             let tried = Cycle::beginning_at(self.engine, &self.cycles, &there, self.settings);
-            let is_so = |cycle: &Cycle<D, C>| {
+            let is_so = |cycle: &Cycle<C>| {
                 let off = (last.numbers(&cycle.to) - last.numbers(&cycle.from) - &foretold).amax();
                 off <= last.same()
                     || (cycle.record.is_like(&last.record) && off <= FORETOLD * foretold.amax())
@@ -211,7 +210,7 @@ impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
     }
 
     /// The limit of the cycles, if it repeats itself.
-    fn limit(&mut self, recurrence: &Recurrence<'_, D, C>, last: &Cycle<D, C>) -> Option<Cycle<D, C>> {
+    fn limit(&mut self, recurrence: &Recurrence<'_, C>, last: &Cycle<C>) -> Option<Cycle<C>> {
         self.followed += 1;
         let there = recurrence.fixed_point().filter(|_| recurrence.ratio() < 1.0)?;
         let (limit, _) = Cycle::beginning_at(self.engine, &self.cycles, &there, self.settings)?;
@@ -222,12 +221,12 @@ impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
     }
 
     /// Whether the object has walked farther than its size, beyond the validity of small motions.
-    fn has_walked_out(&self, cycle: &Cycle<D, C>) -> bool {
+    fn has_walked_out(&self, cycle: &Cycle<C>) -> bool {
         let is_out = |moved: &BodyMotion<C>| moved.speed() > moved.reach && moved.reach > 0.0;
         cycle.walks() && self.moves(&self.rest, &cycle.to).iter().any(is_out)
     }
 
-    fn note(&mut self, cycle: &Cycle<D, C>) {
+    fn note(&mut self, cycle: &Cycle<C>) {
         self.slid.iter_mut().enumerate().for_each(|(i, slid)| *slid |= cycle.slides(i));
     }
 
@@ -249,7 +248,7 @@ impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
     }
 
     /// The verdict from a cycle that repeats itself: with its number if it was followed from rest, without if it is the limit of others.
-    fn told(&self, cycle: &Cycle<D, C>, number: Option<usize>) -> Repeats<C> {
+    fn told(&self, cycle: &Cycle<C>, number: Option<usize>) -> Repeats<C> {
         let (slides, dissipated) = (self.parts(&|i| cycle.slides(i)), cycle.record.dissipated);
         if !(0..self.slid.len()).any(|i| cycle.slides(i)) {
             let slid = self.parts(&|i| self.slid[i]);
@@ -265,7 +264,7 @@ impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
         Repeats::Alternates { slides, way, dissipated }
     }
 
-    fn moves(&self, from: &CycleState<D, C>, to: &CycleState<D, C>) -> Vec<BodyMotion<C>> {
+    fn moves(&self, from: &CycleState<C>, to: &CycleState<C>) -> Vec<BodyMotion<C>> {
         self.engine.each_moves(&(&to.twist - &from.twist))
     }
 
@@ -274,7 +273,7 @@ impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
         &self,
         repeats: Repeats<C>,
         (change, ratio): (f64, f64),
-        at: Option<&CycleState<D, C>>,
+        at: Option<&CycleState<C>>,
     ) -> Shaken<C> {
         let here = self.cycles.standing();
         let moved = at.or(here.as_ref()).map(|at| self.moves(&self.rest, at)).unwrap_or_default();
@@ -294,17 +293,17 @@ impl<'g, D: Size, const C: usize> Shaking<'g, '_, D, C> {
 }
 
 /// The extrapolation of cycles with the same events.
-enum Ahead<'g, D: Size, const C: usize> {
+enum Ahead<'g, const C: usize> {
     /// The cycles converge to one that repeats itself.
     To {
-        limit: Box<Cycle<D, C>>,
+        limit: Box<Cycle<C>>,
         ratio: f64,
         error: f64,
     },
     /// The events stay the same for `passed` cycles and in `cycle`, the one after them.
     Further {
-        cycle: Box<Cycle<D, C>>,
-        cycles: Box<Cycles<'g, D, C>>,
+        cycle: Box<Cycle<C>>,
+        cycles: Box<Cycles<'g, C>>,
         passed: usize,
     },
     NotKnown,

@@ -9,7 +9,6 @@ use nalgebra::{DMatrix, DVector};
 
 use super::cycle::Scale;
 use crate::load_path::CycleState;
-use crate::numerics::Size;
 use crate::prelude::*;
 
 /// Largest number of modes; with more of them, cycles are followed until some have died out.
@@ -22,17 +21,17 @@ const NOWHERE: f64 = 1e-12;
 const FARTHEST: usize = 1 << 20;
 
 /// The states between the last cycles, and the last change as a combination of those before it.
-pub(super) struct Recurrence<'p, D: Size, const C: usize> {
+pub(super) struct Recurrence<'p, const C: usize> {
     /// The last states, one more than changes.
-    places: &'p [CycleState<D, C>],
+    places: &'p [CycleState<C>],
     changes: Vec<DVector<f64>>,
     /// Coefficients of the changes before the last that combine to the last.
     coefficients: Vec<f64>,
 }
 
-impl<'p, D: Size, const C: usize> Recurrence<'p, D, C> {
+impl<'p, const C: usize> Recurrence<'p, C> {
     /// The recurrence with the fewest modes that gives the last change up to `error`; `None` if these cycles do not determine one.
-    pub(super) fn of(places: &'p [CycleState<D, C>], numbers: &[DVector<f64>], error: f64) -> Option<Self> {
+    pub(super) fn of(places: &'p [CycleState<C>], numbers: &[DVector<f64>], error: f64) -> Option<Self> {
         let n = places.len();
         (1..=MOST_MODES.min(n.saturating_sub(2))).find_map(|modes| {
             let places = &places[n - modes - 2..];
@@ -63,7 +62,7 @@ impl<'p, D: Size, const C: usize> Recurrence<'p, D, C> {
     }
 
     /// The limit of the states.
-    pub(super) fn fixed_point(&self) -> Option<CycleState<D, C>> {
+    pub(super) fn fixed_point(&self) -> Option<CycleState<C>> {
         let rest = 1.0 - self.coefficients.iter().sum::<f64>();
         if rest.abs() <= NOWHERE {
             return None;
@@ -75,7 +74,7 @@ impl<'p, D: Size, const C: usize> Recurrence<'p, D, C> {
     }
 
     /// The state after this number of cycles, and the change in the cycle after them.
-    pub(super) fn after(&self, cycles: usize) -> (CycleState<D, C>, DVector<f64>) {
+    pub(super) fn after(&self, cycles: usize) -> (CycleState<C>, DVector<f64>) {
         let modes = self.coefficients.len();
         // The companion matrix of the recurrence: in each cycle, changes move up by one, and the last row gives the new one.
         let next = DMatrix::from_fn(modes, modes, |i, j| {
@@ -95,7 +94,7 @@ impl<'p, D: Size, const C: usize> Recurrence<'p, D, C> {
     }
 
     /// An affine combination of the states. It is in equilibrium, since all states are in equilibrium under the same load.
-    fn combination(&self, weights: &[f64]) -> CycleState<D, C> {
+    fn combination(&self, weights: &[f64]) -> CycleState<C> {
         let from = &self.places[self.places.len() - 1];
         let mut sum = from.clone();
         for (place, weight) in self.places.iter().zip(weights) {
@@ -129,7 +128,7 @@ fn power_and_sum(a: &DMatrix<f64>, n: usize) -> (DMatrix<f64>, DMatrix<f64>) {
     (power, sum)
 }
 
-impl<D: Size, const C: usize> CycleState<D, C> {
+impl<const C: usize> CycleState<C> {
     /// Forces and gaps as numbers without unit, and which sites slide with less friction than at rest; gaps of sites `aside` are zero.
     pub(super) fn numbers(&self, scale: &Scale, aside: &dyn Fn(usize) -> bool) -> DVector<f64> {
         let forces = self.forces.iter().flat_map(|force| force.iter().map(|x| x / scale.force));

@@ -4,26 +4,25 @@
 //! algorithm*, 1980). Thus every period is found, with a single state in store.
 
 use super::cycle::Cycle;
-use crate::numerics::Size;
 
 /// The cycles since the state of comparison.
 #[derive(Debug)]
-pub(super) struct Round<D: Size, const C: usize> {
+pub(super) struct Round<const C: usize> {
     /// These cycles as one.
-    all: Option<Cycle<D, C>>,
+    all: Option<Cycle<C>>,
     many: usize,
     /// Number of cycles after which the state of comparison is replaced.
     most: usize,
 }
 
-impl<D: Size, const C: usize> Round<D, C> {
+impl<const C: usize> Round<C> {
     /// Without any cycle yet.
     pub(super) fn new() -> Self {
         Self { all: None, many: 0, most: 1 }
     }
 
     /// Adds a cycle. If it ends at the state of comparison: all cycles since as one, and their number.
-    pub(super) fn closed_by(&mut self, cycle: &Cycle<D, C>) -> Option<(&Cycle<D, C>, usize)> {
+    pub(super) fn closed_by(&mut self, cycle: &Cycle<C>) -> Option<(&Cycle<C>, usize)> {
         if self.many == self.most {
             (self.all, self.many, self.most) = (None, 0, 2 * self.most);
         }

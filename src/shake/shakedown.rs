@@ -12,7 +12,6 @@ use crate::contact::{Edges, Fit, Polygon, PolygonCone};
 use crate::error::Error;
 use crate::grasp::{Engine, WholeContact, WholeContacts, Wrench};
 use crate::lcp::{self, Lcp};
-use crate::numerics::Size;
 use crate::object::Load;
 use crate::prelude::*;
 use crate::search::Settings;
@@ -77,7 +76,7 @@ impl<const C: usize> Shakedown<C> {
     }
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Statics::shakedown`](crate::ask::Statics::shakedown).
     pub(crate) fn shakedown(
         &self,

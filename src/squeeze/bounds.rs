@@ -4,7 +4,6 @@ use nalgebra::SVector;
 
 use crate::error::{Error, Field, is_moderate};
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::Size;
 use crate::prelude::*;
 
 /// Allowed values of a bound, for error messages.
@@ -56,7 +55,7 @@ impl<const C: usize> Bounds<C> {
     }
 
     /// Refuses bounds below zero or beyond 1e50, and more or fewer commands than contacts.
-    pub(super) fn check<D: Size>(&self, grasp: &Engine<D, C>) -> Result<(), Error> {
+    pub(super) fn check(&self, grasp: &Engine<C>) -> Result<(), Error> {
         let is_bad = |x: &&f64| !(**x >= 0.0 && is_moderate(**x));
         for (bounds, what) in
             [(&self.base, "bound of the base load"), (&self.direction, "bound of the load direction")]

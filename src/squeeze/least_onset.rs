@@ -21,7 +21,7 @@ use crate::contact::{Edges, Line};
 use crate::error::Error;
 use crate::grasp::{Contact, Engine, Motion, Wrench};
 use crate::load_path::Ramp;
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::prelude::*;
 use crate::search::Settings;
 
@@ -70,7 +70,7 @@ struct Share<const C: usize> {
     forces: ContactForces<C>,
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Grasp::least_onset_within`](crate::ask::Grasp::least_onset_within).
     pub(crate) fn least_onset_within(
         &self,
@@ -122,7 +122,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
     /// The commands and the ramp of a corner.
     fn case(&self, ramp: &Ramp<C>, shares: &[Share<C>], signs: &[f64]) -> (Vec<SVector<f64, C>>, Ramp<C>) {
         let mut commands: Vec<_> = self.contacts().iter().map(Contact::commanded).collect();
-        let (mut base, mut direction) = (ramp.base.coordinates::<D>(), ramp.direction.coordinates::<D>());
+        let (mut base, mut direction) = (ramp.base.coordinates(), ramp.direction.coordinates());
         for (share, sign) in shares.iter().zip(signs) {
             let off = sign * share.bound;
             match share.datum {
@@ -137,10 +137,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
 }
 
 /// Changes of the forces by each datum with a bound.
-fn shares<D: Size, const C: usize>(
-    sticking: &Sticking<D, C>,
-    bounds: &Bounds<C>,
-) -> Result<Vec<Share<C>>, Motion<C>> {
+fn shares<const C: usize>(sticking: &Sticking<C>, bounds: &Bounds<C>) -> Result<Vec<Share<C>>, Motion<C>> {
     let grasp = sticking.grasp;
     let (at_rest, nothing) = (vec![SVector::zeros(); grasp.len()], Vector::zeros());
     let mut shares = Vec::new();
@@ -156,7 +153,7 @@ fn shares<D: Size, const C: usize>(
         [(&bounds.base, Datum::Base as fn(usize) -> Datum), (&bounds.direction, Datum::Direction)]
     {
         for (k, &bound) in bounds.components().iter().enumerate().filter(|(_, bound)| **bound > 0.0) {
-            let mut load = Vector::<D>::zeros();
+            let mut load = Vector::zeros();
             load[k] = bound;
             let forces = sticking.forces(&at_rest, &grasp.inside_unchecked(&Wrench::among(&load)))?;
             shares.push(Share { datum: datum(k), bound, forces });

@@ -5,7 +5,6 @@ use super::parts::{Condition, Parts};
 use super::sticking::Sticking;
 use crate::error::Error;
 use crate::grasp::{Engine, Motion, Wrench};
-use crate::numerics::Size;
 use crate::search::Settings;
 
 /// Each cut raises the factor, with quadratic convergence; beyond this number cuts are rounding.
@@ -43,7 +42,7 @@ pub enum LeastSqueeze<const C: usize> {
     Undecided,
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Grasp::least_squeeze`](crate::ask::Grasp::least_squeeze).
     pub(crate) fn least_squeeze(
         &self,

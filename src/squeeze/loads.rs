@@ -3,7 +3,6 @@
 use crate::error::{Error, MODERATE, is_moderate};
 use crate::grasp::{Engine, Wrench};
 use crate::load_path::Turn;
-use crate::numerics::Size;
 use crate::prelude::*;
 
 /// A set of loads.
@@ -27,7 +26,7 @@ pub enum Loads<const C: usize> {
 
 impl<const C: usize> Loads<C> {
     /// Refuses sets without a load, and loads that are not finite or beyond 1e50.
-    pub(super) fn check<D: Size>(&self, grasp: &Engine<D, C>) -> Result<(), Error> {
+    pub(super) fn check(&self, grasp: &Engine<C>) -> Result<(), Error> {
         self.check_size()?;
         match self {
             Self::Each(list) => list.iter().try_for_each(|load| grasp.load_alone(load, "load").map(drop)),

@@ -9,7 +9,7 @@ use super::sticking::{ContactForces, Push, Sticking, is_broken, push, round_part
 use crate::contact::{Edges, ZERO_SLACK, tangential};
 use crate::grasp::{Motion, Wrench};
 use crate::load_path::Turn;
-use crate::numerics::{Harmonic, Size, Turning, Vector};
+use crate::numerics::{Harmonic, Turning, Vector};
 use crate::prelude::*;
 
 /// A condition `row·F >= 0`, its value under a load, and the size of its forces.
@@ -30,7 +30,7 @@ pub(super) struct Parts<'l, const C: usize> {
 }
 
 impl<'l, const C: usize> Parts<'l, C> {
-    pub(super) fn of<D: Size>(sticking: &Sticking<'_, D, C>, loads: &'l Loads<C>) -> Result<Self, Motion<C>> {
+    pub(super) fn of(sticking: &Sticking<'_, C>, loads: &'l Loads<C>) -> Result<Self, Motion<C>> {
         let grasp = sticking.grasp;
         let commands: Vec<_> =
             grasp.contacts().iter().map(|contact| SVector::from(contact.commanded())).collect();
@@ -59,11 +59,7 @@ impl<'l, const C: usize> Parts<'l, C> {
     }
 
     /// The broken condition at a factor that needs the most additional squeeze, with its contact.
-    pub(super) fn broken<D: Size>(
-        &self,
-        sticking: &Sticking<'_, D, C>,
-        factor: f64,
-    ) -> Option<(usize, Condition<C>)> {
+    pub(super) fn broken(&self, sticking: &Sticking<'_, C>, factor: f64) -> Option<(usize, Condition<C>)> {
         let mut most: Option<(f64, usize, Condition<C>)> = None;
         for (contact, edges) in sticking.edges.iter().enumerate() {
             let conditions = match self.loads {

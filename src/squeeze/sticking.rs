@@ -4,16 +4,16 @@ use nalgebra::SVector;
 
 use crate::contact::{Edges, LocalLaw, Polygon, ZERO_SLACK};
 use crate::grasp::{Engine, Motion, Wrench};
-use crate::numerics::{Harmonic, Size, Vector};
+use crate::numerics::{Harmonic, Vector};
 use crate::object::{Load, Piece, Problem};
 use crate::prelude::*;
 use crate::search::Settings;
 
 /// A grasp whose contacts all stick.
-pub(super) struct Sticking<'g, D: Size, const C: usize> {
-    pub(super) grasp: &'g Engine<D, C>,
-    problem: Problem<'g, D, C>,
-    piece: alloc::sync::Arc<Piece<D, C>>,
+pub(super) struct Sticking<'g, const C: usize> {
+    pub(super) grasp: &'g Engine<C>,
+    problem: Problem<'g, C>,
+    piece: alloc::sync::Arc<Piece<C>>,
     pub(super) edges: Vec<Edges<C>>,
 }
 
@@ -51,8 +51,8 @@ pub(super) fn round_parts<const C: usize>(limit: f64) -> Harmonic<(f64, usize)> 
     Harmonic { constant: (limit, 0), cosine: (-1.0, 1), sine: (-1.0, C - 1) }
 }
 
-impl<'g, D: Size, const C: usize> Sticking<'g, D, C> {
-    pub(super) fn new(grasp: &'g Engine<D, C>, settings: &Settings) -> Self {
+impl<'g, const C: usize> Sticking<'g, C> {
+    pub(super) fn new(grasp: &'g Engine<C>, settings: &Settings) -> Self {
         let polygon = Polygon::shared(&settings.cone);
         let nothing = Load::from(&Vector::zeros());
         let problem = grasp.problem(polygon, settings.is_round::<C>(), grasp.drives(), &nothing);
@@ -70,7 +70,7 @@ impl<'g, D: Size, const C: usize> Sticking<'g, D, C> {
     pub(super) fn forces(
         &self,
         drives: &[SVector<f64, C>],
-        load: &Vector<D>,
+        load: &Vector,
     ) -> Result<ContactForces<C>, Motion<C>> {
         match self.piece.solve(self.problem.sites, drives, load) {
             Ok(state) => {

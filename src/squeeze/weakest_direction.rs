@@ -10,7 +10,7 @@ use crate::contact::Edges;
 use crate::error::Error;
 use crate::grasp::{Engine, Motion, Wrench};
 use crate::load_path::Leaver;
-use crate::numerics::{Size, Turning};
+use crate::numerics::Turning;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 use crate::search::Settings;
@@ -47,7 +47,7 @@ pub enum WeakestDirection<const C: usize> {
     Undecided,
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Grasp::weakest_direction`](crate::ask::Grasp::weakest_direction).
     pub(crate) fn weakest_direction(
         &self,

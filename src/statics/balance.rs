@@ -3,13 +3,13 @@
 use crate::contact::Polygon;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::object::{Load, are_many};
 use crate::prelude::*;
 use crate::proofs::{separating_motion, separating_motion_in_a_band};
 use crate::search::Settings;
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// A motion that proves that no contact forces inside their cones balance this load together with the constant loads. No contact force works
     /// against the motion, and the loads do positive work along it. `None` where no such proof was found.
     pub(crate) fn unbalanced_along(

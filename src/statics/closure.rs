@@ -15,7 +15,7 @@ use nalgebra::SVector;
 use crate::contact::{LocalLaw, Polygon};
 use crate::error::Error;
 use crate::grasp::{BodyMotion, Engine, Twist};
-use crate::numerics::{Orthogonal, Size, Vector, unit};
+use crate::numerics::{Orthogonal, Vector, unit};
 use crate::object::{Load, Problem};
 use crate::prelude::*;
 use crate::proofs::{Generator, NearestForces, nearest_forces, round_generators, straight_generators};
@@ -53,7 +53,7 @@ pub enum Closure<const C: usize> {
     Boundary,
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Statics::force_closure`](crate::ask::Statics::force_closure).
     pub(crate) fn force_closure(&self, settings: &Settings) -> Result<Closure<C>, Error> {
         self.refuse_joints("force_closure")?;
@@ -99,8 +99,8 @@ impl<D: Size, const C: usize> Engine<D, C> {
     fn closure(
         &self,
         axes: &[(usize, usize)],
-        straight: &[Generator<D, C>],
-        round: &dyn Fn(&Vector<D>) -> Vec<Generator<D, C>>,
+        straight: &[Generator<C>],
+        round: &dyn Fn(&Vector) -> Vec<Generator<C>>,
         inside: &dyn Fn(&[SVector<f64, C>]) -> bool,
     ) -> Closure<C> {
         let sites = self.sites();
@@ -138,19 +138,19 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 
     /// An open grasp, with a motion against which nothing works.
-    fn open(&self, motion: &Vector<D>) -> Closure<C> {
+    fn open(&self, motion: &Vector) -> Closure<C> {
         let outside = self.outside_coordinates(motion);
         Closure::Open { motion: Twist::among(&outside), bodies: self.body_motions(&outside) }
     }
 
     /// A unit wrench along every normal.
-    fn normals(&self) -> impl Iterator<Item = Generator<D, C>> {
+    fn normals(&self) -> impl Iterator<Item = Generator<C>> {
         let sites = self.sites().iter().enumerate();
         sites.map(|(contact, site)| Generator::along(contact, site, unit(0)))
     }
 
     /// The problem without load and without commands.
-    pub(super) fn without_load(&self, settings: &Settings) -> Problem<'_, D, C> {
+    pub(super) fn without_load(&self, settings: &Settings) -> Problem<'_, C> {
         let nothing = Load::from(&Vector::zeros());
         let drives = vec![SVector::zeros(); self.sites().len()];
         self.problem(Polygon::shared(&settings.cone), settings.is_round::<C>(), drives, &nothing)

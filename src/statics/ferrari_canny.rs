@@ -7,7 +7,7 @@ use super::budget::{Budget, WrenchScale};
 use super::wrench_set::WrenchSet;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::{Fixed, largest_ball, simplex};
+use crate::numerics::{largest_ball, simplex};
 use crate::search::Settings;
 
 /// Difference of both bounds, over the largest wrench, at which they count as equal.
@@ -26,7 +26,7 @@ pub struct WrenchBall<const C: usize> {
     pub weakest: Wrench<C>,
 }
 
-impl<const D: usize, const C: usize> Engine<Fixed<D>, C> {
+impl<const C: usize> Engine<C> {
     /// [`Statics::ferrari_canny`](crate::ask::Statics::ferrari_canny).
     pub(crate) fn ferrari_canny(
         &self,
@@ -34,7 +34,20 @@ impl<const D: usize, const C: usize> Engine<Fixed<D>, C> {
         scale: &WrenchScale<C>,
         settings: &Settings,
     ) -> Result<WrenchBall<C>, Error> {
-        let set = self.wrench_set(budget, scale, settings, "ferrari_canny")?;
+        match C {
+            2 => self.ferrari_canny_in::<3>(budget, scale, settings),
+            _ => self.ferrari_canny_in::<6>(budget, scale, settings),
+        }
+    }
+
+    /// [`Self::ferrari_canny`] with D coordinates.
+    fn ferrari_canny_in<const D: usize>(
+        &self,
+        budget: Budget,
+        scale: &WrenchScale<C>,
+        settings: &Settings,
+    ) -> Result<WrenchBall<C>, Error> {
+        let set = self.wrench_set::<D>(budget, scale, settings, "ferrari_canny")?;
         let support = |v: &_| set.support(v);
         let (at_least, at_most, direction) = match simplex(&support) {
             Err(flat) => (0.0, 0.0, flat[0]),
@@ -47,7 +60,7 @@ impl<const D: usize, const C: usize> Engine<Fixed<D>, C> {
     }
 
     /// The wrenches of forces within a budget.
-    pub(super) fn wrench_set(
+    pub(super) fn wrench_set<const D: usize>(
         &self,
         budget: Budget,
         scale: &WrenchScale<C>,

@@ -9,7 +9,7 @@ use super::budget::{Budget, WrenchScale};
 use super::wrench_set::WrenchSet;
 use crate::error::Error;
 use crate::grasp::{Engine, Twist, Wrench};
-use crate::numerics::{Fixed, RayExit, Vertex, shoot, simplex};
+use crate::numerics::{RayExit, Vertex, shoot, simplex};
 use crate::prelude::*;
 use crate::search::Settings;
 
@@ -46,7 +46,7 @@ pub enum LoadLimit<const C: usize> {
     Undecided,
 }
 
-impl<const D: usize, const C: usize> Engine<Fixed<D>, C> {
+impl<const C: usize> Engine<C> {
     /// [`Statics::load_limit`](crate::ask::Statics::load_limit).
     pub(crate) fn load_limit(
         &self,
@@ -57,7 +57,22 @@ impl<const D: usize, const C: usize> Engine<Fixed<D>, C> {
     ) -> Result<LoadLimit<C>, Error> {
         base.check("base load")?;
         direction.check("load direction")?;
-        let set = self.wrench_set(budget, &WrenchScale::of(self.contacts()), settings, "load_limit")?;
+        match C {
+            2 => self.load_limit_in::<3>(base, direction, budget, settings),
+            _ => self.load_limit_in::<6>(base, direction, budget, settings),
+        }
+    }
+
+    /// [`Self::load_limit`] with D coordinates.
+    fn load_limit_in<const D: usize>(
+        &self,
+        base: &Wrench<C>,
+        direction: &Wrench<C>,
+        budget: Budget,
+        settings: &Settings,
+    ) -> Result<LoadLimit<C>, Error> {
+        let scale = WrenchScale::of(self.contacts());
+        let set = self.wrench_set::<D>(budget, &scale, settings, "load_limit")?;
         let [base, rate] = [base, direction].map(|load| -set.inside(load));
         let size = rate.norm();
         if size == 0.0 {

@@ -9,7 +9,7 @@ use super::budget::{Budget, WrenchScale};
 use crate::contact::{Coulomb, LocalLaw, tangential, tangential_norm};
 use crate::error::Error;
 use crate::grasp::{Engine, Twist, Wrench, grasp_map, moved_twist, moved_wrench};
-use crate::numerics::{Fixed, Vector, unit};
+use crate::numerics::{Size, Vector, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
@@ -57,8 +57,8 @@ pub(super) struct WrenchSet<const D: usize, const C: usize> {
 
 impl<const D: usize, const C: usize> WrenchSet<D, C> {
     pub(super) fn new(
-        problem: &Problem<'_, Fixed<D>, C>,
-        grasp: &Engine<Fixed<D>, C>,
+        problem: &Problem<'_, C>,
+        grasp: &Engine<C>,
         budget: Budget,
         scale: WrenchScale<C>,
         question: &'static str,
@@ -66,7 +66,7 @@ impl<const D: usize, const C: usize> WrenchSet<D, C> {
         let about = SVector::from(scale.about);
         let pushing = |(contact, (local, frame)): (usize, (LocalLaw<'_, C>, &SMatrix<f64, C, C>))| {
             let arm = grasp.contacts()[contact].point() - about;
-            let map = grasp_map(Fixed::<D>, &arm, frame);
+            let map = grasp_map(Size::of(D), &arm, frame);
             let mut map = SMatrix::<f64, D, C>::from_fn(|k, a| map[(k, a)]);
             map.rows_range_mut(C..).iter_mut().for_each(|entry| *entry /= scale.length);
             let unlimited = local.is_bonded() || local.may_pull() || local.never_slides();
@@ -121,7 +121,7 @@ impl<const D: usize, const C: usize> WrenchSet<D, C> {
     /// A wrench of the question, in the scale of the set.
     pub(super) fn inside(&self, wrench: &Wrench<C>) -> SVector<f64, D> {
         let about = SVector::from(self.scale.about);
-        let moved = moved_wrench::<Fixed<D>, C>(&-about, &wrench.coordinates());
+        let moved = moved_wrench::<C>(&-about, &wrench.coordinates());
         scaled::<D, C>(moved.to_svector(), 1.0 / self.scale.length)
     }
 
@@ -129,14 +129,14 @@ impl<const D: usize, const C: usize> WrenchSet<D, C> {
     pub(super) fn outside(&self, wrench: SVector<f64, D>) -> Wrench<C> {
         let about = SVector::from(self.scale.about);
         let wrench = Vector::from(scaled::<D, C>(wrench, self.scale.length));
-        Wrench::among(&moved_wrench(&about, &wrench))
+        Wrench::among(&moved_wrench::<C>(&about, &wrench))
     }
 
     /// The motion on which a wrench does as much work as it reaches along a direction.
     pub(super) fn motion(&self, direction: SVector<f64, D>) -> Twist<C> {
         let about = SVector::from(self.scale.about);
         let direction = Vector::from(scaled::<D, C>(direction, 1.0 / self.scale.length));
-        Twist::among(&moved_twist(&about, &direction))
+        Twist::among(&moved_twist::<C>(&about, &direction))
     }
 }
 

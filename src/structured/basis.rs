@@ -14,7 +14,6 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::contact_form::{ContactForm, PairedContact};
-use crate::numerics::Size;
 use crate::object::{Slipping, Sums, normal};
 use crate::prelude::*;
 
@@ -108,10 +107,10 @@ impl<const C: usize> Reaction<C> {
     }
 }
 
-impl<D: Size, const C: usize> ContactForm<D, C> {
+impl<const C: usize> ContactForm<C> {
     /// The response of a contact in a state. `None` if the slips of the active pairs are not independent, which no exact basis
     /// has.
-    pub(super) fn reaction(&self, local: &PairedContact<D, C>, active: &Active<C>) -> Option<Reaction<C>> {
+    pub(super) fn reaction(&self, local: &PairedContact<C>, active: &Active<C>) -> Option<Reaction<C>> {
         let (gap, facets) = (active.position(0).filter(|_| local.contact.gap), self.pairs_of(local));
         let slipping = active.iter().enumerate().filter(|(a, _)| gap != Some(*a));
         let slipping = Slipping::independent(slipping.map(|(_, pair)| &facets[pair]))?;
@@ -154,7 +153,7 @@ impl<D: Size, const C: usize> ContactForm<D, C> {
     /// Adds the terms of a contact, times `sign`, to the sums.
     pub(super) fn accumulate(
         &self,
-        sums: &mut Sums<D, 3>,
+        sums: &mut Sums<3>,
         contact: usize,
         jumped: Option<&Reaction<C>>,
         sign: f64,
@@ -202,12 +201,7 @@ impl<const C: usize> StateBasis<C> {
     }
 
     /// Sets the state of a contact. `None` for a state that no exact basis has.
-    pub(super) fn set<D: Size>(
-        &mut self,
-        form: &ContactForm<D, C>,
-        contact: usize,
-        active: Active<C>,
-    ) -> Option<()> {
+    pub(super) fn set(&mut self, form: &ContactForm<C>, contact: usize, active: Active<C>) -> Option<()> {
         if active.len() > 0 {
             self.reactions[contact] = form.reaction(&form.locals[contact], &active)?;
         }
@@ -216,7 +210,7 @@ impl<const C: usize> StateBasis<C> {
     }
 
     /// All sums, computed afresh.
-    pub(super) fn sums<D: Size>(&self, form: &ContactForm<D, C>) -> Sums<D, 3> {
+    pub(super) fn sums(&self, form: &ContactForm<C>) -> Sums<3> {
         Sums::over(form.size, form.len(), form.coordinates.rank, &|sums, contact| {
             form.accumulate(sums, contact, self.jumped(contact), 1.0);
         })

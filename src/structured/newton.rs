@@ -14,30 +14,30 @@ use crate::numerics::{Factors, Size, Square, Vector, in_halves};
 use crate::object::{self, Imbalance, Problem, StretchAnswers, TangentFactors, are_many};
 
 /// Sums over some contacts: the imbalance R without the load, and the tangent stiffness T.
-struct Sums<D: Size> {
-    balance: Imbalance<D>,
-    stiffness: Square<D>,
+struct Sums {
+    balance: Imbalance,
+    stiffness: Square,
     /// Whether no contact that is kept closed pulls while it should carry friction.
     lawful: bool,
 }
 
-struct OnPolygons<'p, 'g, D: Size, const C: usize> {
-    problem: &'p Problem<'g, D, C>,
+struct OnPolygons<'p, 'g, const C: usize> {
+    problem: &'p Problem<'g, C>,
     states: &'p mut [PolygonState],
     forces: &'p mut [SVector<f64, C>],
     /// The sums at the last twist.
-    sums: Sums<D>,
+    sums: Sums,
 }
 
-impl<D: Size, const C: usize> StretchAnswers<D> for OnPolygons<'_, '_, D, C> {
-    fn answer(&mut self, twist: &Vector<D>) -> Imbalance<D> {
+impl<const C: usize> StretchAnswers for OnPolygons<'_, '_, C> {
+    fn answer(&mut self, twist: &Vector) -> Imbalance {
         self.sums = answer(self.problem, twist, self.states, self.forces);
         let load = &self.problem.wrench;
         let Imbalance { left, size } = &self.sums.balance;
         Imbalance { left: left + load, size: size + load.norm() + f64::MIN_POSITIVE }
     }
 
-    fn tangent(&mut self) -> Option<TangentFactors<D>> {
+    fn tangent(&mut self) -> Option<TangentFactors> {
         let state = |i: usize| self.states[i].into();
         let factors = self.sums.factors(self.problem, state)?;
         factors.is_regular().then_some(factors)
@@ -46,10 +46,7 @@ impl<D: Size, const C: usize> StretchAnswers<D> for OnPolygons<'_, '_, D, C> {
 
 /// Newton's method from the twist at which all contacts that stick would balance the load. Returns the number of steps,
 /// or `None` if it does not converge. Rates on an edge are excluded.
-pub(super) fn newton<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
-    found: &mut Solution<D, C>,
-) -> Option<usize> {
+pub(super) fn newton<const C: usize>(problem: &Problem<C>, found: &mut Solution<C>) -> Option<usize> {
     if problem.locals().any(|local| local.is_on_an_edge()) {
         return None;
     }
@@ -70,7 +67,7 @@ pub(super) fn newton<D: Size, const C: usize>(
 }
 
 /// R without the load and T, with every contact sticking and the object at rest.
-fn stick<D: Size, const C: usize>(problem: &Problem<D, C>) -> Sums<D> {
+fn stick<const C: usize>(problem: &Problem<C>) -> Sums {
     let part = |contacts: Range<usize>| {
         let mut sum = Sums::zero(problem.size());
         for contact in contacts {
@@ -87,12 +84,12 @@ fn stick<D: Size, const C: usize>(problem: &Problem<D, C>) -> Sums<D> {
 }
 
 /// Forces and states of the contacts at a twist, R without the load and T.
-fn answer<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
-    twist: &Vector<D>,
+fn answer<const C: usize>(
+    problem: &Problem<C>,
+    twist: &Vector,
     states: &mut [PolygonState],
     forces: &mut [SVector<f64, C>],
-) -> Sums<D> {
+) -> Sums {
     let part = |(contacts, (states, forces)): (Range<usize>, (&mut [_], &mut [_]))| {
         let mut sum = Sums::zero(problem.size());
         for (contact, (state, force)) in contacts.zip(states.iter_mut().zip(forces)) {
@@ -117,7 +114,7 @@ fn answer<D: Size, const C: usize>(
 
 /// Adds `G_i C_i G_iᵀ` of one contact to T, dyad by dyad.
 #[inline]
-fn add_tangent<D: Size, const C: usize>(t: &mut Square<D>, site: &Site<D, C>, tangent: &Tangent<C>) {
+fn add_tangent<const C: usize>(t: &mut Square, site: &Site<C>, tangent: &Tangent<C>) {
     match tangent {
         Tangent::Open => {}
         Tangent::Sticking(k) => {
@@ -136,14 +133,14 @@ fn add_tangent<D: Size, const C: usize>(t: &mut Square<D>, site: &Site<D, C>, ta
     }
 }
 
-impl<D: Size> Sums<D> {
-    fn zero(size: D) -> Self {
+impl Sums {
+    fn zero(size: Size) -> Self {
         // For many coordinates T is kept in a band, see `factors`.
-        let stiffness = Square::zeros(if are_many(size) { D::of(0) } else { size });
+        let stiffness = Square::zeros(if are_many(size) { Size::of(0) } else { size });
         Self { balance: Imbalance::default(), stiffness, lawful: true }
     }
 
-    fn add_tangent<const C: usize>(&mut self, site: &Site<D, C>, tangent: &Tangent<C>) {
+    fn add_tangent<const C: usize>(&mut self, site: &Site<C>, tangent: &Tangent<C>) {
         if self.stiffness.size() == site.coordinates() {
             add_tangent(&mut self.stiffness, site, tangent);
         }
@@ -152,9 +149,9 @@ impl<D: Size> Sums<D> {
     /// Factors of T in these states.
     fn factors<const C: usize>(
         &self,
-        problem: &Problem<D, C>,
+        problem: &Problem<C>,
         state: impl Fn(usize) -> State<C>,
-    ) -> Option<TangentFactors<D>> {
+    ) -> Option<TangentFactors> {
         if are_many(problem.size()) {
             return problem.tangent_in_a_band(&state);
         }

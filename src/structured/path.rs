@@ -12,7 +12,7 @@ use super::basis::{COVER, PERTURBED, StateBasis, TRIAL};
 use super::contact_form::ContactForm;
 use super::variables::{Candidate, Entering, GREY, PivotStep, TIE, Vanishing};
 use crate::contact::{LocalLaw, Mode, PolygonState};
-use crate::numerics::{Bordered, Size, Vector};
+use crate::numerics::{Bordered, Vector};
 use crate::object::{Facet, LazyPricing, Point, Sums, are_stale};
 use crate::prelude::*;
 
@@ -36,10 +36,10 @@ pub(crate) enum PivotEnd {
 
 /// A path. Its memory is kept between scenes.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Path<D: Size, const C: usize> {
-    pub(crate) form: ContactForm<D, C>,
+pub(crate) struct Path<const C: usize> {
+    pub(crate) form: ContactForm<C>,
     pub(super) basis: StateBasis<C>,
-    pub(super) sums: Sums<D, 3>,
+    pub(super) sums: Sums<3>,
     pub(crate) pivots: usize,
     /// The number of evaluations of a contact, over all of these pivots.
     looks: usize,
@@ -48,12 +48,12 @@ pub(crate) struct Path<D: Size, const C: usize> {
     /// Pivots since the sums were last computed afresh.
     pub(super) age: usize,
     /// Factors of the system of the present step.
-    factors: Bordered<D>,
-    pricing: LazyPricing<D>,
+    factors: Bordered,
+    pricing: LazyPricing,
     candidates: Vec<Candidate>,
 }
 
-impl<D: Size, const C: usize> Path<D, C> {
+impl<const C: usize> Path<C> {
     /// A number of pivots that no problem of this size is known to need.
     pub(crate) fn pivot_limit(&self) -> usize {
         10_000 + 100 * self.form.pairs
@@ -125,7 +125,7 @@ impl<D: Size, const C: usize> Path<D, C> {
     }
 
     /// Follows the path from a point where both variables of a pair are zero.
-    pub(super) fn run(&mut self, mut entering: Entering, at: &Point<D>, limit: usize) -> PivotEnd {
+    pub(super) fn run(&mut self, mut entering: Entering, at: &Point, limit: usize) -> PivotEnd {
         self.candidates.clear();
         self.candidates.reserve(self.form.pairs);
         if self.is_lazy() {
@@ -192,7 +192,7 @@ impl<D: Size, const C: usize> Path<D, C> {
     }
 
     /// Queues all contacts except `out`, whose pair is outside the basis.
-    fn line_up(&mut self, out: u32, at: &Point<D>, along: &Point<D>) {
+    fn line_up(&mut self, out: u32, at: &Point, along: &Point) {
         self.looks += self.form.len();
         let Self { form, basis, pricing, .. } = self;
         pricing.line_up(form.len(), along, &|contact, e| {
@@ -202,7 +202,7 @@ impl<D: Size, const C: usize> Path<D, C> {
 
     /// Queues the contacts again that the step has evaluated, except `out`, whose pair is now outside the
     /// basis: every step evaluates it.
-    fn requeue(&mut self, left: u32, out: u32, at: &Point<D>) {
+    fn requeue(&mut self, left: u32, out: u32, at: &Point) {
         let Self { form, basis, pricing, .. } = self;
         pricing.looked.push(left);
         while let Some(contact) = pricing.looked.pop() {
@@ -215,7 +215,7 @@ impl<D: Size, const C: usize> Path<D, C> {
 
     /// The vertex at which both variables of the entering pair are zero, and the direction in which the
     /// entering one grows by one.
-    fn step(&mut self, entering: &Entering) -> Option<PivotStep<D>> {
+    fn step(&mut self, entering: &Entering) -> Option<PivotStep> {
         let contact = entering.contact as usize;
         let (local, reaction) = (&self.form.locals[contact], self.basis.reaction(contact));
         let Facet { row, unit } = self.form.pairs_of(local)[entering.pair];
@@ -236,7 +236,7 @@ impl<D: Size, const C: usize> Path<D, C> {
     }
 
     /// The variable that reaches zero first as the entering one grows.
-    fn blocking(&mut self, step: &PivotStep<D>, entering: &Entering) -> Leaving {
+    fn blocking(&mut self, step: &PivotStep, entering: &Entering) -> Leaving {
         let lazy = self.is_lazy();
         let Self { form, basis, pricing, candidates, .. } = self;
         candidates.clear();

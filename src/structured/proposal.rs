@@ -4,7 +4,6 @@ use super::newton::newton;
 use super::path::{Path, PivotEnd};
 use super::solution::Solution;
 use crate::contact::State;
-use crate::numerics::Size;
 use crate::object::{Piece, PieceState, Problem};
 use crate::prelude::*;
 
@@ -20,7 +19,7 @@ pub(crate) struct Proposal<const C: usize> {
 }
 
 /// Contact states by Newton's method on the return maps, if it converges.
-pub(crate) fn propose_by_newton<D: Size, const C: usize>(problem: &Problem<D, C>) -> Option<Vec<State<C>>> {
+pub(crate) fn propose_by_newton<const C: usize>(problem: &Problem<C>) -> Option<Vec<State<C>>> {
     let mut solution = Solution::default();
     newton(problem, &mut solution)?;
     Some(solution.states.into_iter().map(State::from).collect())
@@ -29,10 +28,10 @@ pub(crate) fn propose_by_newton<D: Size, const C: usize>(problem: &Problem<D, C>
 /// Follows Lemke's path on the kinematic form from the trial state. After each failure it follows the path of another
 /// covering vector, up to `other_paths` of them. All paths together make at most `max_pivots` pivots or, without that limit, at most `most_work`
 /// multiplications.
-pub(crate) fn propose<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
-    trial: &Piece<D, C>,
-    state: &PieceState<D, C>,
+pub(crate) fn propose<const C: usize>(
+    problem: &Problem<C>,
+    trial: &Piece<C>,
+    state: &PieceState<C>,
     other_paths: usize,
     max_pivots: Option<usize>,
     most_work: usize,

@@ -7,16 +7,16 @@ use nalgebra::SVector;
 
 use super::solution::{ACCURATE, BALANCED, Solution};
 use crate::contact::{ContactResponse, ZERO_SLACK};
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::object::{Problem, newton_on_cones};
 use crate::prelude::*;
 
 /// Newton's method from a twist. Returns the number of steps if it converges; the responses of the contacts are then in `answers`.
-pub(super) fn newton<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
-    from: Vector<D>,
+pub(super) fn newton<const C: usize>(
+    problem: &Problem<C>,
+    from: Vector,
     answers: &mut Vec<ContactResponse<C>>,
-    found: &mut Solution<D, C>,
+    found: &mut Solution<C>,
 ) -> Option<usize> {
     let (twist, steps, here) = newton_on_cones(problem, (from, BALANCED), answers)?;
     // A contact that is kept closed may pull, but then it has no friction to slide with.
@@ -35,11 +35,11 @@ pub(super) fn newton<D: Size, const C: usize>(
 }
 
 /// Whether the elastic trial at a twist is an equilibrium; x are the stretches of the contacts' springs there.
-pub(super) fn trial_holds<D: Size, const C: usize>(
-    problem: &Problem<D, C>,
-    (x, twist): (&[f64], &Vector<D>),
+pub(super) fn trial_holds<const C: usize>(
+    problem: &Problem<C>,
+    (x, twist): (&[f64], &Vector),
     answers: &mut Vec<ContactResponse<C>>,
-    found: &mut Solution<D, C>,
+    found: &mut Solution<C>,
 ) -> bool {
     answers.clear();
     found.forces.clear();

@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::basis::TRIAL;
 use super::path::Path;
 use crate::contact::{PolygonState, SMALLEST};
-use crate::numerics::{Bordered, Size, Vector};
+use crate::numerics::{Bordered, Vector};
 use crate::object::{CORRECTIONS, Facet, Problem};
 use crate::prelude::*;
 
@@ -22,9 +22,9 @@ const ROUNDING: f64 = 1e-5;
 
 /// An equilibrium, found by Newton's method or from the last basis of a path.
 #[derive(Debug, Clone)]
-pub(super) struct Solution<D: Size, const C: usize> {
+pub(super) struct Solution<const C: usize> {
     /// The least motion of the object, in inside coordinates.
-    pub(super) twist: Vector<D>,
+    pub(super) twist: Vector,
     pub(super) forces: Vec<SVector<f64, C>>,
     /// The states of the contacts, if Newton's method found it.
     pub(super) states: Vec<PolygonState>,
@@ -32,16 +32,16 @@ pub(super) struct Solution<D: Size, const C: usize> {
     pub(super) residual: f64,
 }
 
-impl<D: Size, const C: usize> Default for Solution<D, C> {
+impl<const C: usize> Default for Solution<C> {
     fn default() -> Self {
         Self { twist: Vector::zeros(), forces: Vec::new(), states: Vec::new(), residual: f64::INFINITY }
     }
 }
 
-impl<D: Size, const C: usize> Solution<D, C> {
+impl<const C: usize> Solution<C> {
     /// Solves the equations of the present states of a path at z₀ = 0. Returns the motion y on top
     /// of the trial state if every inequality holds there, too.
-    pub(super) fn take(&mut self, path: &mut Path<D, C>, problem: &Problem<D, C>) -> Option<Vector<D>> {
+    pub(super) fn take(&mut self, path: &mut Path<C>, problem: &Problem<C>) -> Option<Vector> {
         if path.age <= FRESH
             && let Some(y) = self.check(path, problem)
         {
@@ -51,7 +51,7 @@ impl<D: Size, const C: usize> Solution<D, C> {
         self.check(path, problem)
     }
 
-    fn check(&mut self, path: &Path<D, C>, problem: &Problem<D, C>) -> Option<Vector<D>> {
+    fn check(&mut self, path: &Path<C>, problem: &Problem<C>) -> Option<Vector> {
         self.residual = f64::INFINITY;
         let y = path.vertex()?;
         self.forces.clear();
@@ -97,9 +97,9 @@ impl<D: Size, const C: usize> Solution<D, C> {
     }
 }
 
-impl<D: Size, const C: usize> Path<D, C> {
+impl<const C: usize> Path<C> {
     /// The motion y of the present states at z₀ = 0.
-    fn vertex(&self) -> Option<Vector<D>> {
+    fn vertex(&self) -> Option<Vector> {
         if self.basis.active.iter().all(|active| active.len() == 0) {
             return Some(Vector::zeros());
         }
@@ -107,7 +107,7 @@ impl<D: Size, const C: usize> Path<D, C> {
         let factors = Bordered::new(&self.sums.stiffness, &zero, &zero, 1.0)?;
         let mut y = factors.solve(&self.sums.sides[TRIAL], 0.0).0;
         for _ in 0..CORRECTIONS {
-            let (mut left, mut size) = (Vector::<D>::zeros(), 0.0);
+            let (mut left, mut size) = (Vector::zeros(), 0.0);
             for (contact, local) in self.form.locals.iter().enumerate() {
                 let seen = &local.contact.seen;
                 let x = self.basis.reaction(contact).hold * local.stretch(&y) - local.trial;

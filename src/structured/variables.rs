@@ -4,7 +4,6 @@ use nalgebra::SVector;
 
 use super::basis::StateBasis;
 use super::contact_form::{ContactForm, PairedContact};
-use crate::numerics::Size;
 use crate::object::{Facet, MARGIN, Point, slack};
 
 /// The pair outside the basis, both of whose variables are zero, and which of the two enters.
@@ -57,9 +56,9 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// The start of a step, and its direction for a unit change of the entering variable.
 #[derive(Debug, Clone)]
-pub(super) struct PivotStep<D: Size> {
-    pub(super) here: Point<D>,
-    pub(super) along: Point<D>,
+pub(super) struct PivotStep {
+    pub(super) here: Point,
+    pub(super) along: Point,
     /// Size of the largest change of a variable.
     pub(super) largest: f64,
 }
@@ -70,14 +69,14 @@ const NOISE: f64 = 1e-11;
 /// A rate below this part of the largest changes is rounding of zero for any terms.
 pub(super) const GREY: f64 = 4.0 * f64::EPSILON;
 
-impl<D: Size, const C: usize> ContactForm<D, C> {
+impl<const C: usize> ContactForm<C> {
     /// Calls `visit` with the basic variables of a contact that decrease along a step. A rate much smaller than
     /// the largest changes counts only if it is not small beside the terms it is made of.
     pub(super) fn decreasing(
         &self,
         basis: &StateBasis<C>,
         contact: u32,
-        step: &PivotStep<D>,
+        step: &PivotStep,
         entering: &Entering,
         mut visit: impl FnMut(Candidate),
     ) {
@@ -122,7 +121,7 @@ impl<D: Size, const C: usize> ContactForm<D, C> {
 
     /// The time until which no variable of this contact can reach zero, on the clock of the direction
     /// e.
-    pub(super) fn slack(&self, basis: &StateBasis<C>, contact: u32, at: &Point<D>, e: &Point<D>) -> f64 {
+    pub(super) fn slack(&self, basis: &StateBasis<C>, contact: u32, at: &Point, e: &Point) -> f64 {
         let local = &self.locals[contact as usize];
         let (active, reaction) = (&basis.active[contact as usize], basis.reaction(contact as usize));
         let (stretch, change) = (local.stretch(&at.y), -(&local.contact.seen * &e.y));
@@ -148,7 +147,7 @@ impl<D: Size, const C: usize> ContactForm<D, C> {
     }
 }
 
-impl<D: Size, const C: usize> PairedContact<D, C> {
+impl<const C: usize> PairedContact<C> {
     /// Size of the terms of the contact's variables.
     fn level(&self, stretch: &SVector<f64, C>, z0: f64) -> f64 {
         self.trial.amax() + stretch.amax() + z0.abs()

@@ -13,7 +13,7 @@ use crate::contact::{ContactResponse, Law, Polygon, PolygonCone};
 use crate::error::Error;
 use crate::forms::Row;
 use crate::grasp::{Engine, Site, Twist, Wrench};
-use crate::numerics::{Memory, Orthogonal, Size, Vector, without};
+use crate::numerics::{Memory, Orthogonal, Vector, without};
 use crate::object::{Problem, spring_rows, stretched_into, worked_on};
 use crate::prelude::*;
 
@@ -24,14 +24,14 @@ const MANY: usize = 32;
 
 /// Memory for equilibria of one grasp after another, by Lemke's method on lists of contact states.
 #[derive(Debug, Clone)]
-pub(crate) struct Workspace<D: Size, const C: usize> {
-    pub(super) path: Path<D, C>,
+pub(crate) struct Workspace<const C: usize> {
+    pub(super) path: Path<C>,
     /// K^{1/2}Gᵀ, one row per spring of the contacts, and its factors: they are kept from the
     /// last scene if only load, commands or friction have changed.
-    springs: Vec<Vector<D>>,
-    factor: Orthogonal<D>,
+    springs: Vec<Vector>,
+    factor: Orthogonal,
     /// Orthonormal motions that stretch none of these springs.
-    free: Vec<Vector<D>>,
+    free: Vec<Vector>,
     /// x⁰, spring by spring.
     x: Vec<f64>,
     laws: Vec<Law<C>>,
@@ -41,9 +41,9 @@ pub(crate) struct Workspace<D: Size, const C: usize> {
     pub(super) asked: SearchSettings,
     /// The responses of the contacts on the round cone.
     answers: Vec<ContactResponse<C>>,
-    pub(super) solution: Solution<D, C>,
+    pub(super) solution: Solution<C>,
     /// R q in the trial state.
-    travelled: Vector<D>,
+    travelled: Vector,
     /// The number of Newton's steps, if Newton's method found the solution.
     pub(super) newton_steps: Option<usize>,
     pub(super) twist: Twist<C>,
@@ -60,7 +60,7 @@ pub(crate) struct SearchSettings {
     pub(crate) one_path: bool,
 }
 
-impl<D: Size, const C: usize> Workspace<D, C> {
+impl<const C: usize> Workspace<C> {
     fn new(asked: SearchSettings) -> Self {
         Self {
             path: Path::default(),
@@ -80,7 +80,7 @@ impl<D: Size, const C: usize> Workspace<D, C> {
         }
     }
 
-    fn solve(&mut self, grasp: &Engine<D, C>, load: &Wrench<C>) -> Result<Search<'_, C>, Error> {
+    fn solve(&mut self, grasp: &Engine<C>, load: &Wrench<C>) -> Result<Search<'_, C>, Error> {
         let other_paths = if self.asked.one_path { 0 } else { OTHER_PATHS };
         let wrench = grasp.load_alone(load, "load")?;
         self.path.pivots = 0;
@@ -115,7 +115,7 @@ impl<D: Size, const C: usize> Workspace<D, C> {
     }
 
     /// Whether an equilibrium was found; `None` if no contact resists the load.
-    fn seek(&mut self, problem: &mut Problem<D, C>, other_paths: usize) -> Option<bool> {
+    fn seek(&mut self, problem: &mut Problem<C>, other_paths: usize) -> Option<bool> {
         let newton_first = other_paths > 0 && problem.len() >= MANY && !self.asked.round;
         self.newton_steps = newton_first.then(|| newton(problem, &mut self.solution)).flatten();
         if self.newton_steps.is_some() {
@@ -133,7 +133,7 @@ impl<D: Size, const C: usize> Workspace<D, C> {
 
     /// Searches an equilibrium on the round cone: the trial itself, Newton's method from the trial, or Newton's method from an
     /// equilibrium on polygons. If only one path is allowed, only the last is tried.
-    fn round_off(&mut self, problem: &mut Problem<D, C>, other_paths: usize) -> bool {
+    fn round_off(&mut self, problem: &mut Problem<C>, other_paths: usize) -> bool {
         if other_paths > 0 {
             problem.round = true;
             let trial = self.least_motion(&self.travelled);
@@ -153,7 +153,7 @@ impl<D: Size, const C: usize> Workspace<D, C> {
         self.newton_on_the_round_cone(problem, self.solution.twist.clone())
     }
 
-    fn newton_on_the_round_cone(&mut self, problem: &Problem<D, C>, from: Vector<D>) -> bool {
+    fn newton_on_the_round_cone(&mut self, problem: &Problem<C>, from: Vector) -> bool {
         self.newton_steps = round_cone::newton(problem, from, &mut self.answers, &mut self.solution);
         let twist = core::mem::take(&mut self.solution.twist);
         self.solution.twist = without(twist, &self.free);
@@ -180,7 +180,7 @@ impl<D: Size, const C: usize> Workspace<D, C> {
     }
 
     /// Computes the trial state in which every contact sticks; `false` if no contact resists the load.
-    fn stick(&mut self, problem: &Problem<D, C>) -> bool {
+    fn stick(&mut self, problem: &Problem<C>) -> bool {
         let sites = problem.sites;
         let mut known = self.springs.iter();
         let same = spring_rows(sites).all(|row| known.next() == Some(&row)) && known.next().is_none();
@@ -198,7 +198,7 @@ impl<D: Size, const C: usize> Workspace<D, C> {
         true
     }
 
-    fn search(&mut self, problem: &Problem<D, C>, other_paths: usize) -> bool {
+    fn search(&mut self, problem: &Problem<C>, other_paths: usize) -> bool {
         self.path.form.assign(problem, &self.factor, &self.x);
         let limit = self.path.pivot_limit();
         for attempt in 0..=other_paths {
@@ -215,12 +215,12 @@ impl<D: Size, const C: usize> Workspace<D, C> {
     }
 
     /// The least motion with the coordinates R q.
-    fn least_motion(&self, travelled: &Vector<D>) -> Vector<D> {
+    fn least_motion(&self, travelled: &Vector) -> Vector {
         without(self.factor.preimage(travelled), &self.free)
     }
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Workspace::solve`](crate::ask::Workspace::solve), in memory that this engine has used before or that is new.
     pub(crate) fn search_in<'w>(
         &self,
@@ -228,13 +228,13 @@ impl<D: Size, const C: usize> Engine<D, C> {
         asked: &SearchSettings,
         memory: &'w mut Memory,
     ) -> Result<Search<'w, C>, Error> {
-        let workspace = memory.of(|| Workspace::<D, C>::new(*asked));
+        let workspace = memory.of(|| Workspace::<C>::new(*asked));
         workspace.asked = *asked;
         workspace.solve(self, load)
     }
 }
 
-impl<D: Size, const C: usize> Viewed<C> for Workspace<D, C> {
+impl<const C: usize> Viewed<C> for Workspace<C> {
     fn forces(&self) -> &[SVector<f64, C>] {
         &self.solution.forces
     }

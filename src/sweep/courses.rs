@@ -9,7 +9,7 @@ use super::margin::{Effect, LOOKED_AT, effect};
 use crate::contact::{Polygon, State};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench, of_the_object};
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::object::{Load, Piece, PieceState};
 use crate::prelude::*;
 
@@ -78,7 +78,7 @@ impl<const C: usize> Course<C> {
     }
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// Forces while sites keep these states, none of which slides, with data as known and with each datum off. Also the piece of these states.
     pub(super) fn all_forces(
         &self,
@@ -86,7 +86,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
         polygon: &Arc<Polygon<C>>,
         data: &[UncertainDatum],
         sigmas: f64,
-    ) -> Result<(AllForces<C>, Piece<D, C>), Error> {
+    ) -> Result<(AllForces<C>, Piece<C>), Error> {
         let (known, piece) = self.forces(states, polygon);
         let mut off = Vec::with_capacity(data.len());
         for datum in data {
@@ -97,12 +97,12 @@ impl<D: Size, const C: usize> Engine<D, C> {
         Ok((AllForces { known, off }, piece))
     }
 
-    fn forces(&self, states: &[State<C>], polygon: &Arc<Polygon<C>>) -> (LinearForces<C>, Piece<D, C>) {
+    fn forces(&self, states: &[State<C>], polygon: &Arc<Polygon<C>>) -> (LinearForces<C>, Piece<C>) {
         let drives = self.drives();
         let at_rest = vec![SVector::zeros(); drives.len()];
         let problem = self.problem(polygon.clone(), false, drives.clone(), &Load::from(&Vector::zeros()));
         let piece = Piece::new(&problem, states);
-        let seen = |drives: &[SVector<f64, C>], wrench: &Vector<D>| {
+        let seen = |drives: &[SVector<f64, C>], wrench: &Vector| {
             let PieceState { mut forces, twist } = piece.solve_roughly(drives, wrench);
             for (i, site) in self.sites().iter().enumerate().filter(|(i, _)| states[*i].is_open()) {
                 forces[i] = SVector::zeros();

@@ -4,7 +4,6 @@ use super::off::Off;
 use super::uncertainty::Uncertainty;
 use crate::error::Error;
 use crate::grasp::{Contact, Engine};
-use crate::numerics::Size;
 use crate::prelude::*;
 
 /// One datum with its σ, of a factor's logarithm or of an added amount.
@@ -25,11 +24,7 @@ enum DatumKind {
 
 impl UncertainDatum {
     /// The engine with this datum off by z σ.
-    pub(super) fn engine<D: Size, const C: usize>(
-        &self,
-        of: &Engine<D, C>,
-        z: f64,
-    ) -> Result<Engine<D, C>, Error> {
+    pub(super) fn engine<const C: usize>(&self, of: &Engine<C>, z: f64) -> Result<Engine<C>, Error> {
         let (factor, added) = ((self.sigma * z).exp(), self.sigma * z);
         let mut off = Off::not();
         let whose = match self.what {
@@ -65,7 +60,7 @@ impl UncertainDatum {
     }
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// The uncertain data, without friction and load, which change no force by themselves.
     pub(super) fn data(&self, uncertainty: &Uncertainty) -> Vec<UncertainDatum> {
         let Uncertainty { stiffness, squeeze, position, normal, .. } = *uncertainty;

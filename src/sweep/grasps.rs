@@ -5,10 +5,9 @@ use crate::equilibrium::{Outcome, Settings};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::load_path::{Onset, Ramp, Turn, TurnOnset};
-use crate::numerics::Size;
 use crate::prelude::*;
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Grasp::solve_each`](crate::ask::Grasp::solve_each).
     pub(crate) fn solve_each(
         &self,

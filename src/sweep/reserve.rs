@@ -8,7 +8,7 @@ use crate::contact::{Polygon, State};
 use crate::equilibrium::{Outcome, Settings};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench, of_the_object};
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::object::Load;
 use crate::prelude::*;
 
@@ -53,7 +53,7 @@ impl<const C: usize> Reserve<C> {
     }
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Grasp::reserve`](crate::ask::Grasp::reserve).
     pub(crate) fn reserve(
         &self,

@@ -8,7 +8,6 @@
 //! θ = |g_1 - g_2|:      mean = τ - θ / √(2π),      variance = (|g_1|² + |g_2|²) / 2 - θ² / (2π)
 //! ```
 
-use crate::numerics::Size;
 use core::f64::consts::TAU;
 
 use super::uncertainty::Uncertainty;
@@ -59,7 +58,7 @@ pub struct LeaverSpread {
     pub deviation: f64,
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Grasp::robust_onset`](crate::ask::Grasp::robust_onset).
     pub(crate) fn robust_onset(
         &self,
@@ -113,7 +112,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
     /// Changes of the factors of all leaving contacts and drives by one σ of each independent datum.
     fn moves(
         &self,
-        margins: &OnsetMargins<D, C>,
+        margins: &OnsetMargins<C>,
         event: &OnsetEvent<C>,
         uncertainty: &Uncertainty,
     ) -> Vec<Vec<f64>> {

@@ -9,7 +9,7 @@ use crate::equilibrium::Settings;
 use crate::error::Error;
 use crate::grasp::Engine;
 use crate::load_path::{Onset, Ramp};
-use crate::numerics::{Draw, Size};
+use crate::numerics::Draw;
 use crate::prelude::*;
 
 /// Uncertainty of the data of a grasp and of its load. Each friction, stiffness and squeeze of each
@@ -142,7 +142,7 @@ fn factor(sigma: f64, draw: &mut Draw) -> f64 {
 /// small are refused, and none becomes zero or infinite, which would mean something else.
 const LEAST_FACTOR: f64 = 1e-200;
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Grasp::sample`](crate::ask::Grasp::sample).
     pub(crate) fn sample(&self, uncertainty: &Uncertainty, number: u64) -> Result<Self, Error> {
         if uncertainty.position != 0.0 {

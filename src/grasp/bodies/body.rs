@@ -6,7 +6,6 @@ use nalgebra::SVector;
 
 use crate::grasp::rotation::displacement_of;
 use crate::grasp::wrench::{Twist, Wrench};
-use crate::numerics::Fixed;
 use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
@@ -83,7 +82,7 @@ pub struct BodyMotion<const C: usize> {
 impl<const C: usize> BodyMotion<C> {
     /// Displacement of the centroid of its contact points, m.
     pub(crate) fn middle_moves(&self) -> SVector<f64, C> {
-        displacement_of::<Fixed<6>, C>(&self.centre, &self.twist.coordinates())
+        displacement_of::<C>(&self.centre, &self.twist.coordinates())
     }
 
     /// Displacement of its contact points by rotation about their centroid, m: the angle times `reach`.

@@ -10,10 +10,10 @@ use crate::error::Error;
 use crate::grasp::engine::Engine;
 use crate::grasp::rotation::{moved_twist, moved_wrench, object_alone, of_the_object, wrench_of};
 use crate::grasp::wrench::{Twist, Wrench};
-use crate::numerics::{Fixed, Size, Vector};
+use crate::numerics::Vector;
 use crate::prelude::*;
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// The bodies, if there are several.
     pub(crate) fn bodies(&self) -> Option<&PlacedBodies<C>> {
         self.linkage()?.bodies.as_deref()
@@ -25,7 +25,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 
     /// The wrenches of one load on each body, in inside coordinates.
-    pub(crate) fn put_on_each(&self, bodies: &PlacedBodies<C>, loads: &[Wrench<C>]) -> Vector<D> {
+    pub(crate) fn put_on_each(&self, bodies: &PlacedBodies<C>, loads: &[Wrench<C>]) -> Vector {
         let mut inside = Vector::zeros();
         for (body, (place, load)) in bodies.places.iter().zip(loads).enumerate() {
             if body == bodies.object {
@@ -33,7 +33,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
                 continue;
             }
             let Some(linkage) = self.linkage() else { continue };
-            let about_centre = moved_wrench::<Fixed<6>, C>(&-place.centre, &load.coordinates());
+            let about_centre = moved_wrench::<C>(&-place.centre, &load.coordinates());
             for (k, x) in Wrench::<C>::among(&about_centre).components().iter().enumerate() {
                 inside[place.first + k] = x / linkage.lengths[place.first + k];
             }
@@ -48,19 +48,19 @@ impl<D: Size, const C: usize> Engine<D, C> {
         contact: usize,
         point: &SVector<f64, C>,
         force: &SVector<f64, C>,
-    ) -> Vector<D> {
+    ) -> Vector {
         let object = of_the_object::<C>();
         if contact >= self.len() {
             // A drive acts on no body.
             return Vector::zeros();
         }
-        let in_unit = wrench_of::<Fixed<6>, C>(&(point / self.length()), force);
+        let in_unit = wrench_of::<C>(&(point / self.length()), force);
         let mut moments = Vector::zeros();
         let Some((bodies, linkage)) = self.bodies().zip(self.linkage()) else {
             (C..object).for_each(|k| moments[k] = in_unit[k]);
             return moments;
         };
-        let about_origin = wrench_of::<Fixed<6>, C>(point, force);
+        let about_origin = wrench_of::<C>(point, force);
         for (body, place) in bodies.places.iter().enumerate() {
             let sign = bodies.sign(contact, body);
             for k in C..object {
@@ -125,7 +125,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 
     /// Motion of each body in the user's coordinates, from all coordinates in the user's units.
-    pub(crate) fn body_motions(&self, outside: &Vector<D>) -> Vec<BodyMotion<C>> {
+    pub(crate) fn body_motions(&self, outside: &Vector) -> Vec<BodyMotion<C>> {
         let Some(bodies) = self.bodies() else { return Vec::new() };
         let of = |(body, place): (usize, &BodyPlace<C>)| {
             let twist = if body == bodies.object {
@@ -134,7 +134,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
                 // Components behind the end of the vector are zero.
                 let own: Vec<f64> = (0..of_the_object::<C>()).map(|k| outside[place.first + k]).collect();
                 let about_centre = Twist::<C>::from_components(&own).coordinates();
-                Twist::among(&moved_twist::<Fixed<6>, C>(&place.centre, &about_centre))
+                Twist::among(&moved_twist::<C>(&place.centre, &about_centre))
             };
             BodyMotion { body: bodies.names[body].clone(), twist, centre: place.centre, reach: place.reach }
         };
@@ -142,7 +142,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 
     /// Motion of each body in the user's coordinates, from inside coordinates; that of the object if there are no bodies.
-    pub(crate) fn each_moves(&self, inside: &Vector<D>) -> Vec<BodyMotion<C>> {
+    pub(crate) fn each_moves(&self, inside: &Vector) -> Vec<BodyMotion<C>> {
         let outside = self.outside_coordinates(inside);
         if self.bodies().is_some() {
             return self.body_motions(&outside);
@@ -161,8 +161,8 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 
     /// The coordinates of the body that a contact's normal points into; all others are set to zero.
-    pub(crate) fn body_alone(&self, contact: usize, coordinates: &Vector<D>) -> Vector<D> {
-        let Some(bodies) = self.bodies() else { return object_alone::<D, C>(coordinates) };
+    pub(crate) fn body_alone(&self, contact: usize, coordinates: &Vector) -> Vector {
+        let Some(bodies) = self.bodies() else { return object_alone::<C>(coordinates) };
         let Some((on, _)) = bodies.sides.get(contact) else { return coordinates.clone() };
         let first = bodies.places[*on].first;
         let mut alone = coordinates.clone();

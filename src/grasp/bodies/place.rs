@@ -9,7 +9,7 @@ use crate::grasp::contact::Contact;
 use crate::grasp::hand::Columns;
 use crate::grasp::rotation::{displacement_of, moved_wrench, of_the_object};
 use crate::grasp::wrench::Wrench;
-use crate::numerics::{Fixed, Size, Vector};
+use crate::numerics::Vector;
 use crate::prelude::*;
 use crate::words::printable;
 
@@ -139,9 +139,9 @@ impl<const C: usize> PlacedBodies<C> {
             }
             let arm = point - place.centre;
             for k in 0..object {
-                let mut unit = Vector::<Fixed<6>>::zeros();
+                let mut unit = Vector::zeros();
                 unit[k] = sign;
-                columns.push((place.first - object + k, displacement_of::<Fixed<6>, C>(&arm, &unit)));
+                columns.push((place.first - object + k, displacement_of::<C>(&arm, &unit)));
             }
         }
         columns
@@ -172,14 +172,11 @@ impl<const C: usize> PlacedBodies<C> {
     }
 
     /// Wrenches on all bodies other than the object, about the origin.
-    pub(crate) fn others<'a, D: Size>(
-        &'a self,
-        outside: &'a Vector<D>,
-    ) -> impl Iterator<Item = Wrench<C>> + 'a {
+    pub(crate) fn others<'a>(&'a self, outside: &'a Vector) -> impl Iterator<Item = Wrench<C>> + 'a {
         self.places.iter().enumerate().filter(|(body, _)| *body != self.object).map(|(_, place)| {
             let own = &outside.as_slice()[place.first..place.first + of_the_object::<C>()];
             let about_centre = Wrench::<C>::from_components(own).coordinates();
-            Wrench::among(&moved_wrench::<Fixed<6>, C>(&place.centre, &about_centre))
+            Wrench::among(&moved_wrench::<C>(&place.centre, &about_centre))
         })
     }
 

@@ -12,7 +12,7 @@ use crate::error::{Error, LARGEST, is_moderate};
 use crate::grasp::bodies::{PlacedBodies, refuse_sides};
 use crate::grasp::engine::Engine;
 use crate::grasp::rotation::of_the_object;
-use crate::numerics::{Any, Size, Vector};
+use crate::numerics::{Size, Vector};
 use crate::prelude::*;
 use crate::words::printable;
 
@@ -23,9 +23,9 @@ impl<const C: usize> Hand<C> {
     /// # Errors
     /// [`Error::EmptyGrasp`] without contacts; [`Error::Hand`] with the joint, tendon or finger, the field and the allowed values; [`Error::Contact`]
     /// as for [`Grasp::new`](crate::ask::Grasp::new).
-    pub(crate) fn engine(self, mut bodies: Option<PlacedBodies<C>>) -> Result<Engine<Any, C>, Error> {
+    pub(crate) fn engine(self, mut bodies: Option<PlacedBodies<C>>) -> Result<Engine<C>, Error> {
         let others = bodies.as_ref().map_or(0, |bodies| bodies.names.len() - 1);
-        let (most, used) = (Any::of(self.coordinates() + others * of_the_object::<C>()), self.joints());
+        let (most, used) = (Size::of(self.coordinates() + others * of_the_object::<C>()), self.joints());
         let Self { fingers, tendons } = self;
         let joints: Vec<Joint<C>> = fingers.iter().flat_map(|finger| finger.joints.iter().cloned()).collect();
         let mut assembly = Assembly {
@@ -246,8 +246,8 @@ impl<const C: usize> Assembly<C> {
         tendons: Vec<Named>,
         commands: Vec<f64>,
         bodies: Option<PlacedBodies<C>>,
-    ) -> Result<Engine<Any, C>, Error> {
-        let size = Any::of(Self::OBJECT + self.used);
+    ) -> Result<Engine<C>, Error> {
+        let size = Size::of(Self::OBJECT + self.used);
         let name = |joint: &Joint<C>| Named {
             name: joint.name.clone(),
             limit: joint.limit,
@@ -273,7 +273,7 @@ impl<const C: usize> Assembly<C> {
 
 /// A spring of one axis in inside coordinates.
 struct Spring {
-    along: Vector<Any>,
+    along: Vector,
     stiffness: f64,
     /// Torque or tension per unit of force.
     unit: f64,

@@ -8,7 +8,7 @@ use super::positive::NotPositive;
 use crate::error::Error;
 use crate::grasp::contact::Contact;
 use crate::grasp::rotation::of_the_object;
-use crate::numerics::{Any, Vector};
+use crate::numerics::Vector;
 use crate::prelude::*;
 use crate::words::printable;
 
@@ -23,9 +23,9 @@ pub(in crate::grasp) struct Assembly<const C: usize> {
     pub(super) joints: Vec<Joint<C>>,
     /// Number of coordinates in use behind those of the object.
     pub(in crate::grasp) used: usize,
-    pub(in crate::grasp) lengths: Vector<Any>,
-    pub(super) drives: Vec<Drive<Any>>,
-    pub(in crate::grasp) held: Vector<Any>,
+    pub(in crate::grasp) lengths: Vector,
+    pub(super) drives: Vec<Drive>,
+    pub(in crate::grasp) held: Vector,
     pub(super) bones: Vec<[SVector<f64, C>; 2]>,
     /// Force of `pressed_with` for each contact, N: its size, and its vector along the coordinate axes.
     pub(super) presses: Vec<(f64, SVector<f64, C>)>,

@@ -36,11 +36,11 @@ pub(crate) enum Role {
 
 /// A drive in inside coordinates: its force in N along a unit of length, whatever the units of its joints.
 #[derive(Debug, Clone)]
-pub(crate) struct Drive<D: Size> {
+pub(crate) struct Drive {
     pub(crate) owner: Owner,
     pub(crate) role: Role,
     /// Generalised force on the coordinates, per newton of its force.
-    pub(super) along: Vector<D>,
+    pub(super) along: Vector,
     pub(super) stiffness: f64,
     /// Bound on its force, N; infinite or unused without one.
     pub(super) bound: f64,
@@ -52,7 +52,7 @@ pub(crate) struct Drive<D: Size> {
     pub(super) rest: f64,
 }
 
-impl<D: Size> Drive<D> {
+impl Drive {
     /// A spring on one coordinate that belongs to no joint.
     pub(super) fn unowned(coordinate: usize, stiffness: f64) -> Self {
         let mut along = Vector::zeros();
@@ -75,7 +75,7 @@ impl<D: Size> Drive<D> {
     }
 
     /// The site with the contact law of this drive.
-    pub(crate) fn site<const C: usize>(&self, size: D) -> Site<D, C> {
+    pub(crate) fn site<const C: usize>(&self, size: Size) -> Site<C> {
         let slips = self.role == Role::Slips;
         let springs = Compliance::new(&SVector::repeat(self.stiffness), if slips { C } else { 1 });
         let hold = match self.role {
@@ -149,7 +149,7 @@ impl<D: Size> Drive<D> {
     }
 
     /// Per unit of the owner's limit: change of its site's stretch, and change of the constant force on the coordinates.
-    pub(crate) fn by_limit<const C: usize>(&self) -> (SVector<f64, C>, Vector<D>) {
+    pub(crate) fn by_limit<const C: usize>(&self) -> (SVector<f64, C>, Vector) {
         let (mut stretch, per_force) = (SVector::zeros(), 1.0 / self.unit);
         let held = match self.role {
             Role::Slips => {

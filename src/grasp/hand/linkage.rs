@@ -10,25 +10,25 @@ use super::joint::{JointKind, Limit};
 use crate::grasp::bodies::PlacedBodies;
 use crate::grasp::contact::Contact;
 use crate::grasp::rotation::of_the_object;
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::prelude::*;
 use crate::words::printable;
 
 /// Joints, tendons, drives and bodies behind a grasp, in inside coordinates.
 #[derive(Debug, Clone)]
-pub(crate) struct Linkage<D: Size, const C: usize> {
+pub(crate) struct Linkage<const C: usize> {
     pub(crate) joints: Vec<Named>,
     pub(crate) tendons: Vec<Named>,
     /// Factors that make lengths of the coordinates behind the object's; those of the object are 1.
-    pub(crate) lengths: Vector<D>,
+    pub(crate) lengths: Vector,
     /// Motion of each contact along the coordinate axes, per unit of each coordinate behind the object's.
     pub(crate) motions: Vec<Vec<(usize, SVector<f64, C>)>>,
     /// Drives, one for each site beyond the contacts.
-    pub(crate) drives: Vec<Drive<D>>,
+    pub(crate) drives: Vec<Drive>,
     /// Constant forces on the coordinates, from torques, tensions and held contacts.
-    pub(crate) held: Vector<D>,
+    pub(crate) held: Vector,
     /// External torques on the joints.
-    pub(crate) pulled: Vector<D>,
+    pub(crate) pulled: Vector,
     /// The bodies, if there are several.
     pub(crate) bodies: Option<Box<PlacedBodies<C>>>,
     /// Line segments from joint to joint and on to the contacts, for pictures only.
@@ -94,7 +94,7 @@ impl PartLabel {
     }
 }
 
-impl<D: Size, const C: usize> Linkage<D, C> {
+impl<const C: usize> Linkage<C> {
     /// Stretches of the sites of all drives under these commands.
     pub(crate) fn stretches(&self, commands: &[f64]) -> impl Iterator<Item = SVector<f64, C>> {
         self.drives.iter().map(move |drive| drive.stretch(commands))
@@ -153,7 +153,7 @@ impl<D: Size, const C: usize> Linkage<D, C> {
     }
 
     /// Drives of an actuator: a joint or, numbered behind the joints, a tendon.
-    pub(crate) fn of_actuator(&self, actuator: usize) -> impl Iterator<Item = (usize, &Drive<D>)> {
+    pub(crate) fn of_actuator(&self, actuator: usize) -> impl Iterator<Item = (usize, &Drive)> {
         let joints = self.joints.len();
         let owner = if actuator < joints { Owner::Joint(actuator) } else { Owner::Tendon(actuator - joints) };
         self.drives.iter().enumerate().filter(move |(_, drive)| drive.owner == owner)

@@ -6,12 +6,11 @@ use crate::contact::{Mode, State};
 use crate::load_path::end_of_path::end_of_path;
 use crate::load_path::event::{LossKind, PathEnd};
 use crate::load_path::journey::Journey;
-use crate::numerics::Size;
 use crate::search::{Settled, settle};
 
-impl<D: Size, const C: usize> Patch<D, C> {
+impl<const C: usize> Patch<C> {
     /// Finds the states of all contacts that are on an edge or slide.
-    pub(super) fn ask_about_all(&mut self, journey: &Journey<'_, D, C>) -> Result<(), PathEnd<C>> {
+    pub(super) fn ask_about_all(&mut self, journey: &Journey<'_, C>) -> Result<(), PathEnd<C>> {
         self.balance.remember_all();
         let edge = self.all_contacts(journey);
         self.balance.looked_at += edge.rates.len();

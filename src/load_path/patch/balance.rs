@@ -14,7 +14,7 @@ use super::moving_contact::{MovingContact, for_each_slip, size};
 use super::trial_leg::TrialLeg;
 use crate::contact::{PolygonState, WEIGHTLESS, tangential};
 use crate::grasp::Site;
-use crate::numerics::{Factors, Size, Vector, orthonormalise_against};
+use crate::numerics::{Factors, Vector, orthonormalise_against};
 use crate::object::{CORRECTIONS, EnergyCoordinates, Facet, MARGIN, Point, Problem, Sums, are_stale, slack};
 use crate::prelude::*;
 
@@ -23,28 +23,28 @@ const FEW: usize = 64;
 
 /// The contacts in their states, and the present place of the path.
 #[derive(Debug)]
-pub(super) struct Balance<D: Size, const C: usize> {
-    pub(super) contacts: Vec<MovingContact<D, C>>,
+pub(super) struct Balance<const C: usize> {
+    pub(super) contacts: Vec<MovingContact<C>>,
     coordinates: EnergyCoordinates<C>,
     /// T, b and b'.
-    sums: Sums<D, 2>,
+    sums: Sums<2>,
     /// Number of changes since the sums were made.
     age: usize,
-    factors: Factors<D>,
+    factors: Factors,
     /// The present fraction of the leg.
     pub(super) tau: f64,
     /// Motion on top of the trial state at τ, scaled like Q, and its rate.
-    pub(super) y: Vector<D>,
-    pub(super) y_rate: Vector<D>,
+    pub(super) y: Vector,
+    pub(super) y_rate: Vector,
     /// Unit of time along the leg that weighs as much as a unit of y.
     pub(super) pace: f64,
     /// Number of evaluations of single contacts.
     pub(super) looked_at: usize,
 }
 
-impl<D: Size, const C: usize> Balance<D, C> {
+impl<const C: usize> Balance<C> {
     /// The balance with every contact sticking.
-    pub(super) fn new(problem: &Problem<'_, D, C>, trial: &TrialLeg<D, C>) -> Self {
+    pub(super) fn new(problem: &Problem<'_, C>, trial: &TrialLeg<C>) -> Self {
         let (mut contacts, mut coordinates) =
             (Vec::with_capacity(problem.len()), EnergyCoordinates::default());
         coordinates.lay_out(problem, &trial.factor, |_, contact| contacts.push(MovingContact::new(contact)));
@@ -63,11 +63,11 @@ impl<D: Size, const C: usize> Balance<D, C> {
         }
     }
 
-    pub(super) fn contact(&self, contact: u32) -> &MovingContact<D, C> {
+    pub(super) fn contact(&self, contact: u32) -> &MovingContact<C> {
         &self.contacts[contact as usize]
     }
 
-    pub(super) fn facets(&self, contact: &MovingContact<D, C>) -> &[Facet<C>] {
+    pub(super) fn facets(&self, contact: &MovingContact<C>) -> &[Facet<C>] {
         self.coordinates.facets(&contact.fixed)
     }
 
@@ -77,22 +77,22 @@ impl<D: Size, const C: usize> Balance<D, C> {
     }
 
     /// u of a contact at the present place.
-    pub(super) fn stretch(&self, contact: &MovingContact<D, C>) -> SVector<f64, C> {
+    pub(super) fn stretch(&self, contact: &MovingContact<C>) -> SVector<f64, C> {
         contact.stretch(&self.y, self.tau)
     }
 
     /// u' of a contact.
-    pub(super) fn stretch_rate(&self, contact: &MovingContact<D, C>) -> SVector<f64, C> {
+    pub(super) fn stretch_rate(&self, contact: &MovingContact<C>) -> SVector<f64, C> {
         contact.stretch_rate(&self.y_rate)
     }
 
     /// x' of a contact.
-    pub(super) fn force_rate(&self, contact: &MovingContact<D, C>) -> SVector<f64, C> {
+    pub(super) fn force_rate(&self, contact: &MovingContact<C>) -> SVector<f64, C> {
         contact.force(&self.stretch_rate(contact), self.facets(contact))
     }
 
     /// Size of the terms that u' of a contact is the sum of.
-    pub(super) fn rate_level(&self, contact: &MovingContact<D, C>) -> f64 {
+    pub(super) fn rate_level(&self, contact: &MovingContact<C>) -> f64 {
         contact.rate_level(self.y_rate.norm())
     }
 
@@ -102,7 +102,7 @@ impl<D: Size, const C: usize> Balance<D, C> {
     }
 
     /// The direction of the path in motion and time.
-    pub(super) fn course(&self) -> Point<D> {
+    pub(super) fn course(&self) -> Point {
         Point { y: self.y_rate.clone(), s: self.pace }
     }
 
@@ -153,7 +153,7 @@ impl<D: Size, const C: usize> Balance<D, C> {
     }
 
     /// Begins a leg, with x⁰ and its change along the leg, spring by spring.
-    pub(super) fn begin_leg(&mut self, sites: &[Site<D, C>], [trial, rate]: &[Vec<f64>; 2]) {
+    pub(super) fn begin_leg(&mut self, sites: &[Site<C>], [trial, rate]: &[Vec<f64>; 2]) {
         let mut springs = trial.iter().zip(rate);
         for (contact, site) in self.contacts.iter_mut().zip(sites) {
             for (axis, (x, change)) in springs.by_ref().take(site.springs.axes()).enumerate() {
@@ -181,7 +181,7 @@ impl<D: Size, const C: usize> Balance<D, C> {
     }
 
     /// Solves for the rate of the motion in the present states. `false` if nothing balances the load in them.
-    pub(super) fn solve_rates(&mut self, trial: &TrialLeg<D, C>) -> bool {
+    pub(super) fn solve_rates(&mut self, trial: &TrialLeg<C>) -> bool {
         if self.contacts.len() <= FEW || are_stale(self.age, self.contacts.len()) {
             self.renew();
         } else {
@@ -196,15 +196,15 @@ impl<D: Size, const C: usize> Balance<D, C> {
     }
 
     /// Removes the rates along free motions: no force drives the object along them.
-    fn rest_along_free_motions(&mut self, trial: &TrialLeg<D, C>) {
+    fn rest_along_free_motions(&mut self, trial: &TrialLeg<C>) {
         let kernel = self.factors.kernel();
         if kernel.is_empty() {
             return;
         }
         let scale = self.scale();
-        let preimage = |y: &Vector<D>| trial.factor.preimage(&(y / scale));
+        let preimage = |y: &Vector| trial.factor.preimage(&(y / scale));
         // Pairs of a motion and its image in the coordinates of y; the motions are orthonormal.
-        let mut known: Vec<(Vector<D>, Vector<D>)> =
+        let mut known: Vec<(Vector, Vector)> =
             trial.free.iter().map(|v| (v.clone(), Vector::zeros())).collect();
         for mut y in kernel {
             let mut v = preimage(&y);
@@ -225,10 +225,10 @@ impl<D: Size, const C: usize> Balance<D, C> {
     }
 
     /// y with the rounding imbalance removed, from sums made afresh.
-    pub(super) fn balanced(&self) -> Vector<D> {
+    pub(super) fn balanced(&self) -> Vector {
         let mut y = self.y.clone();
         for _ in 0..CORRECTIONS {
-            let mut left = Vector::<D>::zeros();
+            let mut left = Vector::zeros();
             for contact in &self.contacts {
                 let x = contact.force(&contact.stretch(&y, self.tau), self.facets(contact));
                 left += contact.fixed.seen.tr_mul(&(x - contact.trial - contact.rate * self.tau));
@@ -239,17 +239,17 @@ impl<D: Size, const C: usize> Balance<D, C> {
     }
 
     /// The twist of least norm at which y is the motion on top of the trial state.
-    pub(super) fn twist(&self, trial: &TrialLeg<D, C>, y: &Vector<D>) -> Vector<D> {
+    pub(super) fn twist(&self, trial: &TrialLeg<C>, y: &Vector) -> Vector {
         trial.twist(&(&trial.travelled + &trial.rate * self.tau + y / self.scale()))
     }
 
     /// The rate of the twist.
-    pub(super) fn twist_rate(&self, trial: &TrialLeg<D, C>) -> Vector<D> {
+    pub(super) fn twist_rate(&self, trial: &TrialLeg<C>) -> Vector {
         trial.twist(&(&trial.rate + &self.y_rate / self.scale()))
     }
 
     /// Unit motions that nothing resists here.
-    pub(super) fn free_motions(&self, trial: &TrialLeg<D, C>) -> Vec<Vector<D>> {
+    pub(super) fn free_motions(&self, trial: &TrialLeg<C>) -> Vec<Vector> {
         let mut motions = trial.free.clone();
         for v in self.factors.kernel() {
             let mut v = trial.factor.preimage(&v);
@@ -260,7 +260,7 @@ impl<D: Size, const C: usize> Balance<D, C> {
     }
 
     /// The time in which no bound of a contact can be reached, on the clock of the direction e.
-    pub(super) fn slack(&self, contact: &MovingContact<D, C>, e: &Point<D>) -> f64 {
+    pub(super) fn slack(&self, contact: &MovingContact<C>, e: &Point) -> f64 {
         let u = self.stretch(contact);
         let margin = MARGIN * contact.level(&u, self.y.norm());
         let change = contact.change_along(e, self.pace);
@@ -273,7 +273,7 @@ impl<D: Size, const C: usize> Balance<D, C> {
     }
 
     /// The least slip rate of a sliding contact, and the change of the path direction below which it cannot vanish.
-    pub(super) fn slip_margin(&self, contact: &MovingContact<D, C>) -> (f64, f64) {
+    pub(super) fn slip_margin(&self, contact: &MovingContact<C>) -> (f64, f64) {
         let du = self.stretch_rate(contact);
         let size = self.course().size();
         let (mut least, mut slack) = (f64::INFINITY, f64::INFINITY);

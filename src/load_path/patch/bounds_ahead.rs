@@ -5,7 +5,6 @@ use super::active_set::Bound;
 use super::balance::Balance;
 use super::moving_contact::size;
 use crate::contact::ZERO_SLACK;
-use crate::numerics::Size;
 use crate::object::{LazyPricing, Point};
 use crate::prelude::*;
 
@@ -43,28 +42,28 @@ pub(super) enum PieceLength {
 
 /// The queue of contacts by their bounds, and the first exits.
 #[derive(Debug)]
-pub(super) struct BoundsAhead<D: Size> {
-    pricing: LazyPricing<D>,
+pub(super) struct BoundsAhead {
+    pricing: LazyPricing,
     /// The direction of the path when all contacts were last queued.
-    last_course: Option<Point<D>>,
+    last_course: Option<Point>,
     /// Approximate distance of the next event.
     stride: f64,
     pub(super) exits: Vec<BoundReached>,
 }
 
-impl<D: Size> BoundsAhead<D> {
+impl BoundsAhead {
     pub(super) fn new() -> Self {
         Self { pricing: LazyPricing::default(), last_course: None, stride: 1.0, exits: Vec::new() }
     }
 
     /// Queues all contacts at the start of a leg.
-    pub(super) fn set_out<const C: usize>(&mut self, balance: &mut Balance<D, C>) {
+    pub(super) fn set_out<const C: usize>(&mut self, balance: &mut Balance<C>) {
         self.last_course = None;
         self.line_up(balance);
     }
 
     /// Queues all contacts for the present direction of the path.
-    fn line_up<const C: usize>(&mut self, balance: &mut Balance<D, C>) {
+    fn line_up<const C: usize>(&mut self, balance: &mut Balance<C>) {
         let course = balance.course().direction();
         let towards = match self.last_course.replace(course.clone()) {
             Some(last) => course.plus(AHEAD, &course.plus(-1.0, &last)),
@@ -79,11 +78,7 @@ impl<D: Size> BoundsAhead<D> {
     }
 
     /// Finds the contacts that reach an edge first, at most `most` ahead, and leaves the tied exits in `exits`.
-    pub(super) fn first_exits<const C: usize>(
-        &mut self,
-        balance: &mut Balance<D, C>,
-        most: f64,
-    ) -> PieceLength {
+    pub(super) fn first_exits<const C: usize>(&mut self, balance: &mut Balance<C>, most: f64) -> PieceLength {
         self.exits.clear();
         self.pricing.looked.clear();
         // The next event is usually about as far as the last one was.
@@ -111,7 +106,7 @@ impl<D: Size> BoundsAhead<D> {
     }
 
     /// Evaluates all contacts whose time comes within a step of length `far`, or within the first exits if they are nearer.
-    fn look_within<const C: usize>(&mut self, balance: &mut Balance<D, C>, far: f64) {
+    fn look_within<const C: usize>(&mut self, balance: &mut Balance<C>, far: f64) {
         let speed = self.pricing.speed(&balance.course());
         let (travel, mut longest) = (balance.y.norm(), far);
         let within = |longest: f64| longest * speed * (1.0 + LONGER);
@@ -144,7 +139,7 @@ impl<D: Size> BoundsAhead<D> {
     }
 
     /// Goes along the present piece up to a fraction of the leg.
-    pub(super) fn go_to<const C: usize>(&mut self, balance: &mut Balance<D, C>, tau: f64) {
+    pub(super) fn go_to<const C: usize>(&mut self, balance: &mut Balance<C>, tau: f64) {
         let step = tau - balance.tau;
         self.pricing.advance(step, &balance.course());
         self.stride = (0.5 * self.stride).max(STRIDES * step);
@@ -152,7 +147,7 @@ impl<D: Size> BoundsAhead<D> {
     }
 
     /// Moves slightly to the best known of the exits: found from afar, it carries the rounding of the present state.
-    pub(super) fn correct<const C: usize>(&self, balance: &mut Balance<D, C>, before: f64) {
+    pub(super) fn correct<const C: usize>(&self, balance: &mut Balance<C>, before: f64) {
         let best = self.exits.iter().min_by(|a, b| a.uncertainty.total_cmp(&b.uncertainty));
         let Some(exit) = best else { return };
         let contact = balance.contact(exit.contact);
@@ -170,7 +165,7 @@ impl<D: Size> BoundsAhead<D> {
     }
 
     /// Queues the evaluated contacts again, or all contacts where the path has turned.
-    pub(super) fn requeue<const C: usize>(&mut self, balance: &mut Balance<D, C>) {
+    pub(super) fn requeue<const C: usize>(&mut self, balance: &mut Balance<C>) {
         if self.pricing.has_turned() {
             self.line_up(balance);
         } else {
@@ -179,7 +174,7 @@ impl<D: Size> BoundsAhead<D> {
     }
 
     /// Queues the evaluated contacts again, with their time from here.
-    fn wait_again<const C: usize>(&mut self, balance: &mut Balance<D, C>) {
+    fn wait_again<const C: usize>(&mut self, balance: &mut Balance<C>) {
         while let Some(number) = self.pricing.looked.pop() {
             balance.contacts[number as usize].waits = true;
             let contact = balance.contact(number);
@@ -194,7 +189,7 @@ impl<D: Size> BoundsAhead<D> {
     }
 
     /// Invalidates the queue entries of a contact.
-    pub(super) fn call_back<const C: usize>(&mut self, balance: &mut Balance<D, C>, contact: u32) {
+    pub(super) fn call_back<const C: usize>(&mut self, balance: &mut Balance<C>, contact: u32) {
         let moved = &mut balance.contacts[contact as usize];
         moved.stamp = moved.stamp.wrapping_add(1);
         if core::mem::take(&mut moved.waits) {

@@ -18,7 +18,6 @@ use crate::contact::{Mode, PolygonState, State, ZERO_SLACK};
 use crate::load_path::event::{LossKind, PathEnd};
 use crate::load_path::journey::Journey;
 use crate::load_path::transition::change;
-use crate::numerics::Size;
 use crate::prelude::*;
 
 /// Motions whose lengths differ by less than this part are equal up to rounding.
@@ -28,9 +27,9 @@ const STEPS: usize = 24;
 /// Largest growth of rounding accepted, relative to the rates: more could hide a contact that does move.
 const MOST_ROUNDING: f64 = 1e-10;
 
-impl<D: Size, const C: usize> Patch<D, C> {
+impl<const C: usize> Patch<C> {
     /// Decides the continuation of the path from here, and queues the changes for report.
-    pub(super) fn decide(&mut self, journey: &Journey<'_, D, C>, due: Due) -> Result<(), PathEnd<C>> {
+    pub(super) fn decide(&mut self, journey: &Journey<'_, C>, due: Due) -> Result<(), PathEnd<C>> {
         let decided = self.decide_among_stands(journey, due);
         if decided.is_ok() {
             self.take_over(journey);
@@ -43,7 +42,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
         decided
     }
 
-    fn decide_among_stands(&mut self, journey: &Journey<'_, D, C>, due: Due) -> Result<(), PathEnd<C>> {
+    fn decide_among_stands(&mut self, journey: &Journey<'_, C>, due: Due) -> Result<(), PathEnd<C>> {
         for stand in &self.stands {
             self.balance.remember(stand.contact);
         }
@@ -67,7 +66,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
 
     /// Opens contacts that touch without force and gain none, so that they do not drag the object along. They open where the object then moves less;
     /// forces are the same.
-    fn part_idle_contacts(&mut self, journey: &Journey<'_, D, C>) -> Result<(), PathEnd<C>> {
+    fn part_idle_contacts(&mut self, journey: &Journey<'_, C>) -> Result<(), PathEnd<C>> {
         let balance = &self.balance;
         let is_idle = |stand: &&FacetsReached<C>| {
             let contact = balance.contact(stand.contact);
@@ -96,7 +95,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
         if self.balance.solve_rates(&self.trial) { Ok(()) } else { Err(self.undecided(journey)) }
     }
 
-    fn put_each(&mut self, state: impl Fn(&MovingContact<D, C>, &FacetsReached<C>) -> PolygonState) {
+    fn put_each(&mut self, state: impl Fn(&MovingContact<C>, &FacetsReached<C>) -> PolygonState) {
         for stand in &self.stands {
             let state = state(self.balance.contact(stand.contact), stand);
             self.balance.put(stand.contact, state);
@@ -147,7 +146,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
     }
 
     /// Infinite friction keeps its tangential force until the normal force is gone, and then loses it at once.
-    fn check_infinite_friction(&mut self, journey: &Journey<'_, D, C>) -> Result<(), PathEnd<C>> {
+    fn check_infinite_friction(&mut self, journey: &Journey<'_, C>) -> Result<(), PathEnd<C>> {
         for k in 0..self.stands.len() {
             let FacetsReached { contact, was, .. } = self.stands[k];
             let opens = self.balance.contact(contact).state.is_open() && !was.is_open();
@@ -166,7 +165,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
     }
 
     /// Queues the changes for report, and queues the contacts decided here for their bounds again.
-    fn take_over(&mut self, journey: &Journey<'_, D, C>) {
+    fn take_over(&mut self, journey: &Journey<'_, C>) {
         let load = journey.program.load_at(self.balance.tau);
         self.told.clear();
         for stand in &self.stands {
@@ -192,7 +191,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
 
     /// The direction in which a sliding contact slips from here on, coordinate axes; where the slip rate is zero, the direction in which it would
     /// start.
-    fn slip_direction(&self, journey: &Journey<'_, D, C>, contact: usize) -> Option<SVector<f64, C>> {
+    fn slip_direction(&self, journey: &Journey<'_, C>, contact: usize) -> Option<SVector<f64, C>> {
         let (moving, site) = (&self.balance.contacts[contact], &journey.grasp.sites()[contact]);
         let outward = outward(journey, contact, moving.state)?;
         let mut slip = self.balance.stretch_rate(moving) - self.balance.force_rate(moving);
@@ -206,8 +205,8 @@ impl<D: Size, const C: usize> Patch<D, C> {
 }
 
 /// The middle of the possible slip directions of a sliding contact, coordinate axes.
-fn outward<D: Size, const C: usize>(
-    journey: &Journey<'_, D, C>,
+fn outward<const C: usize>(
+    journey: &Journey<'_, C>,
     contact: usize,
     state: PolygonState,
 ) -> Option<SVector<f64, C>> {

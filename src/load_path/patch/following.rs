@@ -14,14 +14,13 @@ use crate::load_path::following::Following;
 use crate::load_path::journey::Journey;
 use crate::load_path::leg::Leg;
 use crate::load_path::path::{PatchPath, Path};
-use crate::numerics::Size;
 use crate::prelude::*;
 use crate::search::Settings;
 
 /// Most steps of zero length in a row that still count as events of one node: with more, rounding goes in circles.
 const MOST_STALLS: usize = 64;
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Grasp::follow_patch`](crate::ask::Grasp::follow_patch).
     pub(crate) fn follow_patch(
         &self,
@@ -36,24 +35,20 @@ impl<D: Size, const C: usize> Engine<D, C> {
     }
 }
 
-impl<'g, D: Size, const C: usize> Follower<'g, D, C> for Patch<D, C> {
+impl<'g, const C: usize> Follower<'g, C> for Patch<C> {
     type Report = PatchEvent<C>;
 
     const STRAIGHT_ONLY: Option<&'static str> = Some("follow_patch");
 
-    fn set_out(&mut self, journey: &Journey<'g, D, C>) -> Result<(), PathEnd<C>> {
+    fn set_out(&mut self, journey: &Journey<'g, C>) -> Result<(), PathEnd<C>> {
         self.begin_leg(journey)
     }
 
-    fn go_on(&mut self, journey: &Journey<'g, D, C>) -> Result<Came<PatchEvent<C>>, PathEnd<C>> {
+    fn go_on(&mut self, journey: &Journey<'g, C>) -> Result<Came<PatchEvent<C>>, PathEnd<C>> {
         self.go_up_to(journey, 1.0)
     }
 
-    fn go_up_to(
-        &mut self,
-        journey: &Journey<'g, D, C>,
-        most: f64,
-    ) -> Result<Came<PatchEvent<C>>, PathEnd<C>> {
+    fn go_up_to(&mut self, journey: &Journey<'g, C>, most: f64) -> Result<Came<PatchEvent<C>>, PathEnd<C>> {
         if let Some(event) = self.told.pop() {
             return Ok(Came::To(event));
         }
@@ -84,22 +79,22 @@ impl<'g, D: Size, const C: usize> Follower<'g, D, C> for Patch<D, C> {
         self.balance.tau
     }
 
-    fn state(&self, journey: &Journey<'g, D, C>) -> Option<Equilibrium<C>> {
+    fn state(&self, journey: &Journey<'g, C>) -> Option<Equilibrium<C>> {
         Some(self.equilibrium(journey))
     }
 
-    fn forces(&self, journey: &Journey<'g, D, C>) -> Vec<SVector<f64, C>> {
+    fn forces(&self, journey: &Journey<'g, C>) -> Vec<SVector<f64, C>> {
         self.forces_at(journey.grasp.sites(), &self.balance.balanced())
     }
 
-    fn edge(&self, journey: &Journey<'g, D, C>) -> StandAtEdge<'g, D, C> {
+    fn edge(&self, journey: &Journey<'g, C>) -> StandAtEdge<'g, C> {
         self.all_contacts(journey)
     }
 }
 
-impl<'g, D: Size, const C: usize> Patch<D, C> {
+impl<'g, const C: usize> Patch<C> {
     /// Advances to the next event of the leg, or up to this fraction of it. Whether the leg is done.
-    fn advance(&mut self, journey: &Journey<'g, D, C>, most: f64) -> Result<bool, PathEnd<C>> {
+    fn advance(&mut self, journey: &Journey<'g, C>, most: f64) -> Result<bool, PathEnd<C>> {
         let before = self.balance.tau;
         match self.ahead.first_exits(&mut self.balance, most - before) {
             PieceLength::ToAnEdge(step) => {

@@ -13,15 +13,15 @@ use nalgebra::{SMatrix, SVector};
 
 use super::active_set::{Bound, FacetsReached};
 use crate::contact::{Mode, PolygonState, WEIGHTLESS, ZERO_SLACK};
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::object::{EnergyContact, Facet, Point, Slipping, Sums, normal};
 
 /// A contact on its way. With a hundred thousand contacts memory access dominates an event: each contact fills two cache lines of its own in the
 /// plane and four in space.
 #[derive(Debug, Clone)]
 #[repr(align(64))]
-pub(super) struct MovingContact<D: Size, const C: usize> {
-    pub(super) fixed: EnergyContact<D, C>,
+pub(super) struct MovingContact<const C: usize> {
+    pub(super) fixed: EnergyContact<C>,
     /// x⁰ at the beginning of the leg.
     pub(super) trial: SVector<f64, C>,
     /// x⁰', from the beginning to the end of the leg.
@@ -75,26 +75,26 @@ pub(super) fn for_each_slip<const C: usize>(
     }
 }
 
-impl<D: Size, const C: usize> MovingContact<D, C> {
+impl<const C: usize> MovingContact<C> {
     /// A contact that sticks.
-    pub(super) fn new(fixed: EnergyContact<D, C>) -> Self {
+    pub(super) fn new(fixed: EnergyContact<C>) -> Self {
         let (zero, width) = (SVector::zeros(), fixed.seen.norm());
         let [trial, rate, memory] = [zero; 3];
         Self { fixed, trial, rate, memory, width, state: Mode::Sticking, stamp: 0, waits: false }
     }
 
     /// u.
-    pub(super) fn stretch(&self, y: &Vector<D>, tau: f64) -> SVector<f64, C> {
+    pub(super) fn stretch(&self, y: &Vector, tau: f64) -> SVector<f64, C> {
         self.trial + self.rate * tau - self.memory - &self.fixed.seen * y
     }
 
     /// u' for a rate of y.
-    pub(super) fn stretch_rate(&self, y_rate: &Vector<D>) -> SVector<f64, C> {
+    pub(super) fn stretch_rate(&self, y_rate: &Vector) -> SVector<f64, C> {
         self.rate - &self.fixed.seen * y_rate
     }
 
     /// Change of u along a direction of the path.
-    pub(super) fn change_along(&self, e: &Point<D>, pace: f64) -> SVector<f64, C> {
+    pub(super) fn change_along(&self, e: &Point, pace: f64) -> SVector<f64, C> {
         self.rate * (e.s / pace) - &self.fixed.seen * &e.y
     }
 
@@ -129,7 +129,7 @@ impl<D: Size, const C: usize> MovingContact<D, C> {
     }
 
     /// Adds the terms of the contact to T, b and b', multiplied by `weight`.
-    pub(super) fn add_to(&self, sums: &mut Sums<D, 2>, facets: &[Facet<C>], weight: f64) {
+    pub(super) fn add_to(&self, sums: &mut Sums<2>, facets: &[Facet<C>], weight: f64) {
         let hold = self.hold(facets);
         let pushed = match &hold {
             None => [-self.memory, SVector::zeros()],

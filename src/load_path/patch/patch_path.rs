@@ -8,7 +8,7 @@ use super::sliding_on::SlidingOn;
 use super::trial_leg::TrialLeg;
 use crate::load_path::event::{Loss, LossKind, PathEnd};
 use crate::load_path::journey::Journey;
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::prelude::*;
 use crate::search::Doubt;
 
@@ -25,11 +25,11 @@ pub(super) enum Due {
 
 /// The follower of a [`PatchPath`](crate::load_path::PatchPath).
 #[derive(Debug)]
-pub(crate) struct Patch<D: Size, const C: usize> {
-    pub(super) trial: TrialLeg<D, C>,
-    pub(super) balance: Balance<D, C>,
-    pub(super) ahead: BoundsAhead<D>,
-    pub(super) sliding: SlidingOn<D>,
+pub(crate) struct Patch<const C: usize> {
+    pub(super) trial: TrialLeg<C>,
+    pub(super) balance: Balance<C>,
+    pub(super) ahead: BoundsAhead,
+    pub(super) sliding: SlidingOn,
     /// The contacts on an edge at the present event.
     pub(super) stands: Vec<FacetsReached<C>>,
     pub(super) due: Due,
@@ -41,7 +41,7 @@ pub(crate) struct Patch<D: Size, const C: usize> {
     pub(super) told: Vec<PatchEvent<C>>,
 }
 
-impl<D: Size, const C: usize> Patch<D, C> {
+impl<const C: usize> Patch<C> {
     /// Adds a sliding contact, or one on an edge, to the contacts decided here.
     pub(super) fn join(&mut self, contact: u32) {
         self.stands.push(self.balance.stand_of(contact));
@@ -54,12 +54,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
     }
 
     /// The loss of equilibrium here; the object leaves with this motion.
-    pub(super) fn loss(
-        &self,
-        journey: &Journey<'_, D, C>,
-        kind: LossKind,
-        motion: Option<&Vector<D>>,
-    ) -> Loss<C> {
+    pub(super) fn loss(&self, journey: &Journey<'_, C>, kind: LossKind, motion: Option<&Vector>) -> Loss<C> {
         let mut contacts: Vec<usize> = self.stands.iter().map(|stand| stand.contact as usize).collect();
         let all = &self.balance.contacts;
         contacts.extend((0..all.len()).filter(|&i| all[i].state.slides()));
@@ -69,12 +64,12 @@ impl<D: Size, const C: usize> Patch<D, C> {
     }
 
     /// The end of a path that rounding keeps from being followed further.
-    pub(super) fn undecided(&self, journey: &Journey<'_, D, C>) -> PathEnd<C> {
+    pub(super) fn undecided(&self, journey: &Journey<'_, C>) -> PathEnd<C> {
         journey.undecided(self.balance.tau, Doubt::OnTheBoundary)
     }
 
     /// The unit motion of the object, if it moves, in inside coordinates.
-    pub(super) fn unit_motion(&self) -> Option<Vector<D>> {
+    pub(super) fn unit_motion(&self) -> Option<Vector> {
         let rate = self.balance.twist_rate(&self.trial);
         (rate.norm() > 0.0).then(|| rate.normalize())
     }

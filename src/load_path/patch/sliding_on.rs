@@ -3,26 +3,26 @@
 use super::balance::Balance;
 use super::moving_contact::MovingContact;
 use crate::contact::ZERO_SLACK;
-use crate::numerics::{Size, WaitingLine};
+use crate::numerics::WaitingLine;
 use crate::object::Point;
 use crate::prelude::*;
 
 /// The queue of sliding contacts, on the clock of the direction of the path.
 #[derive(Debug, Default)]
-pub(super) struct SlidingOn<D: Size> {
+pub(super) struct SlidingOn {
     line: WaitingLine,
-    direction: Point<D>,
+    direction: Point,
     /// Evaluated contacts that slip on, with their stamps and the times for which they wait.
     resting: Vec<(u32, u32, f64)>,
 }
 
-impl<D: Size> SlidingOn<D> {
+impl SlidingOn {
     pub(super) fn clear(&mut self) {
         self.line.clear();
     }
 
     /// Queues a sliding contact.
-    pub(super) fn wait<const C: usize>(&mut self, balance: &Balance<D, C>, number: u32) {
+    pub(super) fn wait<const C: usize>(&mut self, balance: &Balance<C>, number: u32) {
         let contact = balance.contact(number);
         self.line.wait(number, contact.stamp, balance.slip_margin(contact).1);
     }
@@ -30,7 +30,7 @@ impl<D: Size> SlidingOn<D> {
     /// Removes from the queue and returns the contacts whose slip would go backwards, except those that `stands` names.
     pub(super) fn come_to_rest<const C: usize>(
         &mut self,
-        balance: &mut Balance<D, C>,
+        balance: &mut Balance<C>,
         stands: impl Fn(u32) -> bool,
     ) -> Vec<u32> {
         let direction = balance.course().direction();
@@ -43,7 +43,7 @@ impl<D: Size> SlidingOn<D> {
                 continue;
             }
             balance.looked_at += 1;
-            let contact: &MovingContact<D, C> = balance.contact(number);
+            let contact: &MovingContact<C> = balance.contact(number);
             let (least, slack) = balance.slip_margin(contact);
             if least >= -ZERO_SLACK * balance.rate_level(contact) {
                 self.resting.push((number, stamp, slack));

@@ -10,16 +10,15 @@ use super::trial_leg::{TrialLeg, loads};
 use crate::contact::{Mode, ZERO_SLACK};
 use crate::load_path::event::{LossKind, PathEnd};
 use crate::load_path::journey::Journey;
-use crate::numerics::Size;
 use crate::object::{Problem, stretched_into};
 use crate::prelude::*;
 use crate::search::Found;
 
-impl<D: Size, const C: usize> Patch<D, C> {
+impl<const C: usize> Patch<C> {
     /// Starts at an equilibrium, if there is one: the one in which everything sticks is tried first.
     pub(super) fn at_start<'g>(
-        journey: &Journey<'g, D, C>,
-        problem: &Problem<'g, D, C>,
+        journey: &Journey<'g, C>,
+        problem: &Problem<'g, C>,
     ) -> Result<Self, PathEnd<C>> {
         let trial = TrialLeg::new(problem.sites);
         let mut patch = Self {
@@ -43,7 +42,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
     }
 
     /// Computes the elastic trial state on the present leg.
-    fn lay_leg(&mut self, journey: &Journey<'_, D, C>) {
+    fn lay_leg(&mut self, journey: &Journey<'_, C>) {
         self.trial.lay(journey.grasp, &journey.program);
         self.balance.begin_leg(journey.grasp.sites(), &self.trial.x);
     }
@@ -62,7 +61,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
     }
 
     /// Puts the contacts into the states of an equilibrium.
-    fn stand_at(&mut self, problem: &Problem<'_, D, C>, found: &Found<D, C>) {
+    fn stand_at(&mut self, problem: &Problem<'_, C>, found: &Found<C>) {
         for (contact, state) in (0..).zip(&found.states) {
             self.balance.put(contact, state.on_polygon().unwrap_or(Mode::Open));
         }
@@ -77,7 +76,7 @@ impl<D: Size, const C: usize> Patch<D, C> {
     }
 
     /// Starts the present leg.
-    pub(super) fn begin_leg(&mut self, journey: &Journey<'_, D, C>) -> Result<(), PathEnd<C>> {
+    pub(super) fn begin_leg(&mut self, journey: &Journey<'_, C>) -> Result<(), PathEnd<C>> {
         if !core::mem::take(&mut self.is_laid) {
             self.lay_leg(journey);
         }

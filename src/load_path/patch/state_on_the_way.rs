@@ -9,16 +9,16 @@ use crate::equilibrium::Equilibrium;
 use crate::grasp::Site;
 use crate::load_path::follower::StandAtEdge;
 use crate::load_path::journey::Journey;
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::prelude::*;
 use crate::search::Found;
 
-impl<D: Size, const C: usize> Patch<D, C> {
+impl<const C: usize> Patch<C> {
     /// The whole equilibrium, computed in one pass over all contacts. Just after an event the states are those with which the path continues.
-    pub(super) fn equilibrium(&self, journey: &Journey<'_, D, C>) -> Equilibrium<C> {
+    pub(super) fn equilibrium(&self, journey: &Journey<'_, C>) -> Equilibrium<C> {
         let Self { balance, trial, .. } = self;
         let (y, tau) = (balance.balanced(), balance.tau);
-        let memory = |contact: &MovingContact<D, C>| contact.memory;
+        let memory = |contact: &MovingContact<C>| contact.memory;
         let segment = journey.segment(self.slips(journey.grasp.sites(), memory));
         let problem = segment.problem_at(tau);
         let twist = balance.twist(trial, &y);
@@ -41,8 +41,8 @@ impl<D: Size, const C: usize> Patch<D, C> {
     }
 
     /// Forces at a motion on top of the trial state, N.
-    pub(super) fn forces_at(&self, sites: &[Site<D, C>], y: &Vector<D>) -> Vec<SVector<f64, C>> {
-        let force = |(contact, site): (&MovingContact<D, C>, &Site<D, C>)| {
+    pub(super) fn forces_at(&self, sites: &[Site<C>], y: &Vector) -> Vec<SVector<f64, C>> {
+        let force = |(contact, site): (&MovingContact<C>, &Site<C>)| {
             let x = contact.force(&contact.stretch(y, self.balance.tau), self.balance.facets(contact));
             x.component_mul(&site.springs.root())
         };
@@ -50,9 +50,9 @@ impl<D: Size, const C: usize> Patch<D, C> {
     }
 
     /// The rates of all contacts, with slips up to here: contacts not decided at the present event slide on or keep their state.
-    pub(super) fn all_contacts<'g>(&self, journey: &Journey<'g, D, C>) -> StandAtEdge<'g, D, C> {
+    pub(super) fn all_contacts<'g>(&self, journey: &Journey<'g, C>) -> StandAtEdge<'g, C> {
         let (balance, sites) = (&self.balance, journey.grasp.sites());
-        let remembered = |contact: &MovingContact<D, C>| {
+        let remembered = |contact: &MovingContact<C>| {
             let mut contact = contact.clone();
             if contact.state.slides() {
                 contact.remember(&balance.stretch(&contact), balance.facets(&contact));
@@ -81,10 +81,10 @@ impl<D: Size, const C: usize> Patch<D, C> {
     /// Slips, m, from the memory of each contact.
     fn slips(
         &self,
-        sites: &[Site<D, C>],
-        memory: impl Fn(&MovingContact<D, C>) -> SVector<f64, C>,
+        sites: &[Site<C>],
+        memory: impl Fn(&MovingContact<C>) -> SVector<f64, C>,
     ) -> Vec<SVector<f64, C>> {
-        let slip = |(contact, site): (&MovingContact<D, C>, &Site<D, C>)| {
+        let slip = |(contact, site): (&MovingContact<C>, &Site<C>)| {
             let (mut slip, memory) = (SVector::zeros(), memory(contact));
             for axis in 1..site.springs.axes() {
                 slip[axis] = memory[axis] / site.springs.root_along(axis);

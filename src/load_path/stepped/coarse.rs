@@ -10,7 +10,6 @@
 //! The path reports the distance. Where it is not three times the error, directions relax within a step, and it is as large as the error.
 
 use super::one_step::{StepProblem, SteppedState};
-use crate::numerics::Size;
 
 /// Growth of the distance in one step beyond which the second path counts as lost. With a factor of only a few it would be lost at every change of
 /// states; errors that are forgotten would then add up.
@@ -22,17 +21,17 @@ const ONE: f64 = 1e-12;
 
 /// The path of steps made at once.
 #[derive(Debug, Clone)]
-pub(super) struct Coarse<D: Size, const C: usize> {
-    pub(super) standing: SteppedState<D, C>,
+pub(super) struct Coarse<const C: usize> {
+    pub(super) standing: SteppedState<C>,
     /// Sum of the distances, over the largest force, at which the second path was lost and began again from the first.
     lost: f64,
     /// The largest distance so far plus those sums, over the largest force.
     pub(super) farthest: f64,
 }
 
-impl<D: Size, const C: usize> Coarse<D, C> {
+impl<const C: usize> Coarse<C> {
     /// The second path at the common beginning of both.
-    pub(super) fn starting_at(standing: &SteppedState<D, C>) -> Self {
+    pub(super) fn starting_at(standing: &SteppedState<C>) -> Self {
         Self { standing: standing.clone(), lost: 0.0, farthest: 0.0 }
     }
 
@@ -40,9 +39,9 @@ impl<D: Size, const C: usize> Coarse<D, C> {
     /// of its own, or only one elsewhere. `beside` is memory for its own step.
     pub(super) fn follow(
         &mut self,
-        along: &mut StepProblem<'_, D, C>,
-        [from, to, at_once]: [&SteppedState<D, C>; 3],
-        beside: &mut SteppedState<D, C>,
+        along: &mut StepProblem<'_, C>,
+        [from, to, at_once]: [&SteppedState<C>; 3],
+        beside: &mut SteppedState<C>,
     ) {
         let largest = to.largest_force().max(from.largest_force()).max(f64::MIN_POSITIVE);
         let distance = from.apart(&self.standing);

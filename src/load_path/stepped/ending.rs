@@ -5,7 +5,7 @@ use crate::contact::Law;
 use crate::load_path::end_of_path::end_of_path;
 use crate::load_path::event::{LossKind, PathEnd};
 use crate::load_path::journey::Journey;
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 use crate::prelude::*;
 use crate::search::{Doubt, Settled, settle};
 
@@ -13,10 +13,10 @@ use crate::search::{Doubt, Settled, settle};
 /// at least a thousandth; towards asymptotes it falls to the root of the rest of the load, 1e-5.
 const STAY: f64 = 2e-4;
 
-impl<'g, D: Size, const C: usize> Steps<'g, D, C> {
+impl<'g, const C: usize> Steps<'g, C> {
     /// The end where no step leads further, from the motion, or from the proof that nothing balances the rates of the contacts on an edge. Otherwise
     /// the path is undecided, for the reason `doubt`.
-    pub(super) fn end_here(&self, journey: &Journey<'g, D, C>, doubt: Doubt) -> PathEnd<C> {
+    pub(super) fn end_here(&self, journey: &Journey<'g, C>, doubt: Doubt) -> PathEnd<C> {
         let fraction = self.standing.fraction;
         let edge = self.standing.edge(journey);
         let leaves = |i: &usize| matches!(edge.rates.laws[*i], Law::Edge(_) | Law::Cone { .. });

@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use crate::contact::{ContactResponse, State};
 use crate::load_path::journey::Journey;
 use crate::load_path::trajectory::Trajectory;
-use crate::numerics::{Size, Vector, cleared_for};
+use crate::numerics::{Vector, cleared_for};
 use crate::object::{Problem, newton_one_by_one};
 use crate::prelude::*;
 
@@ -19,17 +19,17 @@ pub(super) const SHORTEST: f64 = 1e-12;
 
 /// The state at a place of the path, in inside coordinates.
 #[derive(Debug, Clone)]
-pub(super) struct SteppedState<D: Size, const C: usize> {
+pub(super) struct SteppedState<const C: usize> {
     /// Fraction of the leg already followed.
     pub(super) fraction: f64,
-    pub(super) twist: Vector<D>,
+    pub(super) twist: Vector,
     /// Slips so far, in the contact frames.
     pub(super) slips: Vec<SVector<f64, C>>,
     pub(super) forces: Vec<SVector<f64, C>>,
     pub(super) states: Vec<State<C>>,
 }
 
-impl<D: Size, const C: usize> SteppedState<D, C> {
+impl<const C: usize> SteppedState<C> {
     /// The largest contact force, N.
     pub(super) fn largest_force(&self) -> f64 {
         self.forces.iter().map(SVector::norm_squared).fold(0.0, f64::max).sqrt()
@@ -42,7 +42,7 @@ impl<D: Size, const C: usize> SteppedState<D, C> {
     }
 }
 
-impl<D: Size, const C: usize> SteppedState<D, C> {
+impl<const C: usize> SteppedState<C> {
     /// An empty state, as memory.
     pub(super) fn nowhere() -> Self {
         let (slips, forces, states) = (Vec::new(), Vec::new(), Vec::new());
@@ -61,19 +61,19 @@ impl<D: Size, const C: usize> SteppedState<D, C> {
 
 /// The problem of a step along a leg; each step sets its drives and load.
 #[derive(Debug)]
-pub(super) struct StepProblem<'g, D: Size, const C: usize> {
-    pub(super) problem: Problem<'g, D, C>,
+pub(super) struct StepProblem<'g, const C: usize> {
+    pub(super) problem: Problem<'g, C>,
     /// Commands less clearances at the beginning of the leg, and their change along it.
     drives: [Vec<SVector<f64, C>>; 2],
-    pub(super) course: Trajectory<Vector<D>>,
+    pub(super) course: Trajectory<Vector>,
     /// Stretches before a step, and responses of contacts after it.
     before: Vec<SVector<f64, C>>,
     answers: Vec<ContactResponse<C>>,
 }
 
-impl<'g, D: Size, const C: usize> StepProblem<'g, D, C> {
+impl<'g, const C: usize> StepProblem<'g, C> {
     /// The problem on the present leg.
-    pub(super) fn along(journey: &Journey<'g, D, C>) -> Self {
+    pub(super) fn along(journey: &Journey<'g, C>) -> Self {
         let course = journey.program.inside_course(journey.grasp);
         let drives = journey.program.drives(journey.grasp);
         let problem = journey.problem(drives[0].clone(), &course.at(0.0));
@@ -81,7 +81,7 @@ impl<'g, D: Size, const C: usize> StepProblem<'g, D, C> {
     }
 
     /// Prepares the next leg, in the same memory.
-    pub(super) fn set_out(&mut self, journey: &Journey<'g, D, C>) {
+    pub(super) fn set_out(&mut self, journey: &Journey<'g, C>) {
         self.course = journey.program.inside_course(journey.grasp);
         journey.program.drives_into(journey.grasp, &mut self.drives);
     }
@@ -94,9 +94,9 @@ impl<'g, D: Size, const C: usize> StepProblem<'g, D, C> {
     /// The step of a length from a state, written to `to`; the search starts near a given twist. `None` where Newton's method does not converge.
     pub(super) fn step(
         &mut self,
-        from: &SteppedState<D, C>,
-        (length, near): (f64, Vector<D>),
-        to: &mut SteppedState<D, C>,
+        from: &SteppedState<C>,
+        (length, near): (f64, Vector),
+        to: &mut SteppedState<C>,
     ) -> Option<()> {
         let fraction = if from.fraction + length > 1.0 - SHORTEST { 1.0 } else { from.fraction + length };
         let Self { problem, drives: [base, change], course, before, answers } = self;
@@ -114,11 +114,11 @@ impl<'g, D: Size, const C: usize> StepProblem<'g, D, C> {
 
 /// The equilibrium of a problem that counts slips from the state `from`, given the stretches before the step; the search starts near a given twist.
 /// `None` where Newton's method does not converge.
-fn equilibrium_after<D: Size, const C: usize>(
-    (from, before): (&SteppedState<D, C>, &[SVector<f64, C>]),
-    problem: &Problem<'_, D, C>,
-    (near, answers): (Vector<D>, &mut Vec<ContactResponse<C>>),
-    to: &mut SteppedState<D, C>,
+fn equilibrium_after<const C: usize>(
+    (from, before): (&SteppedState<C>, &[SVector<f64, C>]),
+    problem: &Problem<'_, C>,
+    (near, answers): (Vector, &mut Vec<ContactResponse<C>>),
+    to: &mut SteppedState<C>,
 ) -> Option<()> {
     let springs = problem.sites.iter().zip(&problem.drives);
     let rounded =

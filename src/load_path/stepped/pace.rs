@@ -4,16 +4,16 @@ use core::f64::consts::FRAC_PI_2;
 
 use super::speeds::Speeds;
 use crate::load_path::trajectory::Trajectory;
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 
 /// The first step of a leg, as a part of it.
 const FIRST_STEP: f64 = 1.0 / 16.0;
 
 /// The steps of a leg so far.
 #[derive(Debug, Clone)]
-pub(super) struct StepPace<D: Size> {
+pub(super) struct StepPace {
     /// Rate of the twist per unit of the fraction, from the last step.
-    pub(super) rate: Option<Vector<D>>,
+    pub(super) rate: Option<Vector>,
     /// Speeds of the object so far.
     pub(super) speeds: Speeds,
     /// Largest change of a force in the last step, relative to the change that sticking springs would feel.
@@ -28,7 +28,7 @@ pub(super) struct StepPace<D: Size> {
     pub(super) tried: usize,
 }
 
-impl<D: Size> StepPace<D> {
+impl StepPace {
     /// The control at the beginning of a leg.
     pub(super) fn along<X>(course: &Trajectory<X>) -> Self {
         let longest = if let Trajectory::Turn { angle, .. } = course { FRAC_PI_2 / angle.abs() } else { 1.0 };

@@ -7,16 +7,15 @@ use crate::contact::{Line, Mode, Slide, ZERO_SLACK};
 use crate::equilibrium::Equilibrium;
 use crate::load_path::follower::StandAtEdge;
 use crate::load_path::journey::Journey;
-use crate::numerics::Size;
 use crate::search::Found;
 
 /// Friction reserve, or force to close a gap, below this part of the largest force counts as none, since the last steps are 1e-12 of a leg. With a
 /// smaller part, a contact that such a step would bring to its edge still holds, and the limit is missed.
 const AT_AN_EDGE: f64 = 1e-9;
 
-impl<D: Size, const C: usize> SteppedState<D, C> {
+impl<const C: usize> SteppedState<C> {
     /// The whole equilibrium, computed in one pass over all contacts.
-    pub(super) fn equilibrium(&self, journey: &Journey<'_, D, C>) -> Equilibrium<C> {
+    pub(super) fn equilibrium(&self, journey: &Journey<'_, C>) -> Equilibrium<C> {
         let problem = journey.segment(self.slips.clone()).problem_at(self.fraction);
         let spans =
             problem.sites.iter().zip(&problem.drives).map(|(site, drive)| site.span(drive, &self.twist));
@@ -32,7 +31,7 @@ impl<D: Size, const C: usize> SteppedState<D, C> {
     }
 
     /// The rates, with edges within the resolution of the last steps.
-    pub(super) fn edge<'g>(&self, journey: &Journey<'g, D, C>) -> StandAtEdge<'g, D, C> {
+    pub(super) fn edge<'g>(&self, journey: &Journey<'g, C>) -> StandAtEdge<'g, C> {
         let segment = journey.segment(self.slips.clone());
         let (drives, largest) = (segment.drives(self.fraction), self.largest_force());
         let near = largest * (AT_AN_EDGE / ZERO_SLACK);

@@ -7,7 +7,7 @@ use crate::grasp::Site;
 use crate::load_path::event::PathEnd;
 use crate::load_path::follower::Came;
 use crate::load_path::journey::Journey;
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 use crate::search::Doubt;
@@ -49,9 +49,9 @@ struct Twice {
     felt: f64,
 }
 
-impl<'g, D: Size, const C: usize> Steps<'g, D, C> {
+impl<'g, const C: usize> Steps<'g, C> {
     /// Tries a step; reports it if its error is allowed.
-    pub(super) fn try_a_step(&mut self, journey: &Journey<'g, D, C>) -> Result<Came<Step<C>>, PathEnd<C>> {
+    pub(super) fn try_a_step(&mut self, journey: &Journey<'g, C>) -> Result<Came<Step<C>>, PathEnd<C>> {
         let from = self.standing.fraction;
         if self.pace.tried == journey.settings.most_steps {
             return Err(journey.undecided(from, Doubt::OutOfSteps));
@@ -107,7 +107,7 @@ impl<'g, D: Size, const C: usize> Steps<'g, D, C> {
     fn twice(&mut self, length: f64) -> Option<Twice> {
         let Self { along, standing: from, places: Places { middle, to, at_once, .. }, .. } = self;
         let rate = self.pace.rate.clone().unwrap_or_else(Vector::zeros);
-        let near = |at: &SteppedState<D, C>, rate: &Vector<D>, length: f64| &at.twist + rate * length;
+        let near = |at: &SteppedState<C>, rate: &Vector, length: f64| &at.twist + rate * length;
         along.step(from, (0.5 * length, near(from, &rate, 0.5 * length)), middle)?;
         let rate = (&middle.twist - &from.twist) / (0.5 * length);
         along.step(middle, (0.5 * length, near(middle, &rate, 0.5 * length)), to)?;
@@ -124,7 +124,7 @@ impl<'g, D: Size, const C: usize> Steps<'g, D, C> {
         finite.then_some(Twice { largest, unseen, felt })
     }
 
-    fn arrive(&mut self, journey: &Journey<'g, D, C>, twice: &Twice) -> Step<C> {
+    fn arrive(&mut self, journey: &Journey<'g, C>, twice: &Twice) -> Step<C> {
         let Twice { largest, unseen, .. } = *twice;
         let Places { to, at_once, beside, .. } = &mut self.places;
         self.coarse.follow(&mut self.along, [&self.standing, to, at_once], beside);
@@ -146,11 +146,11 @@ impl<'g, D: Size, const C: usize> Steps<'g, D, C> {
 }
 
 /// The largest force that sticking springs would make of a motion, N.
-fn most_felt<D: Size, const C: usize>(sites: &[Site<D, C>], motion: &Vector<D>) -> f64 {
+fn most_felt<const C: usize>(sites: &[Site<C>], motion: &Vector) -> f64 {
     sites.iter().map(|site| pull(site, motion)).fold(0.0, f64::max)
 }
 
 /// The force that the springs of a sticking contact make of a motion, N.
-fn pull<D: Size, const C: usize>(site: &Site<D, C>, motion: &Vector<D>) -> f64 {
+fn pull<const C: usize>(site: &Site<C>, motion: &Vector) -> f64 {
     site.springs.force(&site.map.tr_mul(motion)).norm()
 }

@@ -15,26 +15,25 @@ use crate::load_path::following::Following;
 use crate::load_path::journey::Journey;
 use crate::load_path::leg::Leg;
 use crate::load_path::path::{Path, SteppedPath};
-use crate::numerics::Size;
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Found, Settings};
 
 /// The follower of a [`SteppedPath`].
 #[derive(Debug)]
-pub(crate) struct Steps<'g, D: Size, const C: usize> {
+pub(crate) struct Steps<'g, const C: usize> {
     /// The problem of a step.
-    pub(super) along: StepProblem<'g, D, C>,
+    pub(super) along: StepProblem<'g, C>,
     /// The present state.
-    pub(super) standing: SteppedState<D, C>,
+    pub(super) standing: SteppedState<C>,
     /// The states that the last step tried leads to.
-    pub(super) places: Places<D, C>,
+    pub(super) places: Places<C>,
     /// Control of the steps of the leg.
-    pub(super) pace: StepPace<D>,
+    pub(super) pace: StepPace,
     /// The allowed error.
     pub(super) error: f64,
     /// The path of the same steps made at once.
-    pub(super) coarse: Coarse<D, C>,
+    pub(super) coarse: Coarse<C>,
     /// The largest error that both paths may share.
     pub(super) unseen: f64,
     /// Sum of the changes of forces along the path, over the largest force.
@@ -59,7 +58,7 @@ pub struct Step<const C: usize> {
     pub error: f64,
 }
 
-impl<D: Size, const C: usize> Engine<D, C> {
+impl<const C: usize> Engine<C> {
     /// [`Grasp::follow_in_steps`](crate::ask::Grasp::follow_in_steps).
     pub(crate) fn follow_in_steps(
         &self,
@@ -87,7 +86,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
 }
 
 /// The state of a path at an equilibrium: its slips become memory.
-fn at_start<D: Size, const C: usize>(problem: &Problem<'_, D, C>, found: Found<D, C>) -> SteppedState<D, C> {
+fn at_start<const C: usize>(problem: &Problem<'_, C>, found: Found<C>) -> SteppedState<C> {
     let slip = |(i, state): (usize, &crate::contact::State<C>)| {
         let springs = &problem.sites[i].springs;
         if state.is_sticking() || !springs.resists_tangentially() {
@@ -99,10 +98,10 @@ fn at_start<D: Size, const C: usize>(problem: &Problem<'_, D, C>, found: Found<D
     SteppedState { fraction: 0.0, twist: found.twist, slips, forces: found.forces, states: found.states }
 }
 
-impl<'g, D: Size, const C: usize> Follower<'g, D, C> for Steps<'g, D, C> {
+impl<'g, const C: usize> Follower<'g, C> for Steps<'g, C> {
     type Report = Step<C>;
 
-    fn set_out(&mut self, journey: &Journey<'g, D, C>) -> Result<(), PathEnd<C>> {
+    fn set_out(&mut self, journey: &Journey<'g, C>) -> Result<(), PathEnd<C>> {
         self.along.set_out(journey);
         self.pace.set_out(&self.along.course);
         self.standing.fraction = 0.0;
@@ -110,7 +109,7 @@ impl<'g, D: Size, const C: usize> Follower<'g, D, C> for Steps<'g, D, C> {
         Ok(())
     }
 
-    fn go_on(&mut self, journey: &Journey<'g, D, C>) -> Result<Came<Step<C>>, PathEnd<C>> {
+    fn go_on(&mut self, journey: &Journey<'g, C>) -> Result<Came<Step<C>>, PathEnd<C>> {
         if self.standing.fraction >= 1.0 { Ok(Came::ToTheEndOfTheLeg) } else { self.try_a_step(journey) }
     }
 
@@ -118,11 +117,11 @@ impl<'g, D: Size, const C: usize> Follower<'g, D, C> for Steps<'g, D, C> {
         self.standing.fraction
     }
 
-    fn state(&self, journey: &Journey<'g, D, C>) -> Option<Equilibrium<C>> {
+    fn state(&self, journey: &Journey<'g, C>) -> Option<Equilibrium<C>> {
         Some(self.standing.equilibrium(journey))
     }
 
-    fn forces(&self, _: &Journey<'g, D, C>) -> Vec<SVector<f64, C>> {
+    fn forces(&self, _: &Journey<'g, C>) -> Vec<SVector<f64, C>> {
         self.standing.forces.clone()
     }
 
@@ -130,7 +129,7 @@ impl<'g, D: Size, const C: usize> Follower<'g, D, C> for Steps<'g, D, C> {
         self.coarse.farthest + self.unseen
     }
 
-    fn edge(&self, journey: &Journey<'g, D, C>) -> StandAtEdge<'g, D, C> {
+    fn edge(&self, journey: &Journey<'g, C>) -> StandAtEdge<'g, C> {
         self.standing.edge(journey)
     }
 }

@@ -19,29 +19,29 @@ use nalgebra::SVector;
 
 use super::one_step::{StepProblem, SteppedState};
 use crate::contact::{Mode, Slide, tangential, tangential_norm};
-use crate::numerics::{Size, Vector};
+use crate::numerics::Vector;
 
 /// Deviation from a straight way in the middle of each half, relative to that in the middle of the step.
 const IN_A_HALF: f64 = 0.25;
 /// The same ratio at a bend somewhere in a half.
 const WHERE_IT_BENDS: f64 = 2.0;
 
-impl<D: Size, const C: usize> StepProblem<'_, D, C> {
+impl<const C: usize> StepProblem<'_, C> {
     /// Largest error of a contact force at the end of a step in two halves, N, that its difference from the step made at once does not show.
-    pub(super) fn unseen(&self, at: [&SteppedState<D, C>; 3]) -> f64 {
+    pub(super) fn unseen(&self, at: [&SteppedState<C>; 3]) -> f64 {
         (0..self.problem.len()).map(|i| self.unseen_by(i, at)).fold(0.0, f64::max)
     }
 
-    fn unseen_by(&self, i: usize, at: [&SteppedState<D, C>; 3]) -> f64 {
+    fn unseen_by(&self, i: usize, at: [&SteppedState<C>; 3]) -> f64 {
         let [from, middle, to] = at;
         let (site, local) = (&self.problem.sites[i], self.problem.local(i));
         if !local.may_open() && !local.may_slide() {
             return 0.0;
         }
-        let made_of = |motion: Vector<D>| site.springs.force(&site.map.tr_mul(&motion));
+        let made_of = |motion: Vector| site.springs.force(&site.map.tr_mul(&motion));
         let bend = made_of(&middle.twist - (&from.twist + &to.twist) * 0.5);
         let off = IN_A_HALF * bend.norm();
-        let drawn = |a: &SteppedState<D, C>, b: &SteppedState<D, C>| {
+        let drawn = |a: &SteppedState<C>, b: &SteppedState<C>| {
             site.springs.force(&(self.change(i) * (b.fraction - a.fraction))) - made_of(&b.twist - &a.twist)
         };
         let bend_at = |began: &SVector<f64, C>, slide: &Slide<C>| {
@@ -51,7 +51,7 @@ impl<D: Size, const C: usize> StepProblem<'_, D, C> {
             let most = (WHERE_IT_BENDS * bend.norm()).min(tangential_norm(&began));
             if turned > 0.0 { most * turned } else { 0.0 }
         };
-        let half = |a: &SteppedState<D, C>, b: &SteppedState<D, C>| match (&a.states[i], &b.states[i]) {
+        let half = |a: &SteppedState<C>, b: &SteppedState<C>| match (&a.states[i], &b.states[i]) {
             (Mode::Sticking, Mode::Sticking) if local.may_slide() => {
                 let margin = local.margin(&a.forces[i]).min(local.margin(&b.forces[i]));
                 (off - margin / local.cone().round_weight()).max(0.0)
@@ -70,7 +70,7 @@ impl<D: Size, const C: usize> StepProblem<'_, D, C> {
             return worst;
         }
         let chord = drawn(from, to);
-        let stops = |(at, part): (&SteppedState<D, C>, f64)| {
+        let stops = |(at, part): (&SteppedState<C>, f64)| {
             let Some(slide) = at.states[i].slide() else { return 0.0 };
             let across = |rate: &SVector<f64, C>| -local.cone().facet_margin(rate, &slide.direction);
             let (a, c) = (across(&(chord + bend * part)), 8.0 * across(&bend));

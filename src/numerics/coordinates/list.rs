@@ -2,58 +2,7 @@
 
 use core::fmt::{Debug, Formatter};
 
-use nalgebra::SMatrix;
-
 use crate::prelude::*;
-
-/// A list of numbers.
-pub(crate) trait List: Clone + Debug + PartialEq + Send + Sync {
-    fn zeros(count: usize) -> Self;
-    fn slice(&self) -> &[f64];
-    fn slice_mut(&mut self) -> &mut [f64];
-    /// Extends the list with zeros to at least `count` numbers.
-    fn reach(&mut self, count: usize);
-}
-
-impl<const R: usize, const C: usize> List for SMatrix<f64, R, C> {
-    #[inline]
-    fn zeros(_: usize) -> Self {
-        SMatrix::<f64, R, C>::zeros()
-    }
-
-    #[inline]
-    fn slice(&self) -> &[f64] {
-        self.as_slice()
-    }
-
-    #[inline]
-    fn slice_mut(&mut self) -> &mut [f64] {
-        self.as_mut_slice()
-    }
-
-    #[inline]
-    fn reach(&mut self, _: usize) {}
-}
-
-impl List for Vec<f64> {
-    fn zeros(count: usize) -> Self {
-        vec![0.0; count]
-    }
-
-    fn slice(&self) -> &[f64] {
-        self
-    }
-
-    fn slice_mut(&mut self) -> &mut [f64] {
-        self
-    }
-
-    fn reach(&mut self, count: usize) {
-        if self.len() < count {
-            self.resize(count, 0.0);
-        }
-    }
-}
 
 /// Largest number of components kept in place: with their count they fill two cache lines, which are moved without a call. Longer lists are on the
 /// heap.
@@ -63,14 +12,14 @@ const FEW: usize = 15;
 #[derive(Clone)]
 #[allow(clippy::large_enum_variant)] // most lists are short
 #[repr(u32)] // tag and length share one word, so the numbers behind them are copied by whole words
-pub(crate) enum Short {
+pub(super) enum List {
     Few(u32, [f64; FEW]),
     More(Vec<f64>),
 }
 
-impl List for Short {
+impl List {
     #[inline]
-    fn zeros(count: usize) -> Self {
+    pub(super) fn zeros(count: usize) -> Self {
         match u32::try_from(count) {
             Ok(few) if count <= FEW => Self::Few(few, [0.0; FEW]),
             _ => Self::on_the_heap(count),
@@ -78,7 +27,7 @@ impl List for Short {
     }
 
     #[inline]
-    fn slice(&self) -> &[f64] {
+    pub(super) fn slice(&self) -> &[f64] {
         match self {
             Self::Few(len, few) => &few[..(*len as usize).min(FEW)],
             Self::More(more) => more,
@@ -86,24 +35,41 @@ impl List for Short {
     }
 
     #[inline]
-    fn slice_mut(&mut self) -> &mut [f64] {
+    pub(super) fn slice_mut(&mut self) -> &mut [f64] {
         match self {
             Self::Few(len, few) => &mut few[..(*len as usize).min(FEW)],
             Self::More(more) => more,
         }
     }
 
+    /// The first N numbers, with zeros behind the end of the list; `None` for a longer list, and where N numbers may not be in place.
     #[inline]
-    fn reach(&mut self, count: usize) {
+    pub(super) fn fixed<const N: usize>(&self) -> Option<&[f64; N]> {
+        match self {
+            Self::Few(len, few) if *len as usize <= N => few.first_chunk(),
+            _ => None,
+        }
+    }
+
+    /// Like [`Self::fixed`], to be changed; what lies behind the end of the list must stay zero.
+    #[inline]
+    pub(super) fn fixed_mut<const N: usize>(&mut self) -> Option<&mut [f64; N]> {
+        match self {
+            Self::Few(len, few) if *len as usize <= N => few.first_chunk_mut(),
+            _ => None,
+        }
+    }
+
+    /// Extends the list with zeros to at least `count` numbers.
+    #[inline]
+    pub(super) fn reach(&mut self, count: usize) {
         match (self, u32::try_from(count)) {
             (Self::Few(len, _), Ok(few)) if count <= FEW => *len = few.max(*len),
-            (short, _) if short.slice().len() < count => short.move_out(count),
+            (list, _) if list.slice().len() < count => list.move_out(count),
             _ => {}
         }
     }
-}
 
-impl Short {
     #[inline(never)]
     fn on_the_heap(count: usize) -> Self {
         Self::More(vec![0.0; count])
@@ -117,7 +83,7 @@ impl Short {
     }
 }
 
-impl PartialEq for Short {
+impl PartialEq for List {
     fn eq(&self, other: &Self) -> bool {
         let (a, b) = (self.slice(), other.slice());
         let (short, long) = if a.len() <= b.len() { (a, b) } else { (b, a) };
@@ -126,7 +92,7 @@ impl PartialEq for Short {
     }
 }
 
-impl Debug for Short {
+impl Debug for List {
     fn fmt(&self, f: &mut Formatter<'_>) -> core::fmt::Result {
         self.slice().fmt(f)
     }

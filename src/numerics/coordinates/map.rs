@@ -11,19 +11,19 @@ use crate::prelude::*;
 
 /// A matrix from C numbers of a contact to coordinates: a grasp map.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Map<D: Size, const C: usize> {
-    entries: D::Map<C>,
-    size: D,
+pub(crate) struct Map<const C: usize> {
+    entries: MapEntries<C>,
+    size: Size,
 }
 
-impl<D: Size, const C: usize> Map<D, C> {
+impl<const C: usize> Map<C> {
     #[inline]
-    pub(crate) fn zeros(size: D) -> Self {
-        Self { entries: D::Map::<C>::zeros(), size }
+    pub(crate) fn zeros(size: Size) -> Self {
+        Self { entries: MapEntries::zeros(size), size }
     }
 
     #[inline]
-    pub(crate) fn from_fn(size: D, mut entry: impl FnMut(usize, usize) -> f64) -> Self {
+    pub(crate) fn from_fn(size: Size, mut entry: impl FnMut(usize, usize) -> f64) -> Self {
         let mut map = Self::zeros(size);
         for a in 0..C {
             for k in 0..size.count() {
@@ -34,13 +34,13 @@ impl<D: Size, const C: usize> Map<D, C> {
     }
 
     #[inline]
-    pub(crate) fn size(&self) -> D {
+    pub(crate) fn size(&self) -> Size {
         self.size
     }
 
     /// The rows that may have entries, in order; all others are zero.
     pub(crate) fn rows(&self) -> impl Iterator<Item = usize> + '_ {
-        self.entries.rows()
+        (0..self.entries.row_count(self.size)).map(|place| self.entries.row(place))
     }
 
     /// Drops rows outside of these ranges; they must have no entries.
@@ -50,13 +50,11 @@ impl<D: Size, const C: usize> Map<D, C> {
 
     #[inline]
     pub(crate) fn norm(&self) -> f64 {
-        // Column by column, as nalgebra sums.
-        let squares = |a: usize| self.size.column_square::<C>(&self.entries, a);
-        (0..C).fold(0.0, |sum, a| sum + squares(a)).sqrt()
+        (0..C).fold(0.0, |sum, a| sum + self.entries.column_square(a, self.size)).sqrt()
     }
 
     #[inline]
-    pub(crate) fn column(&self, a: usize) -> Vector<D> {
+    pub(crate) fn column(&self, a: usize) -> Vector {
         let mut column = Vector::all_zero(self.size);
         for k in self.rows() {
             column[k] = self[(k, a)];
@@ -76,7 +74,7 @@ impl<D: Size, const C: usize> Map<D, C> {
     }
 
     #[inline]
-    pub(crate) fn set_column(&mut self, a: usize, column: &Vector<D>) {
+    pub(crate) fn set_column(&mut self, a: usize, column: &Vector) {
         let given = column.as_slice().len();
         column.iter().enumerate().for_each(|(k, x)| self.entries.set(k, a, *x));
         // Components behind the end of a list are zero.
@@ -107,24 +105,25 @@ impl<D: Size, const C: usize> Map<D, C> {
 
     /// `Gᵀv`.
     #[inline]
-    pub(crate) fn tr_mul(&self, v: &Vector<D>) -> SVector<f64, C> {
-        self.size.felt(&self.entries, &v.0)
+    pub(crate) fn tr_mul(&self, v: &Vector) -> SVector<f64, C> {
+        SVector::from_fn(|a, _| self.entries.felt(a, self.size, &v.0))
     }
 
     /// Adds `G f` to a vector.
     #[inline]
-    pub(crate) fn push(&self, f: &SVector<f64, C>, to: &mut Vector<D>) {
-        self.size.add_mapped(&self.entries, f, &mut to.0);
+    pub(crate) fn push(&self, f: &SVector<f64, C>, to: &mut Vector) {
+        to.reach(self.size);
+        self.entries.add_mapped(f, &mut to.0);
     }
 
     /// `|G f|`.
     #[inline]
     pub(crate) fn pushed_norm(&self, f: &SVector<f64, C>) -> f64 {
-        self.size.mapped_square(&self.entries, f).sqrt()
+        self.entries.mapped_square(self.size, f).sqrt()
     }
 }
 
-impl<D: Size, const C: usize> Index<(usize, usize)> for Map<D, C> {
+impl<const C: usize> Index<(usize, usize)> for Map<C> {
     type Output = f64;
 
     #[inline]
@@ -133,27 +132,29 @@ impl<D: Size, const C: usize> Index<(usize, usize)> for Map<D, C> {
     }
 }
 
-impl<D: Size, const C: usize> IndexMut<(usize, usize)> for Map<D, C> {
+impl<const C: usize> IndexMut<(usize, usize)> for Map<C> {
     #[inline]
     fn index_mut(&mut self, (k, a): (usize, usize)) -> &mut f64 {
         self.entries.entry_mut(k, a)
     }
 }
 
-impl<D: Size, const C: usize> Mul<&SVector<f64, C>> for &Map<D, C> {
-    type Output = Vector<D>;
+impl<const C: usize> Mul<&SVector<f64, C>> for &Map<C> {
+    type Output = Vector;
 
     #[inline]
-    fn mul(self, f: &SVector<f64, C>) -> Vector<D> {
-        Vector(self.size.mapped(&self.entries, f))
+    fn mul(self, f: &SVector<f64, C>) -> Vector {
+        let mut sum = Vector::all_zero(self.size);
+        self.entries.add_mapped(f, &mut sum.0);
+        sum
     }
 }
 
-impl<D: Size, const C: usize> Mul<SVector<f64, C>> for &Map<D, C> {
-    type Output = Vector<D>;
+impl<const C: usize> Mul<SVector<f64, C>> for &Map<C> {
+    type Output = Vector;
 
     #[inline]
-    fn mul(self, f: SVector<f64, C>) -> Vector<D> {
-        Vector(self.size.mapped(&self.entries, &f))
+    fn mul(self, f: SVector<f64, C>) -> Vector {
+        self * &f
     }
 }

@@ -1,139 +1,235 @@
-//! Entries of a map: in place for a fixed number of coordinates, otherwise of the rows that have entries.
+//! Entries of a map: all of them in place for one object, otherwise of the rows that have entries.
 //!
 //! A contact of several bodies acts on two of them, however many there are, so its map has entries in few rows. Sums over these rows have the bits of
 //! sums over all rows, since zeros change none.
 
-use core::fmt::Debug;
 use core::ops::Range;
 
-use nalgebra::SMatrix;
+use nalgebra::SVector;
 
-use super::size::in_lanes;
+use super::list::List;
+use super::products::{Lanes, dot};
+use super::size::{Size, WHOLE};
 use crate::prelude::*;
 
 /// Entries of a matrix with a row for each coordinate and C columns.
-pub(crate) trait MapEntries<const C: usize>: Clone + Debug + PartialEq + Send + Sync {
-    fn zeros() -> Self;
-    fn entry(&self, k: usize, a: usize) -> &f64;
-    fn entry_mut(&mut self, k: usize, a: usize) -> &mut f64;
-    /// Sets an entry; a zero does not create a missing row.
-    fn set(&mut self, k: usize, a: usize, x: f64);
-    /// The existing rows, in order.
-    fn rows(&self) -> impl Iterator<Item = usize> + '_;
-    /// The entries of a column in a range of existing rows.
-    fn column(&self, a: usize, range: Range<usize>) -> &[f64];
-    /// Keeps the rows of these ranges only, and creates those that are missing.
-    fn keep(&mut self, ranges: &[Range<usize>; 2]);
-}
-
-impl<const D: usize, const C: usize> MapEntries<C> for SMatrix<f64, D, C> {
-    #[inline]
-    fn zeros() -> Self {
-        SMatrix::<f64, D, C>::zeros()
-    }
-
-    #[inline]
-    fn entry(&self, k: usize, a: usize) -> &f64 {
-        &self[(k, a)]
-    }
-
-    #[inline]
-    fn entry_mut(&mut self, k: usize, a: usize) -> &mut f64 {
-        &mut self[(k, a)]
-    }
-
-    #[inline]
-    fn set(&mut self, k: usize, a: usize, x: f64) {
-        self[(k, a)] = x;
-    }
-
-    #[inline]
-    fn rows(&self) -> impl Iterator<Item = usize> + '_ {
-        0..D
-    }
-
-    #[inline]
-    fn column(&self, a: usize, range: Range<usize>) -> &[f64] {
-        &self.as_slice()[a * D..(a + 1) * D][range]
-    }
-
-    #[inline]
-    fn keep(&mut self, _: &[Range<usize>; 2]) {}
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum MapEntries<const C: usize> {
+    /// Column by column, with zeros behind the last coordinate.
+    Whole([[f64; WHOLE]; C]),
+    Few(FewRows),
 }
 
 /// Entries of a few rows; all others are zero.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct FewRows {
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(super) struct FewRows {
     rows: Vec<usize>,
     /// Column by column.
     entries: Vec<f64>,
 }
 
-impl FewRows {
-    /// The rows with their entries in a column.
+impl<const C: usize> MapEntries<C> {
     #[inline]
-    pub(super) fn of_column(&self, a: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
-        let count = self.rows.len();
-        self.rows.iter().copied().zip(self.entries[a * count..(a + 1) * count].iter().copied())
+    pub(super) fn zeros(size: Size) -> Self {
+        if size.count() <= WHOLE { Self::Whole([[0.0; WHOLE]; C]) } else { Self::Few(FewRows::default()) }
     }
 
-    /// A column times a vector of `count` components; those behind the end of its list are zero.
     #[inline]
-    pub(super) fn felt(&self, a: usize, count: usize, list: &[f64]) -> f64 {
-        let end = count.min(list.len());
-        in_lanes(end, self.of_column(a).filter(|(k, _)| *k < end).map(|(k, x)| (k, x * list[k])))
+    pub(super) fn entry(&self, k: usize, a: usize) -> &f64 {
+        match self {
+            Self::Whole(columns) => &columns[a][k],
+            Self::Few(few) => {
+                few.rows.binary_search(&k).map_or(&0.0, |place| &few.entries[a * few.rows.len() + place])
+            }
+        }
+    }
+
+    #[inline]
+    pub(super) fn entry_mut(&mut self, k: usize, a: usize) -> &mut f64 {
+        match self {
+            Self::Whole(columns) => &mut columns[a][k],
+            Self::Few(few) => few.entry_mut(k, a, C),
+        }
+    }
+
+    /// Sets an entry; a zero does not create a missing row.
+    #[inline]
+    pub(super) fn set(&mut self, k: usize, a: usize, x: f64) {
+        match self {
+            Self::Whole(columns) => columns[a][k] = x,
+            Self::Few(few) => {
+                if x != 0.0 || few.rows.binary_search(&k).is_ok() {
+                    *few.entry_mut(k, a, C) = x;
+                }
+            }
+        }
+    }
+
+    /// The number of existing rows.
+    #[inline]
+    pub(super) fn row_count(&self, size: Size) -> usize {
+        match self {
+            Self::Whole(_) => size.count(),
+            Self::Few(few) => few.rows.len(),
+        }
+    }
+
+    /// The existing row with this number, in order.
+    #[inline]
+    pub(super) fn row(&self, place: usize) -> usize {
+        match self {
+            Self::Whole(_) => place,
+            Self::Few(few) => few.rows[place],
+        }
+    }
+
+    /// The entries of a column in a range of existing rows.
+    #[inline]
+    pub(super) fn column(&self, a: usize, range: Range<usize>) -> &[f64] {
+        match self {
+            Self::Whole(columns) => &columns[a][range],
+            Self::Few(few) => {
+                let (count, from) = (few.rows.len(), few.rows.partition_point(|k| *k < range.start));
+                &few.entries[a * count..(a + 1) * count][from..from + range.len()]
+            }
+        }
+    }
+
+    /// Keeps the rows of these ranges only, and creates those that are missing.
+    pub(super) fn keep(&mut self, ranges: &[Range<usize>; 2]) {
+        if let Self::Few(_) = self {
+            let rows: Vec<usize> = ranges.iter().cloned().flatten().collect();
+            let mut entries = Vec::with_capacity(C * rows.len());
+            for a in 0..C {
+                entries.extend(rows.iter().map(|k| *self.entry(*k, a)));
+            }
+            *self = Self::Few(FewRows { rows, entries });
+        }
+    }
+
+    /// Adds `G f` to a list, which reaches all coordinates.
+    #[inline]
+    pub(super) fn add_mapped(&self, f: &SVector<f64, C>, to: &mut List) {
+        match self {
+            Self::Whole(_) => {
+                let sum = self.mapped(f);
+                match to.fixed_mut::<WHOLE>() {
+                    Some(to) => (0..WHOLE).for_each(|k| to[k] += sum[k]),
+                    None => to.slice_mut().iter_mut().zip(sum).for_each(|(to, sum)| *to += sum),
+                }
+            }
+            Self::Few(few) => {
+                let to = to.slice_mut();
+                few.rows.iter().enumerate().for_each(|(place, k)| to[*k] += few.mapped(place, f.as_slice()));
+            }
+        }
+    }
+
+    /// `|G f|²`.
+    #[inline]
+    pub(super) fn mapped_square(&self, size: Size, f: &SVector<f64, C>) -> f64 {
+        match self {
+            Self::Whole(_) => {
+                let sum = self.mapped(f);
+                dot(&sum, &sum)
+            }
+            Self::Few(few) => {
+                let mut squares = Lanes::of(size.count());
+                for (place, k) in few.rows.iter().enumerate() {
+                    let sum = few.mapped(place, f.as_slice());
+                    squares.add(*k, sum * sum);
+                }
+                squares.sum()
+            }
+        }
+    }
+
+    /// A column times a list; numbers behind the end of the list are zero.
+    #[inline]
+    pub(super) fn felt(&self, a: usize, size: Size, list: &List) -> f64 {
+        match self {
+            Self::Whole(columns) => match list.fixed::<WHOLE>() {
+                Some(list) => dot(&columns[a], list),
+                None => dot(&columns[a], list.slice()),
+            },
+            Self::Few(few) => few.felt(a, size.count(), list.slice()),
+        }
+    }
+
+    /// The square of the length of a column.
+    pub(super) fn column_square(&self, a: usize, size: Size) -> f64 {
+        match self {
+            Self::Whole(columns) => dot(&columns[a], &columns[a]),
+            Self::Few(few) => {
+                let mut squares = Lanes::of(size.count());
+                few.of_column(a).for_each(|(k, x)| squares.add(k, x * x));
+                squares.sum()
+            }
+        }
+    }
+
+    /// `G f` of one object.
+    #[inline]
+    fn mapped(&self, f: &SVector<f64, C>) -> [f64; WHOLE] {
+        let mut sum = [0.0; WHOLE];
+        if let Self::Whole(columns) = self {
+            for (column, f) in columns.iter().zip(f.as_slice()) {
+                for k in 0..WHOLE {
+                    sum[k] += column[k] * f;
+                }
+            }
+        }
+        sum
     }
 }
 
-impl<const C: usize> MapEntries<C> for FewRows {
-    fn zeros() -> Self {
-        Self { rows: Vec::new(), entries: Vec::new() }
-    }
-
-    #[inline]
-    fn entry(&self, k: usize, a: usize) -> &f64 {
-        self.rows.binary_search(&k).map_or(&0.0, |place| &self.entries[a * self.rows.len() + place])
-    }
-
-    fn entry_mut(&mut self, k: usize, a: usize) -> &mut f64 {
+impl FewRows {
+    fn entry_mut(&mut self, k: usize, a: usize, columns: usize) -> &mut f64 {
         let place = self.rows.binary_search(&k).unwrap_or_else(|place| {
             // From the last column on, so that earlier positions stay valid.
-            (0..C).rev().for_each(|a| self.entries.insert(a * self.rows.len() + place, 0.0));
+            (0..columns).rev().for_each(|a| self.entries.insert(a * self.rows.len() + place, 0.0));
             self.rows.insert(place, k);
             place
         });
         &mut self.entries[a * self.rows.len() + place]
     }
 
-    fn set(&mut self, k: usize, a: usize, x: f64) {
-        if x != 0.0 || self.rows.binary_search(&k).is_ok() {
-            *MapEntries::<C>::entry_mut(self, k, a) = x;
-        }
-    }
-
-    fn rows(&self) -> impl Iterator<Item = usize> + '_ {
-        self.rows.iter().copied()
-    }
-
+    /// The rows with their entries in a column.
     #[inline]
-    fn column(&self, a: usize, range: Range<usize>) -> &[f64] {
-        let (count, from) = (self.rows.len(), self.rows.partition_point(|k| *k < range.start));
-        &self.entries[a * count..(a + 1) * count][from..from + range.len()]
+    fn of_column(&self, a: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
+        let count = self.rows.len();
+        self.rows.iter().copied().zip(self.entries[a * count..(a + 1) * count].iter().copied())
     }
 
-    fn keep(&mut self, ranges: &[Range<usize>; 2]) {
-        let rows: Vec<usize> = ranges.iter().cloned().flatten().collect();
-        let mut entries = Vec::with_capacity(C * rows.len());
-        for a in 0..C {
-            entries.extend(rows.iter().map(|k| *MapEntries::<C>::entry(self, *k, a)));
+    /// The entry of `G f` in the row with this number.
+    #[inline]
+    fn mapped(&self, place: usize, f: &[f64]) -> f64 {
+        let mut sum = 0.0;
+        for (a, f) in f.iter().enumerate() {
+            if *f != 0.0 {
+                sum += self.entries[a * self.rows.len() + place] * f;
+            }
         }
-        *self = Self { rows, entries };
+        sum
+    }
+
+    /// A column times a vector of `count` components; those behind the end of its list are zero.
+    #[inline]
+    fn felt(&self, a: usize, count: usize, list: &[f64]) -> f64 {
+        let end = count.min(list.len());
+        let mut lanes = Lanes::of(end);
+        for (k, x) in self.of_column(a) {
+            if k < end {
+                lanes.add(k, x * list[k]);
+            }
+        }
+        lanes.sum()
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Any, Map, Size, Vector};
+    use super::super::{Map, Size, Vector};
     use crate::numerics::generic;
     use nalgebra::SVector;
 
@@ -147,8 +243,8 @@ mod tests {
 
     #[test]
     fn sums_over_few_rows_have_the_bits_of_those_over_all() {
-        let size = Any::of(23);
-        let mut map = Map::<Any, 2>::zeros(size);
+        let size = Size::of(23);
+        let mut map = Map::<2>::zeros(size);
         for (n, k) in [22, 3, 14, 4, 15].into_iter().enumerate() {
             map.set_row(k, &SVector::<f64, 2>::new(generic(2 * n), generic(2 * n + 1)));
         }

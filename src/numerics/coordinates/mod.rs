@@ -1,19 +1,22 @@
-//! Vectors and matrices over the coordinates of a grasp, for any number of them.
+//! Vectors and matrices over the coordinates of a grasp, whose number is known at run time.
 //!
-//! The plane has 3 coordinates and space 6: [`Fixed`] leaves their arithmetic to nalgebra. A hand has [`Any`] number of coordinates, and its vectors
-//! are lists. Components behind the end of a list are zero, so the zero vector needs no length.
+//! One object has 3 coordinates in the plane and 6 in space; joints and other bodies add theirs. Up to 6 lie in place, with loops of fixed length. Vectors are
+//! lists: components behind the end of a list are zero, so the zero vector needs no length.
 
+mod indices;
 mod list;
 mod map;
 mod map_entries;
+mod products;
 mod seen;
 mod size;
 mod square;
 mod sums;
 mod vector;
 
+pub(crate) use indices::Indices;
 pub(crate) use map::Map;
 pub(crate) use seen::Seen;
-pub(crate) use size::{Any, Fixed, Size};
+pub(crate) use size::Size;
 pub(crate) use square::Square;
 pub(crate) use vector::Vector;

@@ -4,28 +4,56 @@ use core::ops::{Index, IndexMut, Mul};
 
 use nalgebra::SVector;
 
-use super::list::List;
-use super::size::Size;
+use super::size::{Size, WHOLE};
 use super::vector::Vector;
-#[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
 /// A matrix from coordinates to C numbers of a contact.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Seen<D: Size, const C: usize> {
-    entries: D::Seen<C>,
-    size: D,
+pub(crate) struct Seen<const C: usize> {
+    /// Column by column.
+    entries: Entries<C>,
+    size: Size,
 }
 
-impl<D: Size, const C: usize> Seen<D, C> {
+/// Columns of C numbers: in place for one object, with zeros behind the last one.
+#[derive(Debug, Clone, PartialEq)]
+enum Entries<const C: usize> {
+    Few([[f64; C]; WHOLE]),
+    More(Vec<[f64; C]>),
+}
+
+impl<const C: usize> Seen<C> {
     #[inline]
-    pub(crate) fn zeros(size: D) -> Self {
-        Self { entries: D::Seen::<C>::zeros(size.count() * C), size }
+    pub(crate) fn zeros(size: Size) -> Self {
+        let count = size.count();
+        let entries = if count <= WHOLE {
+            Entries::Few([[0.0; C]; WHOLE])
+        } else {
+            Entries::More(vec![[0.0; C]; count])
+        };
+        Self { entries, size }
     }
 
     #[inline]
-    pub(crate) fn size(&self) -> D {
+    pub(crate) fn size(&self) -> Size {
         self.size
+    }
+
+    #[inline]
+    fn columns(&self) -> &[[f64; C]] {
+        match &self.entries {
+            Entries::Few(few) => &few[..self.size.count().min(WHOLE)],
+            Entries::More(more) => more,
+        }
+    }
+
+    #[inline]
+    fn columns_mut(&mut self) -> &mut [[f64; C]] {
+        match &mut self.entries {
+            Entries::Few(few) => &mut few[..self.size.count().min(WHOLE)],
+            Entries::More(more) => more,
+        }
     }
 
     /// The column of coordinate k.
@@ -36,16 +64,18 @@ impl<D: Size, const C: usize> Seen<D, C> {
 
     /// `Sᵀf`.
     #[inline]
-    pub(crate) fn tr_mul(&self, f: &SVector<f64, C>) -> Vector<D> {
-        Vector(self.size.seen_back(&self.entries, f))
+    pub(crate) fn tr_mul(&self, f: &SVector<f64, C>) -> Vector {
+        let columns = self.columns();
+        Vector::from_fn(self.size, |k| (0..C).fold(0.0, |sum, a| sum + columns[k][a] * f[a]))
     }
 
     #[inline]
     pub(crate) fn norm_squared(&self) -> f64 {
-        // Column by column, as nalgebra sums.
-        let column =
-            |k: usize| SVector::<f64, C>::from_column_slice(&self.entries.slice()[k * C..(k + 1) * C]);
-        (0..self.size.count()).fold(0.0, |sum, k| sum + column(k).norm_squared())
+        let mut sum = 0.0;
+        for column in self.columns() {
+            sum += column.iter().fold(0.0, |sum, x| sum + x * x);
+        }
+        sum
     }
 
     #[inline]
@@ -54,27 +84,33 @@ impl<D: Size, const C: usize> Seen<D, C> {
     }
 }
 
-impl<D: Size, const C: usize> Index<(usize, usize)> for Seen<D, C> {
+impl<const C: usize> Index<(usize, usize)> for Seen<C> {
     type Output = f64;
 
     #[inline]
     fn index(&self, (a, k): (usize, usize)) -> &f64 {
-        &self.entries.slice()[k * C + a]
+        &self.columns()[k][a]
     }
 }
 
-impl<D: Size, const C: usize> IndexMut<(usize, usize)> for Seen<D, C> {
+impl<const C: usize> IndexMut<(usize, usize)> for Seen<C> {
     #[inline]
     fn index_mut(&mut self, (a, k): (usize, usize)) -> &mut f64 {
-        &mut self.entries.slice_mut()[k * C + a]
+        &mut self.columns_mut()[k][a]
     }
 }
 
-impl<D: Size, const C: usize> Mul<&Vector<D>> for &Seen<D, C> {
+impl<const C: usize> Mul<&Vector> for &Seen<C> {
     type Output = SVector<f64, C>;
 
     #[inline]
-    fn mul(self, v: &Vector<D>) -> SVector<f64, C> {
-        self.size.seen(&self.entries, &v.0)
+    fn mul(self, v: &Vector) -> SVector<f64, C> {
+        let mut sum = SVector::zeros();
+        for (column, v) in self.columns().iter().zip(v.iter()) {
+            for a in 0..C {
+                sum[a] += column[a] * v;
+            }
+        }
+        sum
     }
 }

@@ -5,30 +5,56 @@ use core::ops::{Add, AddAssign, Index, IndexMut, Mul};
 use nalgebra::SMatrix;
 
 use super::list::List;
-use super::size::{Fixed, Size};
+use super::products::{add_combined, add_fixed};
+use super::size::{Size, WHOLE};
 use super::vector::Vector;
+use crate::prelude::*;
 
 /// A square matrix over coordinates.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Square<D: Size> {
-    entries: D::Square,
-    size: D,
+pub(crate) struct Square {
+    entries: Entries,
+    size: Size,
 }
 
-impl<D: Size> Default for Square<D> {
-    /// The zero matrix; it has no coordinates if their number is known at run time only.
-    fn default() -> Self {
-        Self::zeros(D::default())
-    }
+/// Entries of a square matrix, column by column: in place for one object, with zeros behind the last column.
+#[derive(Debug, Clone, PartialEq)]
+#[allow(clippy::large_enum_variant)] // most matrices are those of one object
+enum Entries {
+    Few([f64; WHOLE * WHOLE]),
+    More(Vec<f64>),
 }
 
-impl<D: Size> Square<D> {
+impl Entries {
     #[inline]
-    pub(crate) fn zeros(size: D) -> Self {
-        Self { entries: D::Square::zeros(size.count() * size.count()), size }
+    fn zeros(count: usize) -> Self {
+        if count <= WHOLE { Self::Few([0.0; WHOLE * WHOLE]) } else { Self::More(vec![0.0; count * count]) }
+    }
+}
+
+/// Adds a matrix of N columns times a vector of up to N components.
+#[inline]
+fn fixed_product<const N: usize>(entries: &[f64], times: &List, sum: &mut List) {
+    match (times.fixed::<N>(), sum.fixed_mut::<N>()) {
+        (Some(times), Some(sum)) => add_fixed(entries, times, sum),
+        (_, _) => add_combined(entries, times.slice(), sum.slice_mut()),
+    }
+}
+
+impl Default for Square {
+    /// The matrix without coordinates.
+    fn default() -> Self {
+        Self::zeros(Size::default())
+    }
+}
+
+impl Square {
+    #[inline]
+    pub(crate) fn zeros(size: Size) -> Self {
+        Self { entries: Entries::zeros(size.count()), size }
     }
 
-    pub(crate) fn from_diagonal(size: D, mut entry: impl FnMut(usize) -> f64) -> Self {
+    pub(crate) fn from_diagonal(size: Size, mut entry: impl FnMut(usize) -> f64) -> Self {
         let mut square = Self::zeros(size);
         for k in 0..size.count() {
             square[(k, k)] = entry(k);
@@ -37,18 +63,24 @@ impl<D: Size> Square<D> {
     }
 
     #[inline]
-    pub(crate) fn size(&self) -> D {
+    pub(crate) fn size(&self) -> Size {
         self.size
     }
 
     #[inline]
     pub(crate) fn as_slice(&self) -> &[f64] {
-        self.entries.slice()
+        match &self.entries {
+            Entries::Few(few) => &few[..(self.size.count() * self.size.count()).min(WHOLE * WHOLE)],
+            Entries::More(more) => more,
+        }
     }
 
     #[inline]
     pub(crate) fn as_mut_slice(&mut self) -> &mut [f64] {
-        self.entries.slice_mut()
+        match &mut self.entries {
+            Entries::Few(few) => &mut few[..(self.size.count() * self.size.count()).min(WHOLE * WHOLE)],
+            Entries::More(more) => more,
+        }
     }
 
     #[inline]
@@ -99,13 +131,13 @@ impl<D: Size> Square<D> {
     }
 
     /// Sets all entries to zero and the size to this, in the same memory if the size is unchanged.
-    pub(crate) fn clear(&mut self, size: D) {
+    pub(crate) fn clear(&mut self, size: Size) {
         if self.size == size { self.fill(0.0) } else { *self = Self::zeros(size) }
     }
 
     /// Adds `a bᵀ`.
     #[inline]
-    pub(crate) fn add_product(&mut self, a: &Vector<D>, b: &Vector<D>) {
+    pub(crate) fn add_product(&mut self, a: &Vector, b: &Vector) {
         let n = self.size.count();
         for (column, b) in self.as_mut_slice().chunks_exact_mut(n.max(1)).zip(b.iter()) {
             column.iter_mut().zip(a.iter()).for_each(|(entry, a)| *entry += a * b);
@@ -113,15 +145,17 @@ impl<D: Size> Square<D> {
     }
 }
 
-impl<const D: usize> From<SMatrix<f64, D, D>> for Square<Fixed<D>> {
+impl<const D: usize> From<SMatrix<f64, D, D>> for Square {
     fn from(entries: SMatrix<f64, D, D>) -> Self {
-        Self { entries, size: Fixed }
+        let mut square = Self::zeros(Size::of(D));
+        square.as_mut_slice().copy_from_slice(entries.as_slice());
+        square
     }
 }
 
-impl<D: Size> Square<D> {
+impl Square {
     #[inline]
-    pub(crate) fn from_columns(size: D, mut column: impl FnMut(usize) -> Vector<D>) -> Self {
+    pub(crate) fn from_columns(size: Size, mut column: impl FnMut(usize) -> Vector) -> Self {
         let mut square = Self::zeros(size);
         for j in 0..size.count() {
             let column = column(j);
@@ -133,53 +167,65 @@ impl<D: Size> Square<D> {
     }
 }
 
-impl<D: Size> Index<(usize, usize)> for Square<D> {
+impl Index<(usize, usize)> for Square {
     type Output = f64;
 
     #[inline]
     fn index(&self, (i, j): (usize, usize)) -> &f64 {
-        &self.entries.slice()[j * self.size.count() + i]
+        &self.as_slice()[j * self.size.count() + i]
     }
 }
 
-impl<D: Size> IndexMut<(usize, usize)> for Square<D> {
+impl IndexMut<(usize, usize)> for Square {
     #[inline]
     fn index_mut(&mut self, (i, j): (usize, usize)) -> &mut f64 {
         let n = self.size.count();
-        &mut self.entries.slice_mut()[j * n + i]
+        &mut self.as_mut_slice()[j * n + i]
     }
 }
 
-impl<D: Size> Mul<&Vector<D>> for &Square<D> {
-    type Output = Vector<D>;
+impl Mul<&Vector> for &Square {
+    type Output = Vector;
 
     #[inline]
-    fn mul(self, v: &Vector<D>) -> Vector<D> {
-        Vector(self.size.times(&self.entries, &v.0))
+    fn mul(self, v: &Vector) -> Vector {
+        let mut product = Vector::all_zero(self.size);
+        let (entries, times, sum) = (self.as_slice(), &v.0, &mut product.0);
+        match self.size.count() {
+            3 => fixed_product::<3>(entries, times, sum),
+            WHOLE => fixed_product::<WHOLE>(entries, times, sum),
+            _ => add_combined(entries, times.slice(), sum.slice_mut()),
+        }
+        product
     }
 }
 
-impl<D: Size> Mul<&Square<D>> for &Square<D> {
-    type Output = Square<D>;
+impl Mul<&Square> for &Square {
+    type Output = Square;
 
     #[inline]
-    fn mul(self, other: &Square<D>) -> Square<D> {
-        Square { entries: self.size.product(&self.entries, &other.entries), size: self.size }
+    fn mul(self, other: &Square) -> Square {
+        let (n, mut product) = (self.size.count(), Square::zeros(self.size));
+        let columns = other.as_slice().chunks_exact(n.max(1));
+        for (column, sum) in columns.zip(product.as_mut_slice().chunks_exact_mut(n.max(1))) {
+            add_combined(self.as_slice(), column, sum);
+        }
+        product
     }
 }
 
-impl<D: Size> AddAssign<&Square<D>> for Square<D> {
+impl AddAssign<&Square> for Square {
     #[inline]
-    fn add_assign(&mut self, other: &Square<D>) {
+    fn add_assign(&mut self, other: &Square) {
         self.as_mut_slice().iter_mut().zip(other.as_slice()).for_each(|(x, y)| *x += y);
     }
 }
 
-impl<D: Size> Add<&Square<D>> for Square<D> {
-    type Output = Square<D>;
+impl Add<&Square> for Square {
+    type Output = Square;
 
     #[inline]
-    fn add(mut self, other: &Square<D>) -> Square<D> {
+    fn add(mut self, other: &Square) -> Square {
         self += other;
         self
     }

@@ -3,62 +3,60 @@
 use core::iter::Sum;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use super::list::List;
-use super::size::Size;
 use super::vector::Vector;
 
 macro_rules! sums {
     ($trait:ident, $operate:ident, $assign:ident, $operate_assign:ident) => {
-        impl<D: Size> $assign<&Vector<D>> for Vector<D> {
+        impl $assign<&Vector> for Vector {
             #[inline]
-            fn $operate_assign(&mut self, other: &Vector<D>) {
+            fn $operate_assign(&mut self, other: &Vector) {
                 let other = other.as_slice();
                 self.0.reach(other.len());
                 self.iter_mut().zip(other).for_each(|(x, y)| x.$operate_assign(y));
             }
         }
 
-        impl<D: Size> $assign for Vector<D> {
+        impl $assign for Vector {
             #[inline]
-            fn $operate_assign(&mut self, other: Vector<D>) {
+            fn $operate_assign(&mut self, other: Vector) {
                 self.$operate_assign(&other);
             }
         }
 
-        impl<D: Size> $trait<&Vector<D>> for Vector<D> {
-            type Output = Vector<D>;
+        impl $trait<&Vector> for Vector {
+            type Output = Vector;
 
             #[inline]
-            fn $operate(mut self, other: &Vector<D>) -> Vector<D> {
+            fn $operate(mut self, other: &Vector) -> Vector {
                 self.$operate_assign(other);
                 self
             }
         }
 
-        impl<D: Size> $trait for Vector<D> {
-            type Output = Vector<D>;
+        impl $trait for Vector {
+            type Output = Vector;
 
             #[inline]
-            fn $operate(mut self, other: Vector<D>) -> Vector<D> {
+            fn $operate(mut self, other: Vector) -> Vector {
                 self.$operate_assign(&other);
                 self
             }
         }
 
-        impl<D: Size> $trait<&Vector<D>> for &Vector<D> {
-            type Output = Vector<D>;
+        impl $trait<&Vector> for &Vector {
+            type Output = Vector;
 
             #[inline]
-            fn $operate(self, other: &Vector<D>) -> Vector<D> {
+            fn $operate(self, other: &Vector) -> Vector {
                 self.clone().$operate(other)
             }
         }
 
-        impl<D: Size> $trait<Vector<D>> for &Vector<D> {
-            type Output = Vector<D>;
+        impl $trait<Vector> for &Vector {
+            type Output = Vector;
 
             #[inline]
-            fn $operate(self, other: Vector<D>) -> Vector<D> {
+            fn $operate(self, other: Vector) -> Vector {
                 self.clone().$operate(&other)
             }
         }
@@ -70,28 +68,28 @@ sums!(Sub, sub, SubAssign, sub_assign);
 
 macro_rules! multiples {
     ($trait:ident, $operate:ident, $assign:ident, $operate_assign:ident) => {
-        impl<D: Size> $assign<f64> for Vector<D> {
+        impl $assign<f64> for Vector {
             #[inline]
             fn $operate_assign(&mut self, factor: f64) {
                 self.iter_mut().for_each(|x| x.$operate_assign(factor));
             }
         }
 
-        impl<D: Size> $trait<f64> for Vector<D> {
-            type Output = Vector<D>;
+        impl $trait<f64> for Vector {
+            type Output = Vector;
 
             #[inline]
-            fn $operate(mut self, factor: f64) -> Vector<D> {
+            fn $operate(mut self, factor: f64) -> Vector {
                 self.$operate_assign(factor);
                 self
             }
         }
 
-        impl<D: Size> $trait<f64> for &Vector<D> {
-            type Output = Vector<D>;
+        impl $trait<f64> for &Vector {
+            type Output = Vector;
 
             #[inline]
-            fn $operate(self, factor: f64) -> Vector<D> {
+            fn $operate(self, factor: f64) -> Vector {
                 self.clone().$operate(factor)
             }
         }
@@ -101,26 +99,26 @@ macro_rules! multiples {
 multiples!(Mul, mul, MulAssign, mul_assign);
 multiples!(Div, div, DivAssign, div_assign);
 
-impl<D: Size> Neg for Vector<D> {
-    type Output = Vector<D>;
+impl Neg for Vector {
+    type Output = Vector;
 
     #[inline]
-    fn neg(mut self) -> Vector<D> {
+    fn neg(mut self) -> Vector {
         self.iter_mut().for_each(|x| *x = -*x);
         self
     }
 }
 
-impl<D: Size> Neg for &Vector<D> {
-    type Output = Vector<D>;
+impl Neg for &Vector {
+    type Output = Vector;
 
     #[inline]
-    fn neg(self) -> Vector<D> {
+    fn neg(self) -> Vector {
         -self.clone()
     }
 }
 
-impl<D: Size> Sum for Vector<D> {
+impl Sum for Vector {
     fn sum<I: Iterator<Item = Self>>(vectors: I) -> Self {
         vectors.fold(Self::zeros(), |sum, v| sum + v)
     }

@@ -5,22 +5,23 @@ use core::ops::{Index, IndexMut};
 use nalgebra::SVector;
 
 use super::list::List;
-use super::size::{Fixed, Size};
+use super::products::dot;
+use super::size::{Size, WHOLE};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
 /// A vector over coordinates: a motion, or a wrench.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Vector<D: Size>(pub(super) D::List);
+pub(crate) struct Vector(pub(super) List);
 
-impl<D: Size> Default for Vector<D> {
+impl Default for Vector {
     #[inline]
     fn default() -> Self {
-        Self(D::List::zeros(0))
+        Self(List::zeros(0))
     }
 }
 
-impl<D: Size> Vector<D> {
+impl Vector {
     /// The zero vector of any number of coordinates.
     #[inline]
     pub(crate) fn zeros() -> Self {
@@ -28,7 +29,7 @@ impl<D: Size> Vector<D> {
     }
 
     #[inline]
-    pub(crate) fn from_fn(size: D, mut component: impl FnMut(usize) -> f64) -> Self {
+    pub(crate) fn from_fn(size: Size, mut component: impl FnMut(usize) -> f64) -> Self {
         let mut v = Self::all_zero(size);
         for (k, x) in v.iter_mut().enumerate() {
             *x = component(k);
@@ -38,19 +39,19 @@ impl<D: Size> Vector<D> {
 
     /// The zero vector with a component for every coordinate.
     #[inline]
-    pub(crate) fn all_zero(size: D) -> Self {
-        Self(D::List::zeros(size.count()))
+    pub(crate) fn all_zero(size: Size) -> Self {
+        Self(List::zeros(size.count()))
     }
 
     /// The unit vector along a coordinate.
     #[inline]
-    pub(crate) fn unit(size: D, along: usize) -> Self {
+    pub(crate) fn unit(size: Size, along: usize) -> Self {
         Self::from_fn(size, |k| if k == along { 1.0 } else { 0.0 })
     }
 
     /// Extends the vector with zeros to a component for every coordinate.
     #[inline]
-    pub(crate) fn reach(&mut self, size: D) {
+    pub(crate) fn reach(&mut self, size: Size) {
         self.0.reach(size.count());
     }
 
@@ -84,7 +85,10 @@ impl<D: Size> Vector<D> {
 
     #[inline]
     pub(crate) fn dot(&self, other: &Self) -> f64 {
-        D::dot(&self.0, &other.0)
+        match (self.0.fixed::<WHOLE>(), other.0.fixed::<WHOLE>()) {
+            (Some(a), Some(b)) => dot(a, b),
+            _ => dot(self.as_slice(), other.as_slice()),
+        }
     }
 
     #[inline]
@@ -149,19 +153,19 @@ impl<D: Size> Vector<D> {
     }
 }
 
-impl<const D: usize> From<SVector<f64, D>> for Vector<Fixed<D>> {
+impl<const D: usize> From<SVector<f64, D>> for Vector {
     fn from(components: SVector<f64, D>) -> Self {
-        Self(components)
+        Self::from_fn(Size::of(D), |k| components[k])
     }
 }
 
-impl<const D: usize> Vector<Fixed<D>> {
-    pub(crate) fn to_svector(&self) -> SVector<f64, D> {
-        self.0
+impl Vector {
+    pub(crate) fn to_svector<const D: usize>(&self) -> SVector<f64, D> {
+        SVector::from_fn(|k, _| self[k])
     }
 }
 
-impl<D: Size> Index<usize> for Vector<D> {
+impl Index<usize> for Vector {
     type Output = f64;
 
     #[inline]
@@ -170,7 +174,7 @@ impl<D: Size> Index<usize> for Vector<D> {
     }
 }
 
-impl<D: Size> IndexMut<usize> for Vector<D> {
+impl IndexMut<usize> for Vector {
     #[inline]
     fn index_mut(&mut self, k: usize) -> &mut f64 {
         self.0.reach(k + 1);
