@@ -25,37 +25,13 @@ impl PartialPivoting {
         let least = REGULAR * matrix.amax();
         let mut reciprocal_pivots = Vector::all_zero(size);
         let mut row_order = size.in_order();
-        for k in 0..d {
-            let (before, behind) = lu.as_mut_slice().split_at_mut((k + 1) * d);
-            let column = &mut before[k * d..];
-            let mut pivot = k;
-            for i in k + 1..d {
-                if column[i].abs() > column[pivot].abs() {
-                    pivot = i;
-                }
-            }
-            // Written so that NaN fails, too.
-            let large_enough = column[pivot].abs() > least && column[pivot].is_finite();
-            if !large_enough {
-                return None;
-            }
-            column.swap(k, pivot);
-            let reciprocal = 1.0 / column[k];
-            for i in k + 1..d {
-                column[i] *= reciprocal;
-            }
-            for other in behind.chunks_exact_mut(d) {
-                other.swap(k, pivot);
-                let top = other[k];
-                for i in k + 1..d {
-                    other[i] -= column[i] * top;
-                }
-            }
-            if pivot != k {
-                row_order.as_mut().swap(k, pivot);
-                before[..k * d].chunks_exact_mut(d).for_each(|column| column.swap(k, pivot));
-            }
-            reciprocal_pivots[k] = reciprocal;
+        let (entries, reciprocal, order) =
+            (lu.as_mut_slice(), reciprocal_pivots.as_mut_slice(), row_order.as_mut());
+        // Loops of one object have a length that the compiler knows.
+        match d {
+            3 => eliminate(3, entries, reciprocal, order, least)?,
+            6 => eliminate(6, entries, reciprocal, order, least)?,
+            _ => eliminate(d, entries, reciprocal, order, least)?,
         }
         Some(Self { lu, reciprocal_pivots, row_order })
     }
@@ -66,24 +42,80 @@ impl PartialPivoting {
 
     pub(crate) fn solve(&self, b: &Vector) -> Vector {
         let size = self.size();
-        let d = size.count();
         let order = self.row_order.as_ref();
         let mut solution = Vector::from_fn(size, |i| b[order[i]]);
-        let x = solution.as_mut_slice();
-        for k in 0..d {
-            let column = self.lu.column_slice(k);
-            for i in k + 1..d {
-                x[i] -= column[i] * x[k];
-            }
-        }
-        for k in (0..d).rev() {
-            let column = self.lu.column_slice(k);
-            x[k] *= self.reciprocal_pivots[k];
-            for i in 0..k {
-                x[i] -= column[i] * x[k];
-            }
+        let (lu, reciprocal, x) =
+            (self.lu.as_slice(), self.reciprocal_pivots.as_slice(), solution.as_mut_slice());
+        match size.count() {
+            3 => substitute(3, lu, reciprocal, x),
+            6 => substitute(6, lu, reciprocal, x),
+            d => substitute(d, lu, reciprocal, x),
         }
         solution
+    }
+}
+
+/// Makes the entries below the diagonal zero in place, with L there. `None` if a pivot is not more than `least`, or not finite.
+#[inline(always)]
+fn eliminate(
+    d: usize,
+    lu: &mut [f64],
+    reciprocal_pivots: &mut [f64],
+    row_order: &mut [usize],
+    least: f64,
+) -> Option<()> {
+    let (lu, reciprocal_pivots) = (&mut lu[..d * d], &mut reciprocal_pivots[..d]);
+    for k in 0..d {
+        let (before, behind) = lu.split_at_mut((k + 1) * d);
+        let column = &mut before[k * d..];
+        let mut pivot = k;
+        for i in k + 1..d {
+            if column[i].abs() > column[pivot].abs() {
+                pivot = i;
+            }
+        }
+        // Written so that NaN fails, too.
+        let large_enough = column[pivot].abs() > least && column[pivot].is_finite();
+        if !large_enough {
+            return None;
+        }
+        column.swap(k, pivot);
+        let reciprocal = 1.0 / column[k];
+        for i in k + 1..d {
+            column[i] *= reciprocal;
+        }
+        for other in behind.chunks_exact_mut(d) {
+            other.swap(k, pivot);
+            let top = other[k];
+            for i in k + 1..d {
+                other[i] -= column[i] * top;
+            }
+        }
+        if pivot != k {
+            row_order.swap(k, pivot);
+            before[..k * d].chunks_exact_mut(d).for_each(|column| column.swap(k, pivot));
+        }
+        reciprocal_pivots[k] = reciprocal;
+    }
+    Some(())
+}
+
+/// The solution in place of the right-hand side, whose rows are in the order of the pivots.
+#[inline(always)]
+fn substitute(d: usize, lu: &[f64], reciprocal_pivots: &[f64], x: &mut [f64]) {
+    let (lu, reciprocal_pivots, x) = (&lu[..d * d], &reciprocal_pivots[..d], &mut x[..d]);
+    for k in 0..d {
+        let column = &lu[k * d..(k + 1) * d];
+        for i in k + 1..d {
+            x[i] -= column[i] * x[k];
+        }
+    }
+    for k in (0..d).rev() {
+        let column = &lu[k * d..(k + 1) * d];
+        x[k] *= reciprocal_pivots[k];
+        for i in 0..k {
+            x[i] -= column[i] * x[k];
+        }
     }
 }
 

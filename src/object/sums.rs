@@ -92,13 +92,7 @@ impl<const R: usize> Sums<R> {
         pushed: Option<[SVector<f64, C>; R]>,
         weight: f64,
     ) {
-        for j in 0..seen.size().count() {
-            let moved = seen.column(j);
-            let held = hold.map_or(moved, |hold| hold * moved) * weight;
-            for (i, entry) in self.stiffness.column_slice_mut(j).iter_mut().enumerate() {
-                *entry += seen.column(i).dot(&held);
-            }
-        }
+        self.stiffness.add_congruent(seen, hold, weight);
         for (side, pushed) in self.sides.iter_mut().zip(pushed.into_iter().flatten()) {
             *side += seen.tr_mul(&(pushed * weight));
         }

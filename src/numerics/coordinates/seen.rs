@@ -36,12 +36,7 @@ impl<const C: usize> Seen<C> {
     }
 
     #[inline]
-    pub(crate) fn size(&self) -> Size {
-        self.size
-    }
-
-    #[inline]
-    fn columns(&self) -> &[[f64; C]] {
+    pub(super) fn columns(&self) -> &[[f64; C]] {
         match &self.entries {
             Entries::Few(few) => &few[..self.size.count().min(WHOLE)],
             Entries::More(more) => more,
@@ -54,12 +49,6 @@ impl<const C: usize> Seen<C> {
             Entries::Few(few) => &mut few[..self.size.count().min(WHOLE)],
             Entries::More(more) => more,
         }
-    }
-
-    /// The column of coordinate k.
-    #[inline]
-    pub(crate) fn column(&self, k: usize) -> SVector<f64, C> {
-        SVector::from_fn(|a, _| self[(a, k)])
     }
 
     /// `Sᵀf`.

@@ -2,10 +2,11 @@
 
 use core::ops::{Add, AddAssign, Index, IndexMut, Mul};
 
-use nalgebra::SMatrix;
+use nalgebra::{SMatrix, SVector};
 
 use super::list::List;
 use super::products::{add_combined, add_fixed};
+use super::seen::Seen;
 use super::size::{Size, WHOLE};
 use super::vector::Vector;
 use crate::prelude::*;
@@ -142,6 +143,41 @@ impl Square {
         for (column, b) in self.as_mut_slice().chunks_exact_mut(n.max(1)).zip(b.iter()) {
             column.iter_mut().zip(a.iter()).for_each(|(entry, a)| *entry += a * b);
         }
+    }
+}
+
+impl Square {
+    /// Adds `w SᵀH S`; `hold` is H, and `None` the identity.
+    pub(crate) fn add_congruent<const C: usize>(
+        &mut self,
+        seen: &Seen<C>,
+        hold: Option<&SMatrix<f64, C, C>>,
+        weight: f64,
+    ) {
+        let columns = seen.columns();
+        for (to, moved) in self.as_mut_slice().chunks_exact_mut(columns.len().max(1)).zip(columns) {
+            let moved = SVector::from(*moved);
+            let held = hold.map_or(moved, |hold| hold * moved) * weight;
+            // One object's columns lie in an array, so that this loop has its length.
+            match columns.len() {
+                WHOLE => add_felt::<WHOLE, C>(columns, &held, to),
+                3 => add_felt::<3, C>(columns, &held, to),
+                _ => {
+                    for (to, column) in to.iter_mut().zip(columns) {
+                        *to += SVector::from(*column).dot(&held);
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Adds the products of N columns with a vector of a contact.
+#[inline]
+fn add_felt<const N: usize, const C: usize>(columns: &[[f64; C]], held: &SVector<f64, C>, to: &mut [f64]) {
+    let (Some(columns), Some(to)) = (columns.first_chunk::<N>(), to.first_chunk_mut::<N>()) else { return };
+    for k in 0..N {
+        to[k] += SVector::from(columns[k]).dot(held);
     }
 }
 
