@@ -32,8 +32,8 @@ const PROJECTED: f64 = 1e-15;
 /// triangular `r x r`, Π permutes columns.
 #[derive(Debug, Clone)]
 pub(crate) struct Orthogonal {
-    /// Rows of Q; entries at `rank` and above are zero.
-    q: Vec<Vector>,
+    /// Q row by row; entries at `rank` and above are zero.
+    q: Vec<f64>,
     r: Square,
     /// The inverse diagonal of R11: a product takes a third of the time of a quotient, and each waits for the one before.
     over_diagonal: Vector,
@@ -42,109 +42,47 @@ pub(crate) struct Orthogonal {
 }
 
 impl Default for Orthogonal {
-    /// Factors of no rows and, if the number of columns is known at run time only, of no columns.
+    /// Factors of no rows and no columns.
     fn default() -> Self {
-        Self::of(Size::default(), Vec::new())
+        Self::of(Size::default())
     }
 }
 
 impl Orthogonal {
-    pub(crate) fn new(size: Size, rows: Vec<Vector>) -> Self {
-        let mut factor = Self::of(size, rows);
-        factor.factorise();
+    pub(crate) fn new(size: Size, rows: &[Vector]) -> Self {
+        let mut factor = Self::of(size);
+        factor.assign(size, rows);
         factor
     }
 
-    /// Rows that are not factorised yet.
-    fn of(size: Size, rows: Vec<Vector>) -> Self {
+    /// Factors of no rows yet.
+    fn of(size: Size) -> Self {
         let (r, over_diagonal) = (Square::zeros(size), Vector::all_zero(size));
-        Self { q: rows, r, over_diagonal, order: size.in_order(), rank: 0 }
+        Self { q: Vec::new(), r, over_diagonal, order: size.in_order(), rank: 0 }
     }
 
     /// The factors of other rows, in the same memory.
     pub(crate) fn assign(&mut self, size: Size, rows: &[Vector]) {
         if self.size() != size {
-            *self = Self::of(size, core::mem::take(&mut self.q));
+            *self = Self { q: core::mem::take(&mut self.q), ..Self::of(size) };
         }
+        let d = size.count();
         self.q.clear();
-        self.q.extend_from_slice(rows);
-        self.factorise();
+        self.q.resize(rows.len() * d, 0.0);
+        for (row, to) in rows.iter().zip(self.q.chunks_exact_mut(d.max(1))) {
+            let row = row.as_slice();
+            to[..row.len()].copy_from_slice(row);
+        }
+        // Loops of one object have a length that the compiler knows.
+        self.rank = match d {
+            3 => factorise(3, &mut self.q, &mut self.r, &mut self.over_diagonal, self.order.as_mut()),
+            6 => factorise(6, &mut self.q, &mut self.r, &mut self.over_diagonal, self.order.as_mut()),
+            _ => factorise(d, &mut self.q, &mut self.r, &mut self.over_diagonal, self.order.as_mut()),
+        };
     }
 
     pub(crate) fn size(&self) -> Size {
         self.r.size()
-    }
-
-    /// Factorises the rows in `q`, which become those of Q.
-    fn factorise(&mut self) {
-        let size = self.size();
-        let d = size.count();
-        let Self { q: rows, r, over_diagonal, order, rank: found } = self;
-        let order = order.as_mut();
-        r.fill(0.0);
-        order.iter_mut().enumerate().for_each(|(j, order)| *order = j);
-        for row in rows.iter_mut() {
-            row.reach(size);
-        }
-        let (mut full, mut noise) = lengths_and_noise(size, rows);
-        // Norms of the remaining parts of the columns.
-        let mut left = full.clone();
-        let [full, noise, left] = [&mut full, &mut noise, &mut left].map(Vector::as_mut_slice);
-        let mut rank = 0;
-        while rank < d {
-            let k = rank;
-            // The largest remaining column, among those that exceed the rounding noise of their original size.
-            let mut best = None;
-            for j in k..d {
-                if left[j] > (DEPENDENT * full[j]).max(noise[j])
-                    && best.is_none_or(|(_, most)| left[j] > most)
-                {
-                    best = Some((j, left[j]));
-                }
-            }
-            let Some((pivot, _)) = best else { break };
-            if pivot != k {
-                for row in rows.iter_mut() {
-                    row.as_mut_slice().swap(k, pivot);
-                }
-                r.swap_columns(k, pivot);
-                order.swap(k, pivot);
-                for list in [&mut *full, &mut *noise, &mut *left] {
-                    list.swap(k, pivot);
-                }
-            }
-            let square = again_from_those_before(rows, r, k);
-            let norm = square.sqrt();
-            if norm <= (DEPENDENT * full[k]).max(noise[k]) {
-                // The remainder was noise: the column is never a pivot again.
-                full[k] = f64::INFINITY;
-                continue;
-            }
-            r[(k, k)] = norm;
-            for row in rows.iter_mut() {
-                row.as_mut_slice()[k] /= norm;
-            }
-            rank += 1;
-            if rank == d {
-                break;
-            }
-            let along = take_from_the_others(size, rows, k, left);
-            for square in &mut *left {
-                *square = square.sqrt();
-            }
-            for (j, along) in along.iter().enumerate().skip(rank) {
-                r[(k, j)] = *along;
-            }
-        }
-        if rank < d {
-            for row in rows.iter_mut() {
-                keep(row, 0..rank);
-            }
-        }
-        for i in 0..d {
-            over_diagonal[i] = 1.0 / r[(i, i)];
-        }
-        *found = rank;
     }
 
     pub(crate) fn rank(&self) -> usize {
@@ -152,17 +90,21 @@ impl Orthogonal {
     }
 
     /// Row i of Q; its entries at the rank and above are zero.
-    pub(crate) fn row(&self, i: usize) -> &Vector {
-        &self.q[i]
+    pub(crate) fn row(&self, i: usize) -> &[f64] {
+        let d = self.size().count();
+        &self.q[i * d..(i + 1) * d]
     }
 
     /// Qᵀx.
     pub(crate) fn coordinates(&self, x: &[f64]) -> Vector {
+        let d = self.size().count();
         let part = |rows: Range<usize>| {
             let mut sum = Vector::all_zero(self.size());
-            let sums = sum.as_mut_slice();
-            for (row, &x) in self.q[rows.clone()].iter().zip(&x[rows]) {
-                sums.iter_mut().zip(row.iter()).for_each(|(sum, y)| *sum += y * x);
+            let (q, sums) = (&self.q[rows.start * d..rows.end * d], sum.as_mut_slice());
+            match d {
+                3 => add_rows(3, q, &x[rows], sums),
+                6 => add_rows(6, q, &x[rows], sums),
+                _ => add_rows(d, q, &x[rows], sums),
             }
             sum
         };
@@ -187,9 +129,18 @@ impl Orthogonal {
 
     /// x - Q y.
     pub(crate) fn subtract(&self, x: &mut [f64], y: &Vector) {
-        for (x, row) in x.iter_mut().zip(&self.q) {
-            *x -= row.dot(y);
+        for (i, x) in x.iter_mut().enumerate() {
+            *x -= self.along_row(i, y);
         }
+    }
+
+    /// The product of row i of Q with y.
+    pub(crate) fn along_row(&self, i: usize, y: &Vector) -> f64 {
+        let mut sum = 0.0;
+        for (entry, y) in self.row(i).iter().zip(y.iter()) {
+            sum += entry * y;
+        }
+        sum
     }
 
     /// A solution v of `A v = Q c` with zeros in the dependent columns.
@@ -243,77 +194,156 @@ impl Orthogonal {
     }
 }
 
-/// Lengths of the columns, and of the rounding in them.
-fn lengths_and_noise(size: Size, rows: &[Vector]) -> (Vector, Vector) {
-    let (mut full, mut noise) = (Vector::all_zero(size), Vector::all_zero(size));
-    for row in rows {
-        let mut sum = 0.0;
-        for (full, x) in full.iter_mut().zip(row.iter()) {
-            let square = x * x;
-            *full += square;
-            sum += square;
+/// Adds the rows, each times its number.
+#[inline(always)]
+fn add_rows(d: usize, q: &[f64], times: &[f64], sums: &mut [f64]) {
+    let sums = &mut sums[..d];
+    for (row, times) in q.chunks_exact(d.max(1)).zip(times) {
+        for k in 0..d {
+            sums[k] += row[k] * times;
         }
-        noise.iter_mut().zip(row.iter()).for_each(|(noise, &x)| *noise += if x == 0.0 { 0.0 } else { sum });
     }
-    (full.map(f64::sqrt), noise.map(|square| square.sqrt() * ENTRY_NOISE))
 }
 
-/// Orthogonalises column k a second time against the finished columns: the first time was their own elimination step. Returns its squared length.
-fn again_from_those_before(rows: &mut [Vector], r: &mut Square, k: usize) -> f64 {
+/// Factorises the rows in `q`, which become those of Q. Returns the rank.
+#[inline(always)]
+fn factorise(
+    d: usize,
+    q: &mut [f64],
+    r: &mut Square,
+    over_diagonal: &mut Vector,
+    order: &mut [usize],
+) -> usize {
     let size = r.size();
-    let again = products(size, rows, k, 0..k);
-    r.column_slice_mut(k).iter_mut().zip(again.iter()).for_each(|(r, again)| *r += again);
-    let finished = 0..k;
-    let again = &again.as_slice()[finished.clone()];
+    r.fill(0.0);
+    order.iter_mut().enumerate().for_each(|(j, order)| *order = j);
+    // Lengths of the columns, of the rounding in them, and of their remaining parts.
+    let [mut full, mut noise, mut left, mut parts] = core::array::from_fn(|_| Vector::all_zero(size));
+    let [full, noise, left, parts] =
+        [&mut full, &mut noise, &mut left, &mut parts].map(|list| &mut list.as_mut_slice()[..d]);
+    lengths_and_noise(d, q, full, noise);
+    left.copy_from_slice(full);
+    let mut rank = 0;
+    while rank < d {
+        let k = rank;
+        // The largest remaining column, among those that exceed the rounding noise of their original size.
+        let mut best = None;
+        for j in k..d {
+            if left[j] > (DEPENDENT * full[j]).max(noise[j]) && best.is_none_or(|(_, most)| left[j] > most) {
+                best = Some((j, left[j]));
+            }
+        }
+        let Some((pivot, _)) = best else { break };
+        if pivot != k {
+            for row in q.chunks_exact_mut(d) {
+                row.swap(k, pivot);
+            }
+            r.swap_columns(k, pivot);
+            order.swap(k, pivot);
+            for list in [&mut *full, &mut *noise, &mut *left] {
+                list.swap(k, pivot);
+            }
+        }
+        let square = again_from_those_before(d, q, (parts, r.column_slice_mut(k)), k);
+        let norm = square.sqrt();
+        if norm <= (DEPENDENT * full[k]).max(noise[k]) {
+            // The remainder was noise: the column is never a pivot again.
+            full[k] = f64::INFINITY;
+            continue;
+        }
+        r[(k, k)] = norm;
+        for row in q.chunks_exact_mut(d) {
+            row[k] /= norm;
+        }
+        rank += 1;
+        if rank == d {
+            break;
+        }
+        take_from_the_others(d, q, k, (parts, left));
+        for j in rank..d {
+            left[j] = left[j].sqrt();
+            r[(k, j)] = parts[j];
+        }
+    }
+    if rank < d {
+        for row in q.chunks_exact_mut(d.max(1)) {
+            row[rank..].fill(0.0);
+        }
+    }
+    for i in 0..d {
+        over_diagonal[i] = 1.0 / r[(i, i)];
+    }
+    rank
+}
+
+#[inline(always)]
+fn lengths_and_noise(d: usize, q: &[f64], full: &mut [f64], noise: &mut [f64]) {
+    for row in q.chunks_exact(d.max(1)) {
+        let mut sum = 0.0;
+        for k in 0..d {
+            let square = row[k] * row[k];
+            full[k] += square;
+            sum += square;
+        }
+        for k in 0..d {
+            noise[k] += if row[k] == 0.0 { 0.0 } else { sum };
+        }
+    }
+    for k in 0..d {
+        (full[k], noise[k]) = (full[k].sqrt(), noise[k].sqrt() * ENTRY_NOISE);
+    }
+}
+
+/// Orthogonalises column k a second time against the finished columns: the first time was their own elimination step. Adds the coefficients to column k of R,
+/// and returns the squared length that is left.
+#[inline(always)]
+fn again_from_those_before(d: usize, q: &mut [f64], (parts, r): (&mut [f64], &mut [f64]), k: usize) -> f64 {
+    add_products(d, q, k, parts);
+    // Loops over all columns have a length that the compiler knows: the coefficients of open columns are zero.
+    parts[k..].fill(0.0);
+    let (parts, r) = (&parts[..d], &mut r[..d]);
+    for j in 0..d {
+        r[j] += parts[j];
+    }
     let mut square = 0.0;
-    for row in rows.iter_mut() {
-        let row = row.as_mut_slice();
-        let terms = again.iter().zip(&row[finished.clone()]);
-        let against = terms.fold(0.0, |sum, (again, x)| sum + again * x);
+    for row in q.chunks_exact_mut(d) {
+        let mut against = 0.0;
+        for j in 0..d {
+            against += parts[j] * row[j];
+        }
         row[k] -= against;
         square += row[k] * row[k];
     }
     square
 }
 
-/// Subtracts the projection on column k, a unit vector, from the columns behind it. Returns the coefficients, and leaves the squared lengths of the
+/// Subtracts the projection on column k, a unit vector, from the columns behind it. Leaves the coefficients in `parts`, and the squared lengths of the
 /// remaining columns in `left`.
-fn take_from_the_others(size: Size, rows: &mut [Vector], k: usize, left: &mut [f64]) -> Vector {
-    let along = products(size, rows, k, k + 1..size.count());
+#[inline(always)]
+fn take_from_the_others(d: usize, q: &mut [f64], k: usize, (parts, left): (&mut [f64], &mut [f64])) {
+    add_products(d, q, k, parts);
+    parts[..=k].fill(0.0);
     left.fill(0.0);
-    let open = k + 1..size.count();
-    let (left, parts) = (&mut left[open.clone()], &along.as_slice()[open.clone()]);
-    for row in rows.iter_mut() {
-        let row = row.as_mut_slice();
+    let (parts, left) = (&parts[..d], &mut left[..d]);
+    for row in q.chunks_exact_mut(d) {
         let part = row[k];
-        for ((x, left), along) in row[open.clone()].iter_mut().zip(left.iter_mut()).zip(parts) {
-            *x -= along * part;
-            *left += *x * *x;
+        for j in 0..d {
+            row[j] -= parts[j] * part;
+            left[j] += row[j] * row[j];
         }
     }
-    along
 }
 
-/// Products of column k with the columns `with`; the other entries are zero.
-fn products(size: Size, rows: &[Vector], k: usize, with: Range<usize>) -> Vector {
-    let mut sum = Vector::all_zero(size);
-    let over = with.clone();
-    let sums = &mut sum.as_mut_slice()[over.clone()];
-    for row in rows {
-        let row = row.as_slice();
+/// Products of column k with all columns.
+#[inline(always)]
+fn add_products(d: usize, q: &[f64], k: usize, products: &mut [f64]) {
+    let products = &mut products[..d];
+    products.fill(0.0);
+    for row in q.chunks_exact(d) {
         let part = row[k];
-        sums.iter_mut().zip(&row[over.clone()]).for_each(|(sum, x)| *sum += x * part);
-    }
-    if over != with {
-        keep(&mut sum, with);
-    }
-    sum
-}
-
-/// Sets all other components to zero, after one loop over the rows that computed all of them.
-fn keep(v: &mut Vector, kept: Range<usize>) {
-    for (j, x) in v.iter_mut().enumerate() {
-        *x = if kept.contains(&j) { *x } else { 0.0 };
+        for j in 0..d {
+            products[j] += row[j] * part;
+        }
     }
 }
 
@@ -348,7 +378,7 @@ mod tests {
         // Third column = first - 2 second, rows graded over 14 decades.
         let rows = [[1e7, 0.0], [1.0, 1.0], [1e-7, 3e-7], [0.5, 1e7]]
             .map(|[a, b]| Vector::from(SVector::from([a, b, a - 2.0 * b])));
-        let factor = Orthogonal::new(Size::of(3), rows.to_vec());
+        let factor = Orthogonal::new(Size::of(3), &rows);
         assert_eq!(factor.rank(), 2);
         let null = factor.null_space();
         assert_eq!(null.len(), 1);
@@ -365,7 +395,7 @@ mod tests {
                 Vector::from(SVector::from([s * a.sin(), s * a.cos(), s * (2.0 * a).sin()]))
             })
             .collect();
-        let factor = Orthogonal::new(Size::of(3), rows);
+        let factor = Orthogonal::new(Size::of(3), &rows);
         assert_eq!(factor.rank(), 3);
         for a in 0..3 {
             for b in 0..3 {

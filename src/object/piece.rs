@@ -214,10 +214,10 @@ impl<const C: usize> Piece<C> {
 impl OrthogonalPiece {
     /// Factors from the rows of A and, where a contact slides, of B.
     fn new(size: Size, right: Vec<Vector>, left: Option<Vec<Vector>>) -> Self {
-        let right = Orthogonal::new(size, right);
+        let right = Orthogonal::new(size, &right);
         let Some(left) = left else { return Self { right, left: None } };
         let count = left.len();
-        let left = Orthogonal::new(size, left);
+        let left = Orthogonal::new(size, &left);
         let mut coupling = Square::zeros(size);
         for i in 0..count {
             coupling.add_product(left.row(i), right.row(i));
@@ -258,7 +258,7 @@ pub(crate) fn least_forces<const C: usize>(
 /// The smallest coefficients (least squares) with which these vectors add up to a target that they span.
 pub(crate) fn least_combination(size: Size, vectors: Vec<Vector>, target: &Vector) -> Vec<f64> {
     let count = vectors.len();
-    let factor = Orthogonal::new(size, vectors);
+    let factor = Orthogonal::new(size, &vectors);
     let coordinates = factor.load_coordinates(target);
-    (0..count).map(|i| factor.row(i).dot(&coordinates)).collect()
+    (0..count).map(|i| factor.along_row(i, &coordinates)).collect()
 }

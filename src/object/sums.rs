@@ -39,7 +39,7 @@ pub(crate) struct Sums<const R: usize> {
 }
 
 impl<const R: usize> Default for Sums<R> {
-    /// [`Self::sticking`], without coordinates yet if their number is dynamic.
+    /// [`Self::sticking`], without coordinates yet for no coordinates.
     fn default() -> Self {
         Self::sticking(Size::default())
     }

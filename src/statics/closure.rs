@@ -104,8 +104,10 @@ impl<const C: usize> Engine<C> {
         inside: &dyn Fn(&[SVector<f64, C>]) -> bool,
     ) -> Closure<C> {
         let sites = self.sites();
-        let factor =
-            Orthogonal::new(self.size(), axes.iter().map(|&(i, axis)| sites[i].map.column(axis)).collect());
+        let factor = Orthogonal::new(
+            self.size(),
+            &axes.iter().map(|&(i, axis)| sites[i].map.column(axis)).collect::<Vec<_>>(),
+        );
         if let Some(motion) = factor.null_space().first() {
             return self.open(motion);
         }

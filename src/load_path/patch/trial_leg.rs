@@ -26,7 +26,7 @@ pub(super) struct TrialLeg<const C: usize> {
 
 impl<const C: usize> TrialLeg<C> {
     pub(super) fn new(sites: &[Site<C>]) -> Self {
-        let factor = Orthogonal::new(sites[0].map.size(), spring_rows(sites).collect());
+        let factor = Orthogonal::new(sites[0].map.size(), &spring_rows(sites).collect::<Vec<_>>());
         let (travelled, rate) = (Vector::zeros(), Vector::zeros());
         let (drives, x) = ([Vec::new(), Vec::new()], [Vec::new(), Vec::new()]);
         Self { free: factor.null_space(), factor, travelled, rate, drives, x }

@@ -7,7 +7,6 @@ use nalgebra::{SMatrix, SVector};
 use super::map_entries::MapEntries;
 use super::size::Size;
 use super::vector::Vector;
-use crate::prelude::*;
 
 /// A matrix from C numbers of a contact to coordinates: a grasp map.
 #[derive(Debug, Clone, PartialEq)]
@@ -74,13 +73,16 @@ impl<const C: usize> Map<C> {
     }
 
     #[inline]
-    pub(crate) fn set_column(&mut self, a: usize, column: &Vector) {
-        let given = column.as_slice().len();
-        column.iter().enumerate().for_each(|(k, x)| self.entries.set(k, a, *x));
+    pub(crate) fn set_column(&mut self, a: usize, column: &[f64]) {
+        for (k, x) in column.iter().enumerate() {
+            self.entries.set(k, a, *x);
+        }
         // Components behind the end of a list are zero.
-        let behind: Vec<usize> = self.rows().filter(|k| *k >= given).collect();
-        for k in behind {
-            self.entries.set(k, a, 0.0);
+        for place in 0..self.entries.row_count(self.size) {
+            let k = self.entries.row(place);
+            if k >= column.len() {
+                self.entries.set(k, a, 0.0);
+            }
         }
     }
 

@@ -138,10 +138,12 @@ impl Square {
 
     /// Adds `a bᵀ`.
     #[inline]
-    pub(crate) fn add_product(&mut self, a: &Vector, b: &Vector) {
+    pub(crate) fn add_product(&mut self, a: &[f64], b: &[f64]) {
         let n = self.size.count();
-        for (column, b) in self.as_mut_slice().chunks_exact_mut(n.max(1)).zip(b.iter()) {
-            column.iter_mut().zip(a.iter()).for_each(|(entry, a)| *entry += a * b);
+        for (column, b) in self.as_mut_slice().chunks_exact_mut(n.max(1)).zip(b) {
+            for (entry, a) in column.iter_mut().zip(a) {
+                *entry += a * b;
+            }
         }
     }
 }

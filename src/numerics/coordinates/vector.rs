@@ -1,6 +1,6 @@
 //! A vector over coordinates.
 
-use core::ops::{Index, IndexMut};
+use core::ops::{Deref, Index, IndexMut};
 
 use nalgebra::SVector;
 
@@ -162,6 +162,15 @@ impl<const D: usize> From<SVector<f64, D>> for Vector {
 impl Vector {
     pub(crate) fn to_svector<const D: usize>(&self) -> SVector<f64, D> {
         SVector::from_fn(|k, _| self[k])
+    }
+}
+
+impl Deref for Vector {
+    type Target = [f64];
+
+    #[inline]
+    fn deref(&self) -> &[f64] {
+        self.as_slice()
     }
 }
 

@@ -1,0 +1,41 @@
+//! A number for each coordinate.
+
+use super::size::WHOLE;
+use crate::prelude::*;
+
+/// A number for each coordinate, for example a permutation; in place for one object.
+#[derive(Debug, Clone)]
+pub(crate) enum Indices {
+    Few(usize, [usize; WHOLE]),
+    More(Vec<usize>),
+}
+
+impl Indices {
+    pub(super) fn in_order(count: usize) -> Self {
+        if count <= WHOLE {
+            Self::Few(count, core::array::from_fn(|k| k))
+        } else {
+            Self::More((0..count).collect())
+        }
+    }
+}
+
+impl AsRef<[usize]> for Indices {
+    #[inline]
+    fn as_ref(&self) -> &[usize] {
+        match self {
+            Self::Few(count, few) => &few[..(*count).min(WHOLE)],
+            Self::More(more) => more,
+        }
+    }
+}
+
+impl AsMut<[usize]> for Indices {
+    #[inline]
+    fn as_mut(&mut self) -> &mut [usize] {
+        match self {
+            Self::Few(count, few) => &mut few[..(*count).min(WHOLE)],
+            Self::More(more) => more,
+        }
+    }
+}

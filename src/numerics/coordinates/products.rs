@@ -1,0 +1,69 @@
+//! Sums of products over slices, in an order that does not depend on zeros between them.
+
+/// The dot product over the common length, in four sums side by side: no addition waits for the one before.
+#[inline]
+pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let end = a.len().min(b.len());
+    let ((a, a_rest), (b, b_rest)) = (a[..end].as_chunks::<4>(), b[..end].as_chunks::<4>());
+    let mut sums = [0.0; 4];
+    for (a, b) in a.iter().zip(b) {
+        for lane in 0..4 {
+            sums[lane] += a[lane] * b[lane];
+        }
+    }
+    let mut rest = 0.0;
+    for (a, b) in a_rest.iter().zip(b_rest) {
+        rest += a * b;
+    }
+    (sums[0] + sums[2]) + (sums[1] + sums[3]) + rest
+}
+
+/// The four sums of [`dot`], for terms that arrive with their indices.
+pub(super) struct Lanes {
+    sums: [f64; 4],
+    rest: f64,
+    /// Terms from this index on are added to the rest.
+    whole: usize,
+}
+
+impl Lanes {
+    pub(super) fn of(count: usize) -> Self {
+        Self { sums: [0.0; 4], rest: 0.0, whole: count / 4 * 4 }
+    }
+
+    #[inline]
+    pub(super) fn add(&mut self, k: usize, term: f64) {
+        *(if k < self.whole { &mut self.sums[k % 4] } else { &mut self.rest }) += term;
+    }
+
+    #[inline]
+    pub(super) fn sum(self) -> f64 {
+        let Self { sums, rest, .. } = self;
+        (sums[0] + sums[2]) + (sums[1] + sums[3]) + rest
+    }
+}
+
+/// Adds a matrix, given column by column, times a vector.
+#[inline]
+pub(super) fn add_combined(columns: &[f64], times: &[f64], to: &mut [f64]) {
+    let rows = to.len().max(1);
+    for (column, times) in columns.chunks_exact(rows).zip(times) {
+        // Many factors are zero.
+        if *times != 0.0 {
+            for (sum, entry) in to.iter_mut().zip(column) {
+                *sum += entry * times;
+            }
+        }
+    }
+}
+
+/// [`add_combined`] of N columns of N numbers, with loops of this length.
+#[inline]
+pub(super) fn add_fixed<const N: usize>(columns: &[f64], times: &[f64; N], to: &mut [f64; N]) {
+    let (columns, _) = columns.as_chunks::<N>();
+    for (column, times) in columns.iter().zip(times) {
+        for k in 0..N {
+            to[k] += column[k] * times;
+        }
+    }
+}
