@@ -121,7 +121,12 @@ CASES: list[tuple[Callable[[], object], type[Exception], str]] = [
         "slips: number of groups is 1, must be at least 2: errors of groups are told by how far they are apart",
     ),
     (lambda: pinch().identify(["friction"], [0, 0]), ValueError, "slip 0: size of the load is 0, must be more than 0"),
-    (lambda: pinch().turn(), ValueError, "turn: nothing turns: give weight, or force, or cosine and sine"),
+    (
+        lambda: pinch().turn(),
+        ValueError,
+        "turn: weight is missing: give weight, or force, or cosine and sine; without them gravity turns, "
+        "where a scene's bodies have masses under `gravity`, by onset_of_turn and need",
+    ),
     (lambda: pinch().turn(weight=[0, np.nan]), ValueError, "weight[1] is nan, must be finite"),
     (
         lambda: pinch().turn(weight=[0, -1], angle=-1),
