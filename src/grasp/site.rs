@@ -127,16 +127,10 @@ impl<const C: usize> Site<C> {
         self.support = Support::of(&mut self.map, &mut self.map_rest);
     }
 
-    /// Entries of a column of G_i within a range, each with its rounding.
+    /// Entries of a column of G_i within a range, and their rounding.
     #[inline(always)]
-    pub(crate) fn column_in_twice(
-        &self,
-        axis: usize,
-        range: Range<usize>,
-    ) -> impl Iterator<Item = (f64, f64)> {
-        let map = self.map.column_within(axis, range.clone());
-        let rest = self.map_rest.column_within(axis, range);
-        map.iter().copied().zip(rest.iter().copied())
+    pub(crate) fn column_in_twice(&self, axis: usize, range: Range<usize>) -> (&[f64], &[f64]) {
+        (self.map.column_within(axis, range.clone()), self.map_rest.column_within(axis, range))
     }
 
     /// Number of coordinates.

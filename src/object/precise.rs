@@ -3,12 +3,10 @@
 //! The residual of a stiff spring is the difference of numbers 1e14 times as large. With G_i, W and q in twice the
 //! working precision, solving again for the residual gives forces that are right to the last digit.
 
-use core::ops::Range;
-
 use crate::numerics::{Size, Vector};
 
 use super::load::Load;
-use crate::grasp::Site;
+use crate::grasp::{Site, of_the_object};
 use crate::numerics::DoubleDouble;
 
 /// A vector in twice the working precision.
@@ -25,27 +23,15 @@ impl Precise {
         Self { high, low }
     }
 
-    /// The components within a range.
+    /// Component k.
     #[inline(always)]
-    fn within(&self, range: Range<usize>) -> impl Iterator<Item = DoubleDouble> {
-        let (high, low) = (&self.high.as_slice()[range.clone()], &self.low.as_slice()[range]);
-        high.iter().zip(low).map(|(&high, &low)| DoubleDouble { high, low })
+    fn at(&self, k: usize) -> DoubleDouble {
+        DoubleDouble { high: self.high[k], low: self.low[k] }
     }
 
-    /// Changes the components within a range, each by an entry of `by`.
     #[inline(always)]
-    fn change<X>(
-        &mut self,
-        range: Range<usize>,
-        by: impl Iterator<Item = X>,
-        how: impl Fn(&mut DoubleDouble, X),
-    ) {
-        let (high, low) = (&mut self.high.as_mut_slice()[range.clone()], &mut self.low.as_mut_slice()[range]);
-        for ((high, low), by) in high.iter_mut().zip(low).zip(by) {
-            let mut x = DoubleDouble { high: *high, low: *low };
-            how(&mut x, by);
-            (*high, *low) = (x.high, x.low);
-        }
+    fn set(&mut self, k: usize, x: DoubleDouble) {
+        (self.high[k], self.low[k]) = (x.high, x.low);
     }
 
     fn value(&self) -> Vector {
@@ -63,8 +49,11 @@ impl PreciseTwist {
     }
 
     pub(crate) fn add(&mut self, step: &Vector) {
-        let step = step.as_slice();
-        self.0.change(0..step.len(), step.iter(), |q, step| q.add(*step));
+        for (k, step) in step.iter().enumerate() {
+            let mut q = self.0.at(k);
+            q.add(*step);
+            self.0.set(k, q);
+        }
     }
 
     pub(crate) fn value(&self) -> Vector {
@@ -73,20 +62,37 @@ impl PreciseTwist {
 
     /// The difference to another twist.
     pub(super) fn less(mut self, other: &Self) -> Vector {
-        let all = 0..other.0.high.as_slice().len();
-        self.0.change(all.clone(), other.0.within(all), DoubleDouble::subtract);
+        for k in 0..other.0.high.len() {
+            let mut q = self.0.at(k);
+            q.subtract(other.0.at(k));
+            self.0.set(k, q);
+        }
         self.value()
     }
 
     /// `a - g·q` for column `axis` of the grasp map of a contact.
     pub(crate) fn stretch<const C: usize>(&self, site: &Site<C>, axis: usize, drive: f64) -> DoubleDouble {
-        let mut v = DoubleDouble::new(drive);
-        for range in site.support.ranges::<C>() {
-            for ((g, rest), q) in site.column_in_twice(axis, range.clone()).zip(self.0.within(range)) {
-                v.add_product_of_twice((-g, -rest), q);
+        let (mut v, q) = (DoubleDouble::new(drive), (self.0.high.as_slice(), self.0.low.as_slice()));
+        if site.support.is_one_object::<C>() {
+            // The compiler knows this length.
+            let all = 0..of_the_object::<C>();
+            subtract_products(all.len(), site.column_in_twice(axis, all), q, &mut v);
+        } else {
+            for range in site.support.ranges::<C>() {
+                let q = (&q.0[range.clone()], &q.1[range.clone()]);
+                subtract_products(range.len(), site.column_in_twice(axis, range), q, &mut v);
             }
         }
         v
+    }
+}
+
+/// Subtracts n products of numbers in twice the working precision, given by their high and their low parts.
+#[inline(always)]
+fn subtract_products(n: usize, g: (&[f64], &[f64]), q: (&[f64], &[f64]), v: &mut DoubleDouble) {
+    let (g, q) = ((&g.0[..n], &g.1[..n]), (&q.0[..n], &q.1[..n]));
+    for k in 0..n {
+        v.add_product_of_twice((-g.0[k], -g.1[k]), DoubleDouble { high: q.0[k], low: q.1[k] });
     }
 }
 
@@ -100,13 +106,31 @@ impl PreciseBalance {
 
     /// Adds the wrench of a force along an axis of a contact.
     pub(super) fn add<const C: usize>(&mut self, site: &Site<C>, axis: usize, force: DoubleDouble) {
-        for range in site.support.ranges::<C>() {
-            let column = site.column_in_twice(axis, range.clone());
-            self.0.change(range, column, |sum, g| sum.add_product_of_twice(g, force));
+        let (high, low) = (self.0.high.as_mut_slice(), self.0.low.as_mut_slice());
+        if site.support.is_one_object::<C>() {
+            // The compiler knows this length.
+            let all = 0..of_the_object::<C>();
+            add_multiple(all.len(), site.column_in_twice(axis, all), force, (high, low));
+        } else {
+            for range in site.support.ranges::<C>() {
+                let sums = (&mut high[range.clone()], &mut low[range.clone()]);
+                add_multiple(range.len(), site.column_in_twice(axis, range), force, sums);
+            }
         }
     }
 
     pub(super) fn value(&self) -> Vector {
         self.0.value()
+    }
+}
+
+/// Adds a multiple of n numbers in twice the working precision.
+#[inline(always)]
+fn add_multiple(n: usize, g: (&[f64], &[f64]), times: DoubleDouble, sums: (&mut [f64], &mut [f64])) {
+    let (g, high, low) = ((&g.0[..n], &g.1[..n]), &mut sums.0[..n], &mut sums.1[..n]);
+    for k in 0..n {
+        let mut sum = DoubleDouble { high: high[k], low: low[k] };
+        sum.add_product_of_twice((g.0[k], g.1[k]), times);
+        (high[k], low[k]) = (sum.high, sum.low);
     }
 }

@@ -1,5 +1,11 @@
 //! Sums of products over slices, in an order that does not depend on zeros between them.
 
+/// The list as an array, if it has N numbers.
+#[inline]
+pub(super) fn exactly<const N: usize>(list: &[f64]) -> Option<&[f64; N]> {
+    list.try_into().ok()
+}
+
 /// The dot product over the common length, in four sums side by side: no addition waits for the one before.
 #[inline]
 pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {

@@ -3,6 +3,8 @@
 use core::iter::Sum;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
+use super::products::exactly;
+use super::size::WHOLE;
 use super::vector::Vector;
 
 macro_rules! sums {
@@ -12,7 +14,17 @@ macro_rules! sums {
             fn $operate_assign(&mut self, other: &Vector) {
                 let other = other.as_slice();
                 self.0.reach(other.len());
-                self.iter_mut().zip(other).for_each(|(x, y)| x.$operate_assign(y));
+                let to = self.0.slice_mut();
+                // The compiler knows the length of the vectors of one object in space.
+                if let (Some(to), Some(other)) = (to.first_chunk_mut::<WHOLE>(), exactly::<WHOLE>(other)) {
+                    for k in 0..WHOLE {
+                        to[k].$operate_assign(other[k]);
+                    }
+                    return;
+                }
+                for (x, y) in to.iter_mut().zip(other) {
+                    x.$operate_assign(y);
+                }
             }
         }
 

@@ -5,7 +5,7 @@ use core::ops::{Deref, Index, IndexMut};
 use nalgebra::SVector;
 
 use super::list::List;
-use super::products::dot;
+use super::products::{dot, exactly};
 use super::size::{Size, WHOLE};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
@@ -60,7 +60,17 @@ impl Vector {
     pub(crate) fn add_times(&mut self, other: &Self, times: f64) {
         let other = other.as_slice();
         self.0.reach(other.len());
-        self.iter_mut().zip(other).for_each(|(x, y)| *x += y * times);
+        let to = self.0.slice_mut();
+        // The compiler knows the length of the vectors of one object in space.
+        if let (Some(to), Some(other)) = (to.first_chunk_mut::<WHOLE>(), exactly::<WHOLE>(other)) {
+            for k in 0..WHOLE {
+                to[k] += other[k] * times;
+            }
+            return;
+        }
+        for (x, y) in to.iter_mut().zip(other) {
+            *x += y * times;
+        }
     }
 
     #[inline]
