@@ -33,17 +33,11 @@ impl Support {
         Self { size, ranges }
     }
 
-    /// Whether one object has all coordinates.
-    #[inline]
-    pub(crate) fn is_one_object<const C: usize>(&self) -> bool {
-        self.size.count() == of_the_object::<C>()
-    }
-
     /// Its coordinates, as two ranges. Without joints the first one has all coordinates.
     #[inline]
     pub(crate) fn ranges<const C: usize>(&self) -> [Range<usize>; 2] {
         let all = of_the_object::<C>();
-        if self.is_one_object::<C>() { [0..all, all..all] } else { self.ranges.clone() }
+        if self.size.count() == all { [0..all, all..all] } else { self.ranges.clone() }
     }
 }
 

@@ -129,18 +129,21 @@ impl Orthogonal {
 
     /// x - Q y.
     pub(crate) fn subtract(&self, x: &mut [f64], y: &Vector) {
-        for (i, x) in x.iter_mut().enumerate() {
-            *x -= self.along_row(i, y);
+        let (d, y) = (self.size().count(), y.as_slice());
+        match (d, y.len()) {
+            (3, 3) => subtract_rows(3, &self.q, y, x),
+            (6, 6) => subtract_rows(6, &self.q, y, x),
+            _ => {
+                for (row, x) in self.q.chunks_exact(d.max(1)).zip(x) {
+                    *x -= product(row, y);
+                }
+            }
         }
     }
 
     /// The product of row i of Q with y.
     pub(crate) fn along_row(&self, i: usize, y: &Vector) -> f64 {
-        let mut sum = 0.0;
-        for (entry, y) in self.row(i).iter().zip(y.iter()) {
-            sum += entry * y;
-        }
-        sum
+        product(self.row(i), y)
     }
 
     /// A solution v of `A v = Q c` with zeros in the dependent columns.
@@ -203,6 +206,28 @@ fn add_rows(d: usize, q: &[f64], times: &[f64], sums: &mut [f64]) {
             sums[k] += row[k] * times;
         }
     }
+}
+
+/// Subtracts from each number the product of its row with y.
+#[inline(always)]
+fn subtract_rows(d: usize, q: &[f64], y: &[f64], x: &mut [f64]) {
+    let y = &y[..d];
+    for (row, x) in q.chunks_exact(d.max(1)).zip(x) {
+        let mut sum = 0.0;
+        for k in 0..d {
+            sum += row[k] * y[k];
+        }
+        *x -= sum;
+    }
+}
+
+/// The sum of products over the common length.
+fn product(row: &[f64], y: &[f64]) -> f64 {
+    let mut sum = 0.0;
+    for (entry, y) in row.iter().zip(y) {
+        sum += entry * y;
+    }
+    sum
 }
 
 /// Factorises the rows in `q`, which become those of Q. Returns the rank.

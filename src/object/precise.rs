@@ -6,7 +6,7 @@
 use crate::numerics::{Size, Vector};
 
 use super::load::Load;
-use crate::grasp::{Site, of_the_object};
+use crate::grasp::Site;
 use crate::numerics::DoubleDouble;
 
 /// A vector in twice the working precision.
@@ -72,15 +72,15 @@ impl PreciseTwist {
 
     /// `a - g·q` for column `axis` of the grasp map of a contact.
     pub(crate) fn stretch<const C: usize>(&self, site: &Site<C>, axis: usize, drive: f64) -> DoubleDouble {
-        let (mut v, q) = (DoubleDouble::new(drive), (self.0.high.as_slice(), self.0.low.as_slice()));
-        if site.support.is_one_object::<C>() {
-            // The compiler knows this length.
-            let all = 0..of_the_object::<C>();
-            subtract_products(all.len(), site.column_in_twice(axis, all), q, &mut v);
-        } else {
-            for range in site.support.ranges::<C>() {
-                let q = (&q.0[range.clone()], &q.1[range.clone()]);
-                subtract_products(range.len(), site.column_in_twice(axis, range), q, &mut v);
+        let (mut v, high, low) = (DoubleDouble::new(drive), self.0.high.as_slice(), self.0.low.as_slice());
+        for range in site.support.ranges::<C>() {
+            let (g, q) =
+                (site.column_in_twice(axis, range.clone()), (&high[range.clone()], &low[range.clone()]));
+            // The compiler knows the length for one object.
+            match range.len() {
+                3 => subtract_products(3, g, q, &mut v),
+                6 => subtract_products(6, g, q, &mut v),
+                n => subtract_products(n, g, q, &mut v),
             }
         }
         v
@@ -107,14 +107,13 @@ impl PreciseBalance {
     /// Adds the wrench of a force along an axis of a contact.
     pub(super) fn add<const C: usize>(&mut self, site: &Site<C>, axis: usize, force: DoubleDouble) {
         let (high, low) = (self.0.high.as_mut_slice(), self.0.low.as_mut_slice());
-        if site.support.is_one_object::<C>() {
-            // The compiler knows this length.
-            let all = 0..of_the_object::<C>();
-            add_multiple(all.len(), site.column_in_twice(axis, all), force, (high, low));
-        } else {
-            for range in site.support.ranges::<C>() {
-                let sums = (&mut high[range.clone()], &mut low[range.clone()]);
-                add_multiple(range.len(), site.column_in_twice(axis, range), force, sums);
+        for range in site.support.ranges::<C>() {
+            let g = site.column_in_twice(axis, range.clone());
+            let sums = (&mut high[range.clone()], &mut low[range.clone()]);
+            match range.len() {
+                3 => add_to_array::<3>(g, force, sums),
+                6 => add_to_array::<6>(g, force, sums),
+                _ => add_multiple(g, force, sums),
             }
         }
     }
@@ -124,10 +123,24 @@ impl PreciseBalance {
     }
 }
 
-/// Adds a multiple of n numbers in twice the working precision.
+/// [`add_multiple`] of N numbers, by way of arrays of their own: the compiler then knows that they lie apart, and adds several at once.
 #[inline(always)]
-fn add_multiple(n: usize, g: (&[f64], &[f64]), times: DoubleDouble, sums: (&mut [f64], &mut [f64])) {
-    let (g, high, low) = ((&g.0[..n], &g.1[..n]), &mut sums.0[..n], &mut sums.1[..n]);
+fn add_to_array<const N: usize>(g: (&[f64], &[f64]), times: DoubleDouble, sums: (&mut [f64], &mut [f64])) {
+    let ([mut high, mut low], [mut g_high, mut g_low]) = ([[0.0; N]; 2], [[0.0; N]; 2]);
+    high.copy_from_slice(sums.0);
+    low.copy_from_slice(sums.1);
+    g_high.copy_from_slice(g.0);
+    g_low.copy_from_slice(g.1);
+    add_multiple((&g_high, &g_low), times, (&mut high, &mut low));
+    sums.0.copy_from_slice(&high);
+    sums.1.copy_from_slice(&low);
+}
+
+/// Adds a multiple of numbers in twice the working precision.
+#[inline(always)]
+fn add_multiple(g: (&[f64], &[f64]), times: DoubleDouble, (high, low): (&mut [f64], &mut [f64])) {
+    let n = high.len();
+    let (g, low) = ((&g.0[..n], &g.1[..n]), &mut low[..n]);
     for k in 0..n {
         let mut sum = DoubleDouble { high: high[k], low: low[k] };
         sum.add_product_of_twice((g.0[k], g.1[k]), times);

@@ -108,7 +108,7 @@ impl<const C: usize> Map<C> {
     /// `Gᵀv`.
     #[inline]
     pub(crate) fn tr_mul(&self, v: &Vector) -> SVector<f64, C> {
-        SVector::from_fn(|a, _| self.entries.felt(a, self.size, &v.0))
+        self.entries.felt(self.size, &v.0)
     }
 
     /// Adds `G f` to a vector.

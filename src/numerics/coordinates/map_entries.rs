@@ -144,16 +144,28 @@ impl<const C: usize> MapEntries<C> {
         }
     }
 
-    /// A column times a list; numbers behind the end of the list are zero.
+    /// `Gᵀv`; numbers behind the end of the list are zero.
     #[inline]
-    pub(super) fn felt(&self, a: usize, size: Size, list: &List) -> f64 {
-        match self {
-            Self::Whole(columns) => match list.fixed::<WHOLE>() {
-                Some(list) => dot(&columns[a], list),
-                None => dot(&columns[a], list.slice()),
-            },
-            Self::Few(few) => few.felt(a, size.count(), list.slice()),
+    pub(super) fn felt(&self, size: Size, list: &List) -> SVector<f64, C> {
+        let mut felt = SVector::zeros();
+        match (self, list.fixed::<WHOLE>()) {
+            (Self::Whole(columns), Some(list)) => {
+                for a in 0..C {
+                    felt[a] = dot(&columns[a], list);
+                }
+            }
+            (Self::Whole(columns), None) => {
+                for a in 0..C {
+                    felt[a] = dot(&columns[a], list.slice());
+                }
+            }
+            (Self::Few(few), _) => {
+                for a in 0..C {
+                    felt[a] = few.felt(a, size.count(), list.slice());
+                }
+            }
         }
+        felt
     }
 
     /// The square of the length of a column.

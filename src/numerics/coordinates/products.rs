@@ -7,7 +7,7 @@ pub(super) fn exactly<const N: usize>(list: &[f64]) -> Option<&[f64; N]> {
 }
 
 /// The dot product over the common length, in four sums side by side: no addition waits for the one before.
-#[inline]
+#[inline(always)]
 pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
     let end = a.len().min(b.len());
     let ((a, a_rest), (b, b_rest)) = (a[..end].as_chunks::<4>(), b[..end].as_chunks::<4>());
