@@ -1,6 +1,6 @@
 //! One contact or drive in the engine.
 
-use crate::numerics::{Map, Size, Vector};
+use crate::numerics::{Map, Size, Vector, WHOLE};
 use alloc::sync::Arc;
 use core::ops::Range;
 
@@ -131,6 +131,12 @@ impl<const C: usize> Site<C> {
     #[inline(always)]
     pub(crate) fn column_in_twice(&self, axis: usize, range: Range<usize>) -> (&[f64], &[f64]) {
         (self.map.column_within(axis, range.clone()), self.map_rest.column_within(axis, range))
+    }
+
+    /// A column of G_i and its rounding, for the coordinates of one object.
+    #[inline]
+    pub(crate) fn whole_column_in_twice(&self, axis: usize) -> Option<[&[f64; WHOLE]; 2]> {
+        Some([self.map.whole_column(axis)?, self.map_rest.whole_column(axis)?])
     }
 
     /// Number of coordinates.

@@ -77,7 +77,7 @@ pub(crate) use bordered::Bordered;
 pub(crate) use bordered_band::BorderedBand;
 pub(crate) use cleared_for::cleared_for;
 pub(crate) use complete_pivoting::CompletePivoting;
-pub(crate) use coordinates::{Indices, Map, Seen, Size, Square, Vector};
+pub(crate) use coordinates::{Indices, Map, Seen, Size, Square, Vector, WHOLE};
 pub(crate) use cores::{each_taken, in_order};
 pub(crate) use dormand_prince::{Stepped, explicit_step};
 pub(crate) use double_double::{DoubleDouble, rounding_of};

@@ -3,7 +3,7 @@
 //! The residual of a stiff spring is the difference of numbers 1e14 times as large. With G_i, W and q in twice the
 //! working precision, solving again for the residual gives forces that are right to the last digit.
 
-use crate::numerics::{Size, Vector};
+use crate::numerics::{Size, Vector, WHOLE};
 
 use super::load::Load;
 use crate::grasp::Site;
@@ -32,6 +32,12 @@ impl Precise {
     #[inline(always)]
     fn set(&mut self, k: usize, x: DoubleDouble) {
         (self.high[k], self.low[k]) = (x.high, x.low);
+    }
+
+    /// Its parts, for the coordinates of one object.
+    #[inline(always)]
+    fn arrays(&self) -> Option<Twice<'_>> {
+        Some([self.high.array()?, self.low.array()?])
     }
 
     fn value(&self) -> Vector {
@@ -72,29 +78,33 @@ impl PreciseTwist {
 
     /// `a - g·q` for column `axis` of the grasp map of a contact.
     pub(crate) fn stretch<const C: usize>(&self, site: &Site<C>, axis: usize, drive: f64) -> DoubleDouble {
-        let (mut v, high, low) = (DoubleDouble::new(drive), self.0.high.as_slice(), self.0.low.as_slice());
+        let v = DoubleDouble::new(drive);
+        let of_one_object = site.whole_column_in_twice(axis);
+        if let Some((column, q)) = of_one_object.zip(self.0.arrays()) {
+            return if C == 2 { less_products::<3>(v, column, q) } else { less_products::<6>(v, column, q) };
+        }
+        let mut v = v;
         for range in site.support.ranges::<C>() {
-            let (g, q) =
-                (site.column_in_twice(axis, range.clone()), (&high[range.clone()], &low[range.clone()]));
-            // The compiler knows the length for one object.
-            match range.len() {
-                3 => subtract_products(3, g, q, &mut v),
-                6 => subtract_products(6, g, q, &mut v),
-                n => subtract_products(n, g, q, &mut v),
+            let (g, rest) = site.column_in_twice(axis, range.clone());
+            for (k, (g, rest)) in range.zip(g.iter().zip(rest)) {
+                v.add_product_of_twice((-g, -rest), self.0.at(k));
             }
         }
         v
     }
 }
 
-/// Subtracts n products of numbers in twice the working precision, given by their high and their low parts.
+/// `v - g·q` over the first N numbers, all in twice the working precision: their high and their low parts.
 #[inline(always)]
-fn subtract_products(n: usize, g: (&[f64], &[f64]), q: (&[f64], &[f64]), v: &mut DoubleDouble) {
-    let (g, q) = ((&g.0[..n], &g.1[..n]), (&q.0[..n], &q.1[..n]));
-    for k in 0..n {
-        v.add_product_of_twice((-g.0[k], -g.1[k]), DoubleDouble { high: q.0[k], low: q.1[k] });
+fn less_products<const N: usize>(mut v: DoubleDouble, g: Twice<'_>, q: Twice<'_>) -> DoubleDouble {
+    for k in 0..N {
+        v.add_product_of_twice((-g[0][k], -g[1][k]), DoubleDouble { high: q[0][k], low: q[1][k] });
     }
+    v
 }
+
+/// Numbers for the coordinates of one object in twice the working precision: their high and their low parts.
+type Twice<'v> = [&'v [f64; WHOLE]; 2];
 
 /// Forces and moments in twice the working precision.
 pub(super) struct PreciseBalance(Precise);
@@ -106,14 +116,21 @@ impl PreciseBalance {
 
     /// Adds the wrench of a force along an axis of a contact.
     pub(super) fn add<const C: usize>(&mut self, site: &Site<C>, axis: usize, force: DoubleDouble) {
-        let (high, low) = (self.0.high.as_mut_slice(), self.0.low.as_mut_slice());
+        let (high, low) = (&mut self.0.high, &mut self.0.low);
+        let of_one_object = site.whole_column_in_twice(axis);
+        if let (Some(g), Some(high), Some(low)) = (of_one_object, high.array_mut(), low.array_mut()) {
+            return if C == 2 {
+                add_multiple::<3>(g, force, high, low)
+            } else {
+                add_multiple::<6>(g, force, high, low)
+            };
+        }
         for range in site.support.ranges::<C>() {
-            let g = site.column_in_twice(axis, range.clone());
-            let sums = (&mut high[range.clone()], &mut low[range.clone()]);
-            match range.len() {
-                3 => add_to_array::<3>(g, force, sums),
-                6 => add_to_array::<6>(g, force, sums),
-                _ => add_multiple(g, force, sums),
+            let (g, rest) = site.column_in_twice(axis, range.clone());
+            for (k, (g, rest)) in range.zip(g.iter().zip(rest)) {
+                let mut sum = self.0.at(k);
+                sum.add_product_of_twice((*g, *rest), force);
+                self.0.set(k, sum);
             }
         }
     }
@@ -123,27 +140,20 @@ impl PreciseBalance {
     }
 }
 
-/// [`add_multiple`] of N numbers, by way of arrays of their own: the compiler then knows that they lie apart, and adds several at once.
+/// Adds a multiple of the first N numbers.
 #[inline(always)]
-fn add_to_array<const N: usize>(g: (&[f64], &[f64]), times: DoubleDouble, sums: (&mut [f64], &mut [f64])) {
-    let ([mut high, mut low], [mut g_high, mut g_low]) = ([[0.0; N]; 2], [[0.0; N]; 2]);
-    high.copy_from_slice(sums.0);
-    low.copy_from_slice(sums.1);
-    g_high.copy_from_slice(g.0);
-    g_low.copy_from_slice(g.1);
-    add_multiple((&g_high, &g_low), times, (&mut high, &mut low));
-    sums.0.copy_from_slice(&high);
-    sums.1.copy_from_slice(&low);
-}
-
-/// Adds a multiple of numbers in twice the working precision.
-#[inline(always)]
-fn add_multiple(g: (&[f64], &[f64]), times: DoubleDouble, (high, low): (&mut [f64], &mut [f64])) {
-    let n = high.len();
-    let (g, low) = ((&g.0[..n], &g.1[..n]), &mut low[..n]);
-    for k in 0..n {
-        let mut sum = DoubleDouble { high: high[k], low: low[k] };
-        sum.add_product_of_twice((g.0[k], g.1[k]), times);
-        (high[k], low[k]) = (sum.high, sum.low);
+fn add_multiple<const N: usize>(
+    g: Twice<'_>,
+    times: DoubleDouble,
+    high: &mut [f64; WHOLE],
+    low: &mut [f64; WHOLE],
+) {
+    // In copies, which lie apart from all else for the compiler, so that it adds several at once.
+    let (mut new_high, mut new_low) = (*high, *low);
+    for k in 0..N {
+        let mut sum = DoubleDouble { high: new_high[k], low: new_low[k] };
+        sum.add_product_of_twice((g[0][k], g[1][k]), times);
+        (new_high[k], new_low[k]) = (sum.high, sum.low);
     }
+    (*high, *low) = (new_high, new_low);
 }

@@ -5,7 +5,7 @@ use core::ops::{Index, IndexMut, Mul, Range};
 use nalgebra::{SMatrix, SVector};
 
 use super::map_entries::MapEntries;
-use super::size::Size;
+use super::size::{Size, WHOLE};
 use super::vector::Vector;
 
 /// A matrix from C numbers of a contact to coordinates: a grasp map.
@@ -59,6 +59,15 @@ impl<const C: usize> Map<C> {
             column[k] = self[(k, a)];
         }
         column
+    }
+
+    /// A column for the coordinates of one object, with zeros behind the last one; `None` for more coordinates.
+    #[inline]
+    pub(crate) fn whole_column(&self, a: usize) -> Option<&[f64; WHOLE]> {
+        match &self.entries {
+            MapEntries::Whole(columns) => Some(&columns[a]),
+            MapEntries::Few(_) => None,
+        }
     }
 
     /// The entries of a column in one of the ranges given to [`Self::keep`].

@@ -17,6 +17,6 @@ mod vector;
 pub(crate) use indices::Indices;
 pub(crate) use map::Map;
 pub(crate) use seen::Seen;
-pub(crate) use size::Size;
+pub(crate) use size::{Size, WHOLE};
 pub(crate) use square::Square;
 pub(crate) use vector::Vector;

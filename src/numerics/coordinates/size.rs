@@ -8,7 +8,7 @@ pub(crate) struct Size(usize);
 
 /// Coordinates of one object in space. Vectors and matrices over up to as many lie in place, and their loops have this fixed length, with zeros in the
 /// plane: sums of zeros cost less than a length that the compiler does not know.
-pub(super) const WHOLE: usize = 6;
+pub(crate) const WHOLE: usize = 6;
 
 impl Size {
     #[inline]

@@ -73,6 +73,18 @@ impl Vector {
         }
     }
 
+    /// The components of one object, with zeros behind the last one; `None` for more coordinates.
+    #[inline]
+    pub(crate) fn array(&self) -> Option<&[f64; WHOLE]> {
+        self.0.fixed()
+    }
+
+    /// [`Self::array`], to be changed; what lies behind the last component must stay zero.
+    #[inline]
+    pub(crate) fn array_mut(&mut self) -> Option<&mut [f64; WHOLE]> {
+        self.0.fixed_mut()
+    }
+
     #[inline]
     pub(crate) fn as_slice(&self) -> &[f64] {
         self.0.slice()
