@@ -311,7 +311,7 @@ fn steps_are_bounded_and_can_be_looked_at_one_by_one() -> Result<(), Error> {
 }
 
 #[test]
-fn in_the_plane_they_are_those_of_patches() -> Result<(), Error> {
+fn in_the_plane_they_end_where_every_event_was_found() -> Result<(), Error> {
     let mut numbers = Numbers(5);
     let (mut worst, mut slid, mut completed) = (0.0_f64, 0, 0);
     for _ in 0..20 {
@@ -324,7 +324,7 @@ fn in_the_plane_they_are_those_of_patches() -> Result<(), Error> {
         let table = planar::Grasp::new((0..4).map(foot).collect::<Vec<_>>())?;
         let pulled = |x: f64| planar::Wrench::new([x, -10.0], -15.0);
         let legs = [3.0, -2.0, 3.5, 0.0].map(|x| planar::Leg::load_to(pulled(x)));
-        let mut exact = table.follow_patch(&pulled(0.0), &legs)?;
+        let mut exact = table.follow(&pulled(0.0), &legs)?;
         slid += exact.by_ref().count();
         let mut path = table.follow_in_steps(&pulled(0.0), &legs, 1e-6)?;
         path.by_ref().for_each(drop);

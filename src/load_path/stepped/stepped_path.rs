@@ -19,6 +19,8 @@ use crate::numerics::Size;
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Found, Settings};
+#[cfg(feature = "serde")]
+use crate::serial::AsComputed;
 
 /// The follower of a [`SteppedPath`].
 #[derive(Debug)]
@@ -43,11 +45,14 @@ pub(crate) struct Steps<'g, D: Size, const C: usize> {
 
 /// One step of a [`SteppedPath`].
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Step<const C: usize> {
     /// The leg, from 0.
     pub leg: usize,
     /// Fraction of the leg at the end of the step, up to 1.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub fraction: f64,
     /// The load there, about the origin, N and N m.
     pub load: Wrench<C>,
@@ -56,7 +61,17 @@ pub struct Step<const C: usize> {
     /// Number of open contacts there.
     pub open: usize,
     /// Estimated error of the forces from this step, over the largest force.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub error: f64,
+}
+
+/// Refuses an error of a leg that is out of range.
+pub(crate) fn check_leg_error(what: &'static str, value: f64) -> Result<(), Error> {
+    if (1e-9..=1.0).contains(&value) {
+        Ok(())
+    } else {
+        Err(Error::Argument { what, value, allowed: "from 1e-9 to 1" })
+    }
 }
 
 impl<D: Size, const C: usize> Engine<D, C> {
@@ -70,9 +85,7 @@ impl<D: Size, const C: usize> Engine<D, C> {
     ) -> Result<SteppedPath<'_, C>, Error> {
         self.refuse_hands("follow_in_steps")?;
         self.refuse_kinetic("follow_in_steps")?;
-        if !(1e-9..=1.0).contains(&error) {
-            return Err(Error::Argument { what: "error of a leg", value: error, allowed: "from 1e-9 to 1" });
-        }
+        check_leg_error("error of a leg", error)?;
         let settings = Settings { round: true, ..*settings };
         let path = Following::start(self, (start, legs), &settings, |journey, problem| {
             let standing = at_start(problem, journey.start(problem)?);
