@@ -60,7 +60,7 @@ impl<const C: usize> Grasp<C> {
     /// If no step continues the path, it is [lost](crate::load_path::PathEnd::Lost) where the speed of the object or the rates of contacts on an edge
     /// show how; else it is [undecided](crate::load_path::PathEnd::Undecided).
     ///
-    /// In the plane friction forces do not turn, so that a step errs only by what changes within it.
+    /// In the plane friction forces do not turn: a step errs only where contacts begin to slide, stop, open or close within it.
     ///
     /// ```
     /// use grasp_lcp::load_path::PathEnd;

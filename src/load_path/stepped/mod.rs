@@ -27,4 +27,5 @@ mod stepped_path;
 mod unseen;
 
 pub use stepped_path::Step;
+#[cfg(feature = "serde")]
 pub(crate) use stepped_path::check_leg_error;
