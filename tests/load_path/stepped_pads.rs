@@ -63,8 +63,8 @@ fn every_spring_is_where_masings_rule_puts_it() {
         // Each spring holds back by up to its limit on the way there, and then pushes on by up to as much.
         let there = |limit: f64| (C * x0).min(limit);
         let back = |limit: f64| (there(limit) - C * 1.8 * x0).max(-limit);
-        let legs: [(f64, f64, &dyn Fn(f64) -> f64); 2] = [(most, x0, &there), (least, x0 - 1.8 * x0, &back)];
-        for (load, x, friction) in legs {
+        let frictions: [&dyn Fn(f64) -> f64; 2] = [&there, &back];
+        for ((load, x), friction) in [(most, x0), (least, x0 - 1.8 * x0)].into_iter().zip(frictions) {
             path.continue_with(&[Leg::load_to(pad.load(load))]).unwrap();
             path.by_ref().for_each(drop);
             assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
