@@ -170,12 +170,6 @@ pub enum Error {
         /// The fault, and the allowed values.
         fault: &'static str,
     },
-    /// A load turns where only straight ones can be followed.
-    #[error("{method}: the load of a leg turns, must go straight")]
-    StraightOnly {
-        /// The method that was called.
-        method: &'static str,
-    },
     /// One of several bodies is not well posed, or a named body does not exist.
     #[error("body {name:?} {fault}")]
     Body {

@@ -99,10 +99,6 @@ pub type Pull = crate::screening::Pull<2>;
 pub type TurningPull = crate::screening::TurningPull<2>;
 /// Loads for screening that fingers are to hold; see [`crate::screening::LoadCases`].
 pub type LoadCases = crate::screening::LoadCases<2>;
-/// A load program being followed for many contacts; see [`crate::load_path::PatchPath`].
-pub type PatchPath<'g> = crate::load_path::PatchPath<'g, 2>;
-/// The change of one contact on such a path; see [`crate::load_path::PatchEvent`].
-pub type PatchEvent = crate::load_path::PatchEvent<2>;
 /// A load program being followed in steps; see [`crate::load_path::SteppedPath`].
 pub type SteppedPath<'g> = crate::load_path::SteppedPath<'g, 2>;
 /// A step of such a path; see [`crate::load_path::Step`].

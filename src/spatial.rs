@@ -100,10 +100,6 @@ pub type Pull = crate::screening::Pull<3>;
 pub type TurningPull = crate::screening::TurningPull<3>;
 /// Loads for screening that fingers are to hold; see [`crate::screening::LoadCases`].
 pub type LoadCases = crate::screening::LoadCases<3>;
-/// A load program being followed for many contacts; see [`crate::load_path::PatchPath`].
-pub type PatchPath<'g> = crate::load_path::PatchPath<'g, 3>;
-/// The change of one contact on such a path; see [`crate::load_path::PatchEvent`].
-pub type PatchEvent = crate::load_path::PatchEvent<3>;
 /// A load program being followed in steps; see [`crate::load_path::SteppedPath`].
 pub type SteppedPath<'g> = crate::load_path::SteppedPath<'g, 3>;
 /// A step of such a path; see [`crate::load_path::Step`].

@@ -28,7 +28,7 @@ use crate::prelude::*;
 /// | the load at first slip | [`onset_of_sliding`](Self::onset_of_sliding), with commands [`onset`](Self::onset) |
 /// | the angle at which it slides while a weight is tilted | [`onset_of_turn`](Self::onset_of_turn) |
 /// | the behaviour just beyond an onset | [`beyond`](Self::beyond), [`state_at_onset`](Self::state_at_onset) |
-/// | every event of a load program, with slip memory | [`follow`](Self::follow); thousands of contacts [`follow_patch`](Self::follow_patch); on the round cone in steps [`follow_in_steps`](Self::follow_in_steps) |
+/// | every event of a load program, with slip memory | [`follow`](Self::follow); of thousands of contacts, in steps, [`follow_in_steps`](Self::follow_in_steps) |
 /// | how much squeeze, friction, load, arm or angle it takes | [`need`](Self::need); for squeeze in closed form [`least_squeeze`](Self::least_squeeze) |
 /// | where the fingers should be, and how hard they should press | [`Improve`](crate::improve::Improve) |
 /// | the direction in which the least force slides | [`weakest_direction`](Self::weakest_direction) |

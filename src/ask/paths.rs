@@ -3,15 +3,15 @@
 use super::grasp::Grasp;
 use crate::error::Error;
 use crate::grasp::Wrench;
-use crate::load_path::{Leg, LoadPath, PatchPath, SteppedPath};
+use crate::load_path::{Leg, LoadPath, SteppedPath};
 use crate::shake::Shaken;
 
 impl<const C: usize> Grasp<C> {
     /// Follows a load program from the equilibrium under `start` (that of [`Self::solve`]) with the finger commands of the grasp, on the exact cone:
     /// in space the round one. Events beyond the start are computed only when the path is asked for them. See [`LoadPath`], and [`Leg`] for an
     /// example. The path ends where a suction cup is open all around. Where nothing resists the object any more, it moves on until a gap closes, if
-    /// that motion is small, and the path continues from there ([`Jump::reaches`](crate::load_path::Jump::reaches)); the paths of patches and of steps
-    /// end there. For hundreds of contacts and more use [`Self::follow_patch`] and [`Self::follow_in_steps`].
+    /// that motion is small, and the path continues from there ([`Jump::reaches`](crate::load_path::Jump::reaches)); a path in steps
+    /// ends there. For hundreds of contacts and more use [`Self::follow_in_steps`].
     ///
     /// # Errors
     /// [`Error::Wrench`] if a load, [`Error::Contact`] if a command of a leg is not finite or beyond 1e50; [`Error::Size`] if a leg has more or fewer
@@ -52,16 +52,6 @@ impl<const C: usize> Grasp<C> {
         self.engine.shake(base, cycle, &self.settings)
     }
 
-    /// Follows a load program from the equilibrium under `start` with the finger commands of the grasp, for any number of contacts. An event costs
-    /// about as much as the contacts that it concerns. In space the cone is the default polygon, 8 facets inside the round one;
-    /// [`Self::follow_in_steps`] has the round one. Vacuums of suction cups stay on, whatever their lips do. See [`PatchPath`].
-    ///
-    /// # Errors
-    /// As for [`Self::follow`]; [`Error::NotForHands`]; [`Error::KineticFriction`]; [`Error::StraightOnly`] if the load of a leg turns.
-    pub fn follow_patch(&self, start: &Wrench<C>, legs: &[Leg<C>]) -> Result<PatchPath<'_, C>, Error> {
-        self.engine.follow_patch(start, legs, &self.settings)
-    }
-
     /// Follows a load program in steps from the equilibrium under `start`, for any number of contacts on the round cone: a patch that is sheared and
     /// twisted. `error` is the estimated error of forces that a leg may add, over the largest force, such as 1e-5. A step costs a few passes over all
     /// contacts, by several threads with the same bits. The length of a step is proportional to the square root of `error`. Vacuums of suction cups
@@ -70,7 +60,7 @@ impl<const C: usize> Grasp<C> {
     /// If no step continues the path, it is [lost](crate::load_path::PathEnd::Lost) where the speed of the object or the rates of contacts on an edge
     /// show how; else it is [undecided](crate::load_path::PathEnd::Undecided).
     ///
-    /// In the plane friction forces do not turn, and [`Self::follow_patch`] finds every event exactly.
+    /// In the plane friction forces do not turn: a step errs only where contacts begin to slide, stop, open or close within it.
     ///
     /// ```
     /// use grasp_lcp::load_path::PathEnd;

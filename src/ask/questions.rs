@@ -16,8 +16,8 @@ use crate::forms::Form;
 use crate::grasp::{BodyLoad, Contact, Engine, HandPart, PressOfPart, Wrench};
 use crate::hold::Verdict;
 use crate::load_path::{
-    Beyond, Derivative, GeometryGradient, Leg, LoadPath, Onset, OnsetEvent, OnsetGradient, Parameter,
-    PatchPath, Ramp, Response, SteppedPath, StickingRange, Turn, TurnOnset,
+    Beyond, Derivative, GeometryGradient, Leg, LoadPath, Onset, OnsetEvent, OnsetGradient, Parameter, Ramp,
+    Response, SteppedPath, StickingRange, Turn, TurnOnset,
 };
 use crate::numerics::Memory;
 use crate::prelude::*;
@@ -178,7 +178,6 @@ questions! {
     }
     without_joints {
         fn onset_gradients_by_geometry(&self, event: &OnsetEvent<C>) -> Result<Vec<GeometryGradient<C>>, Error>;
-        fn follow_patch(&self, start: &Wrench<C>, legs: &[Leg<C>], settings: &Settings) -> Result<PatchPath<'_, C>, Error>;
         fn follow_in_steps(&self, start: &Wrench<C>, legs: &[Leg<C>], error: f64, settings: &Settings) -> Result<SteppedPath<'_, C>, Error>;
         fn associated_friction(&self, load: &Wrench<C>, settings: &Settings) -> Result<AssociatedOutcome<C>, Error>;
         fn printed_qp(&self, load: &Wrench<C>, cone: &PolygonCone) -> Result<PrintedQp<C>, Error>;

@@ -72,17 +72,6 @@ impl<const C: usize> State<C> {
         if let Self::Round(slide) = self { Some(slide) } else { None }
     }
 
-    /// The state on a polygon; `None` for a slide on the round cone.
-    pub(crate) fn on_polygon(self) -> Option<PolygonState> {
-        match self {
-            Self::Open => Some(Mode::Open),
-            Self::Sticking => Some(Mode::Sticking),
-            Self::Facet(j) => Some(Mode::Facet(j)),
-            Self::Corner(j) => Some(Mode::Corner(j)),
-            Self::Round(_) => None,
-        }
-    }
-
     /// A slide on the round cone with a friction force along a tangent, whose slip so far is part of the drive.
     pub(crate) fn sliding_along(friction: &SVector<f64, C>) -> Self {
         Self::Round(Slide::new(friction, 0.0))

@@ -30,13 +30,14 @@ const ALIKE: f64 = 1e-7;
 
 impl<const C: usize> LocalLaw<'_, C> {
     /// State and force after a straight stretch from `before`, at rest on the contact's law, to `stretch`. The slip until then is the part of
-    /// `before` beyond the springs, [`Compliance::slip`](super::Compliance::slip). In the plane and without sliding equal to [`Self::answer`].
+    /// `before` beyond the springs, [`Compliance::slip`](super::Compliance::slip). In the plane and without sliding equal to [`Self::answer`], but for a contact
+    /// that closes on the way: friction acts from there on.
     pub(crate) fn answer_after(
         &self,
         before: &SVector<f64, C>,
         stretch: &SVector<f64, C>,
     ) -> ContactResponse<C> {
-        if C == 2 || !self.is_round() || self.friction.is_frictionless() {
+        if self.friction.is_frictionless() {
             return self.answer(stretch, 0.0);
         }
         let [from, to] = [before, stretch].map(|v| self.springs.force(v));
@@ -44,11 +45,14 @@ impl<const C: usize> LocalLaw<'_, C> {
             return ContactResponse::open();
         }
         let rate = to - from;
-        if from[0] <= 0.0 {
+        if from[0] < 0.0 && self.may_open() {
             // The contact closes on the way.
             let mut since = (stretch - before) * (to[0] / rate[0]).clamp(0.0, 1.0);
             since[0] = stretch[0];
             return self.answer(&since, 0.0);
+        }
+        if C == 2 || !self.is_round() || from[0] <= 0.0 {
+            return self.answer(stretch, 0.0);
         }
         match self.stops_sticking(&from, &rate) {
             None => ContactResponse { state: Mode::Sticking, force: to },

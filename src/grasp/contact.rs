@@ -184,8 +184,8 @@ impl<const C: usize> Contact<C> {
     ///
     /// [`follow`](crate::ask::Grasp::follow), [`hold`](crate::ask::Grasp::hold), [`shake`](crate::ask::Grasp::shake) and needs to
     /// [hold](crate::need::Need::to_hold) or to [rest](crate::need::Need::to_rest) take it into account. The first slip does not depend on it.
-    /// [`solve`](crate::ask::Grasp::solve) refuses an equilibrium in which such a contact slides. [`follow_patch`](crate::ask::Grasp::follow_patch)
-    /// and [`follow_in_steps`](crate::ask::Grasp::follow_in_steps) refuse grasps with such a contact. All other questions are about contacts at rest.
+    /// [`solve`](crate::ask::Grasp::solve) refuses an equilibrium in which such a contact slides.
+    /// [`follow_in_steps`](crate::ask::Grasp::follow_in_steps) refuses grasps with such a contact. All other questions are about contacts at rest.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};

@@ -30,7 +30,7 @@ use crate::prelude::*;
 /// | [`solve`](crate::ask::Grasp::solve) and every equilibrium | [`open_cups`](crate::equilibrium::Equilibrium::open_cups) lists the cup: the equilibrium does not hold |
 /// | [`least_squeeze`](crate::ask::Grasp::least_squeeze), the weakest direction, the reserve | every lip touches and sticks there |
 /// | [`statics`](crate::ask::Statics) | limits include the forces of vacuums; closure by cups alone is refused |
-/// | [`follow_patch`](crate::ask::Grasp::follow_patch), [`follow_in_steps`](crate::ask::Grasp::follow_in_steps) | not detected: the vacuum stays on; check the contact states |
+/// | [`follow_in_steps`](crate::ask::Grasp::follow_in_steps) | not detected: the vacuum stays on; check the contact states |
 ///
 /// ```
 /// use grasp_lcp::spatial::{Contact, Grasp, SuctionCup, Wrench};

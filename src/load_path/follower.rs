@@ -35,14 +35,11 @@ pub(crate) struct StandAtEdge<'g, const C: usize> {
     pub(super) forces: Vec<SVector<f64, C>>,
 }
 
-/// A way to follow a program: piece by piece for a few contacts, one event at a time for thousands, or in steps. The follower knows its place on the
+/// A way to follow a program: piece by piece for a few contacts, or in steps for thousands. The follower knows its place on the
 /// present leg and the slip so far; the path keeps the leg and those that follow.
 pub(crate) trait Follower<'g, const C: usize>: Debug {
     /// The type of reports on the way.
     type Report;
-
-    /// Name of the question that takes straight legs alone, if this is its follower.
-    const STRAIGHT_ONLY: Option<&'static str> = None;
 
     /// Starts the present leg of the journey.
     ///
@@ -71,19 +68,6 @@ pub(crate) trait Follower<'g, const C: usize>: Debug {
     /// The situation beyond a jump that nothing caught, from a follower with falling friction; `None` where the path did not end in one.
     fn beyond_a_jump(&self, _settings: &Settings) -> Option<Beyond<C>> {
         None
-    }
-
-    /// [`Self::go_on`] at most up to a fraction of the leg, for a follower that can stop anywhere.
-    ///
-    /// # Errors
-    /// As for [`Self::go_on`].
-    fn go_up_to(&mut self, journey: &Journey<'g, C>, _most: f64) -> Result<Came<Self::Report>, PathEnd<C>> {
-        self.go_on(journey)
-    }
-
-    /// Whether the path can continue without a report or a decision first.
-    fn has_nothing_due(&self) -> bool {
-        true
     }
 
     /// Estimated error of the steps so far; see [`LoadPath::step_error`](super::LoadPath::step_error).
@@ -119,10 +103,5 @@ pub(crate) trait Follower<'g, const C: usize>: Debug {
     /// The leg and fraction from which every contact with friction and a normal force slides up to `until`, for a follower that keeps its past.
     fn all_slide_from(&self, _until: (usize, f64)) -> Option<(usize, f64)> {
         None
-    }
-
-    /// Number of evaluations of single contacts.
-    fn contacts_looked_at(&self) -> usize {
-        0
     }
 }

@@ -44,7 +44,7 @@ impl<'g, const C: usize, F: Follower<'g, C>> Following<'g, C, F> {
         legs: &[Leg<C>],
         begin: impl FnOnce(&Journey<'g, C>, &Problem<'g, C>) -> Result<F, PathEnd<C>>,
     ) -> Result<Self, Error> {
-        journey.extend(legs, F::STRAIGHT_ONLY)?;
+        journey.extend(legs)?;
         let problem = journey.problem_at_start();
         let goes = journey.program.begin_leg();
         let mut path = match begin(&journey, &problem) {
@@ -98,7 +98,6 @@ impl<'g, const C: usize, F: Follower<'g, C>> Following<'g, C, F> {
 /// The questions that a path answers, for any follower and number of coordinates.
 pub(crate) trait AnyPath<const C: usize, T>: Debug {
     fn next(&mut self) -> Option<T>;
-    fn next_before(&mut self, leg: usize, fraction: f64) -> Option<T>;
     fn end(&self) -> Option<&PathEnd<C>>;
     fn place(&self) -> (usize, f64);
     fn state(&self) -> Option<Equilibrium<C>>;
@@ -108,7 +107,6 @@ pub(crate) trait AnyPath<const C: usize, T>: Debug {
     fn beyond(&self, settings: Option<&Settings>) -> Option<Beyond<C>>;
     fn step_error(&self) -> f64;
     fn energies(&self) -> &[LegEnergy];
-    fn contacts_looked_at(&self) -> usize;
     fn next_small(&mut self) -> Option<T>;
     fn end_of_small_motions(&self) -> Option<&EndOfSmallMotions>;
     fn all_slide_from(&self, until: (usize, f64)) -> Option<(usize, f64)>;
@@ -122,20 +120,6 @@ impl<'g, const C: usize, F: Follower<'g, C>> AnyPath<C, F::Report> for Following
             }
         }
         None
-    }
-
-    fn next_before(&mut self, leg: usize, fraction: f64) -> Option<F::Report> {
-        loop {
-            let follower = self.follower.as_ref()?;
-            let (here, stop) = (self.place(), (leg, fraction));
-            if self.end.is_some() || (here >= stop && follower.has_nothing_due()) {
-                return None;
-            }
-            let most = if here.0 == leg { fraction.min(1.0) } else { 1.0 };
-            if let told @ Some(_) = self.go(|follower, journey| follower.go_up_to(journey, most)) {
-                return told;
-            }
-        }
     }
 
     fn end(&self) -> Option<&PathEnd<C>> {
@@ -167,7 +151,7 @@ impl<'g, const C: usize, F: Follower<'g, C>> AnyPath<C, F::Report> for Following
     }
 
     fn continue_with(&mut self, legs: &[Leg<C>]) -> Result<(), Error> {
-        self.journey.extend(legs, F::STRAIGHT_ONLY)?;
+        self.journey.extend(legs)?;
         if matches!(self.end, Some(PathEnd::Completed)) {
             let goes = self.journey.program.begin_leg();
             self.set_out(goes);
@@ -199,10 +183,6 @@ impl<'g, const C: usize, F: Follower<'g, C>> AnyPath<C, F::Report> for Following
 
     fn energies(&self) -> &[LegEnergy] {
         self.follower.as_ref().map_or(&[], Follower::energies)
-    }
-
-    fn contacts_looked_at(&self) -> usize {
-        self.follower.as_ref().map_or(0, Follower::contacts_looked_at)
     }
 
     fn next_small(&mut self) -> Option<F::Report> {

@@ -121,12 +121,8 @@ impl<'g, const C: usize> Journey<'g, C> {
         PathEnd::Undecided { leg: self.program.leg, fraction, doubt }
     }
 
-    /// Appends legs; `straight_only` is the name, for the error, of a follower that takes straight legs alone.
-    pub(super) fn extend(
-        &mut self,
-        legs: &[Leg<C>],
-        straight_only: Option<&'static str>,
-    ) -> Result<(), Error> {
-        self.program.extend(self.grasp, legs, straight_only)
+    /// Appends legs, all or none of them.
+    pub(super) fn extend(&mut self, legs: &[Leg<C>]) -> Result<(), Error> {
+        self.program.extend(self.grasp, legs)
     }
 }

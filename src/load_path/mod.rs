@@ -30,7 +30,6 @@
 //! | path | advances by | reports | affordable |
 //! |---|---|---|---|
 //! | [`LoadPath`] | whole pieces, kept behind | every event, energies, states anywhere | some hundreds of contacts |
-//! | [`PatchPath`] | sums and queues, on polygons | every event, one contact at a time | 10⁵ |
 //! | [`SteppedPath`] | steps of exact slips, on the round cone | the steps | 10⁵ |
 //!
 //! **Sensitivities** ([`Sensitivity::of`](crate::ask::Sensitivity::of), [`response`](crate::ask::Sensitivity::response),
@@ -77,7 +76,6 @@ mod onset_margins;
 mod onset_questions;
 mod onset_workspace;
 mod pace;
-mod patch;
 mod path;
 mod path_state;
 mod path_stiffness;
@@ -120,14 +118,15 @@ pub use onset::{Departure, Leaving, Onset, OnsetEvent};
 pub use onset_gradient::OnsetGradient;
 pub use onset_margins::Leaver;
 pub(crate) use onset_margins::OnsetMargins;
-pub use patch::PatchEvent;
-pub use path::{LoadPath, PatchPath, Path, SteppedPath};
+pub use path::{LoadPath, Path, SteppedPath};
 pub use questions::StickingRange;
 pub use ramp::Ramp;
 pub use response::Response;
 pub use sensitivity::{Derivative, Parameter};
 pub use small_motions::EndOfSmallMotions;
 pub use stepped::Step;
+#[cfg(feature = "serde")]
+pub(crate) use stepped::check_leg_error;
 pub use turn::{EdgeOf, Touch, Turn};
 pub use turn_questions::TurnOnset;
 #[cfg(feature = "serde")]

@@ -7,7 +7,6 @@ use super::energy::LegEnergy;
 use super::event::{Event, PathEnd};
 use super::following::AnyPath;
 use super::leg::Leg;
-use super::patch::PatchEvent;
 use super::small_motions::EndOfSmallMotions;
 use super::stepped::Step;
 use crate::equilibrium::Equilibrium;
@@ -18,7 +17,7 @@ use crate::search::Settings;
 /// A load program being followed: an iterator over the reports of the way, so that the caller can inspect each event or step and stop at any. When
 /// the iterator has ended, [`end`](Self::end) says how the path ended.
 ///
-/// The follower determines the type `T` of the reports and how many contacts are affordable: [`LoadPath`], [`PatchPath`] or [`SteppedPath`]. The law
+/// The follower determines the type `T` of the reports and how many contacts are affordable: [`LoadPath`] or [`SteppedPath`]. The law
 /// is the same for all: contacts stick, slide with memory of their slip, open and close again.
 #[derive(Debug)]
 pub struct Path<'g, const C: usize, T>(Box<dyn AnyPath<C, T> + 'g>);
@@ -52,37 +51,6 @@ pub struct Path<'g, const C: usize, T>(Box<dyn AnyPath<C, T> + 'g>);
 /// # Ok::<(), grasp_lcp::Error>(())
 /// ```
 pub type LoadPath<'g, const C: usize> = Path<'g, C, Event<C>>;
-
-/// A load program being followed for many contacts: an iterator over its [`PatchEvent`]s, one contact at a time. Made by
-/// [`Grasp::follow_patch`](crate::ask::Grasp::follow_patch); when the iterator has ended, [`end`](Self::end) says how the path ended.
-///
-/// The law is the same as for a [`LoadPath`], with slip memory, in space **on the polygonal cone**; legs are the same. Between events
-/// [`state`](Self::state) returns the equilibrium at the present place, and [`next_before`](Self::next_before) stops anywhere on the way. The path
-/// does not say whether the continuation is unique, and keeps neither pieces passed nor energies. An event allocates nothing.
-///
-/// ```
-/// use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
-///
-/// // A pad of a thousand springs under a rigid block, pressed most in the middle, dragged and let go.
-/// let n = 1000;
-/// let xi = |i: usize| (2 * i + 1) as f64 / n as f64 - 1.0;
-/// let spring = |i: usize| {
-///     let press = 1.0 - xi(i) * xi(i);
-///     Contact::new([xi(i), 0.0], [0.0, 1.0]).series_stiffness(1.0, 0.8).friction(0.3).command([press, 0.0])
-/// };
-/// let grasp = Grasp::new((0..n).map(spring))?;
-/// let pressed: f64 = (0..n).map(|i| 1.0 - xi(i) * xi(i)).sum();
-/// let pull = |part: f64| Wrench::new([part * 0.3 * pressed, -pressed], 0.0);
-///
-/// let mut path = grasp.follow_patch(&pull(0.0), &[Leg::load_to(pull(0.5)), Leg::load_to(pull(0.0))])?;
-/// let events: Vec<_> = path.by_ref().collect();
-/// assert!(matches!(path.end(), Some(grasp_lcp::load_path::PathEnd::Completed)));
-/// // The rim slides on the way there and stays displaced: letting go is not the way back.
-/// assert!(events.len() > 300);
-/// assert!(path.state().unwrap().twist.translation()[0] > 0.0);
-/// # Ok::<(), grasp_lcp::Error>(())
-/// ```
-pub type PatchPath<'g, const C: usize> = Path<'g, C, PatchEvent<C>>;
 
 /// A load program being followed in steps: an iterator over them, so that the caller can inspect each and stop at any. Made by
 /// [`Grasp::follow_in_steps`](crate::ask::Grasp::follow_in_steps); when the iterator has ended, [`end`](Self::end) says how the path ended.
@@ -201,35 +169,6 @@ impl<const C: usize> LoadPath<'_, C> {
     #[must_use]
     pub fn state_at(&self, leg: usize, fraction: f64) -> Option<Equilibrium<C>> {
         self.0.state_at(leg, fraction)
-    }
-}
-
-impl<const C: usize> PatchPath<'_, C> {
-    /// The number of evaluations of single contacts so far: a measure of work that does not depend on the machine.
-    #[must_use]
-    pub fn contacts_looked_at(&self) -> usize {
-        self.0.contacts_looked_at()
-    }
-
-    /// The next event up to a fraction (0 to 1) of a leg (from 0); `None` when the path has reached that place, or has ended before. To inspect a
-    /// state on the way, take events until there are no more, then call [`state`](Self::state).
-    ///
-    /// ```
-    /// use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
-    ///
-    /// // A body of 2 N on two feet of 1 N: the second slides when each carries 0.25 N.
-    /// let foot = |x: f64, mu: f64| Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(10.0, 10.0).friction(mu);
-    /// let grasp = Grasp::new([foot(-1.0, 0.5), foot(1.0, 0.25)])?;
-    /// let mut path = grasp.follow_patch(&Wrench::force([0.0, -2.0]), &[Leg::load_by(Wrench::force([0.6, 0.0]))])?;
-    ///
-    /// assert!(path.next_before(0, 0.5).is_none());
-    /// assert!((path.state().expect("on the way").contacts[1].tangential_force() + 0.15).abs() < 1e-15);
-    /// let event = path.next_before(0, 1.0).expect("slides");
-    /// assert!(event.contact == 1 && (event.load.resultant()[0] - 0.5).abs() < 1e-15);
-    /// # Ok::<(), grasp_lcp::Error>(())
-    /// ```
-    pub fn next_before(&mut self, leg: usize, fraction: f64) -> Option<PatchEvent<C>> {
-        self.0.next_before(leg, fraction)
     }
 }
 

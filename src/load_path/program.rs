@@ -6,7 +6,7 @@ use nalgebra::{Matrix, SVector};
 
 use super::body_loads::BodyLoads;
 use super::held_torques::HeldTorques;
-use super::leg::{Leg, LegLoad};
+use super::leg::Leg;
 use super::trajectory::Trajectory;
 use super::turn::inside;
 use crate::error::Error;
@@ -59,18 +59,8 @@ impl<const C: usize> Program<C> {
         }
     }
 
-    /// Appends legs, all or none of them; none along which the load turns where a method takes `straight_only`.
-    pub(super) fn extend(
-        &mut self,
-        grasp: &Engine<C>,
-        legs: &[Leg<C>],
-        straight_only: Option<&'static str>,
-    ) -> Result<(), Error> {
-        if let Some(method) = straight_only
-            && legs.iter().any(|leg| matches!(leg.load, LegLoad::Turn(_)))
-        {
-            return Err(Error::StraightOnly { method });
-        }
+    /// Appends legs, all or none of them.
+    pub(super) fn extend(&mut self, grasp: &Engine<C>, legs: &[Leg<C>]) -> Result<(), Error> {
         legs.iter().try_for_each(|leg| leg.check(grasp))?;
         // Programs that go on and on need no more memory.
         self.legs.drain(..(self.leg - self.done).min(self.legs.len()));

@@ -129,12 +129,6 @@ impl<const C: usize> EnergyCoordinates<C> {
         (first, count)
     }
 
-    /// The facets of a contact.
-    #[inline]
-    pub(crate) fn facets(&self, contact: &EnergyContact<C>) -> &[Facet<C>] {
-        &self.pairs(contact)[usize::from(contact.gap)..]
-    }
-
     /// The normal force of a contact if it may open, and its facets.
     #[inline]
     pub(crate) fn pairs(&self, contact: &EnergyContact<C>) -> &[Facet<C>] {

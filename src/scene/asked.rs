@@ -96,7 +96,10 @@ impl<const C: usize> Setup<C> {
             Question::Need(asked) => self.need(asked).map(drop),
             Question::Improve(asked) => self.improve(asked).map(drop),
             Question::Onset(asked) => self.ramp(asked).map(drop),
-            Question::Follow { legs, .. } => self.legs(legs).map(drop),
+            Question::Follow { legs, in_steps, .. } => {
+                in_steps.map_or(Ok(()), |error| load_path::check_leg_error("in_steps", error))?;
+                self.legs(legs).map(drop)
+            }
             Question::Shake(asked) => self.cycle(asked).map(drop),
             Question::Shakedown(asked) => asked.check(),
             Question::Identify(asked) => self.check_identify(asked),
@@ -196,10 +199,15 @@ impl<const C: usize> Setup<C> {
                 let found = grasp.onset_of_turn(turn)?;
                 Answer::OnsetOfTurn(labels.onset_of_turn(grasp, &found))
             }
-            Question::Follow { start, legs } => {
+            Question::Follow { start, legs, in_steps: None } => {
                 let mut path = grasp.follow(start, &self.legs(legs)?)?;
                 let events = path.run();
                 Answer::Follow(labels.path(&path, events))
+            }
+            Question::Follow { start, legs, in_steps: Some(error) } => {
+                let mut path = grasp.follow_in_steps(start, &self.legs(legs)?, *error)?;
+                let steps = path.run();
+                Answer::Follow(labels.path_in_steps(&path, steps))
             }
             Question::Shake(asked) => {
                 Answer::Shake(labels.shaken(grasp.shake(&asked.base, &self.cycle(asked)?)?, words))

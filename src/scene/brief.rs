@@ -95,7 +95,12 @@ impl<const C: usize> Setup<C> {
                 brief.angle = brief.factor.take();
                 brief
             }
-            Question::Follow { start, legs } => {
+            Question::Follow { start, legs, in_steps: Some(error) } => {
+                let mut path = grasp.follow_in_steps(start, &self.legs(legs)?, *error)?;
+                path.by_ref().for_each(drop);
+                labels.path_briefly(path.end())
+            }
+            Question::Follow { start, legs, in_steps: None } => {
                 let mut path = grasp.follow(start, &self.legs(legs)?)?;
                 path.by_ref().for_each(drop);
                 let beyond_small_motions = path.end_of_small_motions().is_some();

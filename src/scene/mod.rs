@@ -144,7 +144,7 @@
 //! | `solve` | `load` (a wrench), `together_with` | the equilibrium under it |
 //! | `onset` | `base`, `direction` (wrenches), `command_change`, `joint_change`, `together_with` | the onset of sliding under `base + τ direction`, commands changing by τ times their change |
 //! | `onset_of_turn` | a turn | the onset of sliding while the load turns |
-//! | `follow` | `start` (a wrench), `legs` | the load path of a program |
+//! | `follow` | `start` (a wrench), `legs`, `in_steps` | the load path of a program; of hundreds of contacts and more in steps, with the error that a leg may add to forces |
 //! | `shake` | `base` (a wrench), `loads` or `legs` | whether the grasp survives loads that are repeatedly put on and taken off, or a repeated cycle of legs, see [`ShakeAsked`] |
 //! | `identify` | `unknowns`, `slips` (with a `group` where they share errors), `layouts`, `known` | friction, loads of supports, squeeze or stiffness from observed slips, see [`IdentifyAsked`] |
 //! | `shakedown` | `base` (a wrench), `loads` | the multiple of the loads up to which the grasp could come to rest, in any order of them |

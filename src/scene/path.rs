@@ -4,10 +4,12 @@ use serde::{Deserialize, Serialize};
 
 use super::labels::SceneNames;
 use crate::equilibrium::{Doubt, Equilibrium, Outcome};
-use crate::load_path::{Beyond, EndOfSmallMotions, Event, Jump, LegEnergy, LoadPath, Loss, PathEnd};
+use crate::load_path::{
+    Beyond, EndOfSmallMotions, Event, Jump, LegEnergy, LoadPath, Loss, PathEnd, Step, SteppedPath,
+};
 use crate::serial::AsComputed;
 
-/// A load path that was followed to its end; see [`LoadPath`].
+/// A load path that was followed to its end; see [`LoadPath`], and [`SteppedPath`] for one that was followed in steps.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
@@ -15,15 +17,19 @@ pub struct PathAnswer<const C: usize> {
     /// The end of the path.
     #[serde(flatten)]
     pub end: PathOutcome<C>,
-    /// The events on the path, in order.
+    /// The events on the path, in order; none of a path in steps, which does not look for them.
     pub events: Vec<Event<C>>,
+    /// The steps of a path that was followed in steps, in order.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub steps: Vec<Step<C>>,
     /// The place where motions cease to be small, if they do. The answer beyond it belongs to the undeformed geometry, and says little.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub small_motions_end: Option<EndOfSmallMotions>,
-    /// Energies of every leg that was entered, up to the end of the path.
+    /// Energies of every leg that was entered, up to the end of the path; none of a path in steps.
     pub energies: Vec<BalancedEnergy>,
     /// Sum of the estimated errors of the steps along sliding arcs, each relative as in
-    /// [`Settings::step_error`](crate::Settings::step_error); 0 where every piece is straight.
+    /// [`Settings::step_error`](crate::Settings::step_error); 0 where every piece is straight. Of a path in steps, see
+    /// [`SteppedPath::step_error`].
     #[serde(with = "AsComputed::<f64>")]
     pub step_error: f64,
 }
@@ -94,26 +100,46 @@ impl SceneNames {
             residual: energy.residual(),
         };
         PathAnswer {
-            end: self.end(path),
+            end: self.end(path.end(), path.state(), path.beyond()),
             events: events.into_iter().map(|event| self.event(event)).collect(),
+            steps: Vec::new(),
             small_motions_end: path.end_of_small_motions().cloned(),
             energies: path.energies().iter().map(balanced).collect(),
             step_error: path.step_error(),
         }
     }
 
-    fn end<const C: usize>(&self, path: &LoadPath<'_, C>) -> PathOutcome<C> {
-        match path.end() {
-            Some(PathEnd::Completed) => {
-                PathOutcome::Completed { state: path.state().map(|state| Box::new(self.equilibrium(state))) }
-            }
+    /// A path that was followed to its end in steps.
+    pub(super) fn path_in_steps<const C: usize>(
+        &self,
+        path: &SteppedPath<'_, C>,
+        steps: Vec<Step<C>>,
+    ) -> PathAnswer<C> {
+        PathAnswer {
+            end: self.end(path.end(), path.state(), path.beyond()),
+            events: Vec::new(),
+            steps,
+            small_motions_end: None,
+            energies: Vec::new(),
+            step_error: path.step_error(),
+        }
+    }
+
+    fn end<const C: usize>(
+        &self,
+        end: Option<&PathEnd<C>>,
+        state: Option<Equilibrium<C>>,
+        beyond: Option<Beyond<C>>,
+    ) -> PathOutcome<C> {
+        let state = state.map(|state| Box::new(self.equilibrium(state)));
+        match end {
+            Some(PathEnd::Completed) => PathOutcome::Completed { state },
             Some(PathEnd::Lost(loss)) => {
                 let mut loss = Loss { against: None, leaves: None, ..loss.as_ref().clone() };
                 loss.contacts.iter_mut().for_each(|contact| self.name(contact));
                 loss.jumped.iter_mut().for_each(|slip| self.name(&mut slip.contact));
                 let unknown = Beyond::Undecided { doubt: Doubt::OnTheBoundary };
-                let state = path.state().map(|state| Box::new(self.equilibrium(state)));
-                PathOutcome::Lost { loss, beyond: path.beyond().unwrap_or(unknown), state }
+                PathOutcome::Lost { loss, beyond: beyond.unwrap_or(unknown), state }
             }
             Some(PathEnd::NoStart(outcome)) => {
                 PathOutcome::NoStart { start: Box::new(self.outcome(outcome.as_ref().clone())) }

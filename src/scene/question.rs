@@ -51,13 +51,18 @@ pub enum Question<const C: usize> {
     Onset(RampAsked<C>),
     /// The onset of sliding while a load turns; see [`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn).
     OnsetOfTurn(Turn<C>),
-    /// The load path of a program; see [`Grasp::follow`](crate::ask::Grasp::follow).
+    /// The load path of a program; see [`Grasp::follow`](crate::ask::Grasp::follow) and
+    /// [`Grasp::follow_in_steps`](crate::ask::Grasp::follow_in_steps).
     Follow {
         /// The load at the start; zero if left out.
         #[serde(default = "no_load::<C>")]
         start: Wrench<C>,
         /// The legs of the load program.
         legs: Vec<LegAsked<C>>,
+        /// The error of forces that each leg may add, over the largest force, from 1e-9 to 1: the path is then followed in steps, for hundreds of
+        /// contacts and more. Every event is found if left out.
+        #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
+        in_steps: Option<f64>,
     },
     /// Does the grasp survive a repeated load? See [`Grasp::shake`](crate::ask::Grasp::shake).
     Shake(Box<ShakeAsked<C>>),

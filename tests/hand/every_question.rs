@@ -96,7 +96,7 @@ fn nothing_panics_and_what_agrees_agrees() {
             .expect("loads");
         path.run();
         let _ = path.beyond();
-        refused(grasp.follow_patch(&Wrench::ZERO, &[]).err());
+        refused(grasp.follow_in_steps(&Wrench::ZERO, &[], 1e-4).err());
         assert_eq!(grasp.sensitivity().response(held).expect("regular").forces.shape(), (4, 4));
         assert_eq!(grasp.sensitivity().joint_response(held).expect("regular").forces.nrows(), 4);
         for outcome in grasp.solve_each(&[load, load * 2.0]) {

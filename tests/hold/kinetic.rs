@@ -93,7 +93,6 @@ fn what_does_not_know_it_says_so() -> Tested {
     let leg = Leg::load_to(pull(1.0));
     let refused = [
         ("solve", grasp.solve(&pull(8.0)).err()),
-        ("follow_patch", grasp.follow_patch(&pull(0.0), std::slice::from_ref(&leg)).err()),
         ("follow_in_steps", grasp.follow_in_steps(&pull(0.0), std::slice::from_ref(&leg), 1e-4).err()),
         ("equilibria", grasp.equilibria(&pull(8.0)).err()),
     ];

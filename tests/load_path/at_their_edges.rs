@@ -16,7 +16,7 @@ fn read(text: &str) -> Result<Space, Box<dyn std::error::Error>> {
 
 /// The grasp of a scene in space, with the load and the legs that are followed.
 fn asked<const C: usize>(setup: &Setup<C>) -> Result<Asked<C>, Box<dyn std::error::Error>> {
-    let Some(Question::Follow { start, legs }) = setup.questions.first() else {
+    let Some(Question::Follow { start, legs, .. }) = setup.questions.first() else {
         return Err("asks for a path".into());
     };
     Ok((setup.grasp()?, *start, setup.legs(legs)?))

@@ -36,6 +36,8 @@ mod small_steps;
 mod soft_tips;
 mod start_at_rest;
 mod stepped;
+mod stepped_law;
+mod stepped_pads;
 mod story;
 mod told_as_solved;
 mod turning;

@@ -103,12 +103,12 @@ fn in_the_plane_every_event_is_exact() {
         let error = off(&world(&grasp, &path.forces()), &SVector::from([1.0, 0.0]), exact);
 
         assert!(error < 2e-15, "leg {count}: {error:e}");
-        let mut path = grasp.follow_patch(&load(loads[0]), legs).unwrap();
+        let mut path = grasp.follow_in_steps(&load(loads[0]), legs, 1e-6).unwrap();
         path.run();
         assert!(matches!(path.end(), Some(PathEnd::Completed)), "{:?}", path.end());
         let error = off(&world(&grasp, &path.forces()), &SVector::from([1.0, 0.0]), exact);
 
-        assert!(error < 2e-15, "patch, leg {count}: {error:e}");
+        assert!(error < 1e-11, "steps, leg {count}: {error:e}");
     }
 }
 

@@ -175,8 +175,6 @@ fn what_cannot_be_followed_exactly_is_refused() {
     let both = Leg::turn(&turn).and_commands_by([[1e-3, 0.0]; 8]);
     let refused = grasp.follow(&Wrench::ZERO, &[both]).expect_err("refused");
     assert_eq!(refused.to_string(), "commands or torques of a leg: change while the load turns, must stay");
-    let refused = grasp.follow_patch(&Wrench::ZERO, &[Leg::turn(&turn)]).map(|_| ()).expect_err("refused");
-    assert_eq!(refused.to_string(), "follow_patch: the load of a leg turns, must go straight");
     let refused = grasp.follow(&Wrench::ZERO, &[Leg::turn(&turn.up_to(f64::NAN))]).expect_err("refused");
     assert_eq!(refused.to_string(), "angle of the turn is NaN, must be more than 0 and at most 1e6 rad");
 }

@@ -162,7 +162,7 @@ fn turns_that_were_not_read_are_checked_as_well() {
     }
     let mut leg = LegAsked::turn(turn);
     leg.commands = Some(Goal::By(Commands(vec![[0.001, 0.0].into(); 2])));
-    let error = asked(Question::Follow { start: planar::Wrench::ZERO, legs: vec![leg] });
+    let error = asked(Question::Follow { start: planar::Wrench::ZERO, legs: vec![leg], in_steps: None });
     assert_eq!(error, Error::CommandsWhileTurning);
     assert!(spatial::Turn::tilting([0.0, 0.0, -1.0], [0.0; 3], [0.0; 3]).is_err());
 }

@@ -73,7 +73,7 @@ fn turned<const D: usize, const C: usize>(drawn: &Drawn<D, C>) -> (Setup<C>, Tur
     .up_to(5.0);
     let setup = Setup::new(drawn.contacts.iter().map(|datum| Fingertip::from(datum.contact())));
     let legs = vec![scene::LegAsked::turn(turn), scene::LegAsked::turn(turn.reversed())];
-    let follow = Question::Follow { start: turn.load_at(0.0), legs };
+    let follow = Question::Follow { start: turn.load_at(0.0), legs, in_steps: None };
     (setup.ask(Question::OnsetOfTurn(turn)).ask(follow), turn)
 }
 

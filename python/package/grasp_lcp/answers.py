@@ -655,8 +655,13 @@ class Path(Answer):
 
     @cached_property
     def events(self) -> tuple[Event, ...]:
-        """All events, in the order of the path."""
+        """All events, in the order of the path; none of a path in steps."""
         return tuple(Event(tree) for tree in self._tree["events"])
+
+    @cached_property
+    def steps(self) -> tuple[Mapping[str, Any], ...]:
+        """Steps of a path in steps: leg, fraction, load, number of contacts sliding and open, and estimated error of the forces."""
+        return tuple(self._tree.get("steps", ()))
 
     @cached_property
     def energies(self) -> tuple[Mapping[str, float], ...]:
@@ -665,7 +670,7 @@ class Path(Answer):
 
     @property
     def step_error(self) -> float:
-        """Sum of the estimated relative errors of the steps along sliding arcs; 0 where every piece is straight."""
+        """Sum of the estimated relative errors of the steps along sliding arcs; 0 where every piece is straight. The error of a path in steps."""
         return number(self._tree["step_error"])
 
     @property

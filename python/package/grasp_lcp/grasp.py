@@ -686,17 +686,26 @@ class Grasp:
             written["angle_rad"] = written.pop("angle")
         return written
 
-    def follow(self, legs: Sequence[ArrayLike | Leg], start: ArrayLike | Mapping[str, Any] | None = None) -> Path:
+    def follow(
+        self,
+        legs: Sequence[ArrayLike | Leg],
+        start: ArrayLike | Mapping[str, Any] | None = None,
+        in_steps: float | None = None,
+    ) -> Path:
         """Follows a load program from event to event. Slips are remembered from leg to leg.
 
         :param legs: each a :class:`Leg`, or the load at the end of the leg.
         :param start: the load at the start; zero unless given.
+        :param in_steps: for hundreds of contacts and more, the error of the forces that a leg may add, over the largest force:
+            the path is then followed in steps.
         """
         asked: dict[str, Any] = {
             "legs": [self._leg(index, leg) for index, leg in enumerate(listed("legs", legs, "a list of loads or legs"))]
         }
         if start is not None:
             asked["start"] = wrench_json("start", start, self.axes)
+        if in_steps is not None:
+            asked["in_steps"] = float(in_steps)
         return Path(self._held.ask(dumped({"follow": asked})))
 
     def _leg(self, index: int, leg: ArrayLike | Leg) -> dict[str, Any]:

@@ -310,7 +310,7 @@ impl<const C: usize> Meaning<C> {
         let start = from.map_or(Ok(Wrench::ZERO), |from| self.push(from, "from", at))?;
         let leg = |force| self.push(force, "to", at).map(|load| LegAsked::new(Some(Goal::To(load)), None));
         let legs = to.iter().map(leg).collect::<Result<_, _>>()?;
-        Ok(Some(Question::Follow { start, legs }))
+        Ok(Some(Question::Follow { start, legs, in_steps: None }))
     }
 }
 

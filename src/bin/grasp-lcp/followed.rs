@@ -42,6 +42,18 @@ impl Report<'_> {
             }
         }
         caution.map_or(Ok(()), |far| self.small_motions_end(far))?;
+        for steps in path.steps.chunk_by(|a, b| a.leg == b.leg) {
+            let Some(last) = steps.last() else { continue };
+            let (fraction, load) = (self.number(last.fraction), self.load(&last.load));
+            let (leg, count, sliding, open) = (last.leg, steps.len(), last.sliding, last.open);
+            self.line(&format!(
+                "leg {leg} at {fraction}, {load}: contacts sliding: {sliding}, open: {open}, steps: {count}"
+            ))?;
+        }
+        if !path.steps.is_empty() {
+            let error = self.number(path.step_error);
+            self.line(&format!("estimated error of the forces: {error} of the largest"))?;
+        }
         if in_between > 0 {
             self.line(&format!("in between at {in_between} loads more points change: --points tells them"))?;
         }

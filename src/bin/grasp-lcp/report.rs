@@ -166,7 +166,7 @@ impl Report<'_> {
                 })?;
                 self.touches(onset)
             }
-            (Question::Follow { start, legs }, Answer::Follow(path)) => {
+            (Question::Follow { start, legs, .. }, Answer::Follow(path)) => {
                 let legs = if legs.len() == 1 { "1 leg".to_owned() } else { format!("{} legs", legs.len()) };
                 writeln!(self.out, "\nLoad program of {legs} from {}", self.load(start))?;
                 self.followed(path)

@@ -1,7 +1,7 @@
 //! Load programs followed in steps for any number of contacts on the round cone.
 //!
-//! [`LoadPath`](super::LoadPath) finds every event of a few hundred contacts, [`PatchPath`](super::PatchPath) every event of thousands on a polygon.
-//! Where thousands slide on the round cone, their directions of slip turn all the time. Here a step takes all contacts along straight stretches, each
+//! [`LoadPath`](super::LoadPath) finds every event of a few hundred contacts. Where thousands slide on the round cone, their directions of slip turn
+//! all the time. Here a step takes all contacts along straight stretches, each
 //! with its exact slip, and Newton's method finds the motion of the object that balances the load at its end. The remaining error is that stretches
 //! are not straight in between. Each step is made once, and again in two halves, to measure it. A second path of steps made once measures how much of
 //! the error remains later.
@@ -27,3 +27,5 @@ mod stepped_path;
 mod unseen;
 
 pub use stepped_path::Step;
+#[cfg(feature = "serde")]
+pub(crate) use stepped_path::check_leg_error;

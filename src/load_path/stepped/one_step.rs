@@ -113,7 +113,7 @@ impl<'g, const C: usize> StepProblem<'g, C> {
 }
 
 /// The equilibrium of a problem that counts slips from the state `from`, given the stretches before the step; the search starts near a given twist.
-/// `None` where Newton's method does not converge.
+/// `None` where Newton's method does not converge, or only where a contact would have to pull that cannot.
 fn equilibrium_after<const C: usize>(
     (from, before): (&SteppedState<C>, &[SVector<f64, C>]),
     problem: &Problem<'_, C>,
@@ -139,5 +139,10 @@ fn equilibrium_after<const C: usize>(
         to.forces.push(answer.force);
         to.states.push(answer.state);
     }
-    Some(())
+    // A contact that is kept closed and has limited friction cannot pull.
+    let least = -SETTLED * to.largest_force();
+    let pulls = |(i, force): (usize, &SVector<f64, C>)| {
+        force[0] < least && problem.local(i).may_slide() && !problem.local(i).may_open()
+    };
+    if to.forces.iter().enumerate().any(pulls) { None } else { Some(()) }
 }

@@ -18,6 +18,8 @@ use crate::load_path::path::{Path, SteppedPath};
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Found, Settings};
+#[cfg(feature = "serde")]
+use crate::serial::AsComputed;
 
 /// The follower of a [`SteppedPath`].
 #[derive(Debug)]
@@ -42,11 +44,14 @@ pub(crate) struct Steps<'g, const C: usize> {
 
 /// One step of a [`SteppedPath`].
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Step<const C: usize> {
     /// The leg, from 0.
     pub leg: usize,
     /// Fraction of the leg at the end of the step, up to 1.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub fraction: f64,
     /// The load there, about the origin, N and N m.
     pub load: Wrench<C>,
@@ -55,7 +60,17 @@ pub struct Step<const C: usize> {
     /// Number of open contacts there.
     pub open: usize,
     /// Estimated error of the forces from this step, over the largest force.
+    #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub error: f64,
+}
+
+/// Refuses an error of a leg that is out of range.
+pub(crate) fn check_leg_error(what: &'static str, value: f64) -> Result<(), Error> {
+    if (1e-9..=1.0).contains(&value) {
+        Ok(())
+    } else {
+        Err(Error::Argument { what, value, allowed: "from 1e-9 to 1" })
+    }
 }
 
 impl<const C: usize> Engine<C> {
@@ -69,9 +84,7 @@ impl<const C: usize> Engine<C> {
     ) -> Result<SteppedPath<'_, C>, Error> {
         self.refuse_hands("follow_in_steps")?;
         self.refuse_kinetic("follow_in_steps")?;
-        if !(1e-9..=1.0).contains(&error) {
-            return Err(Error::Argument { what: "error of a leg", value: error, allowed: "from 1e-9 to 1" });
-        }
+        check_leg_error("error of a leg", error)?;
         let settings = Settings { round: true, ..*settings };
         let path = Following::start(self, (start, legs), &settings, |journey, problem| {
             let standing = at_start(problem, journey.start(problem)?);

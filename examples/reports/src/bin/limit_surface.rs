@@ -15,7 +15,6 @@ use grasp_lcp::load_path::PathEnd;
 use grasp_lcp::nalgebra::SVector;
 use grasp_lcp::picture::{Chart, Stroke};
 use grasp_lcp::spatial::{Beyond, Contact, Grasp, Leg, Outcome, Wrench};
-use grasp_lcp::{Fit, PolygonCone, Settings};
 use support::best_time::repeats;
 
 const RADIUS: f64 = 0.006; // m
@@ -276,24 +275,7 @@ fn cost(surface: &[(f64, f64)], most: usize) -> Result<(), Box<dyn Error>> {
                 1e3 * seconds
             );
         }
-        let mut on_facets = Vec::new();
-        for facets in [8, 16, 32] {
-            let cone = PolygonCone::new(facets, Fit::Balanced)?;
-            let start = Instant::now();
-            let asked = patch.grasp.with(&Settings::default().with_cone(cone));
-            let mut path = asked.follow_patch(&Patch::weight(), &legs)?;
-            let events = path.by_ref().count();
-            let seconds = start.elapsed().as_secs_f64();
-            let off = off(&path.forces());
-            on_facets.push((1e3 * seconds, off));
-            println!(
-                "  {count:6} springs, {facets:2} facets    {events:8} {:9.1} {:>10} {off:10.1e}",
-                1e3 * seconds,
-                ""
-            );
-        }
-        curves.push((format!("{count} springs, round cone"), curve, Stroke::Line));
-        curves.push((format!("{count} springs, 8 to 32 facets"), on_facets, Stroke::Dots));
+        curves.push((format!("{count} springs"), curve));
     }
     let oval = (0..=90).map(|i| f64::from(i).to_radians().sin_cos()).map(|(sin, cos)| (cos, sin)).collect();
     let limits = Chart::new(
@@ -305,8 +287,8 @@ fn cost(surface: &[(f64, f64)], most: usize) -> Result<(), Box<dyn Error>> {
     .series("ellipse", oval, Stroke::Dashed);
     let mut costs =
         Chart::new("Shear and torsion there and back", "run time (ms)", "error of forces").log_log();
-    for (name, points, stroke) in curves {
-        costs = costs.series(name, points, stroke);
+    for (name, points) in curves {
+        costs = costs.series(name, points, Stroke::Line);
     }
     support::save("limit_surface.svg", &Chart::sheet(&[limits, costs], 2)?)?;
     Ok(())

@@ -1,6 +1,6 @@
 //! A rubber fingertip pressed and sheared: partial slip grows from the rim inwards, against Cattaneo and Mindlin.
 //!
-//! `cargo run --release -p reports --bin patch` follows a pad of 10⁴ springs through a whole cycle of shear, every event exact.
+//! `cargo run --release -p reports --bin patch` follows a pad of 10⁴ springs through a whole cycle of shear in steps.
 //!
 //! A sphere of radius R pressed by d into an elastic half-space makes a contact of radius `a = √(R d)`. The method of dimensionality reduction (Popov
 //! & Heß, 2015) replaces the half-space by a row of independent springs, E* and G* a unit of length, pressed by `d - x²/R`. Normal force, shear
@@ -18,7 +18,7 @@ use std::time::Instant;
 
 use grasp_lcp::load_path::PathEnd;
 use grasp_lcp::picture::{Chart, Stroke};
-use grasp_lcp::planar::{Change, Contact, ContactState, Equilibrium, Grasp, Leg, Wrench};
+use grasp_lcp::planar::{Contact, ContactState, Equilibrium, Grasp, Leg, Wrench};
 
 const SPRINGS: usize = 10_000;
 const RADIUS: f64 = 0.02; // m
@@ -28,12 +28,16 @@ const SHEAR: f64 = NORMAL * 2.0 / 3.0; // G*, Pa: rubber, ν = 1/2
 const FRICTION: f64 = 0.8;
 /// The largest shear force in units of μP.
 const MOST: f64 = 0.95;
-/// Points of the cycle that are shown: leg and Q/μP.
-const SHOWN: [(usize, f64); 6] = [(0, 0.3), (0, 0.6), (0, 0.9), (1, 0.4), (1, -0.3), (1, -0.9)];
+/// Error of forces that a leg may add, over the largest force.
+const ERROR: f64 = 1e-4;
+/// Ends of the legs: the way of the cycle (there, back, there again) and Q/μP.
+const ENDS: [(usize, f64); 9] =
+    [(0, 0.3), (0, 0.6), (0, 0.9), (0, MOST), (1, 0.4), (1, -0.3), (1, -0.9), (1, -MOST), (2, MOST)];
+/// Those that are shown.
+const SHOWN: [usize; 6] = [0, 1, 2, 4, 5, 6];
 
 fn main() -> Result<(), Box<dyn Error>> {
     let pad = Pad::new()?;
-    let legs = [MOST, -MOST, MOST].map(|part| Leg::load_to(pad.load(part)));
     println!(
         "{SPRINGS} springs, contact radius {:.2} mm, P = {:.3} N, μP = {:.3} N",
         1e3 * pad.a,
@@ -41,50 +45,37 @@ fn main() -> Result<(), Box<dyn Error>> {
         pad.limit
     );
 
-    let (mut events, mut best) = (Vec::new(), f64::INFINITY);
+    let (mut steps, mut best) = (0, f64::INFINITY);
     for _ in 0..5 {
         let start = Instant::now();
-        let mut path = pad.grasp.follow_patch(&pad.load(0.0), &legs)?;
-        events = path.by_ref().collect();
+        let mut path = pad.grasp.follow_in_steps(&pad.load(0.0), &pad.legs(), ERROR)?;
+        steps = path.by_ref().count();
         best = best.min(start.elapsed().as_secs_f64());
         if !matches!(path.end(), Some(PathEnd::Completed)) {
             return Err("the cycle ended early".into());
         }
     }
-    println!(
-        "{} events in {:.1} ms: {:.2} µs an event",
-        events.len(),
-        1e3 * best,
-        1e6 * best / events.len() as f64
-    );
+    println!("{steps} steps in {:.1} ms", 1e3 * best);
 
-    // The stick zone: every event of slip is at its edge.
-    let mut edges = Vec::new();
+    let looks = pad.looks()?;
     let mut off = [0.0_f64; 2];
-    for event in &events {
-        let (Change::Slides { .. }, leg @ 0..=1) = (event.change, event.leg) else { continue };
-        let part = event.load.to_vector()[0] / pad.limit;
-        let exact = if leg == 0 { 1.0 - part } else { 1.0 - (MOST - part) / 2.0 }.cbrt();
-        let edge = pad.place(event.contact).abs() / pad.a;
-        off[leg] = off[leg].max((edge - exact).abs());
-        edges.push((leg, part, edge, exact));
+    for edge in looks.iter().filter_map(|look| look.edge) {
+        off[edge.way] = off[edge.way].max((edge.found - edge.exact).abs());
     }
-    println!("stick radius c/a against Cattaneo-Mindlin, worst of {} events: {:.1e}", edges.len(), off[0]);
+    println!("stick radius c/a against Cattaneo-Mindlin, worst of all steps: {:.1e}", off[0]);
     println!("  and on the way back (Mindlin-Deresiewicz): {:.1e}", off[1]);
-
-    let looked_at = pad.looks(&legs)?;
-    let worst = |f: fn(&Look) -> f64| looked_at.iter().map(f).fold(0.0, f64::max);
+    let worst = |f: fn(&Look) -> f64| looks.iter().map(f).fold(0.0, f64::max);
     println!("displacement against the same, relative to its largest: {:.1e}", worst(|look| look.off));
-    println!("residual of the whole law, recomputed: {:.1e}", worst(|look| look.state.residuals.worst()));
-    let area = looked_at
+    println!("residual of the whole law, recomputed: {:.1e}", worst(|look| look.residual));
+    let area = looks
         .windows(2)
-        .filter(|pair| pair[1].leg > 0)
+        .filter(|pair| pair[1].way > 0)
         .map(|pair| 0.5 * (pair[0].part + pair[1].part) * (pair[1].displacement - pair[0].displacement));
     let lost = area.sum::<f64>() * pad.limit;
     println!("energy lost in a cycle: {:.6} mJ, exact {:.6} mJ", 1e3 * lost, 1e3 * pad.loss());
 
     let sheet =
-        [pad.radius_chart(&edges), pad.traction_chart(&legs)?, pad.loop_chart(&looked_at), pad.zones(&legs)?];
+        [pad.radius_chart(&looks), pad.traction_chart(&looks)?, pad.loop_chart(&looks), Pad::zones(&looks)?];
     support::save("patch.svg", &Chart::sheet(&sheet, 2)?)?;
     Ok(())
 }
@@ -97,15 +88,27 @@ struct Pad {
     limit: f64,
 }
 
-/// The cycle at one load.
+/// The cycle at the end of a step.
 struct Look {
-    leg: usize,
+    way: usize,
     /// Q/μP.
     part: f64,
     displacement: f64,
     /// Error of the displacement, relative to the largest displacement.
     off: f64,
-    state: Equilibrium,
+    residual: f64,
+    edge: Option<Edge>,
+    /// Kept at the end of a leg.
+    state: Option<Equilibrium>,
+}
+
+/// The radius c/a of the stick zone.
+#[derive(Clone, Copy)]
+struct Edge {
+    way: usize,
+    part: f64,
+    found: f64,
+    exact: f64,
 }
 
 impl Pad {
@@ -155,37 +158,48 @@ impl Pad {
         self.limit * (4.0 * MOST * Self::virgin(MOST) - 8.0 * beside)
     }
 
-    /// The cycle at many loads.
-    fn looks(&self, legs: &[Leg]) -> Result<Vec<Look>, Box<dyn Error>> {
-        let mut path = self.grasp.follow_patch(&self.load(0.0), legs)?;
-        let steps = 200;
+    fn legs(&self) -> [Leg; ENDS.len()] {
+        ENDS.map(|(_, part)| Leg::load_to(self.load(part)))
+    }
+
+    /// The cycle at the end of each step.
+    fn looks(&self) -> Result<Vec<Look>, Box<dyn Error>> {
+        let mut path = self.grasp.follow_in_steps(&self.load(0.0), &self.legs(), ERROR)?;
         let mut looks = Vec::new();
-        for leg in 0..3 {
-            for step in 1..=steps {
-                let fraction = f64::from(step) / f64::from(steps);
-                while path.next_before(leg, fraction).is_some() {}
-                let (from, to) = [(0.0, MOST), (MOST, -MOST), (-MOST, MOST)][leg];
-                let part = from + (to - from) * fraction;
-                let state = path.state().ok_or("no equilibrium")?;
-                let displacement = state.twist.translation()[0];
-                let off = (displacement - Self::displacement(leg, part)).abs() / Self::virgin(MOST);
-                looks.push(Look { leg, part, displacement, off, state });
-            }
+        while let Some(step) = path.next() {
+            let (way, part) = (ENDS[step.leg].0, step.load.to_vector()[0] / self.limit);
+            let state = path.state().ok_or("no equilibrium")?;
+            let displacement = state.twist.translation()[0];
+            let off = (displacement - Self::displacement(way, part)).abs() / Self::virgin(MOST);
+            let (residual, edge) = (state.residuals.worst(), self.edge(way, part, &state));
+            let state = Some(state).filter(|_| step.fraction >= 1.0);
+            looks.push(Look { way, part, displacement, off, residual, edge, state });
         }
         Ok(looks)
     }
 
-    fn radius_chart(&self, edges: &[(usize, f64, f64, f64)]) -> Chart {
+    /// The innermost spring that slips on this way, at the edge of the stick zone.
+    fn edge(&self, way: usize, part: f64, state: &Equilibrium) -> Option<Edge> {
+        let exact = [1.0 - part, 1.0 - (MOST - part) / 2.0].get(way)?.cbrt();
+        let slips = |i: &usize| match state.contacts[*i].state {
+            ContactState::Sliding { direction } => (direction[0] < 0.0) == (way == 0),
+            _ => false,
+        };
+        let found = (0..SPRINGS).filter(slips).map(|i| self.place(i).abs() / self.a).reduce(f64::min)?;
+        Some(Edge { way, part, found, exact })
+    }
+
+    fn radius_chart(&self, looks: &[Look]) -> Chart {
         let _ = self;
         let title = "Partial slip grows from the rim inwards";
         let mut chart = Chart::new(title, "shear force Q/μP", "radius of the stick zone c/a");
-        for (leg, found, exact) in
+        for (way, found, exact) in
             [(0, "going, springs", "Cattaneo-Mindlin"), (1, "coming back, springs", "Mindlin-Deresiewicz")]
         {
-            let of = || edges.iter().filter(move |edge| edge.0 == leg);
-            let spaced = of().step_by(of().count() / 12 + 1).map(|edge| (edge.1, edge.2)).collect();
+            let of = || looks.iter().filter_map(|look| look.edge).filter(move |edge| edge.way == way);
+            let spaced = of().step_by(of().count() / 12 + 1).map(|edge| (edge.part, edge.found)).collect();
             chart = chart
-                .series(exact, of().step_by(40).map(|edge| (edge.1, edge.3)).collect(), Stroke::Line)
+                .series(exact, of().map(|edge| (edge.part, edge.exact)).collect(), Stroke::Line)
                 .series(found, spaced, Stroke::Circles);
         }
         chart
@@ -196,8 +210,8 @@ impl Pad {
         let points = looks.iter().map(|look| (1e3 * look.displacement, look.part)).collect();
         let exact = looks
             .iter()
-            .step_by(20)
-            .map(|look| (1e3 * Self::displacement(look.leg, look.part), look.part))
+            .step_by(looks.len() / 30 + 1)
+            .map(|look| (1e3 * Self::displacement(look.way, look.part), look.part))
             .collect();
         Chart::new("A cycle of shear", "displacement (mm)", "shear force Q/μP")
             .series("springs", points, Stroke::Line)
@@ -217,23 +231,27 @@ impl Pad {
         lines.sum()
     }
 
-    fn traction_chart(&self, legs: &[Leg]) -> Result<Chart, Box<dyn Error>> {
+    /// The equilibria at the ends of the legs that are shown, with Q/μP.
+    fn shown(looks: &[Look]) -> Result<Vec<(f64, &Equilibrium)>, Box<dyn Error>> {
+        let ends: Vec<_> = looks.iter().filter_map(|look| look.state.as_ref()).collect();
+        let at = |&end: &usize| Ok((ENDS[end].1, *ends.get(end).ok_or("the cycle ended early")?));
+        SHOWN.iter().map(at).collect()
+    }
+
+    fn traction_chart(&self, looks: &[Look]) -> Result<Chart, Box<dyn Error>> {
         let mut chart = Chart::new(
             "Shear traction while the force grows",
             "radius r/a",
             "traction over μ times the largest pressure",
         );
         let largest = 2.0 / std::f64::consts::PI * NORMAL * (DEPTH / RADIUS).sqrt();
-        let mut path = self.grasp.follow_patch(&self.load(0.0), legs)?;
         let mut found = Vec::new();
-        for (_, part) in &SHOWN[..3] {
-            while path.next_before(0, part / MOST).is_some() {}
-            let state = path.state().ok_or("no equilibrium")?;
+        for &(part, state) in &Self::shown(looks)?[..3] {
             let radii = || (1..100).map(|k| f64::from(k) / 100.0);
             let c = (1.0 - part).cbrt();
             let ellipse = |r: f64, c: f64| (1.0 - (r / c).powi(2)).max(0.0).sqrt();
             let exact = radii().map(|r| (r, ellipse(r, 1.0) - c * ellipse(r, c))).collect();
-            let traction = |r: f64| self.traction(&state, r * self.a).abs() / (FRICTION * largest);
+            let traction = |r: f64| self.traction(state, r * self.a).abs() / (FRICTION * largest);
             found.extend(radii().step_by(6).map(|r| (r, traction(r))));
             chart = chart.series(format!("Q = {part} μP, Cattaneo-Mindlin"), exact, Stroke::Line);
         }
@@ -242,13 +260,10 @@ impl Pad {
     }
 
     /// The zones of the round contact at six loads.
-    fn zones(&self, legs: &[Leg]) -> Result<Chart, Box<dyn Error>> {
-        let mut path = self.grasp.follow_patch(&self.load(0.0), legs)?;
+    fn zones(looks: &[Look]) -> Result<Chart, Box<dyn Error>> {
+        let shown = Self::shown(looks)?;
         let mut dots = [const { Vec::new() }; 3];
-        for (k, &(leg, part)) in SHOWN.iter().enumerate() {
-            let fraction = if leg == 0 { part / MOST } else { (MOST - part) / (2.0 * MOST) };
-            while path.next_before(leg, fraction).is_some() {}
-            let state = path.state().ok_or("no equilibrium")?;
+        for (k, (_, state)) in shown.iter().enumerate() {
             // Distances that make the zones round on the chart, with the legend between the rows.
             let centre = [4.0 * (k % 3) as f64, if k < 3 { 3.5 } else { 0.0 }];
             for i in 0..450 {
@@ -266,7 +281,7 @@ impl Pad {
                 dots[zone].push((centre[0] + r * cos, centre[1] + r * sin));
             }
         }
-        let shown = SHOWN.map(|(_, part)| part.to_string());
+        let shown: Vec<_> = shown.iter().map(|(part, _)| part.to_string()).collect();
         let title = format!(
             "Zones at Q/μP = {} (top), then {} (bottom)",
             shown[..3].join(", "),

@@ -47,7 +47,7 @@ pub(super) fn chart<const C: usize>(
             }
         }
         Question::OnsetOfTurn(turn) => Some(chart_of_turn(grasp, turn, title)?),
-        Question::Follow { start, legs } if !legs.is_empty() => {
+        Question::Follow { start, legs, in_steps: None } if !legs.is_empty() => {
             Some(chart_of_program(grasp, *start, &setup.legs(legs)?, title)?)
         }
         _ => None,

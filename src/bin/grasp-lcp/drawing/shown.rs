@@ -5,7 +5,7 @@ use grasp_lcp::equilibrium::{Equilibrium, Outcome};
 use grasp_lcp::grasp::{Motion, Wrench};
 use grasp_lcp::hold::Verdict;
 use grasp_lcp::improve::ImproveGoal;
-use grasp_lcp::load_path::{Event, Leg, LoadPath, Onset, PathEnd, Ramp};
+use grasp_lcp::load_path::{Event, Leg, Onset, PathEnd, Ramp};
 use grasp_lcp::need::Amount;
 use grasp_lcp::scene::{ImproveAsked, NeedAsked, Question, Setup};
 use grasp_lcp::shake::Shaken;
@@ -75,7 +75,12 @@ pub(super) fn shown<const C: usize>(
             let onset_of_turn = grasp.onset_of_turn(turn)?.onset;
             vec![onset(grasp, onset_of_turn, &turn.load_at(0.0), Leg::turn(turn), &at)?]
         }
-        Question::Follow { start, legs } => followed(grasp, start, &setup.legs(legs)?)?,
+        Question::Follow { start, legs, in_steps: None } => followed(grasp, start, &setup.legs(legs)?)?,
+        Question::Follow { start, legs, in_steps: Some(error) } => {
+            let mut path = grasp.follow_in_steps(start, &setup.legs(legs)?, *error)?;
+            path.by_ref().for_each(drop);
+            vec![last(path.state(), path.place(), path.end(), start)]
+        }
         Question::Shake(asked) => shaken(grasp.shake(&asked.base, &setup.cycle(asked)?)?),
         Question::Shakedown(asked) => {
             let found = grasp.statics().shakedown(&asked.base, &asked.loads)?;
@@ -242,7 +247,8 @@ fn onset<const C: usize>(
     };
     let mut path = grasp.follow(start, &[leg])?;
     path.run();
-    Ok(end(&path, &label).unwrap_or_else(|| nothing("onset of sliding", label, Some(*start))))
+    Ok(end(path.state(), path.end(), &label)
+        .unwrap_or_else(|| nothing("onset of sliding", label, Some(*start))))
 }
 
 /// The events of a program, and its end.
@@ -254,8 +260,18 @@ fn followed<const C: usize>(
     let mut path = grasp.follow(start, legs)?;
     let events = path.run();
     let mut answers: Vec<_> = events.into_iter().map(|event| changed(grasp, event)).collect();
-    let (leg, fraction) = path.place();
-    let (how, why) = match path.end() {
+    answers.push(last(path.state(), path.place(), path.end(), start));
+    Ok(answers)
+}
+
+/// The end of a program at a leg and a fraction of it.
+fn last<const C: usize>(
+    there: Option<Equilibrium<C>>,
+    (leg, fraction): (usize, f64),
+    ended: Option<&PathEnd<C>>,
+    start: &Wrench<C>,
+) -> Shown<C> {
+    let (how, why) = match ended {
         Some(PathEnd::Completed) => ("all legs are held to their end", String::new()),
         Some(PathEnd::Lost(loss)) => ("lost", format!("Lost: {}.", loss.kind)),
         Some(PathEnd::NoStart(start)) => ("nothing to start from", no_equilibrium(start)),
@@ -263,12 +279,9 @@ fn followed<const C: usize>(
         _ => ("the path's end", String::new()),
     };
     let label = format!("{LEG}{leg} at {}: {how}", Words::default().number(fraction));
-    let last = end(&path, &label).map(|mut shown| {
-        shown.says.extend(Some(why.clone()).filter(|why| !why.is_empty()));
-        shown
-    });
-    answers.push(last.unwrap_or_else(|| nothing(&label, why, Some(*start))));
-    Ok(answers)
+    let Some(mut shown) = end(there, ended, &label) else { return nothing(&label, why, Some(*start)) };
+    shown.says.extend(Some(why).filter(|why| !why.is_empty()));
+    shown
 }
 
 /// The equilibrium at an event, with the contacts that change their state there.
@@ -285,10 +298,14 @@ fn changed<const C: usize>(grasp: &Grasp<C>, event: Event<C>) -> Shown<C> {
 }
 
 /// The end of a path, with the motion of the object if it is lost.
-fn end<const C: usize>(path: &LoadPath<C>, label: &str) -> Option<Shown<C>> {
-    let mut shown = state(label, path.state()?);
+fn end<const C: usize>(
+    there: Option<Equilibrium<C>>,
+    ended: Option<&PathEnd<C>>,
+    label: &str,
+) -> Option<Shown<C>> {
+    let mut shown = state(label, there?);
     if let What::State { leaving, .. } = &mut shown.what {
-        *leaving = path.end().and_then(PathEnd::loss).and_then(|loss| loss.motion.clone());
+        *leaving = ended.and_then(PathEnd::loss).and_then(|loss| loss.motion.clone());
     }
     Some(shown)
 }

@@ -55,11 +55,6 @@ pub fn spatial_scenes() -> impl Strategy<Value = Scene<6, 3>> {
     draws(3..6).prop_map(|(contacts, legs)| scene(&contacts, &legs))
 }
 
-/// Scenes in space of exactly 3 contacts.
-pub fn three_spatial_contacts() -> impl Strategy<Value = Scene<6, 3>> {
-    draws(3..4).prop_map(|(contacts, legs)| scene(&contacts, &legs))
-}
-
 /// The scenes with loads that turn along most legs, by up to `most` radians.
 pub fn turning<const D: usize, const C: usize>(
     scenes: impl Strategy<Value = Scene<D, C>>,

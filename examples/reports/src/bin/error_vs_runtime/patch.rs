@@ -60,13 +60,13 @@ pub fn measure(report: &mut Report) -> Result<(), Failure> {
     for facets in [8, 16, 32, 64, 128] {
         let cone = PolygonCone::new(facets, Fit::Balanced)?;
         let (forces, time) = timed(|| {
-            let asked = grasp.with(&Settings::default().with_cone(cone));
-            let mut path = asked.follow_patch(&start, &legs)?;
+            let asked = grasp.with(&Settings::default().on_the_polygon().with_cone(cone));
+            let mut path = asked.follow(&start, &legs)?;
             path.by_ref().for_each(drop);
             let state = path.state().ok_or("it starts")?;
             Ok(state.contacts.iter().map(|contact| contact.force).collect::<Vec<_>>())
         })?;
-        panel.add("facets, Grasp::follow_patch", facets.to_string(), off(&forces), time);
+        panel.add("facets, Grasp::follow", facets.to_string(), off(&forces), time);
     }
     report.push(panel);
     Ok(())

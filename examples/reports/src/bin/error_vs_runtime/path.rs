@@ -126,12 +126,6 @@ fn pad() -> Result<Panel, Failure> {
         Ok(slides.collect::<Vec<_>>())
     })?;
     panel.add("exact events, Grasp::follow", "", off(&when(&slides)), time);
-    let (slides, time) = timed(|| {
-        let events = grasp.follow_patch(&load(0.0), &legs)?;
-        let slides = events.filter(|e| self::slides(&e.change));
-        Ok(slides.map(|e| (e.leg, e.load.to_vector()[0], e.contact)).collect::<Vec<_>>())
-    })?;
-    panel.add("exact events, Grasp::follow_patch", "", off(&when(&slides)), time);
     let commands: Vec<_> = grasp.contacts().iter().map(Contact::commanded).collect();
     for steps in STEPS {
         let (found, time) = timed(|| {

@@ -2,13 +2,11 @@
 
 use std::hint::black_box;
 
-use grasp_lcp::Settings;
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::load_path::{Leg, PathEnd};
 use nalgebra::SVector;
 
-use crate::limits::{Cores, Limit, Needs};
 use support::best_time::best;
 
 use crate::report::{Beside, row};
@@ -16,14 +14,17 @@ use crate::{Outcome, up_to};
 use grasp_lcp::spatial;
 use support::patches::{planar_patch, spatial_patch, uneven};
 
-/// Whole load paths: pressed at first, sheared until most of the patch slides, and back. Every event is exact; the time includes the public question
-/// and the equilibrium at the start. For comparison `Grasp::follow` where that is still affordable.
+/// Error of forces that a leg may add, over the largest force.
+const ERROR: f64 = 1e-4;
+
+/// Whole load paths in steps: pressed at first, sheared until most of the patch slides, and back. The time includes the public question and the
+/// equilibrium at the start. For comparison `Grasp::follow` where that is still affordable.
 pub fn rows(most: usize) -> Outcome {
     for n in up_to(most, [100, 1000, 10_000, 100_000]) {
         let (grasp, load) = planar_patch(n)?;
         whole_path::<3, 2>("in the plane", &grasp, &load, n <= 100)?;
     }
-    for n in up_to(most, [100, 1000]) {
+    for n in up_to(most, [100, 1000, 10_000]) {
         let (grasp, load) = spatial_patch(n)?;
         whole_path::<6, 3>("in space", &grasp, &load, n <= 100)?;
     }
@@ -71,23 +72,20 @@ fn whole_path<const D: usize, const C: usize>(
     let press = Wrench::from_components(press.as_slice());
     let there_and_back = [Leg::load_to(*load), Leg::load_to(press)];
     for (name, legs) in [("", &there_and_back[..1]), (" and back", &there_and_back)] {
-        let mut path = grasp.follow_patch(&press, legs)?;
-        let events = path.by_ref().count();
+        let mut path = grasp.follow_in_steps(&press, legs, ERROR)?;
+        let steps = path.by_ref().count();
         let residual = path.state().map_or(f64::NAN, |state| state.residuals.worst());
-        let looked = path.contacts_looked_at() as f64 / events as f64;
         let how = how(path.end());
         let time = best(|| {
-            black_box(grasp.follow_patch(&press, legs).map_or(0, Iterator::count));
+            black_box(grasp.follow_in_steps(&press, legs, ERROR).map_or(0, Iterator::count));
         });
-        let settings = Settings::default().on_the_polygon();
-        let whole = || grasp.with(&settings).follow(&press, legs).map(|mut path| path.run().len());
+        let whole = || grasp.follow(&press, legs).map(|mut path| path.run().len());
         let long = if affordable { best(|| drop(black_box(whole()))) } else { f64::NAN };
-        let limit = Limit::of(&needs::<D, C>(grasp.len(), events as f64, looked));
         row(
             &format!("load path{name}, patch {place}, n = {}", grasp.len()),
             time,
-            Beside { in_general: long, limit, ..Beside::NOTHING },
-            &format!("{events} events of {looked:.0} contacts, residual {residual:.1e}, {how}"),
+            Beside { in_general: long, ..Beside::NOTHING },
+            &format!("{steps} steps within {ERROR:.0e}, residual {residual:.1e}, {how}"),
         );
     }
     Ok(())
@@ -95,22 +93,4 @@ fn whole_path<const D: usize, const C: usize>(
 
 fn how<const C: usize>(end: Option<&PathEnd<C>>) -> &'static str {
     if matches!(end, Some(PathEnd::Completed)) { "completed" } else { "not completed" }
-}
-
-/// Work of an event: the factors and the motion of the object. Work of each contact examined: its data, and the load at which it would leave its
-/// state. The start is left out.
-fn needs<const D: usize, const C: usize>(contacts: usize, events: f64, looked: f64) -> Needs {
-    // Bytes of memory lines of a contact on its way.
-    let contact = if C == 2 { 128.0 } else { 256.0 };
-    let [d, c] = [D, C].map(|n| n as f64);
-    // A dyad leaves the stiffness and one enters; the stiffness is factored by reflections and solved with.
-    let event = 4.0 * d * d + 4.0 / 3.0 * d * d * d + 4.0 * d * d;
-    // u = x⁰ + τ x⁰' - m - Q y and its rate, and three conditions on both.
-    let look = 2.0 * (2.0 * c * d + 3.0 * c) + 12.0 * c;
-    Needs {
-        bytes: events * looked * contact,
-        among: contacts as f64 * contact,
-        operations: events * (event + looked * look),
-        cores: Cores::One,
-    }
 }
