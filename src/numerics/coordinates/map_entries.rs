@@ -8,7 +8,7 @@ use core::ops::Range;
 use nalgebra::SVector;
 
 use super::list::List;
-use super::products::{Lanes, dot};
+use super::products::{Lanes, dot, dot_whole};
 use super::size::{Size, WHOLE};
 use crate::prelude::*;
 
@@ -131,7 +131,7 @@ impl<const C: usize> MapEntries<C> {
         match self {
             Self::Whole(_) => {
                 let sum = self.mapped(f);
-                dot(&sum, &sum)
+                dot_whole(&sum, &sum)
             }
             Self::Few(few) => {
                 let mut squares = Lanes::of(size.count());
@@ -151,7 +151,7 @@ impl<const C: usize> MapEntries<C> {
         match (self, list.fixed::<WHOLE>()) {
             (Self::Whole(columns), Some(list)) => {
                 for a in 0..C {
-                    felt[a] = dot(&columns[a], list);
+                    felt[a] = dot_whole(&columns[a], list);
                 }
             }
             (Self::Whole(columns), None) => {
@@ -171,7 +171,7 @@ impl<const C: usize> MapEntries<C> {
     /// The square of the length of a column.
     pub(super) fn column_square(&self, a: usize, size: Size) -> f64 {
         match self {
-            Self::Whole(columns) => dot(&columns[a], &columns[a]),
+            Self::Whole(columns) => dot_whole(&columns[a], &columns[a]),
             Self::Few(few) => {
                 let mut squares = Lanes::of(size.count());
                 few.of_column(a).for_each(|(k, x)| squares.add(k, x * x));

@@ -1,5 +1,7 @@
 //! Sums of products over slices, in an order that does not depend on zeros between them.
 
+use super::size::WHOLE;
+
 /// The list as an array, if it has N numbers.
 #[inline]
 pub(super) fn exactly<const N: usize>(list: &[f64]) -> Option<&[f64; N]> {
@@ -7,7 +9,7 @@ pub(super) fn exactly<const N: usize>(list: &[f64]) -> Option<&[f64; N]> {
 }
 
 /// The dot product over the common length, in four sums side by side: no addition waits for the one before.
-#[inline(always)]
+#[inline]
 pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
     let end = a.len().min(b.len());
     let ((a, a_rest), (b, b_rest)) = (a[..end].as_chunks::<4>(), b[..end].as_chunks::<4>());
@@ -22,6 +24,12 @@ pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
         rest += a * b;
     }
     (sums[0] + sums[2]) + (sums[1] + sums[3]) + rest
+}
+
+/// The dot product over the coordinates of one object: pairs of products are added side by side.
+#[inline(always)]
+pub(super) fn dot_whole(a: &[f64; WHOLE], b: &[f64; WHOLE]) -> f64 {
+    ((a[0] * b[0] + a[2] * b[2]) + (a[1] * b[1] + a[3] * b[3])) + (a[4] * b[4] + a[5] * b[5])
 }
 
 /// The four sums of [`dot`], for terms that arrive with their indices.

@@ -5,7 +5,7 @@ use core::ops::{Deref, Index, IndexMut};
 use nalgebra::SVector;
 
 use super::list::List;
-use super::products::{dot, exactly};
+use super::products::{dot, dot_whole, exactly};
 use super::size::{Size, WHOLE};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
@@ -108,7 +108,7 @@ impl Vector {
     #[inline]
     pub(crate) fn dot(&self, other: &Self) -> f64 {
         match (self.0.fixed::<WHOLE>(), other.0.fixed::<WHOLE>()) {
-            (Some(a), Some(b)) => dot(a, b),
+            (Some(a), Some(b)) => dot_whole(a, b),
             _ => dot(self.as_slice(), other.as_slice()),
         }
     }
