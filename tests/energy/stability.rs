@@ -8,7 +8,9 @@ use grasp_lcp::{Error, spatial};
 use nalgebra::{DMatrix, DVector, SVector};
 use proptest::prelude::*;
 
+use support::jaws::jaw;
 use support::random::{Spread, for_all, scene};
+use support::samples::assert_met;
 use support::scene::{Scene, wrench};
 
 /// Displacement of a point under a translation and a finite rotation: exact in the plane and in space (Rodrigues).
@@ -115,9 +117,7 @@ fn spatial_hessian() {
 /// Two fingers at ±r that press with N = k_n a: a turn by θ costs k_t r² θ² in the tangential springs and gains N r θ² from the
 /// normal forces. Stable up to N = k_t r, then the object tips over.
 fn squeezed(command: f64) -> Result<Grasp, Error> {
-    Grasp::new([-0.5, 0.5].map(|x: f64| {
-        Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 10.0).friction(0.5).command([command, 0.0])
-    }))
+    Grasp::new([-0.5, 0.5].map(|x: f64| jaw::<2>(x, [1000.0, 10.0], 0.5).command([command, 0.0])))
 }
 
 #[test]
@@ -152,12 +152,9 @@ fn a_grasp_squeezed_between_soft_tangential_springs_tips_over() {
 #[test]
 fn the_same_grasp_in_space() {
     let grasp = |command: f64| {
-        spatial::Grasp::new([-0.5, 0.5].map(|x: f64| {
-            spatial::Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0])
-                .series_stiffness(1000.0, 10.0)
-                .friction(0.5)
-                .command([command, 0.0, 0.0])
-        }))
+        spatial::Grasp::new(
+            [-0.5, 0.5].map(|x: f64| jaw::<3>(x, [1000.0, 10.0], 0.5).command([command, 0.0, 0.0])),
+        )
         .unwrap()
     };
     let look = |command: f64| {
@@ -231,7 +228,7 @@ fn second_order_equilibrium<const D: usize, const C: usize>(counts: std::ops::Ra
         Ok(())
     });
     println!("D = {D}: {}", found.get());
-    assert!(found.get() >= 50);
+    assert_met(&[(found.get(), 50)]);
 }
 
 #[test]

@@ -12,8 +12,8 @@ use grasp_lcp::equilibrium::Rung;
 use grasp_lcp::planar::{ContactState, Equilibrium, Outcome, Proof};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
-use proptest::test_runner::{FileFailurePersistence, RngSeed, TestRunner};
 use support::exact::{Census, Contact, Scene, State};
+use support::samples::{assert_met, config, runner, samples};
 
 /// Forces and displacements agree to this, relative to the largest of the scene.
 const AGREEMENT: f64 = 1e-9;
@@ -225,9 +225,9 @@ impl Tally {
 
     /// The same sequence of scenes on every run.
     fn of(scenes: &impl Strategy<Value = Scene>) -> Self {
-        let mut runner = TestRunner::deterministic();
+        let mut runner = runner(config(1));
         let mut tally = Self::default();
-        for _ in 0..SCENES {
+        for _ in 0..samples(SCENES) {
             let scene = scenes.new_tree(&mut runner).expect("nothing is filtered").current();
             tally.check(&scene).unwrap_or_else(|complaint| panic!("{complaint}"));
         }
@@ -238,7 +238,7 @@ impl Tally {
     /// Every kind of scene and every rung must have come up in at least this share of the scenes, in per cent.
     fn assert_often_enough(&self, shares: &[(&str, usize, usize)]) {
         for &(what, count, share) in shares {
-            assert!(100 * count >= share * SCENES, "only {count} of {SCENES} scenes: {what}\n{self:?}");
+            assert!(100 * count >= share * samples(SCENES), "only {count} scenes: {what}\n{self:?}");
         }
     }
 
@@ -255,7 +255,7 @@ impl Tally {
             ("separated", self.separated, 20),
         ]);
         // The lower rungs are for the few scenes in which the kinematic form ends on a ray.
-        assert!(self.force_form >= 5 && self.enumeration >= 2, "{self:?}");
+        assert_met(&[(self.force_form, 5), (self.enumeration, 2)]);
     }
 }
 
@@ -290,12 +290,7 @@ fn stiff_with_strong_friction() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig {
-        cases: 300,
-        rng_seed: RngSeed::Fixed(1),
-        failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("regressions"))),
-        ..ProptestConfig::default()
-    })]
+    #![proptest_config(config(300))]
 
     #[test]
     fn other_lattice_scenes(scene in lattice_scene()) {

@@ -5,6 +5,7 @@ use proptest::prelude::*;
 use support::programs::Scene;
 use support::programs::draw::{over, planar_scenes, spatial_scenes, turning};
 use support::programs::tally::Tally;
+use support::samples::assert_met;
 
 /// Work of load and fingers, change of the stored energy and heat, by trapezoids between the ends of straight pieces, which is exact
 /// there: the balance closes, and leg by leg it is what the path says.
@@ -91,22 +92,22 @@ fn closes<const D: usize, const C: usize>(
 fn planar_energies_balance() {
     let t = over(2000, &planar_scenes(), |scene, tally| energy_balances(&scene, tally));
     println!("{t:?}");
-    assert!(t.checked > 1000 && t.opens > 300 && t.closes > 150, "{t:?}");
+    assert_met(&[(t.checked, 1000), (t.opens, 300), (t.closes, 150)]);
 }
 
 #[test]
 fn spatial_energies_balance() {
     let t = over(400, &spatial_scenes(), |scene, tally| energy_balances(&scene, tally));
     println!("{t:?}");
-    assert!(t.checked > 100 && t.turns > 50, "{t:?}");
+    assert_met(&[(t.checked, 100), (t.turns, 50)]);
 }
 
 #[test]
 fn energies_balance_while_the_load_turns() {
     let t = over(1000, &turning(planar_scenes(), 16.0), |scene, tally| closes(&scene, tally));
     println!("{t:?}");
-    assert!(t.checked > 400 && t.opens > 100, "{t:?}");
+    assert_met(&[(t.checked, 400), (t.opens, 100)]);
     let t = over(200, &turning(spatial_scenes(), 16.0), |scene, tally| closes(&scene, tally));
     println!("{t:?}");
-    assert!(t.checked > 60, "{t:?}");
+    assert_met(&[(t.checked, 60)]);
 }

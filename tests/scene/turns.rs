@@ -5,7 +5,6 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::{HandPart, Wrench};
 use grasp_lcp::load_path::{EdgeOf, Leg, Touch, Turn};
-use grasp_lcp::planar::Contact;
 use grasp_lcp::planar::hand::{self, Hand, Joint};
 use grasp_lcp::scene::{
     self, Answer, Answers, Fingertip, OnsetAnswer, PathOutcome, Question, Scene, Setup, TurnAnswer,
@@ -13,6 +12,7 @@ use grasp_lcp::scene::{
 use grasp_lcp::{Limit, planar, spatial};
 use proptest::prelude::TestCaseError;
 use serde_json::{Value, json};
+use support::jaws::jaw;
 use support::random::{Spread, for_all, scene as random_scene};
 use support::scene::Scene as Drawn;
 
@@ -213,7 +213,7 @@ fn turns_on_hands_are_answered_as_by_calls() -> Tested {
         "questions": [{ "onset_of_turn": turn }, { "follow": { "legs": [{ "turn": turn }] } }]
     }}))?;
     let jaw = |side: f64| {
-        let pad = Contact::new([side, 0.0], [-side, 0.0]).series_stiffness(1e4, 1e4).friction(0.5);
+        let pad = jaw::<2>(side, [1e4, 1e4], 0.5);
         let slide = Joint::prismatic([-side, 0.0]).stiffness(1e3).command(0.004).limit(Limit::Saturates(6.0));
         hand::Finger::new([slide]).contact(pad)
     };

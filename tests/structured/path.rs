@@ -14,6 +14,7 @@ use support::programs::draw::{
 use support::programs::tally::Tally;
 use support::programs::views::View;
 use support::programs::{Goal, Scene, direction, same_state, sizes};
+use support::samples::{assert_met, samples};
 
 /// Fractions agree to this as a rule,
 const FRACTION: f64 = 1e-12;
@@ -153,7 +154,7 @@ fn compare<const D: usize, const C: usize>(
 }
 
 fn compare_all<const D: usize, const C: usize>(
-    cases: u32,
+    cases: usize,
     scenes: &impl Strategy<Value = Scene<D, C>>,
 ) -> (Tally, Count) {
     let count = std::cell::RefCell::new(Count::default());
@@ -185,30 +186,34 @@ fn with_its_image<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Scene<
 fn the_same_events_in_the_plane() {
     let (tally, count) = compare_all(1200, &planar_scenes());
     let Tally { slides, sticks, opens, closes, completed, .. } = tally;
-    assert!(slides > 1000 && sticks > 500 && opens > 200 && closes > 100 && completed > 500);
-    assert!(count.elsewhere == 0 && count.states > 2000);
+    assert_met(&[(slides, 1000), (sticks, 500), (opens, 200), (closes, 100), (completed, 500)]);
+    assert_met(&[(count.states, 2000)]);
+    assert!(count.elsewhere == 0);
 }
 
 #[test]
 fn the_same_events_in_space() {
     let (tally, count) = compare_all(600, &spatial_scenes());
     let Tally { slides, sticks, turns, opens, closes, completed, .. } = tally;
-    assert!(slides > 300 && sticks > 200 && turns > 500 && opens > 50 && closes > 30 && completed > 100);
-    assert!(count.elsewhere <= 6 && count.states > 500);
+    assert_met(&[(slides, 300), (sticks, 200), (turns, 500), (opens, 50), (closes, 30), (completed, 100)]);
+    assert_met(&[(count.states, 500)]);
+    assert!(count.elsewhere <= samples(6));
 }
 
 #[test]
 fn the_same_events_in_pairs_in_the_plane() {
     let (tally, count) = compare_all(300, &few_planar_contacts().prop_map(|scene| with_its_image(&scene)));
     let Tally { slides, sticks, opens, closes, completed, .. } = tally;
-    assert!(slides > 100 && sticks > 50 && opens > 20 && closes > 20 && completed > 50);
-    assert!(count.elsewhere <= 6 && count.states > 300);
+    assert_met(&[(slides, 100), (sticks, 50), (opens, 20), (closes, 20), (completed, 50)]);
+    assert_met(&[(count.states, 300)]);
+    assert!(count.elsewhere <= samples(6));
 }
 
 #[test]
 fn the_same_events_in_pairs_in_space() {
     let (tally, count) = compare_all(150, &three_spatial_contacts().prop_map(|scene| with_its_image(&scene)));
     let Tally { slides, sticks, turns, completed, .. } = tally;
-    assert!(slides > 50 && sticks > 20 && turns > 20 && completed > 20);
-    assert!(count.elsewhere <= 6 && count.states > 100);
+    assert_met(&[(slides, 50), (sticks, 20), (turns, 20), (completed, 20)]);
+    assert_met(&[(count.states, 100)]);
+    assert!(count.elsewhere <= samples(6));
 }
