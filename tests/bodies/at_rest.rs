@@ -21,7 +21,7 @@ fn times(stack: &Stack<3, 2>, part: f64) -> Stack<3, 2> {
 fn what_is_held_of_it_is_told() {
     let mut runner = runner(config(1));
     let mut told = 0;
-    for _ in 0..samples(200) {
+    for _ in 0..samples(100) {
         let stack = stack::<3, 2>(4).new_tree(&mut runner).expect("a stack").current();
         let verdict = stack.grasp(0).hold(Wrench::force([1.5, -1.0])).expect("well posed");
         let Holding::LostAtRest { at_rest } = &verdict.holding else { continue };
@@ -36,5 +36,5 @@ fn what_is_held_of_it_is_told() {
         let read: Verdict<2> = serde_json::from_str(&written).expect("reads back");
         assert_eq!(serde_json::to_string(&read).expect("written"), written);
     }
-    assert_met(&[(told, 3)]);
+    assert_met(&[(told, 1)]);
 }

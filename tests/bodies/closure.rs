@@ -132,12 +132,12 @@ fn rows_are_told<const C: usize>(seed: u64, scenes: usize) {
 
 #[test]
 fn rows_in_the_plane() {
-    rows_are_told::<2>(44, 600);
+    rows_are_told::<2>(44, 150);
 }
 
 #[test]
 fn rows_in_space() {
-    rows_are_told::<3>(45, 200);
+    rows_are_told::<3>(45, 60);
 }
 
 /// What nothing resists is told of the bodies that do it: a wedge of 10° that friction does not hold, and the block that comes down on it; and a part between two others that has

@@ -40,7 +40,7 @@ fn from_the_other_side(stack: &Stack<3, 2>) -> Stack<3, 2> {
 }
 
 proptest! {
-    #![proptest_config(config(150))]
+    #![proptest_config(config(20))]
 
     /// A load on the body in the coordinates of the object, or one of its own: the same load.
     #[test]

@@ -67,7 +67,7 @@ fn satisfies<const D: usize, const C: usize>(
 }
 
 proptest! {
-    #![proptest_config(config(200))]
+    #![proptest_config(config(25))]
 
     #[test]
     fn two_planar_bodies(stack in stack::<3, 2>(2), loaded in 0..2usize) {

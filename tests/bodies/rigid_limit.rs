@@ -131,7 +131,7 @@ impl Hanging {
 fn forces_go_to_those_between_rigid_bodies() {
     let mut random = seeded(44);
     let (mut pressed, mut sliding, mut converged) = (0, 0, 0);
-    for scene in 0..samples(300) {
+    for scene in 0..samples(75) {
         let hanging = Hanging::new(&mut random);
         let rigid = hanging.posed(f64::INFINITY);
         let size = rigid.amax();
@@ -163,5 +163,5 @@ fn forces_go_to_those_between_rigid_bodies() {
         }
     }
     println!("{pressed} scenes press, {sliding} contacts slide, {converged} differ from the limit");
-    assert_met(&[(pressed, 200), (sliding, 100), (converged, 150)]);
+    assert_met(&[(pressed, 50), (sliding, 25), (converged, 37)]);
 }

@@ -17,11 +17,11 @@ use proptest::prelude::*;
 
 use support::interior_point::{Oracle, interior_point};
 use support::random::{Spread, for_all, scene};
-use support::samples::assert_met;
+use support::samples::{assert_met, samples};
 use support::scene::{Scene, displacement};
 use support::sticking;
 
-const CASES: usize = 1500;
+const CASES: usize = 300;
 
 /// Random grasps with stiffnesses over so many decades that hardly slip: friction up to 3, loads of a small motion.
 fn grasps<const D: usize, const C: usize>(
@@ -120,7 +120,7 @@ fn agree<const D: usize, const C: usize>(counts: std::ops::Range<usize>, decades
 }
 
 fn within(worst: &Worst, tolerance: f64, at_least: usize) {
-    assert!(worst.compared.get() >= at_least, "{worst:?}");
+    assert!(worst.compared.get() >= samples(at_least), "{worst:?}");
     for cell in [&worst.complementarity, &worst.decomposition, &worst.printed_force, &worst.printed_motion] {
         assert!(cell.get() <= tolerance, "{worst:?}");
     }
@@ -128,22 +128,22 @@ fn within(worst: &Worst, tolerance: f64, at_least: usize) {
 
 #[test]
 fn planar_grasps_with_similar_springs() {
-    within(&agree::<3, 2>(2..6, 1.0), 1e-12, 300);
+    within(&agree::<3, 2>(2..6, 1.0), 1e-12, 60);
 }
 
 #[test]
 fn planar_grasps_with_springs_over_eight_decades() {
-    within(&agree::<3, 2>(2..6, 8.0), 1e-12, 100);
+    within(&agree::<3, 2>(2..6, 8.0), 1e-12, 20);
 }
 
 #[test]
 fn spatial_grasps_with_similar_springs() {
-    within(&agree::<6, 3>(3..6, 1.0), 1e-12, 100);
+    within(&agree::<6, 3>(3..6, 1.0), 1e-12, 20);
 }
 
 #[test]
 fn spatial_grasps_with_springs_over_eight_decades() {
-    within(&agree::<6, 3>(3..6, 8.0), 1e-12, 50);
+    within(&agree::<6, 3>(3..6, 8.0), 1e-12, 10);
 }
 
 /// Whether constraints bind or not, the minimum is that of the interior-point method, of the printed program and of the
@@ -207,12 +207,12 @@ fn same_minimum<const D: usize, const C: usize>(
 
 #[test]
 fn planar_minimum_by_an_interior_point_method() {
-    let (sticking, binding) = same_minimum::<3, 2>(1..6, 400);
-    assert_met(&[(sticking, 50), (binding, 50)]);
+    let (sticking, binding) = same_minimum::<3, 2>(1..6, 100);
+    assert_met(&[(sticking, 12), (binding, 12)]);
 }
 
 #[test]
 fn spatial_minimum_by_an_interior_point_method() {
-    let (sticking, binding) = same_minimum::<6, 3>(2..5, 150);
-    assert_met(&[(sticking, 5), (binding, 50)]);
+    let (sticking, binding) = same_minimum::<6, 3>(2..5, 50);
+    assert_met(&[(sticking, 1), (binding, 16)]);
 }

@@ -258,8 +258,8 @@ fn power_of_ten() -> impl Strategy<Value = f64> {
     (-6..7_i32).prop_map(|e| 10_f64.powi(e))
 }
 
-const PLANAR: usize = 2000;
-const SPATIAL: usize = 400;
+const PLANAR: usize = 300;
+const SPATIAL: usize = 60;
 
 macro_rules! in_plane_and_space {
     ($($name:ident($scene:ident, $tally:ident, $other:ident in $strategy:expr) $body:block)*) => { $(

@@ -80,7 +80,7 @@ fn slides(e: &Equilibrium<3>) -> bool {
 
 #[test]
 fn solvable_scenes_are_solved() {
-    const CASES: usize = 2000;
+    const CASES: usize = 500;
     let (sliding, unresolved, worst) = (Cell::new(0), Cell::new(0), Cell::new(0.0_f64));
     for_all(file!(), CASES, &solvable(3..21, 0.3, 1.0, false), |scene| {
         match solve(&scene) {
@@ -102,7 +102,7 @@ fn solvable_scenes_are_solved() {
     });
     println!("{} slide, {} unresolved, worst violation {:e}", sliding.get(), unresolved.get(), worst.get());
     assert_met(&[(sliding.get(), CASES / 2)]);
-    assert!(unresolved.get() <= samples(CASES / 1000), "{} unresolved", unresolved.get());
+    assert!(1000 * unresolved.get() <= samples(CASES), "{} unresolved", unresolved.get());
 }
 
 /// With weak friction the equilibrium is the only one and not sensitive: the images must agree.

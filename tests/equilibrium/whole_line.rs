@@ -79,7 +79,7 @@ fn wedged(random: &mut Random) -> Wedged {
 fn a_twist_that_friction_leaves_open_is_told_with_its_line() {
     let mut random = seeded(3);
     let mut told = 0;
-    for number in 0..samples(600) {
+    for number in 0..samples(200) {
         let Wedged { grasp, load, forces, stretch } = wedged(&mut random);
         let outcome = grasp.solve(&load).unwrap();
         let Some((point, line, from, to)) = stretch else { continue };
@@ -105,5 +105,5 @@ fn a_twist_that_friction_leaves_open_is_told_with_its_line() {
         let room = 1e-9 * (1.0 + to.min(1e3) - from.max(-1e3));
         assert!(z > from - room && z < to + room, "{number}: {z} is not between {from} and {to}");
     }
-    assert_met(&[(told, 40)]);
+    assert_met(&[(told, 13)]);
 }

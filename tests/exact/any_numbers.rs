@@ -14,7 +14,7 @@ use proptest::prelude::*;
 use support::random::for_all;
 use support::samples::assert_met;
 
-const CASES: usize = 3000;
+const CASES: usize = 500;
 
 /// Moderate numbers, and now and then anything that fits into 64 bits.
 fn number() -> impl Strategy<Value = f64> {

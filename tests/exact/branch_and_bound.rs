@@ -98,7 +98,7 @@ fn every_load_beyond_the_onset_is_decided() {
     let mut numbers = seeded(3);
     let (mut found, mut none, mut reached) = (0, 0, 0);
     for (spread, friction) in [(0.3, [0.3, 0.6]), (0.3, [1e-2, 5.0]), (5.0, [0.2, 0.8])] {
-        for count in [3, 3, 4, 4, 5, 6, 8].into_iter().cycle().take(samples(70)) {
+        for count in [3, 3, 4, 4, 5, 6, 8].into_iter().cycle().take(samples(14)) {
             let fingers = fingers(count, spread, friction, &mut numbers);
             let grasp = grasp(&fingers);
             let direction = Wrench::new(numbers.vector(), numbers.vector().map(|x| 0.3 * x));
@@ -130,7 +130,7 @@ fn every_load_beyond_the_onset_is_decided() {
         }
     }
     println!("{found} found, {none} none; the attack reaches {reached}");
-    assert_met(&[(found, 200), (none, 50)]);
+    assert_met(&[(found, 40), (none, 10)]);
     // An attack in vain says something only if it mostly finds what there is.
     assert!(10 * reached >= 7 * found);
 }
@@ -154,7 +154,7 @@ fn the_limit_of_a_pinch() {
 /// A proof is one for its own grasp and its own load.
 #[test]
 fn a_proof_holds_for_its_own_scene_alone() {
-    let mut numbers = seeded(5);
+    let mut numbers = Random(6);
     let [one, other] = [0, 1].map(|_| grasp(&fingers(4, 0.3, [0.3, 0.6], &mut numbers)));
     let load = Wrench::force([0.0, 0.0, -60.0]);
     let proof = one.refutation(&load).unwrap().expect("too heavy");
@@ -169,7 +169,7 @@ fn a_proof_holds_for_its_own_scene_alone() {
 fn no_proof_contradicts_an_equilibrium() {
     let mut numbers = seeded(11);
     let (mut held, mut refuted) = (0, 0);
-    for scene in 0..samples(400) {
+    for scene in 0..samples(100) {
         let contact = |i: usize| {
             let (sin, cos) = (TAU * i as f64 / 5.0 + 0.4 * numbers.signed()).sin_cos();
             let k = 1000.0 * (2.0 * numbers.signed()).exp();
@@ -198,5 +198,5 @@ fn no_proof_contradicts_an_equilibrium() {
         assert!(outcome.equilibrium().is_none() || proof.is_none(), "scene {scene}: {grasp:?}, {load:?}");
     }
     println!("{held} held, {refuted} refuted");
-    assert_met(&[(held, 100), (refuted, 20)]);
+    assert_met(&[(held, 25), (refuted, 5)]);
 }

@@ -17,8 +17,8 @@ use support::samples::{assert_met, config, runner, samples};
 
 /// Forces and displacements agree to this, relative to the largest of the scene.
 const AGREEMENT: f64 = 1e-9;
-/// Scenes of each kind in the fixed sequences.
-const SCENES: usize = 2500;
+/// Scenes of each kind in the fixed sequences. Of eight times as many those are listed, too, that only lower rungs decide.
+const SCENES: usize = 312;
 
 /// A whole number of `unit`s.
 fn grid(from: i32, to: i32, unit: f64) -> impl Strategy<Value = f64> {
@@ -227,9 +227,11 @@ impl Tally {
     fn of(scenes: &impl Strategy<Value = Scene>) -> Self {
         let mut runner = runner(config(1));
         let mut tally = Self::default();
-        for _ in 0..samples(SCENES) {
+        for number in 0..samples(8 * SCENES) {
             let scene = scenes.new_tree(&mut runner).expect("nothing is filtered").current();
-            tally.check(&scene).unwrap_or_else(|complaint| panic!("{complaint}"));
+            if number < samples(SCENES) || needs_a_lower_rung(&scene) {
+                tally.check(&scene).unwrap_or_else(|complaint| panic!("{complaint}"));
+            }
         }
         println!("{tally:?}");
         tally
@@ -255,8 +257,14 @@ impl Tally {
             ("separated", self.separated, 20),
         ]);
         // The lower rungs are for the few scenes in which the kinematic form ends on a ray.
-        assert_met(&[(self.force_form, 5), (self.enumeration, 2)]);
+        assert_met(&[(self.force_form, 5), (self.enumeration, 1)]);
     }
+}
+
+fn needs_a_lower_rung(scene: &Scene) -> bool {
+    let outcome = scene.plain().grasp().solve(&scene.plain().wrench()).expect("a finite load");
+    let upper = [Rung::EverythingSticks, Rung::EverythingTouchingSticks, Rung::KinematicForm];
+    outcome.equilibrium().is_some_and(|e| !upper.contains(&e.rule))
 }
 
 fn describe(census: &Census) -> String {
@@ -290,7 +298,7 @@ fn stiff_with_strong_friction() {
 }
 
 proptest! {
-    #![proptest_config(config(300))]
+    #![proptest_config(config(60))]
 
     #[test]
     fn other_lattice_scenes(scene in lattice_scene()) {

@@ -63,7 +63,7 @@ fn an_immovable_contact_that_approaches_has_a_proof() {
 fn no_proof_of_what_is_solved() {
     let mut random = seeded(81);
     let mut tried = 0;
-    for _ in 0..samples(500) {
+    for _ in 0..samples(125) {
         let n = random.index(1, 3);
         let h = DMatrix::from_fn(3 * n, 2, |_, _| random.integer(-2, 2) as f64);
         let q = DVector::from_fn(3 * n, |_, _| random.integer(-2, 2) as f64);
@@ -78,7 +78,7 @@ fn no_proof_of_what_is_solved() {
             }
         }
     }
-    assert_met(&[(tried, 200)]);
+    assert_met(&[(tried, 50)]);
 }
 
 fn exact(x: f64) -> BigRational {
@@ -104,7 +104,7 @@ fn proves<const C: usize>(problem: &FrictionProblem<C>, y: &DVector<f64>, margin
 fn a_vector_proves_what_rationals_say<const C: usize>(seed: u64) {
     let mut random = seeded(seed);
     let mut proofs = 0;
-    for trial in 0..samples(4000) {
+    for trial in 0..samples(1000) {
         let decades = [0, 1, 30, 140][trial % 4];
         let wild = |random: &mut Random| {
             let exponent = i32::try_from(random.integer(-decades, decades)).expect("small");
@@ -129,7 +129,7 @@ fn a_vector_proves_what_rationals_say<const C: usize>(seed: u64) {
         assert!(told || extreme || !proves(&problem, &y, 1e-12), "{problem:?} {y}");
         proofs += usize::from(told);
     }
-    assert_met(&[(proofs, 200)]);
+    assert_met(&[(proofs, 50)]);
 }
 
 #[test]

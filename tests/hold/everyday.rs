@@ -11,7 +11,7 @@ const AROUND: [f64; 5] = [0.5, 0.99, 1.01, 1.5, 4.0];
 #[test]
 fn opposed_pads_in_the_plane_hold_what_friction_allows() -> Result<(), grasp_lcp::Error> {
     let mut random = seeded(3);
-    for _ in 0..samples(200) {
+    for _ in 0..samples(67) {
         let (friction, press, width) =
             (random.between(0.1, 1.0), random.between(1.0, 100.0), random.between(0.005, 0.03));
         let stiffness = [random.between(500.0, 5e4), random.between(500.0, 5e4)];
@@ -32,7 +32,7 @@ fn opposed_pads_in_the_plane_hold_what_friction_allows() -> Result<(), grasp_lcp
 #[test]
 fn opposed_rings_in_space_hold_what_friction_allows() -> Result<(), grasp_lcp::Error> {
     let mut random = seeded(4);
-    for _ in 0..samples(60) {
+    for _ in 0..samples(20) {
         let (friction, press, radius) =
             (random.between(0.1, 1.0), random.between(1.0, 100.0), random.between(0.003, 0.015));
         let stiffness = [random.between(500.0, 5e4), random.between(500.0, 5e4)];
@@ -54,7 +54,7 @@ fn opposed_rings_in_space_hold_what_friction_allows() -> Result<(), grasp_lcp::E
 fn fingers_around_a_disc_are_decided() -> Result<(), grasp_lcp::Error> {
     let mut random = seeded(5);
     let mut held = [0; 2];
-    for _ in 0..samples(300) {
+    for _ in 0..samples(100) {
         let count = random.index(2, 5);
         let finger = |i: usize| {
             let angle = std::f64::consts::TAU * (i as f64 + random.between(-0.2, 0.2)) / count as f64;
@@ -75,6 +75,6 @@ fn fingers_around_a_disc_are_decided() -> Result<(), grasp_lcp::Error> {
             held[usize::from(part < 1.0)] += 1;
         }
     }
-    assert_met(&[(held[0], 300), (held[1], 200)]);
+    assert_met(&[(held[0], 100), (held[1], 66)]);
     Ok(())
 }

@@ -30,7 +30,7 @@ fn jaws(random: &mut Random) -> Result<(Grasp, Wrench), grasp_lcp::Error> {
 fn no_forces_balance_the_load_within_the_radius() -> Result<(), grasp_lcp::Error> {
     let mut random = seeded(11);
     let (mut lost_ones, mut proofs, mut closest) = (0, 0, f64::INFINITY);
-    for _ in 0..samples(600) {
+    for _ in 0..samples(100) {
         let (grasp, load) = jaws(&mut random)?;
         // However far it goes until then.
         let grasp = grasp.with(&Settings::default().with_small_motions(1e50, 1e50));
@@ -67,7 +67,7 @@ fn no_forces_balance_the_load_within_the_radius() -> Result<(), grasp_lcp::Error
             assert!(moved.norm() > near.translation || by[2].abs() > near.rotation, "{found:?}");
         }
     }
-    assert_met(&[(proofs * 40, 10_000)]);
+    assert_met(&[(proofs * 40, 1666)]);
     assert!(proofs * 10 >= lost_ones * 9, "{proofs} of {lost_ones}");
     assert!(closest < 0.1, "the attack comes near the rim: {closest}");
     Ok(())

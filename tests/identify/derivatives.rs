@@ -59,7 +59,7 @@ macro_rules! derivatives {
         #[test]
         fn $name() -> Tested {
             let (mut random, mut count) = (seeded(11), Count::default());
-            for _ in 0..samples(60) {
+            for _ in 0..samples(20) {
                 let drawn: Vec<_> = (0..random.index(2, 5)).map(|k| $drawn(k, &mut random)).collect();
                 let [base, load]: [$at::Wrench; 2] = $loaded(&mut random);
                 let grasp = |factors: &[[f64; 2]]| {

@@ -41,7 +41,7 @@ fn wild(random: &mut Random, decades: i64) -> f64 {
 fn a_vector_proves_what_rationals_say() {
     let mut random = seeded(131);
     let (mut proofs, mut bounds) = (0, 0);
-    for trial in 0..samples(6000) {
+    for trial in 0..samples(1500) {
         let decades = [0, 3, 20, 150, 300][trial % 5];
         let n = 1 + trial % 4;
         let mut m = DMatrix::from_fn(n, n, |_, _| wild(&mut random, decades));
@@ -65,7 +65,7 @@ fn a_vector_proves_what_rationals_say() {
         proofs += usize::from(proved);
         bounds += usize::from(!proved && least > 0.0);
     }
-    assert_met(&[(proofs, 300), (bounds, 1000)]);
+    assert_met(&[(proofs, 75), (bounds, 250)]);
 }
 
 /// On problems with any data whatever is called infeasible is so in rationals; what is nearly so has no small z.
@@ -73,7 +73,7 @@ fn a_vector_proves_what_rationals_say() {
 fn no_proof_is_false() {
     let mut random = seeded(137);
     let (mut proofs, mut nearly) = (0, 0);
-    for trial in 0..samples(4000) {
+    for trial in 0..samples(1000) {
         let n = 1 + trial % 5;
         let decades = [0, 2, 32, 200][trial % 4];
         let rank = usize::try_from(random.integer(0, i64::try_from(n).expect("small"))).expect("positive");
@@ -102,7 +102,7 @@ fn no_proof_is_false() {
             _ => {}
         }
     }
-    assert_met(&[(proofs, 400), (nearly, 50)]);
+    assert_met(&[(proofs, 100), (nearly, 12)]);
 }
 
 /// Where a product underflows rounding would call a feasible problem infeasible: z = (1e631, …) is a solution of the constraints.

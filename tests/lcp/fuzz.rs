@@ -71,7 +71,7 @@ fn check(lcp: &Lcp, outcome: &Outcome) -> Result<(), TestCaseError> {
 }
 
 proptest! {
-    #![proptest_config(config(1500))]
+    #![proptest_config(config(300))]
 
     #[test]
     fn malformed_input_is_an_error_and_the_rest_is_a_problem(

@@ -46,7 +46,7 @@ fn solves_exactly(lcp: &Lcp, basis: &Basis) -> bool {
 fn what_is_called_solved_without_an_equilibrium_solves_the_data_exactly() {
     let mut numbers = seeded(7);
     let (mut without, mut solved, mut missed) = (0, 0, 0);
-    for scene in 0..samples(3000) {
+    for scene in 0..samples(375) {
         let grasp = grasp(&mut numbers, 2 + scene % 2, if scene % 4 < 2 { 0.5 } else { 6.0 });
         let pull = [0.1 * numbers.signed(), 0.1 * numbers.signed()];
         let load = planar::Wrench::new(pull, 0.05 * numbers.signed());
@@ -63,7 +63,7 @@ fn what_is_called_solved_without_an_equilibrium_solves_the_data_exactly() {
             _ => missed += usize::from(holds),
         }
     }
-    assert_met(&[(without, 1000)]);
+    assert_met(&[(without, 125)]);
     assert!(solved < without / 50, "{solved} of {without} solved by the rounding of their data");
     assert_eq!(missed, 0, "scenes with an equilibrium whose kinematic form is not solved");
 }

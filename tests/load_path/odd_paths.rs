@@ -98,13 +98,13 @@ fn what_is_pushed_is_decided() {
 
 fn family_is_decided(odd: Odd) {
     let mut random = seeded(11);
-    all_are_followed(&format!("{odd:?}"), 400, || in_space(odd, &mut random).unwrap());
+    all_are_followed(&format!("{odd:?}"), 100, || in_space(odd, &mut random).unwrap());
 }
 
 #[test]
 fn odd_paths_in_the_plane_are_decided() {
     let mut random = seeded(12);
-    all_are_followed("in the plane", 1500, || in_the_plane(&mut random).unwrap());
+    all_are_followed("in the plane", 400, || in_the_plane(&mut random).unwrap());
 }
 
 /// A finger pushes a thing that nothing presses on past another one: that slides along it without force, and has no direction.

@@ -45,7 +45,7 @@ fn a_pinch_spins_where_friction_works_no_more_than_the_load() {
 fn both_ways_end_alike() {
     let mut random = seeded(7);
     let mut lost = Vec::new();
-    for _ in 0..samples(24) {
+    for _ in 0..samples(12) {
         let (grasp, load) = draw(&mut random).expect("valid");
         let leg = [Leg::load_to(load * 100.0)];
         let mut events = grasp.follow(&Wrench::ZERO, &leg).expect("valid");

@@ -174,7 +174,7 @@ fn everything() -> Uncertainty {
 proptest! {
     // Always the same grasps: now and then one is told no reserve at all, since contacts that all but slide at rest count as if they did.
     // That is safe, and `reserve` prints how far below it needs to be a reserve is.
-    #![proptest_config(config(24))]
+    #![proptest_config(config(6))]
 
     #[test]
     fn in_the_plane(

@@ -10,7 +10,7 @@ use support::splitmix::Random;
 type Tested = Result<(), grasp_lcp::Error>;
 
 /// Scenes that are drawn for each quantity.
-const SCENES: usize = 4;
+const SCENES: usize = 2;
 /// Amounts that are tried in each scene, at a random place in equal parts of the reach.
 const AMOUNTS: i32 = 12;
 /// How far below and above an answer they reach.

@@ -65,9 +65,9 @@ fn check_order(
 fn polygons_bracket_the_onset() {
     let undecided = Cell::new(0);
     let tally = for_both::<6, 3>(file!(), &(1..6), |s, c, t| check_order(s, c, t, &undecided));
-    tally.assert_at_least(800, 100, 800);
+    tally.assert_at_least(200, 12, 200);
     println!("{} undecided", undecided.get());
-    assert!(undecided.get() <= samples(10), "{} undecided", undecided.get());
+    assert!(undecided.get() <= samples(3), "{} undecided", undecided.get());
 }
 
 /// If everything sticks on the inscribed polygon the three answers are one, and the inscribed polygon sticks only where the
@@ -88,7 +88,7 @@ fn check_sticking(scene: &Scene<6, 3>, _: &Change<6, 3>, tally: &Tally) -> Resul
 
 #[test]
 fn where_everything_sticks_the_cone_does_not_matter() {
-    for_both::<6, 3>(file!(), &(1..6), check_sticking).assert_at_least(500, 0, 500);
+    for_both::<6, 3>(file!(), &(1..6), check_sticking).assert_at_least(125, 0, 125);
 }
 
 /// A foot pressed by N onto the floor, its block held by a tether of stiffness c in all directions, both at the origin, drawn

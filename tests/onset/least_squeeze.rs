@@ -49,7 +49,7 @@ fn sticks(grasp: &spatial::Grasp, load: &spatial::Wrench) -> bool {
 fn no_direction_is_weaker_than_the_weakest() -> Result<(), Error> {
     let mut numbers = seeded(21);
     let mut found = 0;
-    for number in 0..samples(60) {
+    for number in 0..samples(20) {
         let grasp = Ball::new(3 + number % 3, &mut numbers).pressed(10.0)?;
         let base = spatial::Wrench::force(numbers.vector());
         let point = numbers.vector().map(|x| 0.2 * x);
@@ -81,7 +81,7 @@ fn no_direction_is_weaker_than_the_weakest() -> Result<(), Error> {
         }
         assert!(least >= size * (1.0 - 1e-12) && least < 1.05 * size, "{number}: {least} {size}");
     }
-    assert_met(&[(found, 40)]);
+    assert_met(&[(found, 13)]);
     Ok(())
 }
 
@@ -89,7 +89,7 @@ fn no_direction_is_weaker_than_the_weakest() -> Result<(), Error> {
 fn enough_is_enough_and_less_is_not() -> Result<(), Error> {
     let mut numbers = seeded(22);
     let mut factors = [0; 3];
-    for number in 0..samples(60) {
+    for number in 0..samples(20) {
         let ball = Ball::new(3 + number % 3, &mut numbers);
         let base = spatial::Wrench::force(numbers.vector());
         let point = numbers.vector().map(|x| 0.1 * x);
@@ -124,7 +124,7 @@ fn enough_is_enough_and_less_is_not() -> Result<(), Error> {
         let less = ball.pressed(factor * (1.0 - 1e-9))?;
         assert!(!sticks(&less, &worst), "{number}: {factor}");
     }
-    assert!(factors.iter().all(|count| *count > samples(8)), "{factors:?}");
+    assert!(factors.iter().all(|count| *count > samples(2)), "{factors:?}");
     Ok(())
 }
 

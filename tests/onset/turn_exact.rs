@@ -18,7 +18,7 @@ fn d(x: f64) -> Dyadic {
     Dyadic::new(x)
 }
 
-const SCENES: usize = 120;
+const SCENES: usize = 48;
 
 /// One contact as numbers: rows of Gᵀ along its axes, stiffnesses, command along the normal, friction.
 struct Spring {
@@ -238,7 +238,7 @@ impl Tally {
 
     fn judge(&self) {
         println!("{self:?}");
-        let some = samples(SCENES / 8);
+        let some = samples(SCENES / 16);
         assert!(
             self.onsets > some && self.never > some && self.near < samples(5) && self.worst < 1e-13,
             "{self:?}"

@@ -41,7 +41,7 @@ fn there_and_back(scene: &Scene) -> Scene {
 #[test]
 fn planar_grasps_read_back_to_the_bit() {
     let draw = scene::<3, 2>(1..6, Spread::Wide, 0.05);
-    for_all(file!(), 300, &draw, |drawn| {
+    for_all(file!(), 100, &draw, |drawn| {
         let grasp = planar::Grasp::new(contacts(&drawn)).unwrap();
         let Space::Planar(back) = there_and_back(&Scene::from(&grasp)).space else { panic!("was planar") };
         let back = back.grasp().unwrap();
@@ -53,7 +53,7 @@ fn planar_grasps_read_back_to_the_bit() {
 #[test]
 fn spatial_grasps_read_back_to_the_bit() {
     let draw = scene::<6, 3>(1..5, Spread::Wide, 0.05);
-    for_all(file!(), 200, &draw, |drawn| {
+    for_all(file!(), 60, &draw, |drawn| {
         let grasp = spatial::Grasp::new(contacts(&drawn)).unwrap();
         let Space::Spatial(back) = there_and_back(&Scene::from(&grasp)).space else { panic!("was spatial") };
         let back = back.grasp().unwrap();
@@ -125,13 +125,13 @@ fn only_equilibria_have_forces(value: &Value) {
 #[test]
 fn planar_answers_read_back_to_the_bit() {
     let draw = scene::<3, 2>(1..5, Spread::Wide, 0.1);
-    for_all(file!(), 200, &draw, |drawn| answers_read_back(&drawn));
+    for_all(file!(), 60, &draw, |drawn| answers_read_back(&drawn));
 }
 
 #[test]
 fn spatial_answers_read_back_to_the_bit() {
     let draw = scene::<6, 3>(1..4, Spread::Narrow, 0.05);
-    for_all(file!(), 30, &draw, |drawn| answers_read_back(&drawn));
+    for_all(file!(), 8, &draw, |drawn| answers_read_back(&drawn));
 }
 
 /// A motion of a hand is written with its joints; a wrench has none.

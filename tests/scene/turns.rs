@@ -106,13 +106,13 @@ fn read_back_and_answered<const D: usize, const C: usize>(drawn: &Drawn<D, C>) -
 #[test]
 fn planar_turns_read_back_to_the_bit_and_are_answered_as_by_calls() {
     let draw = random_scene::<3, 2>(1..5, Spread::Narrow, 0.1);
-    for_all(file!(), 200, &draw, |drawn| read_back_and_answered(&drawn));
+    for_all(file!(), 60, &draw, |drawn| read_back_and_answered(&drawn));
 }
 
 #[test]
 fn spatial_turns_read_back_to_the_bit_and_are_answered_as_by_calls() {
     let draw = random_scene::<6, 3>(2..4, Spread::Narrow, 0.05);
-    for_all(file!(), 20, &draw, |drawn| read_back_and_answered(&drawn));
+    for_all(file!(), 8, &draw, |drawn| read_back_and_answered(&drawn));
 }
 
 fn answers_of(scene: Value) -> Result<Vec<Answer<2>>, Box<dyn std::error::Error>> {

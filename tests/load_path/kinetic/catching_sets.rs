@@ -8,7 +8,7 @@ use num_traits::ToPrimitive;
 use support::kinetic::{Catch, Datum, Scene, State};
 use support::samples::{assert_met, samples, seeded};
 
-const SCENES: usize = 2000;
+const SCENES: usize = 250;
 
 #[derive(Debug, Default)]
 struct Tally {
@@ -93,7 +93,7 @@ fn jumps_end_where_rationals_say() {
         }
     }
     println!("{tally:?}");
-    assert_met(&[(tally.joined, 50), (tally.lost, 50)]);
+    assert_met(&[(tally.joined, 6), (tally.lost, 6)]);
     assert!(4 * tally.caught > 3 * scenes);
     assert!(50 * (tally.stuck_again + tally.opens) < scenes && 200 * tally.elsewhere < scenes);
 }

@@ -85,7 +85,7 @@ fn all<const C: usize>(count: usize, mut scene: impl FnMut(&mut Tally, &mut Rand
 
 #[test]
 fn unequal_friction_of_sliding_is_followed_in_the_plane() {
-    all::<2>(300, |tally, random| {
+    all::<2>(150, |tally, random| {
         let contacts = (0..random.index(2, 5)).map(|_| contact::<2>(random)).collect();
         let loads =
             [0, 6].map(|most| planar::Wrench::new(grid(random, most), random.integer(-most, most) as f64));
@@ -95,7 +95,7 @@ fn unequal_friction_of_sliding_is_followed_in_the_plane() {
 
 #[test]
 fn unequal_friction_of_sliding_is_followed_in_space() {
-    all::<3>(100, |tally, random| {
+    all::<3>(50, |tally, random| {
         let contacts = (0..random.index(3, 6)).map(|_| contact::<3>(random)).collect();
         let loads = [0, 6].map(|most| spatial::Wrench::new(grid(random, most), grid(random, most)));
         followed(tally, contacts, loads.map(|load| load * 5.0));
