@@ -8,7 +8,6 @@ use grasp_lcp::grasp::Wrench;
 use grasp_lcp::{planar, spatial};
 use std::cell::RefCell;
 use support::random::{Spread, for_all, scene};
-use support::samples::assert_met;
 
 /// The scenes in both places, largest first.
 fn scenes<const D: usize, const C: usize>(
@@ -105,7 +104,7 @@ fn legs_of_many_contacts_allocate_nothing() {
         // The first round makes the lists of the events of both legs as long as they have to be.
         assert!(round == 0 || counted.count_total == 0, "{counted:?} in round {round}");
     }
-    assert_met(&[(events, 500)]);
+    assert!(events > 500, "{events}");
 }
 
 #[test]
@@ -134,5 +133,5 @@ fn steps_of_many_contacts_allocate_nothing() {
         assert!(round == 0 || counted.count_total == 0, "{counted:?} in round {round}");
     }
     assert!(path.end().is_some_and(|end| matches!(end, spatial::PathEnd::Completed)));
-    assert_met(&[(steps, 100)]);
+    assert!(steps > 100, "{steps}");
 }

@@ -86,7 +86,7 @@ fn every_equilibrium_of_a_hand_is_found_and_none_is_denied() {
     let mut numbers = seeded(41);
     let (mut clear, mut held, mut several, mut none, mut yields, mut slack, mut undecided) =
         (0, 0, 0, 0, 0, 0, 0);
-    for number in 0..samples(40) {
+    for number in 0..samples(60) {
         let scene = scene(&mut numbers, number % 6);
         let grasp = scene.grasp().expect("well posed");
         let load = Wrench::new([scene.load[0], scene.load[1]], scene.load[2]);
