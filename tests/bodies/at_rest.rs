@@ -5,8 +5,7 @@ use grasp_lcp::hold::{Holding, Verdict};
 use grasp_lcp::planar::Wrench;
 use proptest::prelude::Strategy;
 use proptest::strategy::ValueTree;
-use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
-
+use support::samples::{assert_met, config, runner, samples};
 use support::stacks::{Stack, stack};
 
 /// With so many times its loads, and its finger pressed so many times as far.
@@ -20,10 +19,9 @@ fn times(stack: &Stack<3, 2>, part: f64) -> Stack<3, 2> {
 /// Piles of four bodies with sloped faces, the same every time.
 #[test]
 fn what_is_held_of_it_is_told() {
-    let rng = TestRng::deterministic_rng(RngAlgorithm::ChaCha);
-    let mut runner = TestRunner::new_with_rng(Config::default(), rng);
+    let mut runner = runner(config(1));
     let mut told = 0;
-    for _ in 0..200 {
+    for _ in 0..samples(100) {
         let stack = stack::<3, 2>(4).new_tree(&mut runner).expect("a stack").current();
         let verdict = stack.grasp(0).hold(Wrench::force([1.5, -1.0])).expect("well posed");
         let Holding::LostAtRest { at_rest } = &verdict.holding else { continue };
@@ -38,5 +36,5 @@ fn what_is_held_of_it_is_told() {
         let read: Verdict<2> = serde_json::from_str(&written).expect("reads back");
         assert_eq!(serde_json::to_string(&read).expect("written"), written);
     }
-    assert!(told >= 3, "{told}");
+    assert_met(&[(told, 1)]);
 }

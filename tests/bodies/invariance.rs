@@ -6,6 +6,7 @@ use grasp_lcp::planar::{Bodies, Body, Contact, Grasp};
 use nalgebra::{SVector, Vector2, Vector3};
 use proptest::prelude::*;
 
+use support::samples::config;
 use support::stacks::{Stack, Touch, grasp, name, stack};
 
 fn state<const C: usize>(outcome: Outcome<C>) -> Option<Equilibrium<C>> {
@@ -39,7 +40,7 @@ fn from_the_other_side(stack: &Stack<3, 2>) -> Stack<3, 2> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(150))]
+    #![proptest_config(config(20))]
 
     /// A load on the body in the coordinates of the object, or one of its own: the same load.
     #[test]

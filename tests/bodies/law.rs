@@ -6,8 +6,8 @@ use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::grasp::Wrench;
 use nalgebra::SVector;
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
 
+use support::samples::config;
 use support::stacks::{Stack, stack};
 
 /// What a stack answers, and the load that was asked.
@@ -67,7 +67,7 @@ fn satisfies<const D: usize, const C: usize>(
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 200, rng_seed: RngSeed::Fixed(1), failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(config(25))]
 
     #[test]
     fn two_planar_bodies(stack in stack::<3, 2>(2), loaded in 0..2usize) {

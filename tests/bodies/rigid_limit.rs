@@ -8,6 +8,7 @@
 use grasp_lcp::friction::PlanarContacts;
 use grasp_lcp::planar::{Bodies, Body, Contact, Link, Wrench};
 use nalgebra::{DMatrix, DVector, Vector2, Vector3};
+use support::samples::{assert_met, samples, seeded};
 use support::splitmix::Random;
 
 /// Stiffness of each spring that a body hangs on, N/m.
@@ -35,7 +36,7 @@ type Touch = (Vector2<f64>, Vector2<f64>, usize, Option<usize>);
 
 impl Hanging {
     fn new(random: &mut Random) -> Self {
-        let mut within = |most: f64| most * (2.0 * random.uniform() - 1.0);
+        let mut within = |most: f64| most * (random.signed());
         let mut springs = [[(Vector2::zeros(), Vector2::zeros()); 3]; BODIES];
         for (b, own) in springs.iter_mut().enumerate() {
             for (k, spring) in own.iter_mut().enumerate() {
@@ -128,9 +129,9 @@ impl Hanging {
 
 #[test]
 fn forces_go_to_those_between_rigid_bodies() {
-    let mut random = Random(44);
+    let mut random = seeded(44);
     let (mut pressed, mut sliding, mut converged) = (0, 0, 0);
-    for scene in 0..300 {
+    for scene in 0..samples(75) {
         let hanging = Hanging::new(&mut random);
         let rigid = hanging.posed(f64::INFINITY);
         let size = rigid.amax();
@@ -162,5 +163,5 @@ fn forces_go_to_those_between_rigid_bodies() {
         }
     }
     println!("{pressed} scenes press, {sliding} contacts slide, {converged} differ from the limit");
-    assert!(pressed > 200 && sliding > 100 && converged > 150, "{pressed}, {sliding}, {converged}");
+    assert_met(&[(pressed, 50), (sliding, 25), (converged, 37)]);
 }

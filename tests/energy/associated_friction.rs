@@ -10,6 +10,7 @@ use proptest::prelude::*;
 
 use support::interior_point::{Oracle, interior_point};
 use support::random::{Spread, for_all, scene};
+use support::samples::assert_met;
 use support::scene::{Scene, wrench};
 
 /// `minimise Σ ½ F·K⁻¹F - a·F` over polygonal cones and `Σ G F + W = 0`, forces as unknowns.
@@ -45,9 +46,9 @@ fn complementary_energy<const D: usize, const C: usize>(scene: &Scene<D, C>) -> 
     QuadraticProgram { g, h, a, c: -DVector::from_column_slice(scene.load.as_slice()), b, d }
 }
 
-fn least_complementary_energy<const D: usize, const C: usize>(counts: std::ops::Range<usize>, cases: u32) {
+fn least_complementary_energy<const D: usize, const C: usize>(counts: std::ops::Range<usize>, cases: usize) {
     let (sliding, none, silent) = (Cell::new(0), Cell::new(0), Cell::new(0));
-    let add = |cell: &Cell<u32>| cell.set(cell.get() + 1);
+    let add = |cell: &Cell<usize>| cell.set(cell.get() + 1);
     for_all(file!(), cases, &scene::<D, C>(counts, Spread::Narrow, 0.15), |mut scene| {
         // Loads are made of forces in the cones; turned round, few can be balanced.
         if scene.load[0] > 0.5 * scene.load.norm() {
@@ -110,17 +111,18 @@ fn least_complementary_energy<const D: usize, const C: usize>(counts: std::ops::
         none.get(),
         silent.get()
     );
-    assert!(sliding.get() >= 20 && none.get() >= 1);
+    assert_met(&[(sliding.get(), 6)]);
+    assert!(none.get() >= 1);
 }
 
 #[test]
 fn planar() {
-    least_complementary_energy::<3, 2>(2..6, 500);
+    least_complementary_energy::<3, 2>(2..6, 150);
 }
 
 #[test]
 fn spatial() {
-    least_complementary_energy::<6, 3>(3..6, 150);
+    least_complementary_energy::<6, 3>(3..6, 60);
 }
 
 /// Beyond W* no equilibrium exists under Coulomb's law; under the associated one the fingers wedge themselves apart and

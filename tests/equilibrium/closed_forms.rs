@@ -2,6 +2,7 @@
 //! crate for the same.
 
 use grasp_lcp::{Settings, grasp, planar, spatial};
+use support::jaws::jaw;
 
 const TIGHT: f64 = 1e-13;
 
@@ -30,9 +31,7 @@ fn hold<const C: usize>(
 #[test]
 fn planar_pinch() {
     let (k, kt, mu, a) = (40.0, 7.0, 0.3, 0.02);
-    let finger = |x: f64| {
-        planar::Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(k, kt).friction(mu).command([a, 0.0])
-    };
+    let finger = |x: f64| jaw::<2>(x, [k, kt], mu).command([a, 0.0]);
     let grasp = planar::Grasp::new([finger(-1.0), finger(1.0)]).unwrap();
     let w = 0.1;
     let state = hold(&grasp, planar::Wrench::force([0.0, -w]));
@@ -165,12 +164,7 @@ fn quadratic_onset_from_a_loaded_base() {
 #[test]
 fn spatial_pinch_turns_freely_about_its_line() {
     let (k, kt, mu, a) = (100.0, 60.0, 0.6, 0.05);
-    let finger = |x: f64| {
-        spatial::Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0])
-            .series_stiffness(k, kt)
-            .friction(mu)
-            .command([a, 0.0, 0.0])
-    };
+    let finger = |x: f64| jaw::<3>(x, [k, kt], mu).command([a, 0.0, 0.0]);
     let grasp = spatial::Grasp::new([finger(-1.0), finger(1.0)]).unwrap();
     // A force through the line is carried, half by each, and the answer names the free turn.
     let state = hold(&grasp, spatial::Wrench::force([0.0, 1.0, -2.0]));

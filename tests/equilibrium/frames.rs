@@ -7,7 +7,7 @@ use grasp_lcp::planar;
 use grasp_lcp::spatial::{Contact, Grasp, Twist, Wrench};
 use nalgebra::{Isometry2, Isometry3, Matrix3, Matrix4, Point2, Point3, SMatrix, SVector, Vector2, Vector3};
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
+use support::samples::config;
 
 /// Frames about a size away, turned anyhow.
 fn pose() -> impl Strategy<Value = Isometry3<f64>> {
@@ -46,7 +46,7 @@ fn size<const R: usize, const C: usize>(m: SMatrix<f64, R, C>) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { rng_seed: RngSeed::Fixed(1), failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(config(256))]
 
     /// A force at a point is the same force wherever the coordinates lie, and so is the motion of a point.
     #[test]

@@ -13,13 +13,14 @@ use grasp_lcp::planar;
 use proptest::prelude::*;
 
 use support::random::{Spread, for_all, scene};
+use support::samples::assert_met;
 
 fn agree_without_friction<const D: usize, const C: usize>(counts: std::ops::Range<usize>, decades: f64) {
     let (opened, neither) = (Cell::new(0), Cell::new(0));
     let worst = Cell::new(0.0_f64);
-    let add = |cell: &Cell<u32>| cell.set(cell.get() + 1);
+    let add = |cell: &Cell<usize>| cell.set(cell.get() + 1);
     let settings = Settings::default();
-    for_all(file!(), 600, &scene::<D, C>(counts, Spread::Narrow, 0.2), |mut scene| {
+    for_all(file!(), 150, &scene::<D, C>(counts, Spread::Narrow, 0.2), |mut scene| {
         for datum in &mut scene.contacts {
             datum.friction = 0.0;
             datum.stiffness = datum.stiffness.map(|k| k.powf(decades / 1.3));
@@ -73,7 +74,8 @@ fn agree_without_friction<const D: usize, const C: usize>(counts: std::ops::Rang
         Ok(())
     });
     println!("D = {D}: worst {:e}, {} opened, {} without", worst.get(), opened.get(), neither.get());
-    assert!(worst.get() <= 1e-12 && opened.get() >= 50);
+    assert_met(&[(opened.get(), 12)]);
+    assert!(worst.get() <= 1e-12);
 }
 
 #[test]

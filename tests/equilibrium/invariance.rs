@@ -13,6 +13,7 @@ use grasp_lcp::{Fit, PolygonCone, Settings};
 use nalgebra::SVector;
 use proptest::prelude::*;
 use support::random::{self, Spread, for_all, scene};
+use support::samples::samples;
 use support::scene::{Datum, Scene};
 use support::transform::Transform;
 
@@ -110,24 +111,24 @@ fn solve<const D: usize, const C: usize>(scene: &Scene<D, C>) -> Result<Equilibr
 /// Scenes that were compared.
 #[derive(Debug, Default)]
 struct Tally {
-    compared: Cell<u32>,
-    sliding: Cell<u32>,
-    separated: Cell<u32>,
+    compared: Cell<usize>,
+    sliding: Cell<usize>,
+    separated: Cell<usize>,
 }
 
 impl Tally {
     fn count<const C: usize>(&self, e: &Equilibrium<C>) {
-        let add = |cell: &Cell<u32>, yes: bool| cell.set(cell.get() + u32::from(yes));
+        let add = |cell: &Cell<usize>, yes: bool| cell.set(cell.get() + usize::from(yes));
         add(&self.compared, true);
         add(&self.sliding, e.contacts.iter().any(|c| matches!(c.state, ContactState::Sliding { .. })));
         add(&self.separated, e.contacts.iter().any(|c| c.state == ContactState::Separated));
     }
 
-    fn assert_at_least(&self, compared: u32, sliding: u32, separated: u32) {
+    fn assert_at_least(&self, compared: usize, sliding: usize, separated: usize) {
         println!("{self:?}");
-        let enough = self.compared.get() >= compared
-            && self.sliding.get() >= sliding
-            && self.separated.get() >= separated;
+        let enough = self.compared.get() >= samples(compared)
+            && self.sliding.get() >= samples(sliding)
+            && self.separated.get() >= samples(separated);
         assert!(enough, "{self:?}");
     }
 }
@@ -257,8 +258,8 @@ fn power_of_ten() -> impl Strategy<Value = f64> {
     (-6..7_i32).prop_map(|e| 10_f64.powi(e))
 }
 
-const PLANAR: u32 = 2000;
-const SPATIAL: u32 = 400;
+const PLANAR: usize = 300;
+const SPATIAL: usize = 60;
 
 macro_rules! in_plane_and_space {
     ($($name:ident($scene:ident, $tally:ident, $other:ident in $strategy:expr) $body:block)*) => { $(

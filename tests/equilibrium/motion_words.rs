@@ -3,7 +3,7 @@
 use grasp_lcp::words::Words;
 use grasp_lcp::{planar, spatial};
 use nalgebra::{Vector2, Vector3};
-use support::splitmix::Random;
+use support::samples::{samples, seeded};
 
 /// The numbers of a sentence, in order.
 fn numbers(told: &str) -> Vec<f64> {
@@ -47,8 +47,8 @@ fn what_hardly_turns_moves() {
 
 #[test]
 fn axes_of_random_screws() {
-    let mut random = Random(3);
-    for _ in 0..500 {
+    let mut random = seeded(3);
+    for _ in 0..samples(125) {
         let mut vector = |size: f64| Vector3::from_fn(|_, _| size * random.normal());
         let (axis, through) = (vector(1.0).normalize(), vector(0.05));
         let (angle, pitch) = (0.01 + vector(0.1).norm(), vector(1e-3)[0].abs());
@@ -70,8 +70,8 @@ fn axes_of_random_screws() {
 
 #[test]
 fn numbers_have_the_digits_that_are_asked_for() {
-    let mut random = Random(4);
-    for _ in 0..20_000 {
+    let mut random = seeded(4);
+    for _ in 0..samples(5000) {
         let x = random.normal() * 10.0_f64.powi(i32::try_from(random.integer(-30, 30)).expect("small"));
         for digits in [1, 3, 6, 12, 17] {
             let told = Words::with_digits(digits).number(x);

@@ -6,6 +6,7 @@ use grasp_lcp::grasp::{Contact, Wrench};
 use grasp_lcp::load_path::{Leg, Ramp};
 use grasp_lcp::nalgebra::{Isometry3, SVector, Vector3};
 use grasp_lcp::{Settings, planar, screening, spatial};
+use support::jaws::jaw;
 
 fn assert_close(a: f64, b: f64) {
     assert!((a - b).abs() <= 1e-13 * (1.0 + b.abs()), "{a}, expected {b}");
@@ -16,9 +17,7 @@ fn assert_close(a: f64, b: f64) {
 #[test]
 fn an_overlap_presses_in_the_plane() {
     let (p, q, a, b) = (30.0, 50.0, 0.02, 0.06);
-    let finger = |x: f64, k: f64, overlap: f64| {
-        planar::Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(k, 9.0).friction(0.4).clearance(-overlap)
-    };
+    let finger = |x: f64, k: f64, overlap: f64| jaw::<2>(x, [k, 9.0], 0.4).clearance(-overlap);
     let grasp = planar::Grasp::new([finger(-1.0, p, a), finger(1.0, q, b)]).unwrap();
     let outcome = grasp.solve(&planar::Wrench::ZERO).unwrap();
     let state = outcome.equilibrium().expect("holds");

@@ -12,13 +12,13 @@ use grasp_lcp::equilibrium::Rung;
 use grasp_lcp::planar::{ContactState, Equilibrium, Outcome, Proof};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
-use proptest::test_runner::{FileFailurePersistence, RngSeed, TestRunner};
 use support::exact::{Census, Contact, Scene, State};
+use support::samples::{assert_met, config, runner, samples};
 
 /// Forces and displacements agree to this, relative to the largest of the scene.
 const AGREEMENT: f64 = 1e-9;
-/// Scenes of each kind in the fixed sequences.
-const SCENES: usize = 2500;
+/// Scenes of each kind in the fixed sequences. Of eight times as many those are listed, too, that only lower rungs decide.
+const SCENES: usize = 312;
 
 /// A whole number of `unit`s.
 fn grid(from: i32, to: i32, unit: f64) -> impl Strategy<Value = f64> {
@@ -225,11 +225,13 @@ impl Tally {
 
     /// The same sequence of scenes on every run.
     fn of(scenes: &impl Strategy<Value = Scene>) -> Self {
-        let mut runner = TestRunner::deterministic();
+        let mut runner = runner(config(1));
         let mut tally = Self::default();
-        for _ in 0..SCENES {
+        for number in 0..samples(8 * SCENES) {
             let scene = scenes.new_tree(&mut runner).expect("nothing is filtered").current();
-            tally.check(&scene).unwrap_or_else(|complaint| panic!("{complaint}"));
+            if number < samples(SCENES) || needs_a_lower_rung(&scene) {
+                tally.check(&scene).unwrap_or_else(|complaint| panic!("{complaint}"));
+            }
         }
         println!("{tally:?}");
         tally
@@ -238,7 +240,7 @@ impl Tally {
     /// Every kind of scene and every rung must have come up in at least this share of the scenes, in per cent.
     fn assert_often_enough(&self, shares: &[(&str, usize, usize)]) {
         for &(what, count, share) in shares {
-            assert!(100 * count >= share * SCENES, "only {count} of {SCENES} scenes: {what}\n{self:?}");
+            assert!(100 * count >= share * samples(SCENES), "only {count} scenes: {what}\n{self:?}");
         }
     }
 
@@ -255,8 +257,14 @@ impl Tally {
             ("separated", self.separated, 20),
         ]);
         // The lower rungs are for the few scenes in which the kinematic form ends on a ray.
-        assert!(self.force_form >= 5 && self.enumeration >= 2, "{self:?}");
+        assert_met(&[(self.force_form, 5), (self.enumeration, 1)]);
     }
+}
+
+fn needs_a_lower_rung(scene: &Scene) -> bool {
+    let outcome = scene.plain().grasp().solve(&scene.plain().wrench()).expect("a finite load");
+    let upper = [Rung::EverythingSticks, Rung::EverythingTouchingSticks, Rung::KinematicForm];
+    outcome.equilibrium().is_some_and(|e| !upper.contains(&e.rule))
 }
 
 fn describe(census: &Census) -> String {
@@ -290,12 +298,7 @@ fn stiff_with_strong_friction() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig {
-        cases: 300,
-        rng_seed: RngSeed::Fixed(1),
-        failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("regressions"))),
-        ..ProptestConfig::default()
-    })]
+    #![proptest_config(config(60))]
 
     #[test]
     fn other_lattice_scenes(scene in lattice_scene()) {

@@ -3,13 +3,13 @@
 use grasp_lcp::friction::{PlanarContacts, Settings, SpatialContacts};
 use grasp_lcp::lcp::{BreakdownCause, Outcome};
 use nalgebra::{DMatrix, DVector};
-use support::splitmix::Random;
+use support::samples::{samples, seeded};
 
 /// Two islands whose contacts alternate: each has the forces that it has alone.
 #[test]
 fn islands_have_the_forces_that_they_have_alone() {
-    let mut random = Random(91);
-    for _ in 0..50 {
+    let mut random = seeded(91);
+    for _ in 0..samples(50) {
         let n = random.index(1, 4);
         let mut alone = || {
             let h = DMatrix::from_fn(3 * n, 3 * n + 1, |_, _| random.normal());
@@ -55,9 +55,9 @@ fn a_proof_of_one_island_is_one_of_all() {
 /// A tolerance that rounding misses in the second island: the report names a contact of that island by its index in the whole problem.
 #[test]
 fn a_contact_of_an_island_is_named_by_its_index_in_the_whole_problem() {
-    let mut random = Random(17);
+    let mut random = seeded(17);
     let mut missed = 0;
-    for _ in 0..12 {
+    for _ in 0..samples(12) {
         let scale = DVector::from_fn(4, |_, _| 10_f64.powf(6.0 * random.uniform()));
         let h = DMatrix::from_diagonal(&scale) * DMatrix::from_fn(4, 4, |_, _| random.normal());
         let mut w = DMatrix::identity(8, 8);

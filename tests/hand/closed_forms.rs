@@ -5,6 +5,7 @@ use grasp_lcp::nalgebra::DMatrix;
 use grasp_lcp::planar::Contact;
 use grasp_lcp::planar::hand::{DriveChange, DriveState, Finger, Hand, HandPart, Joint, Tendon};
 use grasp_lcp::planar::{Grasp, Leg, Wrench};
+use support::jaws::jaw;
 use support::programs::parts;
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
@@ -254,10 +255,8 @@ fn a_plate_jaw_on_one_spring() -> Tested {
 #[test]
 fn a_tendon_over_two_fingers() -> Tested {
     // Each finger turns about a pivot 1 m below its contact: a turn presses the contact inwards by the arm.
-    let finger = |x: f64, arm: f64| {
-        Finger::new([Joint::revolute([x, -arm])])
-            .contact(Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e4, 1e4).friction(0.6))
-    };
+    let finger =
+        |x: f64, arm: f64| Finger::new([Joint::revolute([x, -arm])]).contact(jaw::<2>(x, [1e4, 1e4], 0.6));
     // Motion of the contact for a unit turn: (-arm, 0): inwards on the right, so on the left the arm of the tendon is negative.
     let hand = Hand::new([finger(-1.0, 1.0), finger(1.0, 1.0)])
         .tendon(Tendon::new([-0.02, 0.02]).stiffness(5e4).pull(0.002));
@@ -297,10 +296,8 @@ fn a_force_that_is_held_stays() -> Tested {
 /// torques of their places.
 #[test]
 fn a_vice_is_tightened_and_opened() -> Tested {
-    let jaw = |x: f64| {
-        Finger::new([Joint::prismatic([-x, 0.0]).torque(5.0)])
-            .contact(Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 1e3).friction(0.5))
-    };
+    let jaw =
+        |x: f64| Finger::new([Joint::prismatic([-x, 0.0]).torque(5.0)]).contact(jaw::<2>(x, [1e3, 1e3], 0.5));
     let grasp: Grasp = Hand::new([jaw(-1.0), jaw(1.0)]).grasp()?;
     let legs = [
         Leg::torques_by([15.0, 15.0]),

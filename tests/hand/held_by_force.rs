@@ -4,6 +4,7 @@ use grasp_lcp::equilibrium::ContactAnswer;
 use grasp_lcp::grasp::{Contact, HandPart, JointKind};
 use grasp_lcp::load_path::{Leg, PathEnd};
 use grasp_lcp::{planar, spatial};
+use support::jaws::jaw;
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 
@@ -44,7 +45,7 @@ fn a_position_at_the_place_of_the_slide_carries_the_same() -> Tested {
 /// A pad of the plane that is pressed with 10 N against a fixed jaw: both rub with 0.5 · 10 N, whatever pushes along the force.
 #[test]
 fn a_soft_pad_slides_at_what_its_force_rubs_with() -> Tested {
-    let jaw = |x: f64| planar::Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(2e3, 1e3).friction(0.5);
+    let jaw = |x: f64| jaw::<2>(x, [2e3, 1e3], 0.5);
     let pad = planar::SoftFingertip::pad(0.01, 3, planar::Pressure::Hertz)?;
     let points = pad.contacts(&jaw(-0.03).name("pad").force(10.0))?;
     let grasp = planar::Grasp::new(points.into_iter().chain([jaw(0.03)]))?;

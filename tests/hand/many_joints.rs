@@ -1,6 +1,7 @@
 //! A hand may have any number of joints.
 
 use grasp_lcp::{planar, spatial};
+use support::jaws::jaw;
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 
@@ -18,7 +19,7 @@ fn force() -> f64 {
 fn slides_in_a_row_give_way_like_one_in_the_plane() -> Tested {
     for count in [1_u32, 12, 13, 60, 150] {
         let finger = |x: f64| {
-            let pad = planar::Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(CONTACT, 8e3).friction(0.5);
+            let pad = jaw::<2>(x, [CONTACT, 8e3], 0.5);
             let slide = planar::hand::Joint::prismatic([-x, 0.0]).stiffness(JOINTS * f64::from(count));
             planar::hand::Finger::new((0..count).map(|_| slide.clone())).contact(pad.command([COMMAND, 0.0]))
         };

@@ -2,22 +2,23 @@
 
 use grasp_lcp::Limit;
 use grasp_lcp::{planar, spatial};
-use support::numbers::Numbers;
+use support::samples::{assert_met, samples, seeded};
+use support::splitmix::Random;
 
 /// A planar hand of two fingers of two joints.
-fn plane(numbers: &mut Numbers, limit: fn(f64) -> Limit) -> planar::Grasp {
+fn plane(numbers: &mut Random, limit: fn(f64) -> Limit) -> planar::Grasp {
     let mut finger = |x: f64| {
         let mut joint = |px: f64, py: f64, bound: f64| {
-            let point = [x * (px + 0.2 * numbers.part()), py + 0.2 * numbers.signed()];
+            let point = [x * (px + 0.2 * numbers.uniform()), py + 0.2 * numbers.signed()];
             planar::hand::Joint::revolute(point)
-                .stiffness(40.0 + 30.0 * numbers.part())
-                .limit(limit(bound * (1.0 + 0.4 * numbers.part())))
+                .stiffness(40.0 + 30.0 * numbers.uniform())
+                .limit(limit(bound * (1.0 + 0.4 * numbers.uniform())))
         };
         let joints = [joint(1.3, -1.0, 3.3), joint(1.2, 0.4, 1.5)];
         let normal = [-x, 0.2 * numbers.signed()];
         let pad = planar::Contact::new([x, 0.2 * numbers.signed()], normal)
             .series_stiffness(2e3, 1.5e3)
-            .friction(0.9 + 0.4 * numbers.part())
+            .friction(0.9 + 0.4 * numbers.uniform())
             .pressed_with(3.0);
         planar::hand::Finger::new(joints).contact(pad)
     };
@@ -28,9 +29,9 @@ fn plane(numbers: &mut Numbers, limit: fn(f64) -> Limit) -> planar::Grasp {
 /// that is solved for, and between events nothing changes its state.
 #[test]
 fn saturating_joints_pass_through_equilibria_at_rest() {
-    let mut numbers = Numbers(19);
+    let mut numbers = seeded(19);
     let (mut yields, mut compared) = (0, 0);
-    for _ in 0..40 {
+    for _ in 0..samples(40) {
         let grasp = plane(&mut numbers, Limit::Saturates);
         let load =
             planar::Wrench::new([2.0 * numbers.signed(), 2.0 * numbers.signed()], 0.5 * numbers.signed());
@@ -57,16 +58,16 @@ fn saturating_joints_pass_through_equilibria_at_rest() {
             from = event.fraction;
         }
     }
-    assert!(yields > 20 && compared > 20, "{yields} {compared}");
+    assert_met(&[(yields, 20), (compared, 20)]);
 }
 
 /// A slipping joint's path against a great many short steps, each solved at rest from the commands less what has slipped so far: the slip law of a clutch
 /// is that of a spring whose command moves with the slip.
 #[test]
 fn slipping_joints_follow_small_steps() {
-    let mut numbers = Numbers(23);
+    let mut numbers = seeded(23);
     let mut slipped = 0;
-    for _ in 0..12 {
+    for _ in 0..samples(12) {
         let grasp = plane(&mut numbers, Limit::Slips);
         let load =
             planar::Wrench::new([2.0 * numbers.signed(), 0.3 * numbers.signed()], 0.1 * numbers.signed());
@@ -95,15 +96,15 @@ fn slipping_joints_follow_small_steps() {
         }
         slipped += usize::from(followed.joints.iter().any(|j| j.yielded.abs() > 1e-4));
     }
-    assert!(slipped > 2, "{slipped}");
+    assert_met(&[(slipped, 2)]);
 }
 
 /// In space, contacts sliding on round cones beside joints that saturate: states on the path are equilibria to their residuals.
 #[test]
 fn in_space_every_state_on_the_way_is_an_equilibrium() {
-    let mut numbers = Numbers(29);
+    let mut numbers = seeded(29);
     let (mut states, mut yields, mut slides) = (0, 0, 0);
-    for round in 0..10 {
+    for round in 0..samples(10) {
         let limit = if round % 2 == 0 { Limit::Saturates } else { Limit::Slips };
         let mut finger = |k: u32| {
             let (sin, cos) = (f64::from(k) * std::f64::consts::TAU / 3.0 + 0.2 * numbers.signed()).sin_cos();
@@ -112,7 +113,7 @@ fn in_space_every_state_on_the_way_is_an_equilibrium() {
                 let axis = [sin + 0.1 * numbers.signed(), -cos, 0.1 * numbers.signed()];
                 spatial::hand::Joint::revolute(point, axis)
                     .stiffness(60.0)
-                    .limit(limit(bound * (1.0 + numbers.part())))
+                    .limit(limit(bound * (1.0 + numbers.uniform())))
             };
             let joints = [joint(-1.0, 3.6), joint(-0.4, 1.8)];
             let pad = spatial::Contact::new([cos, sin, 0.1 * numbers.signed()], [-cos, -sin, 0.1])
@@ -123,7 +124,7 @@ fn in_space_every_state_on_the_way_is_an_equilibrium() {
         };
         let grasp: spatial::Grasp =
             spatial::hand::Hand::new((0..3).map(&mut finger)).grasp().expect("well posed");
-        let load = spatial::Wrench::force(numbers.three().map(|f| 12.0 * f));
+        let load = spatial::Wrench::force(numbers.vector().map(|f| 12.0 * f));
         let mut path = grasp.follow(&spatial::Wrench::ZERO, &[spatial::Leg::load_to(load)]).expect("a load");
         let events = path.run();
         yields += events.iter().map(|event| event.drives.len()).sum::<usize>();
@@ -138,5 +139,5 @@ fn in_space_every_state_on_the_way_is_an_equilibrium() {
             states += 1;
         }
     }
-    assert!(states > 100 && yields > 3 && slides > 5, "{states} {yields} {slides}");
+    assert_met(&[(states, 100), (yields, 3), (slides, 5)]);
 }

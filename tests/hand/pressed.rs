@@ -4,6 +4,7 @@ use grasp_lcp::nalgebra::DMatrix;
 use grasp_lcp::planar::Wrench;
 use grasp_lcp::planar::hand::{Finger, Hand, Joint};
 use grasp_lcp::planar::{Contact, Grasp};
+use support::jaws::jaw;
 
 fn pad(x: f64) -> Contact {
     Contact::new([x, 0.0], [-x, 0.25]).series_stiffness(3e3, 2e3).friction(0.5).pressed_with(8.0)
@@ -44,8 +45,7 @@ fn every_kind_of_finger_presses_as_it_is_told() {
 fn a_soft_fingertip_presses_as_its_contact() {
     let tip =
         grasp_lcp::grasp::SoftFingertip::<2>::pad(0.2, 5, grasp_lcp::planar::Pressure::Uniform).unwrap();
-    let contact =
-        |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(3e3, 2e3).friction(0.5).pressed_with(8.0);
+    let contact = |x: f64| jaw::<2>(x, [3e3, 2e3], 0.5).pressed_with(8.0);
     let points: Vec<_> = [-1.0, 1.0].iter().flat_map(|x| tip.contacts(&contact(*x)).unwrap()).collect();
     let half = points.len() / 2;
     let outcome = Grasp::new(points).unwrap().solve(&grasp_lcp::planar::Wrench::ZERO).unwrap();

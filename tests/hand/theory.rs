@@ -6,10 +6,11 @@ use grasp_lcp::nalgebra::{DMatrix, DVector};
 use grasp_lcp::planar::Contact;
 use grasp_lcp::planar::hand::{Finger, Hand};
 use grasp_lcp::planar::{Grasp, Wrench};
-use support::numbers::Numbers;
+use support::samples::{assert_met, samples, seeded};
+use support::splitmix::Random;
 
 /// A compliance matrix, positive definite.
-fn compliance(size: usize, numbers: &mut Numbers) -> DMatrix<f64> {
+fn compliance(size: usize, numbers: &mut Random) -> DMatrix<f64> {
     let root = DMatrix::from_fn(size, size, |_, _| numbers.signed());
     &root * root.transpose() + DMatrix::identity(size, size) * 0.2
 }
@@ -45,16 +46,16 @@ fn one_contact_on_a_fixed_body_has_one_answer_or_up_to_three() {
 /// On a body that is free to move the condition at every contact does not give one answer; where everything sticks the forces are unique all the same.
 #[test]
 fn on_a_free_body_several_answers_but_one_that_sticks() {
-    let mut numbers = Numbers(3);
+    let mut numbers = seeded(3);
     let (mut several, mut stuck) = (0, 0);
-    for _ in 0..400 {
+    for _ in 0..samples(400) {
         let mut finger = |x: f64| {
             let matrix = compliance(2, &mut numbers);
             // A hundredth below the bound of one contact on a fixed body, and no more than 1.5.
             let mu = (0.99 * matrix[(0, 0)] / matrix[(0, 1)].abs()).min(1.5);
             let contact = Contact::new([x, 0.3 * numbers.signed()], [-x, 0.8 * numbers.signed()])
                 .friction(mu)
-                .command([0.5 + numbers.part(), numbers.signed()]);
+                .command([0.5 + numbers.uniform(), numbers.signed()]);
             Finger::compliant([contact], matrix)
         };
         let grasp: Grasp = Hand::new([finger(-1.0), finger(1.0)]).grasp().expect("well posed");
@@ -70,17 +71,17 @@ fn on_a_free_body_several_answers_but_one_that_sticks() {
         let first = grasp.solve(&load).expect("a load").equilibrium().map(|e| e.rule);
         assert!(sticking == 0 || first == Some(Rung::EverythingSticks), "{first:?}");
     }
-    assert!(several > 5 && stuck > 20, "{several} {stuck}");
+    assert_met(&[(several, 5), (stuck, 20)]);
 }
 
 /// `zᵀMz >= 0` for z >= 0 in the force form, whatever the coupling.
 #[test]
 fn the_force_form_stays_copositive() {
-    let mut numbers = Numbers(11);
+    let mut numbers = seeded(11);
     let mut forms = 0;
-    for _ in 0..30 {
+    for _ in 0..samples(30) {
         let contacts = [[-1.0, 0.2], [1.0, -0.1], [0.3, 1.0]].map(|[x, y]| {
-            Contact::new([x, y], [-x, -y]).friction(0.2 + numbers.part()).command([1.0, numbers.signed()])
+            Contact::new([x, y], [-x, -y]).friction(0.2 + numbers.uniform()).command([1.0, numbers.signed()])
         });
         let grasp: Grasp = Hand::new([Finger::compliant(contacts, compliance(6, &mut numbers))])
             .grasp()
@@ -94,7 +95,10 @@ fn the_force_form_stays_copositive() {
         let m = form.lcp.matrix();
         for _ in 0..200 {
             let z =
-                DVector::from_fn(m.nrows(), |_, _| if numbers.part() < 0.5 { 0.0 } else { numbers.part() });
+                DVector::from_fn(
+                    m.nrows(),
+                    |_, _| if numbers.uniform() < 0.5 { 0.0 } else { numbers.uniform() },
+                );
             let value = z.dot(&(m * &z));
             assert!(value >= -1e-12 * m.amax() * z.norm_squared(), "{value}");
         }
@@ -105,9 +109,9 @@ fn the_force_form_stays_copositive() {
 /// A squeeze alone can slide and end in nothing, and a weight can stop it.
 #[test]
 fn held_loads_need_not_include_zero() {
-    let mut numbers = Numbers(5);
+    let mut numbers = seeded(5);
     let mut found = 0;
-    for _ in 0..200 {
+    for _ in 0..samples(200) {
         let mut finger = |x: f64| {
             let contact = Contact::new([x, 0.0], [-x, 0.9 + 0.2 * numbers.signed()])
                 .friction(0.5)
@@ -122,5 +126,5 @@ fn held_loads_need_not_include_zero() {
         // Both normals point up: pressed on from below the object rests under a weight, and without one it is driven out.
         found += usize::from(!holds(0.0) && [0.3, 0.6, 1.0, 1.5].iter().any(|w| holds(-w)));
     }
-    assert!(found > 20, "{found}");
+    assert_met(&[(found, 20)]);
 }

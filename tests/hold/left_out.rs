@@ -1,17 +1,13 @@
 //! What the turning of the squeeze takes of what resists: the closed form of a pinch, `−N / (k_t a)`.
 
-use grasp_lcp::planar::{Contact, Grasp, Wrench};
+use grasp_lcp::planar::{Grasp, Wrench};
 use grasp_lcp::spatial;
+use support::jaws::jaw;
 
 #[test]
 fn of_a_pinch() -> Result<(), grasp_lcp::Error> {
     let (half, press, tangential) = (0.04, 20.0, 2000.0);
-    let jaw = |x: f64| {
-        Contact::new([x, 0.0], [-x, 0.0])
-            .series_stiffness(5000.0, tangential)
-            .friction(0.9)
-            .pressed_with(press)
-    };
+    let jaw = |x: f64| jaw::<2>(x, [5000.0, tangential], 0.9).pressed_with(press);
     let verdict = Grasp::new([jaw(-half), jaw(half)])?.hold(Wrench::new([0.0, 0.0], 0.1))?;
     let part = verdict.left_out.expect("a quarter");
     assert!((part + press / (tangential * half)).abs() < 1e-12, "{part}");
@@ -29,12 +25,7 @@ fn of_a_pinch() -> Result<(), grasp_lcp::Error> {
 #[test]
 fn of_a_pinch_in_space() -> Result<(), grasp_lcp::Error> {
     let (half, press, tangential) = (0.04, 20.0, 2000.0);
-    let jaw = |x: f64| {
-        spatial::Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0])
-            .series_stiffness(5000.0, tangential)
-            .friction(0.9)
-            .pressed_with(press)
-    };
+    let jaw = |x: f64| jaw::<3>(x, [5000.0, tangential], 0.9).pressed_with(press);
     let grasp = spatial::Grasp::new([jaw(-half), jaw(half)])?;
     for about in [[0.0, 0.1, 0.0], [0.0, 0.06, -0.08]] {
         let part = grasp.hold(spatial::Wrench::new([0.0; 3], about))?.left_out.expect("a quarter");

@@ -1,11 +1,10 @@
 //! The proof that nothing holds near where a load was lost, attacked in space: from random motions within its radius Newton's method looks for one at which
 //! contact forces of any history balance the load.
-//!
-//! `HOLD_GRASPS=400 HOLD_ATTACKS=40 cargo test --test hold nothing_near_in_space -- --nocapture` attacks so many grasps so often, and prints what came of it.
 
 use grasp_lcp::Settings;
 use grasp_lcp::spatial::{Contact, Grasp, SoftFingertip, Wrench};
 use nalgebra::{Matrix6, SMatrix, SVector, Vector2, Vector3, Vector6};
+use support::samples::{samples, seeded};
 use support::splitmix::Random;
 
 /// Moments count as forces so far away, m.
@@ -25,12 +24,13 @@ struct Touch {
 
 /// Three or four fingers around an object, or two rings that face each other; overloaded.
 fn drawn(random: &mut Random, rings: bool) -> Result<(Grasp, Wrench), grasp_lcp::Error> {
-    let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
-    let (friction, press, four) = (between(0.2, 0.8), between(5.0, 40.0), between(0.0, 1.0) < 0.5);
+    let (friction, press, four) =
+        (random.between(0.2, 0.8), random.between(5.0, 40.0), random.between(0.0, 1.0) < 0.5);
     let mut finger = |angle: f64| {
-        let out = Vector3::new(angle.cos(), angle.sin(), between(-0.1, 0.1));
-        let askew = Vector3::new(between(-0.1, 0.1), between(-0.1, 0.1), between(-0.1, 0.1));
-        let [normal, tangential] = [between(500.0, 2e4), between(500.0, 2e4)];
+        let out = Vector3::new(angle.cos(), angle.sin(), random.between(-0.1, 0.1));
+        let askew =
+            Vector3::new(random.between(-0.1, 0.1), random.between(-0.1, 0.1), random.between(-0.1, 0.1));
+        let [normal, tangential] = [random.between(500.0, 2e4), random.between(500.0, 2e4)];
         Contact::new(out * ARM, askew - out)
             .series_stiffness(normal, tangential)
             .friction(friction)
@@ -44,9 +44,10 @@ fn drawn(random: &mut Random, rings: bool) -> Result<(Grasp, Wrench), grasp_lcp:
         let fingers = if four { 4 } else { 3 };
         ((0..fingers).map(|i| finger(turn * f64::from(i) / f64::from(fingers))).collect(), f64::from(fingers))
     };
-    let over = between(1.05, 3.0) * fingers * friction * press;
-    let aside = [between(-0.4, 0.4), between(-0.4, 0.4)];
-    let load = Wrench::force_at([over * aside[0], over * aside[1], -over], [0.0, between(-0.01, 0.01), 0.0]);
+    let over = random.between(1.05, 3.0) * fingers * friction * press;
+    let aside = [random.between(-0.4, 0.4), random.between(-0.4, 0.4)];
+    let load =
+        Wrench::force_at([over * aside[0], over * aside[1], -over], [0.0, random.between(-0.01, 0.01), 0.0]);
     Ok((Grasp::new(contacts)?, load))
 }
 
@@ -127,9 +128,7 @@ fn within(by: Vector6<f64>, centroid: &Vector3<f64>, reach: f64, angle: f64) -> 
 
 #[test]
 fn newton_finds_no_balance_within_the_radius() -> Result<(), grasp_lcp::Error> {
-    let asked = |name: &str| std::env::var(name).ok().and_then(|value| value.parse::<usize>().ok());
-    let (grasps, each) = (asked("HOLD_GRASPS").unwrap_or(40), asked("HOLD_ATTACKS").unwrap_or(6));
-    let mut random = Random(5);
+    let (mut random, grasps) = (seeded(5), samples(12));
     let (mut proofs, mut attacks, mut closest) = ([0, 0], 0, f64::INFINITY);
     for number in 0..grasps {
         let rings = number % 2 == 1;
@@ -144,11 +143,10 @@ fn newton_finds_no_balance_within_the_radius() -> Result<(), grasp_lcp::Error> {
         let (touches, w) = (touches(&grasp), load.to_vector());
         let at = state.twist.to_vector();
         let [reach, angle] = [near.translation.min(10.0), near.rotation.min(10.0)];
-        for _ in 0..each {
+        for _ in 0..6 {
             attacks += 1;
-            let start = SVector::<f64, 6>::from_fn(|k, _| {
-                (2.0 * random.uniform() - 1.0) * if k < 3 { reach } else { angle }
-            });
+            let start =
+                SVector::<f64, 6>::from_fn(|k, _| random.signed() * if k < 3 { reach } else { angle });
             let mut by = within(start, &centroid, reach, angle);
             for _ in 0..STEPS {
                 let (rest, slope) = least(&touches, &w, &(at + by), SWEEPS);

@@ -2,21 +2,22 @@
 
 use grasp_lcp::nalgebra::{Matrix3, Vector3};
 use grasp_lcp::{Error, planar, spatial};
-use support::numbers::Numbers;
+use support::samples::{samples, seeded};
+use support::splitmix::Random;
 
 struct Particle {
     mass: f64,
     at: Vector3<f64>,
 }
 
-fn drawn(numbers: &mut Numbers) -> Vector3<f64> {
+fn drawn(numbers: &mut Random) -> Vector3<f64> {
     Vector3::from_fn(|_, _| numbers.signed())
 }
 
 /// Particles, with the axis z alone in the plane.
-fn body(numbers: &mut Numbers, is_flat: bool) -> Vec<Particle> {
+fn body(numbers: &mut Random, is_flat: bool) -> Vec<Particle> {
     let flat = |v: Vector3<f64>| if is_flat { Vector3::new(v.x, v.y, 0.0) } else { v };
-    (0..5).map(|_| Particle { mass: 0.1 + numbers.part(), at: flat(drawn(numbers)) }).collect()
+    (0..5).map(|_| Particle { mass: 0.1 + numbers.uniform(), at: flat(drawn(numbers)) }).collect()
 }
 
 struct Arm {
@@ -50,8 +51,8 @@ fn whole(body: &[Particle]) -> (f64, Vector3<f64>, Matrix3<f64>) {
 
 #[test]
 fn in_space_as_the_sum_over_particles() -> Result<(), Error> {
-    let mut numbers = Numbers(7);
-    for _ in 0..200 {
+    let mut numbers = seeded(7);
+    for _ in 0..samples(200) {
         let body = body(&mut numbers, false);
         let [gravity, acceleration, about, velocity, faster] =
             std::array::from_fn(|_| drawn(&mut numbers) * 3.0);
@@ -71,8 +72,8 @@ fn in_space_as_the_sum_over_particles() -> Result<(), Error> {
 
 #[test]
 fn in_the_plane_as_the_sum_over_particles() -> Result<(), Error> {
-    let mut numbers = Numbers(8);
-    for _ in 0..200 {
+    let mut numbers = seeded(8);
+    for _ in 0..samples(200) {
         let body = body(&mut numbers, true);
         let flat = |v: Vector3<f64>| Vector3::new(v.x, v.y, 0.0);
         let [gravity, acceleration, about] = std::array::from_fn(|_| flat(drawn(&mut numbers)) * 3.0);

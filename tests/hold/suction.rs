@@ -5,6 +5,7 @@ use grasp_lcp::need::Need;
 use grasp_lcp::planar::hand::{Finger, Hand, Joint};
 use grasp_lcp::spatial::{Contact, Departure, Grasp, Ramp, SoftFingertip, SuctionCup, Turn, Wrench};
 use grasp_lcp::{Error, Field, planar};
+use support::jaws::jaw;
 
 const RADIUS: f64 = 0.02;
 const VACUUM: f64 = 60.0;
@@ -133,9 +134,7 @@ fn a_joint_does_not_feel_it() -> Tested {
         .friction(0.5)
         .suction(VACUUM);
     let lift = Finger::new([Joint::prismatic([0.0, 1.0]).stiffness(2e3)]).contact(cup);
-    let side = |x: f64| {
-        planar::Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e4, 1e-3).friction(0.0).pressed_with(5.0)
-    };
+    let side = |x: f64| jaw::<2>(x, [1e4, 1e-3], 0.0).pressed_with(5.0);
     let grasp = Hand::new([lift, Finger::fixed(side(-0.1)), Finger::fixed(side(0.1))]).grasp()?;
     let outcome = grasp.solve(&planar::Wrench::force([0.0, -20.0]))?;
     let state = outcome.equilibrium().expect("it hangs");

@@ -3,6 +3,7 @@
 use grasp_lcp::hold::WayOut;
 use grasp_lcp::planar::{Bodies, Body, Contact, Grasp, Ramp, Wrench};
 use grasp_lcp::spatial;
+use support::jaws::jaw;
 
 type Tested = Result<(), grasp_lcp::Error>;
 
@@ -63,13 +64,7 @@ fn a_box_lifts_off() -> Tested {
 /// Two points carry no moment about the line through them.
 #[test]
 fn a_pinch_spins_about_its_line() -> Tested {
-    let tip = |x: f64, name: &str| {
-        spatial::Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0])
-            .name(name)
-            .series_stiffness(1e3, 8e2)
-            .friction(0.5)
-            .pressed_with(10.0)
-    };
+    let tip = |x: f64, name: &str| jaw::<3>(x, [1e3, 8e2], 0.5).name(name).pressed_with(10.0);
     let pinch = spatial::Grasp::new([tip(-0.03, "thumb"), tip(0.03, "index")])?;
     let verdict = pinch.hold(spatial::Wrench::new([0.0, 0.0, -1.0], [1e-3, 0.0, 0.0]))?;
     let lost = verdict.lost.as_ref().expect("turns");

@@ -1,20 +1,14 @@
 //! Random grasps: what is told to hold has moved little, and the first line is the same in other units and orders.
-//!
-//! `GRASP_LCP_SAMPLES=100` draws so many times as many.
 
 use core::fmt::Write;
 
 use grasp_lcp::hold::Verdict;
 use grasp_lcp::{planar, spatial};
+use support::samples::{samples, seeded};
 use support::splitmix::Random;
 
 /// As the default settings have them.
 const SMALL: f64 = 0.1;
-
-fn samples(few: usize) -> usize {
-    let times = std::env::var("GRASP_LCP_SAMPLES").ok().and_then(|times| times.parse::<usize>().ok());
-    few * times.unwrap_or(1)
-}
 
 /// Three or four fingers around an object, or what it stands on; soft or stiff, gently or hard overloaded.
 struct Drawn<const C: usize> {
@@ -43,24 +37,23 @@ fn around(random: &mut Random) -> Drawn<2> {
 
 fn drawn<const C: usize>(random: &mut Random) -> Drawn<C> {
     let count = random.index(2, 5);
-    let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
-    let soft = 10.0_f64.powf(between(2.5, 6.5));
+    let soft = 10.0_f64.powf(random.between(2.5, 6.5));
     let mut of = Drawn {
         points: Vec::new(),
         normals: Vec::new(),
         stiffness: Vec::new(),
         friction: Vec::new(),
         press: Vec::new(),
-        force: core::array::from_fn(|_| between(-15.0, 15.0)),
-        at: core::array::from_fn(|_| between(-0.1, 0.1)),
+        force: core::array::from_fn(|_| random.between(-15.0, 15.0)),
+        at: core::array::from_fn(|_| random.between(-0.1, 0.1)),
     };
     for _ in 0..count {
-        let point: [f64; C] = core::array::from_fn(|_| between(-0.05, 0.05));
-        of.normals.push(core::array::from_fn(|k| between(-0.02, 0.02) - point[k]));
+        let point: [f64; C] = core::array::from_fn(|_| random.between(-0.05, 0.05));
+        of.normals.push(core::array::from_fn(|k| random.between(-0.02, 0.02) - point[k]));
         of.points.push(point);
-        of.stiffness.push([soft * between(0.5, 2.0), soft * between(0.5, 2.0)]);
-        of.friction.push(if between(0.0, 1.0) < 0.15 { 0.0 } else { between(0.1, 1.2) });
-        of.press.push(between(0.0, 30.0));
+        of.stiffness.push([soft * random.between(0.5, 2.0), soft * random.between(0.5, 2.0)]);
+        of.friction.push(if random.between(0.0, 1.0) < 0.15 { 0.0 } else { random.between(0.1, 1.2) });
+        of.press.push(random.between(0.0, 30.0));
     }
     of
 }
@@ -113,7 +106,7 @@ fn moves_far<const C: usize>(verdict: &Verdict<C>, points: &[[f64; C]]) -> bool 
 
 #[test]
 fn what_holds_has_moved_little() {
-    let mut random = Random(62);
+    let mut random = seeded(62);
     let (mut held, mut too_far) = (0, 0);
     for k in 0..samples(60) {
         let [holds, far] = if k % 3 == 0 {
@@ -152,7 +145,7 @@ fn told_without_numbers(said: &str) -> String {
 /// In other units a moment is another number, and lengths are told in mm or m: words and the load factors stay.
 #[test]
 fn units_and_order_do_not_matter() {
-    let mut random = Random(26);
+    let mut random = seeded(26);
     let (mut asked, mut slide_at_rest) = (0, 0);
     while asked < samples(10) {
         let drawn = around(&mut random);

@@ -1,15 +1,12 @@
 //! The first sentence of a verdict.
 
 use grasp_lcp::planar::{Contact, Grasp, Pressure, Ramp, SoftFingertip, Wrench};
+use support::jaws;
 
 type Tested = Result<(), grasp_lcp::Error>;
 
 fn jaw(x: f64, name: &str, press: f64, friction: f64) -> Contact {
-    Contact::new([x, 0.0], [-x, 0.0])
-        .name(name)
-        .series_stiffness(2000.0, 1000.0)
-        .friction(friction)
-        .pressed_with(press)
+    jaws::jaw::<2>(x, [2000.0, 1000.0], friction).name(name).pressed_with(press)
 }
 
 fn down(newtons: f64) -> Wrench {
@@ -73,9 +70,7 @@ fn a_soft_pad_is_one_contact() -> Tested {
 
 #[test]
 fn contacts_without_names_have_numbers() -> Tested {
-    let jaw = |x: f64| {
-        Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 1e3).friction(0.5).pressed_with(10.0)
-    };
+    let jaw = |x: f64| jaws::jaw::<2>(x, [1e3, 1e3], 0.5).pressed_with(10.0);
     let said = Grasp::new([jaw(-1.0), jaw(1.0)])?.hold(down(5.0))?.to_string();
     assert!(said.ends_with("until it is lost, as contact 0 and contact 1 slide"), "{said}");
     Ok(())
@@ -103,9 +98,7 @@ fn the_load_at_rest_is_named() -> Tested {
 /// A pinch that a moment turns by more than a small angle is not told to hold: `M = 2 k_t a² θ`.
 #[test]
 fn large_motions_are_labelled() -> Tested {
-    let jaw = |x: f64| {
-        Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1.0, 1.0).friction(0.5).pressed_with(10.0)
-    };
+    let jaw = |x: f64| jaws::jaw::<2>(x, [1.0, 1.0], 0.5).pressed_with(10.0);
     let said = Grasp::new([jaw(-1.0), jaw(1.0)])?.hold(Wrench::new([0.0, 0.0], 5.0))?.to_string();
     assert!(said.starts_with("GOES TOO FAR at 0.2 N m of 5 N m: it turns by more than 5.7°"), "{said}");
     Ok(())
@@ -114,7 +107,7 @@ fn large_motions_are_labelled() -> Tested {
 /// A wedge that is squeezed out of its faces may come to lie between them: that is no grasp.
 #[test]
 fn what_lies_loose_is_not_held() -> Tested {
-    let jaw = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 1e3).friction(0.5);
+    let jaw = |x: f64| jaws::jaw::<2>(x, [1e3, 1e3], 0.5);
     let verdict = Grasp::new([jaw(-1.0), jaw(1.0)])?.hold(Wrench::ZERO)?;
     assert_eq!(verdict.holds(), Some(false));
     assert_eq!(

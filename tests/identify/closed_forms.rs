@@ -2,16 +2,9 @@
 
 use grasp_lcp::identify::{Ending, Identified, Identify, Slip, Unknown};
 use grasp_lcp::planar::{Contact, Grasp, Turn, Wrench};
+use support::jaws::{jaw, jaws};
 
 type Tested = Result<(), grasp_lcp::Error>;
-
-fn jaws() -> Result<Grasp, grasp_lcp::Error> {
-    let jaw = |x: f64, name: &str| {
-        let jaw = Contact::new([x, 0.0], [-x, 0.0]).name(name).friction(0.5);
-        jaw.series_stiffness(1000.0, 800.0).pressed_with(10.0)
-    };
-    Grasp::new([jaw(-0.03, "left"), jaw(0.03, "right")])
-}
 
 fn down(newtons: f64) -> Wrench {
     Wrench::force([0.0, -newtons])
@@ -28,8 +21,8 @@ fn are(found: &Identified, values: &[f64]) {
 #[test]
 fn friction_of_a_pinch() -> Tested {
     for slip in [Slip::first, Slip::gross] {
-        let found =
-            Identify::new([Unknown::friction()], [slip(down(6.2)), slip(down(6.2))]).answered_by(&jaws()?)?;
+        let found = Identify::new([Unknown::friction()], [slip(down(6.2)), slip(down(6.2))])
+            .answered_by(&jaws([0.5; 2])?)?;
         are(&found, &[0.31]);
         assert_eq!(found.by_differences, 0, "exact derivatives");
     }
@@ -40,9 +33,7 @@ fn friction_of_a_pinch() -> Tested {
 #[test]
 fn friction_of_a_pinch_above_a_floor() -> Tested {
     // At 10 N the springs give way by 0.5 mm.
-    let jaw = |x: f64| {
-        Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e4, 1e4).friction(0.5).pressed_with(10.0)
-    };
+    let jaw = |x: f64| jaw::<2>(x, [1e4, 1e4], 0.5).pressed_with(10.0);
     let floor =
         Contact::new([0.0, -0.02], [0.0, 1.0]).series_stiffness(1e4, 5e3).friction(0.2).clearance(1e-3);
     let contacts = [jaw(-0.03), jaw(0.03), floor];
@@ -58,9 +49,12 @@ fn friction_of_a_pinch_above_a_floor() -> Tested {
 fn squeeze_of_a_pinch() -> Tested {
     for slip in [Slip::first, Slip::gross] {
         let slips = [slip(down(12.0)), slip(down(12.0))];
-        are(&Identify::new([Unknown::squeeze()], slips.clone()).answered_by(&jaws()?)?, &[1.2]);
+        are(&Identify::new([Unknown::squeeze()], slips.clone()).answered_by(&jaws([0.5; 2])?)?, &[1.2]);
         // Pressed by one jaw alone harder, both share: to 1.2 of each it takes 1.4 of one.
-        are(&Identify::new([Unknown::squeeze().of_contacts([1])], slips).answered_by(&jaws()?)?, &[1.4]);
+        are(
+            &Identify::new([Unknown::squeeze().of_contacts([1])], slips).answered_by(&jaws([0.5; 2])?)?,
+            &[1.4],
+        );
     }
     Ok(())
 }
@@ -69,7 +63,7 @@ fn squeeze_of_a_pinch() -> Tested {
 #[test]
 fn friction_from_a_squeeze_that_is_loosened() -> Tested {
     let slips = [Slip::gross(down(4.0)).squeezed(0.5)];
-    are(&Identify::new([Unknown::friction()], slips).answered_by(&jaws()?)?, &[0.4]);
+    are(&Identify::new([Unknown::friction()], slips).answered_by(&jaws([0.5; 2])?)?, &[0.4]);
     Ok(())
 }
 
@@ -107,10 +101,10 @@ fn a_ratio_of_stiffnesses_from_first_slip() -> Tested {
 /// Slips of two layouts, of jaws that press with 10 N and of others that press with 4 N: one friction of both, and the squeeze of the second.
 #[test]
 fn two_layouts() -> Tested {
-    let gently = jaws()?.squeezed(0.4)?;
+    let gently = jaws([0.5; 2])?.squeezed(0.4)?;
     let slips = [Slip::gross(down(6.0)), Slip::gross(down(3.6)).in_layout(1)];
     let unknowns = [Unknown::friction(), Unknown::squeeze().in_layout(1)];
-    let found = Identify::new(unknowns, slips).and_layouts([gently]).answered_by(&jaws()?)?;
+    let found = Identify::new(unknowns, slips).and_layouts([gently]).answered_by(&jaws([0.5; 2])?)?;
     are(&found, &[0.3, 1.5]);
     assert!(
         found.to_string().starts_with(

@@ -2,6 +2,7 @@
 
 use grasp_lcp::identify::{Identify, Slip, Unknown};
 use grasp_lcp::{Settings, planar, spatial};
+use support::samples::{samples, seeded};
 use support::splitmix::Random;
 
 type Tested = Result<(), grasp_lcp::Error>;
@@ -57,8 +58,8 @@ macro_rules! derivatives {
     ($name:ident, $at:ident, $drawn:expr, $loaded:expr) => {
         #[test]
         fn $name() -> Tested {
-            let (mut random, mut count) = (Random(11), Count::default());
-            for _ in 0..60 {
+            let (mut random, mut count) = (seeded(11), Count::default());
+            for _ in 0..samples(20) {
                 let drawn: Vec<_> = (0..random.index(2, 5)).map(|k| $drawn(k, &mut random)).collect();
                 let [base, load]: [$at::Wrench; 2] = $loaded(&mut random);
                 let grasp = |factors: &[[f64; 2]]| {

@@ -2,16 +2,9 @@
 
 use grasp_lcp::identify::{Ending, Identify, Slip, Unknown};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};
+use support::jaws::jaws;
 
 type Tested = Result<(), grasp_lcp::Error>;
-
-fn jaws() -> Result<Grasp, grasp_lcp::Error> {
-    let jaw = |x: f64, name: &str| {
-        let jaw = Contact::new([x, 0.0], [-x, 0.0]).name(name).friction(0.5);
-        jaw.series_stiffness(1000.0, 800.0).pressed_with(10.0)
-    };
-    Grasp::new([jaw(-0.03, "left"), jaw(0.03, "right")])
-}
 
 fn down() -> Wrench {
     Wrench::force([0.0, -6.0])
@@ -19,7 +12,7 @@ fn down() -> Wrench {
 
 #[test]
 fn each_is_refused_by_name() -> Tested {
-    let (grasp, slip, mu) = (jaws()?, Slip::gross(down()), Unknown::friction());
+    let (grasp, slip, mu) = (jaws([0.5; 2])?, Slip::gross(down()), Unknown::friction());
     let refused = |asked: Identify<2>, message: &str| {
         let error = asked.answered_by(&grasp).expect_err(message);
         assert_eq!(error.to_string(), message);
@@ -97,12 +90,12 @@ fn a_slip_that_is_not_predicted() -> Tested {
 fn a_search_that_is_cut_short() -> Tested {
     let slips = [5.9, 6.1].map(|newtons| Slip::gross(Wrench::force([0.0, -newtons])));
     let asked = Identify::new([Unknown::friction().starting_at(5.0)], slips);
-    let found = asked.clone().with_iterations(1).answered_by(&jaws()?)?;
+    let found = asked.clone().with_iterations(1).answered_by(&jaws([0.5; 2])?)?;
     assert_eq!(found.ending, Ending::NotConverged { iterations: 1 });
     assert!(
         found.to_string().ends_with("NOT CONVERGED in 1 steps: these numbers may still change"),
         "{found}"
     );
-    assert_eq!(asked.answered_by(&jaws()?)?.ending, Ending::Converged);
+    assert_eq!(asked.answered_by(&jaws([0.5; 2])?)?.ending, Ending::Converged);
     Ok(())
 }

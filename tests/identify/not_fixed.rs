@@ -2,16 +2,9 @@
 
 use grasp_lcp::identify::{Identified, Identify, Slip, Unknown};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};
+use support::jaws::jaws;
 
 type Tested = Result<(), grasp_lcp::Error>;
-
-fn jaws() -> Result<Grasp, grasp_lcp::Error> {
-    let jaw = |x: f64, name: &str| {
-        let jaw = Contact::new([x, 0.0], [-x, 0.0]).name(name).friction(0.5);
-        jaw.series_stiffness(1000.0, 800.0).pressed_with(10.0)
-    };
-    Grasp::new([jaw(-0.03, "left"), jaw(0.03, "right")])
-}
 
 fn slips() -> [Slip<2>; 5] {
     [5.9, 6.1, 6.3, 6.0, 5.8].map(|newtons| Slip::gross(Wrench::force([0.0, -newtons])))
@@ -31,7 +24,8 @@ fn says(found: &Identified, sentence: &str) {
 /// A pinch holds 2 μ N: neither by itself.
 #[test]
 fn friction_and_squeeze() -> Tested {
-    let found = Identify::new([Unknown::friction(), Unknown::squeeze()], slips()).answered_by(&jaws()?)?;
+    let found =
+        Identify::new([Unknown::friction(), Unknown::squeeze()], slips()).answered_by(&jaws([0.5; 2])?)?;
     says(&found, "Friction and squeeze are not fixed apart by these slips: only their product");
     says(&found, "friction not fixed, squeeze not fixed from 5 slips");
     // The product is found all the same.
@@ -45,7 +39,7 @@ fn friction_and_squeeze() -> Tested {
 #[test]
 fn what_is_known_besides_fixes_it() -> Tested {
     let unknowns = [Unknown::friction(), Unknown::squeeze()];
-    let found = Identify::new(unknowns, slips()).knowing([1], 1.0, 0.05).answered_by(&jaws()?)?;
+    let found = Identify::new(unknowns, slips()).knowing([1], 1.0, 0.05).answered_by(&jaws([0.5; 2])?)?;
     let [mu, squeeze] = &found.estimates[..] else { panic!("two unknowns") };
     assert!(mu.is_fixed && (mu.value - 0.30).abs() < 0.01 && found.free.is_empty(), "{found}");
     // Five percent of the squeeze and what slips scatter by, 0.9 % of their mean.
@@ -60,7 +54,8 @@ fn what_is_known_besides_fixes_it() -> Tested {
 /// A load of the limit does not depend on stiffness.
 #[test]
 fn stiffness_from_gross_slip() -> Tested {
-    let found = Identify::new([Unknown::stiffness(), Unknown::friction()], slips()).answered_by(&jaws()?)?;
+    let found =
+        Identify::new([Unknown::stiffness(), Unknown::friction()], slips()).answered_by(&jaws([0.5; 2])?)?;
     says(&found, "Tangential stiffness is not fixed: these slips do not depend on it");
     assert!(found.estimates[1].is_fixed, "{found}");
     Ok(())
@@ -87,7 +82,7 @@ fn friction_of_each_foot_from_both() -> Tested {
 #[test]
 fn friction_of_each_jaw_from_the_weaker() -> Tested {
     let each = [0, 1].map(|k| Unknown::friction().of_contacts([k]));
-    let found = Identify::new(each, slips()).answered_by(&jaws()?)?;
+    let found = Identify::new(each, slips()).answered_by(&jaws([0.5; 2])?)?;
     says(
         &found,
         "Friction of left and friction of right are not fixed apart by these slips: only what they do together",
@@ -99,7 +94,7 @@ fn friction_of_each_jaw_from_the_weaker() -> Tested {
 #[test]
 fn friction_and_loads_of_supports() -> Result<(), support::Failure> {
     let known = support::identified::three_feet(12)?;
-    let mut draw = support::splitmix::Random(3);
+    let mut draw = support::samples::seeded(3);
     let limits = known.limits()?;
     let weighed = known.asked(&limits, &mut draw).answered_by(&known.guess)?;
     assert!(weighed.free.is_empty() && weighed.by_differences == 0, "{weighed}");
@@ -120,7 +115,7 @@ fn friction_and_loads_of_supports() -> Result<(), support::Failure> {
 #[test]
 fn what_scatters_too_much() -> Tested {
     let slips = [0.6, 60.0, 6.0].map(|newtons| Slip::gross(Wrench::force([0.0, -newtons])));
-    let found = Identify::new([Unknown::friction()], slips).answered_by(&jaws()?)?;
+    let found = Identify::new([Unknown::friction()], slips).answered_by(&jaws([0.5; 2])?)?;
     assert!(found.to_string().starts_with("friction not fixed from 3 slips"), "{found}");
     assert!(found.to_string().contains("Friction is not fixed: the slips scatter too much"), "{found}");
     Ok(())

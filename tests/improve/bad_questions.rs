@@ -2,16 +2,11 @@
 
 use grasp_lcp::Error;
 use grasp_lcp::improve::{Improve, Surface};
-use grasp_lcp::planar::{Contact, Grasp, Loads, Turn, Wrench};
+use grasp_lcp::planar::{Grasp, Loads, Turn, Wrench};
+use support::jaws::jaw;
 
 fn refusal(question: &Improve<2>) -> String {
-    let jaw = |x: f64, name| {
-        Contact::new([x, 0.0], [-x, 0.0])
-            .name(name)
-            .series_stiffness(1e3, 8e2)
-            .friction(0.5)
-            .pressed_with(8.0)
-    };
+    let jaw = |x: f64, name| jaw::<2>(x, [1e3, 8e2], 0.5).name(name).pressed_with(8.0);
     let grasp = Grasp::new([jaw(-0.03, "left"), jaw(0.03, "right")]).expect("two jaws");
     question.answered_by(&grasp).map_or_else(|error: Error| error.to_string(), |answer| panic!("{answer}"))
 }

@@ -2,9 +2,10 @@
 
 use grasp_lcp::improve::{Binds, Improve, Improved, Surface};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};
+use support::jaws;
 
 fn jaw(x: f64) -> Contact {
-    Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).pressed_with(8.0)
+    jaws::jaw::<2>(x, [1e3, 8e2], 0.5).pressed_with(8.0)
 }
 
 /// The load is so far aside that both edges end before it is balanced.

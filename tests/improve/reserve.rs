@@ -3,15 +3,9 @@
 use grasp_lcp::improve::{Binds, Improve, ImproveGoal, Surface};
 use grasp_lcp::planar::{Contact, Grasp, Loads, Wrench};
 use grasp_lcp::spatial;
+use support::jaws::jaws;
 
 const CLOSE: f64 = 1e-9;
-
-fn jaws() -> Grasp {
-    let jaw = |x: f64| {
-        Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).pressed_with(10.0)
-    };
-    Grasp::new([jaw(-0.03), jaw(0.03)]).expect("two jaws")
-}
 
 fn edge(x: f64) -> Surface<2> {
     Surface::segment([x, -0.02], [x, 0.02])
@@ -27,7 +21,7 @@ fn carried(load: f64, aside: f64) -> Improve<2> {
 /// would be 2 μ e, 10 mm in place of 4.
 #[test]
 fn a_load_aside_is_balanced_as_it_is_and_not_as_it_may_become() {
-    let improved = carried(4.0, 0.01).answered_by(&jaws()).expect("asked well");
+    let improved = carried(4.0, 0.01).answered_by(&jaws([0.5; 2]).expect("two jaws")).expect("asked well");
     assert!((improved.after.expect("sticks") - 3.0).abs() < CLOSE, "{improved:.12}");
     assert!(improved.is_locally_best(), "{improved}");
     let higher = improved.contacts[1].point[1] - improved.contacts[0].point[1];
@@ -88,7 +82,10 @@ fn it_is_the_least_margin_of_the_grasp_under_its_loads() {
 /// A newton more of either jaw gives half of its friction: `μ N - P / 2`.
 #[test]
 fn its_multipliers_are_what_a_newton_gains() {
-    let improved = carried(4.0, 0.0).pressing_at_most(12.0).answered_by(&jaws()).expect("asked well");
+    let improved = carried(4.0, 0.0)
+        .pressing_at_most(12.0)
+        .answered_by(&jaws([0.5; 2]).expect("two jaws"))
+        .expect("asked well");
     assert!((improved.after.expect("sticks") - 4.0).abs() < CLOSE, "{improved:.12}");
     let gains = improved.in_the_way.iter().filter_map(|way| match way.binds {
         Binds::Force { per_newton } | Binds::Pressed { per_newton } => Some(per_newton),
@@ -107,7 +104,10 @@ fn its_multipliers_are_what_a_newton_gains() {
 /// The grasp given slides under the load, and is improved all the same.
 #[test]
 fn what_slides_is_improved() {
-    let improved = carried(9.0, 0.01).pressing_at_most(20.0).answered_by(&jaws()).expect("asked well");
+    let improved = carried(9.0, 0.01)
+        .pressing_at_most(20.0)
+        .answered_by(&jaws([0.5; 2]).expect("two jaws"))
+        .expect("asked well");
     assert_eq!(improved.before, None);
     assert!((improved.after.expect("sticks") - 5.5).abs() < CLOSE, "{improved:.12}");
     assert!(improved.to_string().starts_with("RESERVE of 5.5 N instead of sliding"), "{improved}");
@@ -116,7 +116,7 @@ fn what_slides_is_improved() {
 /// 30 N are more than their friction.
 #[test]
 fn what_no_grasp_carries_is_told_so() {
-    let improved = carried(30.0, 0.0).answered_by(&jaws()).expect("asked well");
+    let improved = carried(30.0, 0.0).answered_by(&jaws([0.5; 2]).expect("two jaws")).expect("asked well");
     assert_eq!((improved.before, improved.after), (None, None));
     let words = "NO GRASP on these surfaces was found that sticks under the loads";
     assert!(improved.to_string().starts_with(words), "{improved}");

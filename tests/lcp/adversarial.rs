@@ -9,7 +9,7 @@
     clippy::doc_markdown
 )]
 
-use crate::common::{Exact, Random};
+use crate::common::{Exact, Random, samples, seeded};
 use grasp_lcp::lcp::{Basis, Lcp, MixedLcp, MixedSolution, Outcome, Parametric, PathEnd, Series, Settings};
 use nalgebra::{DMatrix, DVector};
 use num_rational::BigRational;
@@ -274,23 +274,16 @@ pub(crate) fn judge_mixed(
     Ok(())
 }
 
-/// The number of problems and the seed that the environment asks for.
-fn asked(problems: usize) -> (usize, u64) {
-    let read = |name: &str| std::env::var(name).ok().and_then(|value| value.parse::<u64>().ok());
-    (read("LCP_PROBLEMS").map_or(problems, |count| count as usize), read("LCP_SEED").unwrap_or(1))
-}
-
 fn finite(m: &DMatrix<f64>, q: &DVector<f64>) -> bool {
     m.iter().chain(q).all(|x| x.is_finite())
 }
 
 #[test]
 fn no_answer_says_more_than_is_known() {
-    let (count, seed) = asked(8000);
     for (k, family) in FAMILIES.into_iter().enumerate() {
-        let mut random = Random(seed * 1000 + k as u64);
+        let mut random = seeded(1000 + k as u64);
         let mut tally = Tally::default();
-        for _ in 0..count / FAMILIES.len() {
+        for _ in 0..samples(1300 / FAMILIES.len()) {
             let (m, q) = problem(&mut random, family);
             if !finite(&m, &q) {
                 continue;
@@ -323,11 +316,10 @@ fn no_answer_says_more_than_is_known() {
 
 #[test]
 fn no_answer_to_a_mixed_problem_says_more_than_is_known() {
-    let (count, seed) = asked(3000);
     for kind in 0..3 {
-        let mut random = Random(seed * 1000 + kind as u64);
+        let mut random = seeded(1000 + kind as u64);
         let mut tally = Tally::default();
-        for _ in 0..count / 3 {
+        for _ in 0..samples(200) {
             let problem = mixed(&mut random, kind);
             let outcome = problem.solve();
             if let Err(fault) = judge_mixed(&problem, &outcome, &mut tally) {
@@ -342,11 +334,10 @@ fn no_answer_to_a_mixed_problem_says_more_than_is_known() {
 /// A path has at most one piece for each of its 2ⁿ bases, before it is noticed that it goes round.
 #[test]
 fn every_parametric_path_ends() {
-    let (count, seed) = asked(8000);
     for (k, family) in FAMILIES.into_iter().enumerate() {
-        let mut random = Random(seed * 2000 + k as u64);
+        let mut random = seeded(2000 + k as u64);
         let (mut loops, mut longest) = (0, 0);
-        for _ in 0..count / FAMILIES.len() {
+        for _ in 0..samples(1300 / FAMILIES.len()) {
             let (m, q) = problem(&mut random, family);
             let dq = DVector::from_fn(q.len(), |_, _| random.integer(-2, 2) as f64);
             if !finite(&m, &q) {

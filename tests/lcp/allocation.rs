@@ -1,6 +1,6 @@
 //! A stream of problems in one workspace, or of right-hand sides in one series, allocates nothing once it has started.
 
-use crate::common::Random;
+use crate::common::{Random, seeded};
 use allocation_counter::measure;
 use grasp_lcp::lcp::{Lcp, OutcomeView, Series, Settings, Workspace};
 use nalgebra::{DMatrix, DVector};
@@ -15,7 +15,7 @@ fn definite(n: usize, random: &mut Random) -> Lcp {
 
 #[test]
 fn a_workspace_that_has_held_the_largest_problem_allocates_nothing() {
-    let mut random = Random(61);
+    let mut random = seeded(61);
     let problems: Vec<Lcp> = (0..200).map(|k| definite(40 - k % 37, &mut random)).collect();
     let settings = Settings::default();
     let mut workspace = Workspace::new();
@@ -35,7 +35,7 @@ fn a_workspace_that_has_held_the_largest_problem_allocates_nothing() {
 
 #[test]
 fn a_series_allocates_nothing_from_its_third_problem_on() {
-    let mut random = Random(67);
+    let mut random = seeded(67);
     let problem = definite(30, &mut random);
     let sides: Vec<DVector<f64>> =
         (0..50).map(|_| DVector::from_fn(30, |_, _| random.integer(-1000, 1000) as f64 / 1000.0)).collect();

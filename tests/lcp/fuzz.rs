@@ -5,7 +5,7 @@ use grasp_lcp::lcp::{Basis, Lcp, LcpError, MatrixClass, Outcome, Parametric, Ser
 use nalgebra::{DMatrix, DVector};
 use proptest::collection::vec;
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
+use support::samples::config;
 
 /// Any 64 bits as a number: infinities, NaN, subnormal numbers and extreme exponents included.
 fn any_bits() -> impl Strategy<Value = f64> + Clone {
@@ -71,13 +71,7 @@ fn check(lcp: &Lcp, outcome: &Outcome) -> Result<(), TestCaseError> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig {
-        cases: 1500,
-        failure_persistence: None,
-        // The same problems on every machine.
-        rng_seed: RngSeed::Fixed(3),
-        ..ProptestConfig::default()
-    })]
+    #![proptest_config(config(300))]
 
     #[test]
     fn malformed_input_is_an_error_and_the_rest_is_a_problem(

@@ -6,15 +6,15 @@
     clippy::cast_sign_loss
 )]
 
-use crate::common::Random;
+use crate::common::{samples, seeded};
 use grasp_lcp::lcp::{Lcp, Outcome};
 use nalgebra::{DMatrix, DVector};
 
 /// Semidefinite (A Aᵀ of any rank plus skew) with a planted degenerate solution: Lemke must find one.
 #[test]
 fn semidefinite_problems_with_a_planted_solution_are_solved() {
-    let mut random = Random(89);
-    for trial in 0..300 {
+    let mut random = seeded(89);
+    for trial in 0..samples(300) {
         let n = 2 + trial % 60;
         let rank = random.integer(0, n as i64) as usize;
         let a = DMatrix::from_fn(n, rank, |_, _| random.integer(-2, 2) as f64);
@@ -36,8 +36,8 @@ fn semidefinite_problems_with_a_planted_solution_are_solved() {
 /// M of any class with a planted Farkas vector: the answer must be a proof that checks.
 #[test]
 fn infeasible_problems_are_proved_infeasible() {
-    let mut random = Random(97);
-    for trial in 0..300 {
+    let mut random = seeded(97);
+    for trial in 0..samples(300) {
         let n = 1 + trial % 40;
         let y: Vec<i64> = (0..n).map(|i| if i + 1 == n { 1 } else { random.integer(0, 2) }).collect();
         let mut m = DMatrix::from_fn(n, n, |_, _| random.integer(-2, 2) as f64);
@@ -61,8 +61,8 @@ fn infeasible_problems_are_proved_infeasible() {
 /// solution is found.
 #[test]
 fn frictional_contacts_on_a_compliant_body_are_solved() {
-    let mut random = Random(101);
-    for trial in 0..200 {
+    let mut random = seeded(101);
+    for trial in 0..samples(200) {
         let contacts = 1 + trial % 12;
         let n = 4 * contacts;
         let j = DMatrix::from_fn(2 * contacts, 3, |_, _| random.integer(-2, 2) as f64);

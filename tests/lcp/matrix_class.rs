@@ -1,7 +1,7 @@
 //! Classes of matrices and their guarantees.
 #![allow(clippy::doc_markdown, clippy::cast_possible_truncation, clippy::cast_sign_loss)]
 
-use crate::common::Random;
+use crate::common::{samples, seeded};
 use grasp_lcp::lcp::{Copositivity, Definiteness, Guarantee, Lcp, MatrixClass, Outcome, Settings};
 use nalgebra::{DMatrix, DVector};
 
@@ -41,8 +41,8 @@ fn textbook_matrices() {
 
 #[test]
 fn low_rank_gram_matrices_are_semidefinite_and_a_shift_makes_them_definite_or_indefinite() {
-    let mut random = Random(79);
-    for trial in 0..60 {
+    let mut random = seeded(79);
+    for trial in 0..samples(60) {
         let n = 2 + trial % 20;
         let a = DMatrix::from_fn(n, n / 2, |_, _| random.normal());
         let gram = &a * a.transpose();
@@ -57,9 +57,9 @@ fn low_rank_gram_matrices_are_semidefinite_and_a_shift_makes_them_definite_or_in
 /// A P-matrix has exactly one solution for every q (CPS 3.3.7): compare with the number found by enumeration.
 #[test]
 fn p_matrices_have_one_solution_and_what_is_guaranteed_is_solved() {
-    let mut random = Random(83);
+    let mut random = seeded(83);
     let mut seen = [0; 4];
-    for _ in 0..3000 {
+    for _ in 0..samples(3000) {
         let n = random.integer(1, 4) as usize;
         let m = DMatrix::from_fn(n, n, |i, j| random.integer(-2, 2) as f64 + if i == j { 2.0 } else { 0.0 });
         let class = MatrixClass::of(&m).unwrap();
@@ -77,5 +77,5 @@ fn p_matrices_have_one_solution_and_what_is_guaranteed_is_solved() {
             Guarantee::None => {}
         }
     }
-    assert!(seen.iter().all(|count| *count > 10), "{seen:?}");
+    assert!(seen.iter().all(|count| *count > samples(10)), "{seen:?}");
 }

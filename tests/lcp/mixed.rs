@@ -1,6 +1,6 @@
 //! Free variables with equality rows.
 
-use crate::common::Random;
+use crate::common::{samples, seeded};
 use grasp_lcp::lcp::{MixedLcp, Outcome};
 use nalgebra::{DMatrix, DVector};
 
@@ -12,8 +12,8 @@ fn program(h: &DMatrix<f64>, g: &DVector<f64>, e: &DMatrix<f64>, rhs: &DVector<f
 
 #[test]
 fn quadratic_programs_with_equalities_are_solved() {
-    let mut random = Random(17);
-    for trial in 0..300 {
+    let mut random = seeded(17);
+    for trial in 0..samples(300) {
         let n = 2 + trial % 9;
         let m = 1 + trial % n.min(4);
         let a = DMatrix::from_fn(n, n, |_, _| random.normal());
@@ -33,8 +33,8 @@ fn quadratic_programs_with_equalities_are_solved() {
 
 #[test]
 fn a_regular_block_is_eliminated_like_a_schur_complement() {
-    let mut random = Random(23);
-    for _ in 0..200 {
+    let mut random = seeded(23);
+    for _ in 0..samples(200) {
         let (m, n) = (3, 5);
         let block = DMatrix::from_fn(m + n, m + n, |_, _| random.normal());
         let k = &block * block.transpose();

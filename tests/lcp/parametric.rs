@@ -1,7 +1,7 @@
 //! Paths of q₀ + τ dq, series with one matrix, warm starts.
 #![allow(clippy::doc_markdown, clippy::cast_possible_truncation, clippy::cast_sign_loss)]
 
-use crate::common::Random;
+use crate::common::{Random, samples, seeded};
 use grasp_lcp::lcp::{
     Basis, Lcp, Outcome, OutcomeView, Parametric, PathEnd, Series, Settings, Solution, Trend, Workspace,
 };
@@ -24,8 +24,8 @@ fn solution(lcp: &Lcp) -> Solution {
 
 #[test]
 fn on_a_definite_matrix_the_path_goes_forward_through_every_solution() {
-    let mut random = Random(61);
-    for trial in 0..60 {
+    let mut random = seeded(61);
+    for trial in 0..samples(60) {
         let n = 1 + trial % 20;
         let m = definite(n, &mut random);
         let (q, dq) = (vector(n, &mut random), vector(n, &mut random));
@@ -90,8 +90,8 @@ fn a_problem_without_solution_has_no_path() {
 
 #[test]
 fn series_and_warm_starts_find_the_cold_solutions() {
-    let mut random = Random(67);
-    for trial in 0..40 {
+    let mut random = seeded(67);
+    for trial in 0..samples(40) {
         let n = 1 + trial % 30;
         let m = definite(n, &mut random);
         let mut q = vector(n, &mut random);
@@ -120,7 +120,7 @@ fn series_and_warm_starts_find_the_cold_solutions() {
 
 #[test]
 fn a_neighbouring_basis_costs_the_pivots_in_which_it_differs() {
-    let mut random = Random(71);
+    let mut random = seeded(71);
     let n = 60;
     let m = definite(n, &mut random);
     let (q, dq) = (vector(n, &mut random), vector(n, &mut random));
@@ -139,9 +139,9 @@ fn a_neighbouring_basis_costs_the_pivots_in_which_it_differs() {
 
 #[test]
 fn a_workspace_gives_the_same_answers_as_fresh_memory() {
-    let mut random = Random(73);
+    let mut random = seeded(73);
     let mut workspace = Workspace::new();
-    for _ in 0..200 {
+    for _ in 0..samples(200) {
         let n = random.integer(0, 12) as usize;
         let m = DMatrix::from_fn(n, n, |_, _| random.integer(-2, 3) as f64);
         let q = DVector::from_fn(n, |_, _| random.integer(-2, 2) as f64);

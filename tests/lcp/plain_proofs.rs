@@ -3,6 +3,7 @@
 use grasp_lcp::lcp::{Lcp, Outcome};
 use nalgebra::{DMatrix, DVector};
 use support::exact_lcp::Exact;
+use support::samples::{assert_met, samples, seeded};
 use support::splitmix::Random;
 
 fn problem(m: &[f64], q: &[f64]) -> Lcp {
@@ -56,9 +57,9 @@ fn a_corner_of_a_singular_piece_is_found() {
 /// Entries from 1e-8 to 1e8 and zeros: what has a solution in rational arithmetic is solved, and `NoBasis` is said only of what is feasible.
 #[test]
 fn entries_far_apart_are_decided_as_rationals_decide() {
-    let mut random = Random(97);
+    let mut random = seeded(97);
     let (mut solved, mut infeasible, mut none, mut open) = (0, 0, 0, 0);
-    for trial in 0..3000 {
+    for trial in 0..samples(3000) {
         let n = random.index(1, 4);
         let entry = |random: &mut Random| {
             let sign = if random.uniform() < 0.5 { -1.0 } else { 1.0 };
@@ -89,5 +90,6 @@ fn entries_far_apart_are_decided_as_rationals_decide() {
         }
     }
     println!("{solved} solved, {infeasible} infeasible, {none} without a basis, {open} open");
-    assert!(solved > 1000 && infeasible > 500 && none > 100 && open < 30);
+    assert_met(&[(solved, 1000), (infeasible, 500), (none, 100)]);
+    assert!(open < samples(30));
 }

@@ -2,6 +2,7 @@
 
 use grasp_lcp::lcp::{Lcp, Outcome, Settings};
 use nalgebra::{DMatrix, DVector};
+use support::samples::{assert_met, samples, seeded};
 use support::splitmix::Random;
 
 /// A problem of whole numbers with y = (y, 1): Mᵀy ≤ 0 and qᵀy = −1, so that no z ≥ 0 has M z + q ≥ 0.
@@ -20,10 +21,10 @@ fn infeasible(random: &mut Random, n: usize) -> Lcp {
 
 #[test]
 fn without_the_search_a_ray_stays_a_ray() {
-    let mut random = Random(7);
+    let mut random = seeded(7);
     let one_path = Settings::default().with_retries(0).with_enumerate_up_to(0);
     let mut rays = 0;
-    for _ in 0..400 {
+    for _ in 0..samples(400) {
         let lcp = infeasible(&mut random, 6);
         let Outcome::Infeasible(proof) = lcp.solve_with(&one_path) else { panic!("a vector exists: {lcp}") };
         assert!(lcp.proves_infeasible(&proof.y));
@@ -36,5 +37,5 @@ fn without_the_search_a_ray_stays_a_ray() {
             other => panic!("{other}"),
         }
     }
-    assert!(rays > 20, "{rays}");
+    assert_met(&[(rays, 20)]);
 }

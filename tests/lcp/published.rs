@@ -7,7 +7,7 @@
 )]
 
 use crate::common::published::{Known, small};
-use crate::common::{Integers, Random};
+use crate::common::{Integers, samples, seeded};
 use grasp_lcp::lcp::{Lcp, Outcome, Solution};
 use nalgebra::{DMatrix, DVector};
 use std::cmp::Ordering;
@@ -193,8 +193,8 @@ fn american_put() {
 /// Bimatrix games with random integer costs: M = [0, A; Bᵀ, 0] with positive entries, q = −1. There always is an equilibrium.
 #[test]
 fn bimatrix_games_have_equilibria() {
-    let mut random = Random(41);
-    for trial in 0..200 {
+    let mut random = seeded(41);
+    for trial in 0..samples(200) {
         let (r, c) = (1 + trial % 8, 1 + trial % 5);
         let n = r + c;
         let m =
@@ -209,9 +209,9 @@ fn bimatrix_games_have_equilibria() {
 /// to x_i, and Σ a_i x_i = b by two rows.
 #[test]
 fn subset_sums_are_decided() {
-    let mut random = Random(43);
+    let mut random = seeded(43);
     let mut solvable = 0;
-    for _ in 0..60 {
+    for _ in 0..samples(60) {
         let k = random.integer(2, 4) as usize;
         let n = k + 2;
         let weights: Vec<i64> = (0..k).map(|_| random.integer(1, 9)).collect();
@@ -236,5 +236,5 @@ fn subset_sums_are_decided() {
             other => panic!("{problem:?} {other:?}"),
         }
     }
-    assert!((10..50).contains(&solvable), "{solvable} of 60 solvable");
+    assert!((samples(10)..samples(50)).contains(&solvable), "{solvable} solvable");
 }

@@ -1,23 +1,16 @@
 //! Hundreds of contacts that reach the edge of their cones at once, at a load that is known: `μ Σ F_n`, and `μ Σ F_n R` for a torque.
 
-use std::f64::consts::TAU;
-
 use grasp_lcp::load_path::{Beyond, LossKind, Onset, PathEnd};
 use grasp_lcp::{planar, spatial};
+use support::jaws::around;
 
 const FRICTION: f64 = 0.5;
 /// Of the limit, at which paths end.
 const OVERLOAD: f64 = 1.25;
 
 /// Springs around a unit circle, each pressed with 1 N.
-fn ring(count: u32) -> spatial::Grasp {
-    let spring = |i: u32| {
-        let (sin, cos) = (TAU * f64::from(i) / f64::from(count)).sin_cos();
-        spatial::Contact::new([cos, sin, 0.0], [-cos, -sin, 0.0])
-            .series_stiffness(1e3, 8e2)
-            .friction(FRICTION)
-            .pressed_with(1.0)
-    };
+fn ring(count: usize) -> spatial::Grasp {
+    let spring = |i: usize| around::<3>(i, count, 1.0, [1e3, 8e2], FRICTION).pressed_with(1.0);
     spatial::Grasp::new((0..count).map(spring)).expect("a valid ring")
 }
 
@@ -58,7 +51,7 @@ fn ends_at_the_limit<const C: usize>(
 #[test]
 fn rings_along_their_axis_and_around_it() {
     for count in [40, 64, 256, 1_024] {
-        let (ring, limit) = (ring(count), FRICTION * f64::from(count));
+        let (ring, limit) = (ring(count), FRICTION * count as f64);
         ends_at_the_limit(&ring, spatial::Wrench::force([0.0, 0.0, -limit]), count == 256);
         ends_at_the_limit(&ring, spatial::Wrench::new([0.0; 3], [0.0, 0.0, limit]), false);
         let both = limit / 2.0_f64.sqrt();

@@ -7,6 +7,7 @@ use crate::story::{assert_close, assert_story, completed, story};
 use grasp_lcp::load_path::LossKind;
 use grasp_lcp::planar;
 use support::ends::{limit_load, snap};
+use support::jaws::jaw;
 use support::programs::numbers;
 
 /// A wedge with flank normals (±c, s), s = 0.6, c = 0.8, driven down between two fingers. Two frictionless guides keep it upright:
@@ -173,9 +174,7 @@ fn a_continuation_lost_by_snapping() {
 fn the_order_of_loading_matters() {
     let (k, kt, kg, mu, w) = (40.0, 6.0, 8.0, 0.5, 1.2);
     let (loose, tight) = (0.01, 0.1);
-    let finger = |x: f64| {
-        planar::Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(k, kt).friction(mu).command([loose, 0.0])
-    };
+    let finger = |x: f64| jaw::<2>(x, [k, kt], mu).command([loose, 0.0]);
     let guide =
         |x: f64| planar::Contact::new([x, 0.0], [0.0, 1.0]).series_stiffness(kg / 2.0, 1.0).kept_closed();
     let grasp = planar::Grasp::new([finger(1.0), finger(-1.0), guide(2.0), guide(-2.0)]).unwrap();

@@ -7,6 +7,7 @@ use support::programs::changes;
 use support::programs::draw::{over, planar_scenes, spatial_scenes};
 use support::programs::tally::Tally;
 use support::programs::{Scene, same_state};
+use support::samples::assert_met;
 
 /// The program with its legs cut at these places (leg, fraction), and which leg it was and between which fractions.
 fn cut<const D: usize, const C: usize>(
@@ -124,29 +125,29 @@ fn legs_may_be_cut_at_events<const D: usize, const C: usize>(
 #[test]
 fn cutting_planar_legs_changes_nothing() {
     let cases = (planar_scenes(), 0.05..0.95_f64);
-    let t = over(600, &cases, |(scene, at), tally| legs_may_be_cut(&scene, at, tally));
+    let t = over(120, &cases, |(scene, at), tally| legs_may_be_cut(&scene, at, tally));
     println!("{t:?}");
-    assert!(t.checked > 350 && t.events > 700, "{t:?}");
+    assert_met(&[(t.checked, 70), (t.events, 140)]);
 }
 
 #[test]
 fn cutting_spatial_legs_changes_nothing() {
     let cases = (spatial_scenes(), 0.05..0.95_f64);
-    let t = over(120, &cases, |(scene, at), tally| legs_may_be_cut(&scene, at, tally));
+    let t = over(24, &cases, |(scene, at), tally| legs_may_be_cut(&scene, at, tally));
     println!("{t:?}");
-    assert!(t.checked > 50 && t.events > 150, "{t:?}");
+    assert_met(&[(t.checked, 10), (t.events, 30)]);
 }
 
 #[test]
 fn cutting_planar_legs_at_events_changes_nothing() {
-    let t = over(600, &planar_scenes(), |scene, tally| legs_may_be_cut_at_events(&scene, tally));
+    let t = over(120, &planar_scenes(), |scene, tally| legs_may_be_cut_at_events(&scene, tally));
     println!("{t:?}");
-    assert!(t.checked > 600 && t.limits + t.snaps > 80, "{t:?}");
+    assert_met(&[(t.checked, 120), (t.limits + t.snaps, 16)]);
 }
 
 #[test]
 fn cutting_spatial_legs_at_events_changes_nothing() {
-    let t = over(120, &spatial_scenes(), |scene, tally| legs_may_be_cut_at_events(&scene, tally));
+    let t = over(24, &spatial_scenes(), |scene, tally| legs_may_be_cut_at_events(&scene, tally));
     println!("{t:?}");
-    assert!(t.checked > 60 && t.turns > 60, "{t:?}");
+    assert_met(&[(t.checked, 12), (t.turns, 12)]);
 }

@@ -5,6 +5,7 @@ use proptest::prelude::*;
 use support::programs::Scene;
 use support::programs::draw::{over, planar_scenes, spatial_scenes, turning};
 use support::programs::tally::Tally;
+use support::samples::assert_met;
 
 /// Work of load and fingers, change of the stored energy and heat, by trapezoids between the ends of straight pieces, which is exact
 /// there: the balance closes, and leg by leg it is what the path says.
@@ -89,24 +90,24 @@ fn closes<const D: usize, const C: usize>(
 
 #[test]
 fn planar_energies_balance() {
-    let t = over(2000, &planar_scenes(), |scene, tally| energy_balances(&scene, tally));
+    let t = over(333, &planar_scenes(), |scene, tally| energy_balances(&scene, tally));
     println!("{t:?}");
-    assert!(t.checked > 1000 && t.opens > 300 && t.closes > 150, "{t:?}");
+    assert_met(&[(t.checked, 166), (t.opens, 50), (t.closes, 25)]);
 }
 
 #[test]
 fn spatial_energies_balance() {
-    let t = over(400, &spatial_scenes(), |scene, tally| energy_balances(&scene, tally));
+    let t = over(67, &spatial_scenes(), |scene, tally| energy_balances(&scene, tally));
     println!("{t:?}");
-    assert!(t.checked > 100 && t.turns > 50, "{t:?}");
+    assert_met(&[(t.checked, 16), (t.turns, 8)]);
 }
 
 #[test]
 fn energies_balance_while_the_load_turns() {
-    let t = over(1000, &turning(planar_scenes(), 16.0), |scene, tally| closes(&scene, tally));
+    let t = over(167, &turning(planar_scenes(), 16.0), |scene, tally| closes(&scene, tally));
     println!("{t:?}");
-    assert!(t.checked > 400 && t.opens > 100, "{t:?}");
-    let t = over(200, &turning(spatial_scenes(), 16.0), |scene, tally| closes(&scene, tally));
+    assert_met(&[(t.checked, 66), (t.opens, 16)]);
+    let t = over(33, &turning(spatial_scenes(), 16.0), |scene, tally| closes(&scene, tally));
     println!("{t:?}");
-    assert!(t.checked > 60, "{t:?}");
+    assert_met(&[(t.checked, 10)]);
 }

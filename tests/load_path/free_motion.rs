@@ -6,6 +6,7 @@ use crate::story::{assert_close, assert_story, completed};
 use grasp_lcp::load_path::{LossKind, PathEnd};
 use grasp_lcp::{planar, spatial};
 use support::ends::limit_load;
+use support::jaws::jaw;
 use support::programs::numbers;
 
 /// A body between two frictionless guides, resting with w on a foot of stiffness k. The foot is lowered by b, which lowers the
@@ -96,9 +97,7 @@ fn a_foot_that_parts_leaves_the_height_free() {
 fn fingers_dragged_both_ways_hold_all_the_same() {
     let (k, kt, mu, a) = (50.0, 20.0, 0.35, 0.1);
     let n = k * a;
-    let finger = |x: f64| {
-        planar::Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(k, kt).friction(mu).command([a, 0.0])
-    };
+    let finger = |x: f64| jaw::<2>(x, [k, kt], mu).command([a, 0.0]);
     let grasp = planar::Grasp::new([finger(1.0), finger(-1.0), finger(1.0), finger(-1.0)]).unwrap();
     let edge = mu * n / kt;
     // t is up at x = 1 and down at x = -1.

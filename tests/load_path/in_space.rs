@@ -6,6 +6,7 @@ use std::f64::consts::TAU;
 use crate::story::{assert_close, assert_story, completed};
 use grasp_lcp::spatial::{Contact, Grasp, Leg, Wrench};
 use support::ends::limit_load;
+use support::jaws::around;
 use support::programs::numbers;
 
 const K: f64 = 40.0;
@@ -20,17 +21,11 @@ const BASE: f64 = 6.0;
 /// the axis, and guides that let nothing else move.
 fn grip(frictions: &[f64]) -> Grasp {
     let n = frictions.len();
-    let at = |i: usize, of: usize| (TAU * i as f64 / of as f64).sin_cos();
     let finger = |i: usize| {
-        let (s, c) = at(i, n);
-        Contact::new([c, s, 0.0], [-c, -s, 0.0])
-            .tangent([0.0, 0.0, 1.0])
-            .series_stiffness(K, KT)
-            .friction(frictions[i])
-            .command([A, 0.0, 0.0])
+        around::<3>(i, n, 1.0, [K, KT], frictions[i]).tangent([0.0, 0.0, 1.0]).command([A, 0.0, 0.0])
     };
     let stop = |i: usize| {
-        let (s, c) = at(i, 4);
+        let (s, c) = (TAU * i as f64 / 4.0).sin_cos();
         Contact::new([c, s, 0.0], [-s, c, 0.0]).series_stiffness(BASE / 4.0, 1.0).kept_closed()
     };
     Grasp::new((0..n).map(finger).chain((0..4).map(stop))).unwrap()

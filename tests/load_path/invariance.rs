@@ -13,6 +13,7 @@ use support::programs::tally::Tally;
 use support::programs::views::View;
 use support::programs::{Scene, direction};
 use support::programs::{changes, numbers};
+use support::samples::assert_met;
 
 /// Fractions agree to this.
 const FRACTION: f64 = 1e-12;
@@ -156,16 +157,16 @@ macro_rules! in_plane_and_space {
 
             #[test]
             fn in_the_plane() {
-                let t = over(300, &(planar_scenes(), $other), |(scene, other), tally| $property(&scene, other, tally));
+                let t = over(75, &(planar_scenes(), $other), |(scene, other), tally| $property(&scene, other, tally));
                 println!("{t:?}");
-                assert!(t.checked > 350, "{t:?}");
+                assert_met(&[(t.checked, 87)]);
             }
 
             #[test]
             fn in_space() {
-                let t = over(50, &(spatial_scenes(), $other), |(scene, other), tally| $property(&scene, other, tally));
+                let t = over(12, &(spatial_scenes(), $other), |(scene, other), tally| $property(&scene, other, tally));
                 println!("{t:?}");
-                assert!(t.checked > 70, "{t:?}");
+                assert_met(&[(t.checked, 8)]);
             }
         }
     )*};

@@ -9,6 +9,7 @@ use crate::story::{assert_close, assert_story, completed};
 use grasp_lcp::load_path::PathEnd;
 use grasp_lcp::planar::{Contact, ContactState, Grasp, Leg, LoadPath, Wrench};
 use support::ends::limit_load;
+use support::jaws::jaw;
 use support::programs::numbers;
 
 /// Stiffnesses, friction and command, round numbers and others.
@@ -172,8 +173,7 @@ fn closing_at_the_end_of_a_leg_elsewhere() {
 #[test]
 fn a_limit_load_at_the_end_of_a_leg() {
     for [k, kt, _, mu, a] in SCENES {
-        let finger =
-            |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(k, kt).friction(mu).command([a, 0.0]);
+        let finger = |x: f64| jaw::<2>(x, [k, kt], mu).command([a, 0.0]);
         let grasp = Grasp::new([finger(1.0), finger(-1.0)]).unwrap();
         let edge = 2.0 * mu * k * a;
         let leg = |w: f64| Leg::load_to(Wrench::force([0.0, -w]));

@@ -2,8 +2,9 @@
 
 use grasp_lcp::equilibrium::{ContactState, Equilibrium};
 use grasp_lcp::load_path::{Doing, Leg};
-use grasp_lcp::planar::{Contact, Grasp, Pressure, SoftFingertip, Wrench};
-use support::splitmix::Random;
+use grasp_lcp::planar::{Grasp, Pressure, SoftFingertip, Wrench};
+use support::jaws::jaw;
+use support::samples::{samples, seeded};
 
 /// Before and after an event so much of the leg is gone; others lie further apart.
 const BESIDE: f64 = 1e-7;
@@ -17,22 +18,18 @@ fn count(state: &Equilibrium<2>, range: std::ops::Range<usize>) -> (usize, usize
 
 #[test]
 fn the_first_and_the_last_points_are_told() -> Result<(), grasp_lcp::Error> {
-    let mut random = Random(11);
+    let mut random = seeded(11);
     let mut seen = std::collections::BTreeMap::new();
-    for _ in 0..200 {
-        let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
+    for _ in 0..samples(200) {
         let pad = SoftFingertip::pad(0.02, 2, Pressure::Uniform)?;
-        let jaw = |x: f64, press: f64, name: &str| {
-            Contact::new([x, 0.0], [-x, 0.0])
-                .name(name)
-                .series_stiffness(2e3, 1e3)
-                .friction(0.4)
-                .pressed_with(press)
-        };
-        let press = between(5.0, 15.0);
+        let jaw =
+            |x: f64, press: f64, name: &str| jaw::<2>(x, [2e3, 1e3], 0.4).name(name).pressed_with(press);
+        let press = random.between(5.0, 15.0);
         let jaws = [pad.contacts(&jaw(-0.03, press, "left"))?, pad.contacts(&jaw(0.03, press, "right"))?];
         let grasp = Grasp::new(jaws.concat())?;
-        let mut load = || Wrench::new([between(-1.0, 1.0), between(-4.0, 4.0)], between(-0.12, 0.12));
+        let mut load = || {
+            Wrench::new([random.between(-1.0, 1.0), random.between(-4.0, 4.0)], random.between(-0.12, 0.12))
+        };
         let legs = [Leg::load_to(load()), Leg::load_to(load())];
         let mut path = grasp.follow(&Wrench::ZERO, &legs)?;
         let events = path.run();
@@ -70,7 +67,7 @@ fn the_first_and_the_last_points_are_told() -> Result<(), grasp_lcp::Error> {
     for told in
         ["left begins to slide", "left slides everywhere", "right sticks again", "right begins to open"]
     {
-        assert!(seen.get(told).is_some_and(|times| *times > 3), "{told}: {seen:?}");
+        assert!(seen.get(told).is_some_and(|times| *times > samples(3)), "{told}: {seen:?}");
     }
     Ok(())
 }

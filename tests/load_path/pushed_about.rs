@@ -6,18 +6,13 @@
 use grasp_lcp::load_path::{LossKind, PathEnd};
 use grasp_lcp::spatial::{Contact, Grasp, Leg, Wrench};
 use proptest::prelude::*;
+use support::jaws::jaw;
 use support::random::for_all;
 
 const PRESS: f64 = 5.0;
 
 fn rod(k: f64, arm: f64) -> Result<Grasp, grasp_lcp::Error> {
-    let tip = |x: f64| {
-        Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0]).series_stiffness(k, 0.7 * k).friction(0.6).command([
-            PRESS / k,
-            0.0,
-            0.0,
-        ])
-    };
+    let tip = |x: f64| jaw::<3>(x, [k, 0.7 * k], 0.6).command([PRESS / k, 0.0, 0.0]);
     let third = Contact::new([0.0, arm, 0.0], [0.0, 0.0, -1.0]).series_stiffness(2.0 * k, k).friction(0.3);
     Grasp::new([tip(1.0), tip(-1.0), third])
 }

@@ -5,7 +5,7 @@
 
 use grasp_lcp::load_path::PathEnd;
 use support::odd_paths::{Odd, in_space};
-use support::splitmix::Random;
+use support::samples::{samples, seeded};
 
 /// The least of a convex function of one number between two.
 fn least(mut low: f64, mut high: f64, f: &dyn Fn(f64) -> f64) -> f64 {
@@ -42,8 +42,8 @@ fn limit(feet: &[[f64; 3]; 3], push: [f64; 3]) -> f64 {
 
 #[test]
 fn pushes_end_at_their_limit_loads() {
-    let mut random = Random(7);
-    for number in 0..150 {
+    let mut random = seeded(7);
+    for number in 0..samples(150) {
         let pushed = in_space(Odd::Pushed, &mut random).unwrap();
         let mut path = pushed.grasp.follow(&pushed.start, &pushed.legs).unwrap();
         path.run();

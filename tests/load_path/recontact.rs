@@ -9,6 +9,7 @@ use crate::story::{assert_close, assert_story, completed};
 use grasp_lcp::load_path::Change;
 use grasp_lcp::planar::{Contact, ContactState, Grasp, Leg, LoadPath, Wrench};
 use support::ends::limit_load;
+use support::jaws::jaw;
 use support::programs::{changes, numbers};
 
 const K: f64 = 30.0;
@@ -131,8 +132,7 @@ fn a_clearance_is_travelled_first() {
 #[test]
 fn letting_go_drops_the_body() {
     let (k, kt, mu, w, a) = (40.0, 6.0, 0.5, 1.2, 0.1);
-    let finger =
-        |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(k, kt).friction(mu).command([a, 0.0]);
+    let finger = |x: f64| jaw::<2>(x, [k, kt], mu).command([a, 0.0]);
     let grasp = Grasp::new([finger(1.0), finger(-1.0)]).unwrap();
     let let_go = Leg::commands_to(vec![[0.0, 0.0], [0.0, 0.0]]);
     let mut path = grasp.follow(&Wrench::ZERO, &[Leg::load_to(Wrench::force([0.0, -w])), let_go]).unwrap();

@@ -8,6 +8,7 @@ use crate::story::{Line, assert_close, assert_story, completed};
 use grasp_lcp::Settings;
 use grasp_lcp::load_path::{Beyond, Event, PathEnd};
 use grasp_lcp::{planar, spatial};
+use support::jaws::around;
 use support::programs::{changes, numbers};
 
 const K: f64 = 10.0;
@@ -25,9 +26,7 @@ fn ring(n: usize) -> impl Iterator<Item = (f64, f64)> {
 }
 
 fn fingers(n: usize) -> impl Iterator<Item = planar::Contact> {
-    ring(n).map(|(c, s)| {
-        planar::Contact::new([c, s], [-c, -s]).series_stiffness(K, KT).friction(MU).command([A, 0.0])
-    })
+    (0..n).map(move |i| around::<2>(i, n, 1.0, [K, KT], MU).command([A, 0.0]))
 }
 
 /// The fingers' commands become a, those of what comes after them zero.
@@ -159,20 +158,15 @@ fn a_side_load_goes_through_mirror_images() {
 
 /// A ring in space about the axis z, first tangents along it, with guides that make an elastic base of BASE along and about the axis.
 fn ring_in_space(n: usize) -> spatial::Grasp {
-    let finger = |(c, s): (f64, f64)| {
-        spatial::Contact::new([c, s, 0.0], [-c, -s, 0.0])
-            .tangent([0.0, 0.0, 1.0])
-            .series_stiffness(K, KT)
-            .friction(MU)
-            .command([A, 0.0, 0.0])
-    };
+    let finger =
+        |i: usize| around::<3>(i, n, 1.0, [K, KT], MU).tangent([0.0, 0.0, 1.0]).command([A, 0.0, 0.0]);
     let seat = |(c, s): (f64, f64)| {
         spatial::Contact::new([c, s, 0.0], [0.0, 0.0, 1.0]).series_stiffness(0.25 * BASE, 1.0).kept_closed()
     };
     let stop = |(c, s): (f64, f64)| {
         spatial::Contact::new([c, s, 0.0], [-s, c, 0.0]).series_stiffness(0.25 * BASE, 1.0).kept_closed()
     };
-    spatial::Grasp::new(ring(n).map(finger).chain(ring(4).map(seat)).chain(ring(4).map(stop))).unwrap()
+    spatial::Grasp::new((0..n).map(finger).chain(ring(4).map(seat)).chain(ring(4).map(stop))).unwrap()
 }
 
 /// Pulled along and turned about the axis at once, all fingers are dragged the same way in their frames, at an angle π/8 + δ to the first

@@ -11,6 +11,7 @@
 use grasp_lcp::equilibrium::{ContactState, Outcome};
 use grasp_lcp::{planar, spatial};
 use support::assert_close;
+use support::jaws::jaw;
 
 const KN: f64 = 30.0;
 const KT: f64 = 20.0;
@@ -49,9 +50,7 @@ fn check<const C: usize>(
 }
 
 fn planar_grasp() -> planar::Grasp {
-    let finger = |x: f64| {
-        planar::Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(KN, KT).friction(MU).command([PRESS, 0.0])
-    };
+    let finger = |x: f64| jaw::<2>(x, [KN, KT], MU).command([PRESS, 0.0]);
     let guide = |y: f64| {
         planar::Contact::new([0.0, y], [1.0, 0.0]).series_stiffness(GUIDE, 1.0).friction(0.0).kept_closed()
     };

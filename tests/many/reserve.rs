@@ -8,8 +8,8 @@ use grasp_lcp::grasp::Wrench;
 use grasp_lcp::sweep::Uncertainty;
 use grasp_lcp::{Error, planar, spatial};
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
-use support::splitmix::Random;
+use support::jaws::jaw;
+use support::samples::{config, samples, seeded};
 
 const SAMPLES: u64 = 20_000;
 /// Φ(-2) and Φ(-3).
@@ -78,21 +78,26 @@ impl Compared {
     }
 }
 
-/// Grasps whose friction, stiffness and squeeze are known to a fifth or better: no reserve is unsafe, and few are far below the quantile. `GRASP_LCP_SAMPLES` asks more grasps.
+/// Grasps whose friction, stiffness and squeeze are known to a fifth or better: no reserve is unsafe, and few are far below the quantile.
 #[test]
 fn reserves_come_near_to_quantiles() {
-    let grasps = std::env::var("GRASP_LCP_SAMPLES").ok().and_then(|count| count.parse().ok()).unwrap_or(1);
-    let (mut random, mut plane, mut space) = (Random(62), Compared::default(), Compared::default());
-    for seed in 0..grasps {
-        let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
-        let off = Uncertainty::seeded(seed).with_friction(between(0.0, 0.2));
-        let off = off.with_stiffness(between(0.0, 0.2)).with_squeeze(between(0.0, 0.2));
-        let [count, shift] = [2.0 + between(0.0, 3.0).floor(), between(0.0, 1.0)];
+    let (mut random, mut plane, mut space) = (seeded(62), Compared::default(), Compared::default());
+    for number in 0..samples(1) {
+        let off = Uncertainty::seeded(number as u64).with_friction(random.between(0.0, 0.2));
+        let off = off.with_stiffness(random.between(0.0, 0.2)).with_squeeze(random.between(0.0, 0.2));
+        let [count, shift] = [2.0 + random.between(0.0, 3.0).floor(), random.between(0.0, 1.0)];
         let angles: Vec<f64> =
-            (0..count as u32).map(|i| TAU * (f64::from(i) + between(-0.1, 0.1)) / count).collect();
+            (0..count as u32).map(|i| TAU * (f64::from(i) + random.between(-0.1, 0.1)) / count).collect();
         let data: Vec<[f64; 4]> = angles
             .iter()
-            .map(|_| [between(5e2, 4e3), between(5e2, 3e3), between(0.3, 0.9), between(5.0, 12.0)])
+            .map(|_| {
+                [
+                    random.between(5e2, 4e3),
+                    random.between(5e2, 3e3),
+                    random.between(0.3, 0.9),
+                    random.between(5.0, 12.0),
+                ]
+            })
             .collect();
         let fingers = angles.iter().zip(&data).map(|(angle, [normal, tangential, mu, newtons])| {
             let (y, x) = angle.sin_cos();
@@ -102,7 +107,11 @@ fn reserves_come_near_to_quantiles() {
         let grasp = planar::Grasp::new(fingers).unwrap();
         for k in 0..2 {
             let (y, x) = (TAU * (shift + 0.37 * f64::from(k))).sin_cos();
-            plane.add(&grasp, planar::Wrench::force_at([x, y], [0.01 * between(-1.0, 1.0), 0.0]), &off);
+            plane.add(
+                &grasp,
+                planar::Wrench::force_at([x, y], [0.01 * random.between(-1.0, 1.0), 0.0]),
+                &off,
+            );
         }
         let tips = angles.iter().zip(&data).map(|(angle, [normal, tangential, mu, newtons])| {
             let (y, x) = angle.sin_cos();
@@ -118,8 +127,12 @@ fn reserves_come_near_to_quantiles() {
         let top = top.series_stiffness(1e3, 8e2).friction(0.5).pressed_with(6.0);
         let grasp = spatial::Grasp::new(tips.chain([top])).unwrap();
         for _ in 0..2 {
-            let force = [(); 3].map(|()| between(-1.0, 1.0));
-            space.add(&grasp, spatial::Wrench::force_at(force, [0.01 * between(-1.0, 1.0), 0.0, 0.0]), &off);
+            let force = [(); 3].map(|()| random.between(-1.0, 1.0));
+            space.add(
+                &grasp,
+                spatial::Wrench::force_at(force, [0.01 * random.between(-1.0, 1.0), 0.0, 0.0]),
+                &off,
+            );
         }
     }
     for (compared, place) in [(plane, "in the plane"), (space, "in space")] {
@@ -161,7 +174,7 @@ fn everything() -> Uncertainty {
 proptest! {
     // Always the same grasps: now and then one is told no reserve at all, since contacts that all but slide at rest count as if they did.
     // That is safe, and `reserve` prints how far below it needs to be a reserve is.
-    #![proptest_config(ProptestConfig { cases: 24, rng_seed: RngSeed::Fixed(1), failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(config(6))]
 
     #[test]
     fn in_the_plane(
@@ -207,9 +220,7 @@ proptest! {
 /// Between two fingers the weight goes down either; with friction alone unknown each slides at `2 μ N exp(σ z)`, so that the reserve is known.
 #[test]
 fn of_two_fingers_either_may_be_the_bad_one() {
-    let finger = |x: f64| {
-        planar::Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).pressed_with(10.0)
-    };
+    let finger = |x: f64| jaw::<2>(x, [1e3, 8e2], 0.5).pressed_with(10.0);
     let grasp = planar::Grasp::new([finger(-1.0), finger(1.0)]).unwrap();
     let down = planar::Wrench::force([0.0, -1.0]);
     let sigma = 0.05;

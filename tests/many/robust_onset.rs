@@ -7,6 +7,7 @@ use grasp_lcp::grasp::Contact;
 use grasp_lcp::load_path::Ramp;
 use grasp_lcp::sweep::{OnsetSpread, Uncertainty};
 use grasp_lcp::{Error, Field, planar, spatial};
+use support::jaws::jaw;
 
 const SAMPLES: u64 = 4000;
 
@@ -101,12 +102,7 @@ fn small_deviations_are_those_of_samples_in_space() {
 /// The onset is 2 P min(μ₁, μ₂): of two normal numbers alike the lesser has the mean μ (1 - σ/√π) and the variance σ² μ² (1 - 1/π).
 #[test]
 fn the_lesser_of_two_that_leave_together() {
-    let finger = |x: f64| {
-        planar::Contact::new([x, 0.0], [-x, 0.0])
-            .series_stiffness(1000.0, 800.0)
-            .friction(0.4)
-            .pressed_with(10.0)
-    };
+    let finger = |x: f64| jaw::<2>(x, [1000.0, 800.0], 0.4).pressed_with(10.0);
     let grasp = planar::Grasp::new([finger(1.0), finger(-1.0)]).unwrap();
     let ramp = planar::Ramp::load(planar::Wrench::ZERO, planar::Wrench::force([0.0, -1.0]));
     let sigma = 0.02;

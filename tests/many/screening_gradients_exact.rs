@@ -7,7 +7,7 @@ use grasp_lcp::grasp::{Contact, Wrench};
 use grasp_lcp::screening::{Fingers, Pull, ScreenedGradient};
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
-use support::splitmix::Random;
+use support::samples::{samples, seeded};
 
 type Rational = BigRational;
 
@@ -193,9 +193,9 @@ fn worst_field<const C: usize>(scene: &Scene, ours: &ScreenedGradient<'_, C>) ->
 
 /// The worst field of some grasps that slide.
 fn worst<const D: usize, const C: usize, const N: usize>(grasps: usize) -> f64 {
-    let (mut random, mut worst, mut count) = (Random(10 * N as u64 + C as u64), 0.0_f64, 0);
-    while count < grasps {
-        let mut number = || 2.0 * random.uniform() - 1.0;
+    let (mut random, mut worst, mut count) = (seeded(10 * N as u64 + C as u64), 0.0_f64, 0);
+    while count < samples(grasps) {
+        let mut number = || random.signed();
         let mut given = [([0.0; C], 0.0); N];
         let contacts: [Contact<C>; N] = std::array::from_fn(|i| {
             let out: [f64; C] = std::array::from_fn(|_| number());
@@ -244,14 +244,14 @@ fn worst<const D: usize, const C: usize, const N: usize>(grasps: usize) -> f64 {
 
 #[test]
 fn in_the_plane() {
-    for worst in [worst::<3, 2, 2>(6), worst::<3, 2, 3>(4), worst::<3, 2, 5>(2)] {
+    for worst in [worst::<3, 2, 2>(2), worst::<3, 2, 3>(1), worst::<3, 2, 5>(1)] {
         assert!(worst < CLOSE, "{worst}");
     }
 }
 
 #[test]
 fn in_space() {
-    for worst in [worst::<6, 3, 3>(3), worst::<6, 3, 4>(1)] {
+    for worst in [worst::<6, 3, 3>(1), worst::<6, 3, 4>(1)] {
         assert!(worst < CLOSE, "{worst}");
     }
 }

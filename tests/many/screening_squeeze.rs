@@ -17,6 +17,8 @@ use proptest::prelude::*;
 use support::random::{Spread, datum, for_all};
 
 use crate::screened_scenes::{Tally, agrees, contacts, count, firmer, of, shaken};
+use support::jaws::jaw;
+use support::samples::assert_met;
 
 /// What screening says, checked against the search. Contacts are those of a scene that is shaken by a part.
 fn check<const D: usize, const C: usize, const N: usize>(
@@ -78,7 +80,7 @@ fn check<const D: usize, const C: usize, const N: usize>(
     Ok(())
 }
 
-fn random<const D: usize, const C: usize, const N: usize>(cases: u32, spread: Spread, tally: &Tally) {
+fn random<const D: usize, const C: usize, const N: usize>(cases: usize, spread: Spread, tally: &Tally) {
     let wrench = prop::collection::vec(-1.0..1.0_f64, D).prop_map(SVector::<f64, D>::from_vec);
     let question = (
         prop::collection::vec(datum::<C>(spread), N),
@@ -98,13 +100,13 @@ fn random<const D: usize, const C: usize, const N: usize>(cases: u32, spread: Sp
 #[test]
 fn agrees_in_the_plane() {
     let tally = Tally::default();
-    random::<3, 2, 2>(3000, Spread::Narrow, &tally);
-    random::<3, 2, 3>(2000, Spread::Narrow, &tally);
-    random::<3, 2, 4>(1000, Spread::Narrow, &tally);
-    random::<3, 2, 5>(1000, Spread::Narrow, &tally);
+    random::<3, 2, 2>(600, Spread::Narrow, &tally);
+    random::<3, 2, 3>(400, Spread::Narrow, &tally);
+    random::<3, 2, 4>(200, Spread::Narrow, &tally);
+    random::<3, 2, 5>(200, Spread::Narrow, &tally);
     println!("{:?}", tally.borrow());
     let factors = of(&tally, "Suffices") - of(&tally, "none needed");
-    assert!(factors > 800 && of(&tally, "NoFactor") > 1000, "{tally:?}");
+    assert_met(&[(factors, 160), (of(&tally, "NoFactor"), 200)]);
     assert!(100 * of(&tally, "Unclear") < of(&tally, "Suffices") + of(&tally, "NoFactor"), "{tally:?}");
     assert!(20 * of(&tally, "as close as the question") < of(&tally, "close"), "{tally:?}");
     assert!(of(&tally, "tied") < of(&tally, "binding"), "{tally:?}");
@@ -113,13 +115,13 @@ fn agrees_in_the_plane() {
 #[test]
 fn agrees_in_space() {
     let tally = Tally::default();
-    random::<6, 3, 2>(200, Spread::Narrow, &tally);
-    random::<6, 3, 3>(2000, Spread::Narrow, &tally);
-    random::<6, 3, 4>(1500, Spread::Narrow, &tally);
-    random::<6, 3, 5>(1000, Spread::Narrow, &tally);
+    random::<6, 3, 2>(40, Spread::Narrow, &tally);
+    random::<6, 3, 3>(400, Spread::Narrow, &tally);
+    random::<6, 3, 4>(300, Spread::Narrow, &tally);
+    random::<6, 3, 5>(200, Spread::Narrow, &tally);
     println!("{:?}", tally.borrow());
     let factors = of(&tally, "Suffices") - of(&tally, "none needed");
-    assert!(factors > 300 && of(&tally, "NoFactor") > 300 && of(&tally, "GivesWay") > 50, "{tally:?}");
+    assert_met(&[(factors, 60), (of(&tally, "NoFactor"), 60), (of(&tally, "GivesWay"), 10)]);
     assert!(100 * of(&tally, "Unclear") < of(&tally, "Suffices") + of(&tally, "NoFactor"), "{tally:?}");
     assert!(20 * of(&tally, "as close as the question") < of(&tally, "close"), "{tally:?}");
     assert!(of(&tally, "tied") < of(&tally, "binding"), "{tally:?}");
@@ -129,12 +131,12 @@ fn agrees_in_space() {
 #[test]
 fn agrees_on_wide_ranges() {
     let tally = Tally::default();
-    random::<3, 2, 2>(2000, Spread::Wide, &tally);
-    random::<3, 2, 3>(1000, Spread::Wide, &tally);
-    random::<6, 3, 3>(500, Spread::Wide, &tally);
-    random::<6, 3, 5>(200, Spread::Wide, &tally);
+    random::<3, 2, 2>(400, Spread::Wide, &tally);
+    random::<3, 2, 3>(200, Spread::Wide, &tally);
+    random::<6, 3, 3>(100, Spread::Wide, &tally);
+    random::<6, 3, 5>(40, Spread::Wide, &tally);
     println!("{:?}", tally.borrow());
-    assert!(of(&tally, "Suffices") > 150, "{tally:?}");
+    assert_met(&[(of(&tally, "Suffices"), 30)]);
     assert!(2 * of(&tally, "Unclear") < of(&tally, "Suffices") + of(&tally, "NoFactor"), "{tally:?}");
 }
 
@@ -143,12 +145,7 @@ fn agrees_on_wide_ranges() {
 #[test]
 fn palms_of_any_stiffness() {
     for (k, kt) in [(1e3, 8e2), (1e12, 1.0), (1e-6, 1e9), (1e9, 1e-12)] {
-        let palm = |x: f64| {
-            planar::Contact::new([x, 0.0], [-x, 0.0])
-                .series_stiffness(k, kt)
-                .friction(0.3)
-                .command([1.0 / k, 0.0])
-        };
+        let palm = |x: f64| jaw::<2>(x, [k, kt], 0.3).command([1.0 / k, 0.0]);
         let palms = planar::Fingers::new(&[palm(-1.0), palm(1.0)]).unwrap();
         let needed = |loads: &[[f64; 2]]| {
             let loads: Vec<_> = loads.iter().map(|load| planar::Wrench::force(*load)).collect();
@@ -172,13 +169,8 @@ fn palms_of_any_stiffness() {
 /// a weight by `μ k (s (a₁ + a₂) - c) / 2 = w / 2`.
 #[test]
 fn clearances_stay() {
-    let palm = |x: f64, clearance: f64| {
-        planar::Contact::new([x, 0.0], [-x, 0.0])
-            .series_stiffness(1e3, 1e3)
-            .friction(0.5)
-            .clearance(clearance)
-            .command([0.01, 0.0])
-    };
+    let palm =
+        |x: f64, clearance: f64| jaw::<2>(x, [1e3, 1e3], 0.5).clearance(clearance).command([0.01, 0.0]);
     let fingers = planar::Fingers::new(&[palm(-1.0, 0.0), palm(1.0, 0.03)]).unwrap();
     let needed = |y: f64| {
         let cases = LoadCases::new(&[planar::Wrench::force([0.0, y])]).unwrap();
@@ -193,23 +185,13 @@ fn clearances_stay() {
 #[test]
 fn a_range_that_closes() {
     let plane = |mu: f64| {
-        let palm = |x: f64| {
-            planar::Contact::new([x, 0.0], [-x, 0.0])
-                .series_stiffness(1e3, 1e3)
-                .friction(mu)
-                .command_world([-0.01 * x, 0.002])
-        };
+        let palm = |x: f64| jaw::<2>(x, [1e3, 1e3], mu).command_world([-0.01 * x, 0.002]);
         let below = planar::Contact::new([0.0, -1.0], [0.0, 1.0]).series_stiffness(1e3, 1e3).friction(mu);
         let cases = LoadCases::new(&[planar::Wrench::force([0.0, -2.0])]).unwrap();
         planar::Fingers::new(&[palm(-1.0), palm(1.0), below]).unwrap().least_squeeze(&cases)
     };
     let space = |mu: f64| {
-        let palm = |x: f64| {
-            spatial::Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0])
-                .series_stiffness(1e3, 1e3)
-                .friction(mu)
-                .command_world([-0.01 * x, 0.002, 0.0])
-        };
+        let palm = |x: f64| jaw::<3>(x, [1e3, 1e3], mu).command_world([-0.01 * x, 0.002, 0.0]);
         let below =
             spatial::Contact::new([0.0, -1.0, 0.0], [0.0, 1.0, 0.0]).series_stiffness(1e3, 1e3).friction(mu);
         let cases = LoadCases::new(&[spatial::Wrench::force([0.0, -2.0, 0.0])]).unwrap();
@@ -258,7 +240,7 @@ fn a_batch_gives_the_same_bits() {
         assert_eq!(together.iter().map(bits).collect::<Vec<_>>(), alone);
         assert_eq!(in_parallel.iter().map(bits).collect::<Vec<_>>(), alone);
         assert_eq!(of_both.iter().skip(1).step_by(2).map(bits).collect::<Vec<_>>(), alone);
-        assert!(alone.iter().filter(|(factor, ..)| factor.is_some()).count() > 10);
+        assert_met(&[(alone.iter().filter(|(factor, ..)| factor.is_some()).count(), 10)]);
     }
     grasps::<3, 2, 2>(Spread::Narrow);
     grasps::<3, 2, 4>(Spread::Wide);

@@ -6,10 +6,12 @@ use grasp_lcp::grasp::{Contact, Wrench};
 use grasp_lcp::planar;
 use grasp_lcp::screening::{Fingers, LoadCases, Pull, ScreeningVerdict, SqueezeVerdict};
 use nalgebra::SVector;
+use support::jaws::jaw;
+use support::samples::{assert_met, samples, seeded};
 use support::splitmix::Random;
 
 fn vector<const N: usize>(random: &mut Random) -> SVector<f64, N> {
-    SVector::from_fn(|_, _| 2.0 * random.uniform() - 1.0)
+    SVector::from_fn(|_, _| random.signed())
 }
 
 fn contacts<const C: usize, const N: usize>(random: &mut Random) -> [Contact<C>; N] {
@@ -27,8 +29,8 @@ fn contacts<const C: usize, const N: usize>(random: &mut Random) -> [Contact<C>;
 
 /// How many grasps stuck, and how many of them need more squeeze.
 fn compare<const D: usize, const C: usize, const N: usize>(grasps: usize) -> [usize; 2] {
-    let (mut random, mut counts) = (Random(3 * N as u64 + C as u64), [0, 0]);
-    for _ in 0..grasps {
+    let (mut random, mut counts) = (seeded(3 * N as u64 + C as u64), [0, 0]);
+    for _ in 0..samples(grasps) {
         let contacts = contacts::<C, N>(&mut random);
         let [base, more] =
             [0.1, 0.6].map(|size| Wrench::<C>::from_components((vector::<D>(&mut random) * size).as_slice()));
@@ -73,23 +75,21 @@ fn compare<const D: usize, const C: usize, const N: usize>(grasps: usize) -> [us
 #[test]
 fn forces_of_the_springs_in_the_plane() {
     for [stuck, weak] in [compare::<3, 2, 2>(300), compare::<3, 2, 4>(300)] {
-        assert!(stuck > 50 && weak > 10, "{stuck} {weak}");
+        assert_met(&[(stuck, 50), (weak, 10)]);
     }
 }
 
 #[test]
 fn forces_of_the_springs_in_space() {
     for [stuck, weak] in [compare::<6, 3, 3>(400), compare::<6, 3, 5>(300)] {
-        assert!(stuck > 50 && weak > 10, "{stuck} {weak}");
+        assert_met(&[(stuck, 50), (weak, 10)]);
     }
 }
 
 /// Whatever springs would give: a jaw that has lost half of its force slides at half of the load.
 #[test]
 fn forces_are_taken_as_they_are_measured() {
-    let jaw = |x: f64| {
-        planar::Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).pressed_with(10.0)
-    };
+    let jaw = |x: f64| jaw::<2>(x, [1e3, 8e2], 0.5).pressed_with(10.0);
     let fingers = planar::Fingers::new(&[jaw(-1.0), jaw(1.0)]).unwrap();
     let watched = fingers.watch(&[[5.0, 1.0], [-10.0, 1.0]], &planar::Wrench::force([0.0, -1.0])).unwrap();
     // 0.5 · 5 N - 1 N, of which half of each newton of load is taken; the right jaw has 4 N.
@@ -105,7 +105,7 @@ fn forces_are_taken_as_they_are_measured() {
 
 #[test]
 fn what_is_not_a_force_is_named() {
-    let jaw = |x: f64| planar::Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 8e2).friction(0.5);
+    let jaw = |x: f64| jaw::<2>(x, [1e3, 8e2], 0.5);
     let fingers = planar::Fingers::new(&[jaw(-1.0), jaw(1.0)]).unwrap();
     let told = fingers.watch(&[[1.0, 0.0], [f64::NAN, 0.0]], &planar::Wrench::ZERO).unwrap_err().to_string();
     assert!(told.contains("contact 1") && told.contains("force") && told.contains("NaN"), "{told}");
@@ -115,7 +115,7 @@ fn what_is_not_a_force_is_named() {
 
 #[test]
 fn nothing_is_allocated() {
-    let mut random = Random(9);
+    let mut random = seeded(9);
     let grasps: Vec<_> = (0..100).map(|_| Fingers::<6, 3, 5>::new(&contacts(&mut random)).unwrap()).collect();
     let loads: Vec<Wrench<3>> =
         (0..100).map(|_| Wrench::from_components(vector::<6>(&mut random).as_slice())).collect();

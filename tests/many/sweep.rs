@@ -9,6 +9,7 @@ use grasp_lcp::ask::onset_of_each;
 use grasp_lcp::planar::{Contact, Grasp, Onset, Ramp, Wrench};
 use grasp_lcp::sweep::{Uncertainty, map_watched};
 use grasp_lcp::{Error, Field, Settings};
+use support::jaws::jaw;
 
 const MU: f64 = 0.4;
 const K: f64 = 1000.0;
@@ -16,9 +17,7 @@ const A: f64 = 0.01;
 
 /// Pressed from both sides alike: each finger carries half of a weight, and the one with less friction slides first, at 2 μ K A.
 fn pinch(k: f64) -> Grasp {
-    let finger = |x: f64| {
-        Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(k, 0.8 * k).friction(MU).command([A, 0.0])
-    };
+    let finger = |x: f64| jaw::<2>(x, [k, 0.8 * k], MU).command([A, 0.0]);
     Grasp::new([finger(1.0), finger(-1.0)]).unwrap()
 }
 

@@ -1,25 +1,20 @@
-//! Amounts against brute force: 200 amounts around each answer, put on by `hold` one by one, on random scenes.
-//!
-//! `GRASP_LCP_SAMPLES` says how many scenes are drawn for each quantity; without it they are few, with fewer amounts.
+//! Amounts against brute force: amounts around each answer, put on by `hold` one by one, on random scenes.
 #![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few fingers are counted")]
 
 use grasp_lcp::need::{Amount, Need};
 use grasp_lcp::planar::{Contact, Grasp, Wrench};
 use grasp_lcp::{load_path::Ramp, spatial};
+use support::samples::{samples, seeded};
 use support::splitmix::Random;
 
 type Tested = Result<(), grasp_lcp::Error>;
 
-/// Amounts that are tried by brute force where scenes are many, and where they are few.
-const AMOUNTS: [i32; 2] = [200, 12];
+/// Scenes that are drawn for each quantity.
+const SCENES: usize = 2;
+/// Amounts that are tried in each scene, at a random place in equal parts of the reach.
+const AMOUNTS: i32 = 12;
 /// How far below and above an answer they reach.
 const REACH: f64 = 16.0;
-
-/// How many scenes are drawn, and how many amounts are tried.
-fn samples() -> (u64, i32) {
-    let asked = std::env::var("GRASP_LCP_SAMPLES").ok().and_then(|text| text.parse().ok());
-    asked.map_or((4, AMOUNTS[1]), |scenes| (scenes, AMOUNTS[0]))
-}
 
 /// A scene with a load at rest and one that is put on.
 struct Scene<const C: usize> {
@@ -28,35 +23,31 @@ struct Scene<const C: usize> {
     load: grasp_lcp::grasp::Wrench<C>,
 }
 
-fn between(random: &mut Random, low: f64, high: f64) -> f64 {
-    low + (high - low) * random.uniform()
-}
-
 /// Fingers around a part or anywhere on it, pressed by commands or by forces, or idle; a weight at rest, or none.
 fn planar(random: &mut Random) -> Result<Scene<2>, grasp_lcp::Error> {
     let count = 2 + (3.0 * random.uniform()) as usize;
     let is_around = random.uniform() < 0.6;
     let mut fingers = Vec::new();
     for i in 0..count {
-        let around = std::f64::consts::TAU * (i as f64 + between(random, -0.2, 0.2)) / count as f64;
-        let angle = if is_around { around } else { between(random, 0.0, std::f64::consts::TAU) };
-        let ((sin, cos), off) = (angle.sin_cos(), between(random, -0.02, 0.02));
+        let around = std::f64::consts::TAU * (i as f64 + random.between(-0.2, 0.2)) / count as f64;
+        let angle = if is_around { around } else { random.between(0.0, std::f64::consts::TAU) };
+        let ((sin, cos), off) = (angle.sin_cos(), random.between(-0.02, 0.02));
         let point = [0.04 * cos + off * sin, 0.04 * sin - off * cos];
         let finger = Contact::new(point, [-cos, -sin])
-            .series_stiffness(between(random, 5e3, 5e4), between(random, 5e3, 5e4))
-            .friction(if random.uniform() < 0.1 { 0.0 } else { between(random, 0.2, 1.0) });
+            .series_stiffness(random.between(5e3, 5e4), random.between(5e3, 5e4))
+            .friction(if random.uniform() < 0.1 { 0.0 } else { random.between(0.2, 1.0) });
         let drawn = random.uniform();
         fingers.push(if drawn < 0.55 {
-            finger.pressed_with(between(random, 5.0, 20.0))
+            finger.pressed_with(random.between(5.0, 20.0))
         } else if drawn < 0.8 {
-            finger.force(between(random, 2.0, 20.0))
+            finger.force(random.between(2.0, 20.0))
         } else {
             finger
         });
     }
     let mut force = |size: f64| {
-        let angle = between(random, 0.0, std::f64::consts::TAU);
-        let at = [between(random, -0.02, 0.02), between(random, -0.02, 0.02)];
+        let angle = random.between(0.0, std::f64::consts::TAU);
+        let at = [random.between(-0.02, 0.02), random.between(-0.02, 0.02)];
         Wrench::force_at([size * angle.cos(), size * angle.sin()], at)
     };
     let (base, load) = (force(3.0), force(4.0));
@@ -68,18 +59,18 @@ fn spatial(random: &mut Random) -> Result<Scene<3>, grasp_lcp::Error> {
     let count = 3 + (2.0 * random.uniform()) as usize;
     let mut fingers = Vec::new();
     for i in 0..count {
-        let angle = std::f64::consts::TAU * (i as f64 + between(random, -0.2, 0.2)) / count as f64;
-        let ((sin, cos), up) = (angle.sin_cos(), between(random, -0.02, 0.02));
-        let normal = [-cos + between(random, -0.2, 0.2), -sin, between(random, -0.3, 0.3)];
+        let angle = std::f64::consts::TAU * (i as f64 + random.between(-0.2, 0.2)) / count as f64;
+        let ((sin, cos), up) = (angle.sin_cos(), random.between(-0.02, 0.02));
+        let normal = [-cos + random.between(-0.2, 0.2), -sin, random.between(-0.3, 0.3)];
         let finger = spatial::Contact::new([0.04 * cos, 0.04 * sin, up], normal)
-            .series_stiffness(between(random, 5e3, 5e4), between(random, 5e3, 5e4))
-            .friction(between(random, 0.3, 1.0));
+            .series_stiffness(random.between(5e3, 5e4), random.between(5e3, 5e4))
+            .friction(random.between(0.3, 1.0));
         let is_held = random.uniform() < 0.2;
-        let force = between(random, 5.0, 20.0);
+        let force = random.between(5.0, 20.0);
         fingers.push(if is_held { finger.force(force) } else { finger.pressed_with(force) });
     }
     let mut force = |size: f64| {
-        let mut draw = || between(random, -1.0, 1.0);
+        let mut draw = || random.between(-1.0, 1.0);
         let force: [f64; 3] = std::array::from_fn(|_| size * draw());
         spatial::Wrench::force_at(force, std::array::from_fn(|_| 0.02 * draw()))
     };
@@ -151,14 +142,14 @@ fn is_met<const C: usize>(
     (need, tried): Quantity<C>,
 ) -> Tested {
     let mut wrong = Vec::new();
-    let (scenes, amounts) = samples();
-    for seed in 0..scenes {
-        let scene = draw(&mut Random(seed))?;
+    for number in 0..samples(SCENES) {
+        let mut random = seeded(number as u64);
+        let scene = draw(&mut random)?;
         let needed = scene.grasp.need(&need(&scene).if_lower_by(0.0, 0.0))?;
         let is_least = needed.quantity.is_least();
         let mut claim = |is_right: bool, what: &str, amount: f64| {
             if !is_right {
-                wrong.push(format!("{name} {seed}: {what} at {amount}: {needed}"));
+                wrong.push(format!("{name} {number}: {what} at {amount}: {needed}"));
             }
         };
         let middle = match &needed.amount {
@@ -173,8 +164,9 @@ fn is_met<const C: usize>(
             Amount::None { best, .. } => *best,
             _ => 1.0,
         };
-        for k in 0..amounts {
-            let amount = middle * REACH.powf(f64::from(2 * k + 1) / f64::from(amounts) - 1.0);
+        for k in 0..AMOUNTS {
+            let part = (f64::from(k) + random.uniform()) / f64::from(AMOUNTS);
+            let amount = middle * REACH.powf(2.0 * part - 1.0);
             let holds = tried(&scene, amount)?;
             match &needed.amount {
                 Amount::None { .. } => claim(holds != Some(true), "no amount, but one holds", amount),

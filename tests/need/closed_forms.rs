@@ -2,6 +2,7 @@
 
 use grasp_lcp::need::{Amount, Need};
 use grasp_lcp::planar::{Contact, Grasp, Loads, Turn, Wrench};
+use support::jaws::jaws;
 
 type Tested = Result<(), grasp_lcp::Error>;
 
@@ -12,21 +13,10 @@ fn is(need: &Need<2>, grasp: &Grasp, amount: f64) -> Tested {
     Ok(())
 }
 
-fn pinch() -> Result<Grasp, grasp_lcp::Error> {
-    let jaw = |x: f64, name: &str| {
-        Contact::new([x, 0.0], [-x, 0.0])
-            .name(name)
-            .series_stiffness(1000.0, 800.0)
-            .friction(0.5)
-            .pressed_with(10.0)
-    };
-    Grasp::new([jaw(-0.03, "left"), jaw(0.03, "right")])
-}
-
 /// W <= 2 μ N.
 #[test]
 fn a_pinch() -> Tested {
-    let (pinch, weight) = (pinch()?, Wrench::force([0.0, -12.0]));
+    let (pinch, weight) = (jaws([0.5; 2])?, Wrench::force([0.0, -12.0]));
     for demanded in [Need::to_stick, Need::to_hold] {
         is(&demanded(Need::squeeze(weight)), &pinch, 1.2)?;
         is(&demanded(Need::friction(weight)), &pinch, 0.6)?;
@@ -120,7 +110,7 @@ fn a_force_of_any_direction() -> Tested {
 #[test]
 fn no_friction_helps_where_moments_are_not_carried() -> Tested {
     // The right jaw's friction cannot replace the left one's: two points carry equal shares.
-    let needed = pinch()?.need(&Need::friction_of([1], Wrench::force([0.0, -12.0])))?;
+    let needed = jaws([0.5; 2])?.need(&Need::friction_of([1], Wrench::force([0.0, -12.0])))?;
     assert!(matches!(needed.amount, Amount::None { .. }), "{needed}");
     assert!(needed.to_string().starts_with("NO coefficient of friction that was tried does"), "{needed}");
     Ok(())
@@ -130,7 +120,7 @@ fn no_friction_helps_where_moments_are_not_carried() -> Tested {
 fn what_cannot_be_meant_is_refused() {
     let weight = Wrench::force([0.0, -1.0]);
     let refused =
-        |need: Need<2>| pinch().and_then(|pinch| pinch.need(&need)).map(drop).unwrap_err().to_string();
+        |need: Need<2>| jaws([0.5; 2]).and_then(|pinch| pinch.need(&need)).map(drop).unwrap_err().to_string();
     let lower = |part: f64| refused(Need::squeeze(weight).if_lower_by(part, 0.0));
     assert_eq!(
         lower(1.0),
@@ -152,7 +142,7 @@ fn what_cannot_be_meant_is_refused() {
 fn an_angle_on_top_of_a_steady_pull() -> Tested {
     let tilted = Need::angle(Turn::tilting([0.0, -8.0], [0.0, 0.0])).on_top_of(Wrench::force([0.0, -1.5]));
     let (angle, known) =
-        (pinch()?.need(&tilted)?.amount.bound(), 0.5_f64.atan() - (8.5 / 80.0_f64.sqrt()).acos());
+        (jaws([0.5; 2])?.need(&tilted)?.amount.bound(), 0.5_f64.atan() - (8.5 / 80.0_f64.sqrt()).acos());
     assert!(angle.is_some_and(|angle| (angle - known).abs() < 1e-11), "{angle:?} {known}");
     Ok(())
 }
@@ -160,7 +150,7 @@ fn an_angle_on_top_of_a_steady_pull() -> Tested {
 /// What is there at rest leaves less for the push: `sqrt((w + p)²) <= 2 μ N`, down the same line, of any direction, and out along an arm.
 #[test]
 fn a_push_on_top_of_a_weight() -> Tested {
-    let (pinch, weight) = (pinch()?, Wrench::force([0.0, -6.0]));
+    let (pinch, weight) = (jaws([0.5; 2])?, Wrench::force([0.0, -6.0]));
     is(&Need::load(Wrench::force([0.0, -1.0])).on_top_of(weight), &pinch, 4.0)?;
     is(&Need::squeeze(Wrench::force([0.0, -9.0])).on_top_of(weight), &pinch, 1.5)?;
     is(&Need::friction(Wrench::force([0.0, -9.0])).on_top_of(weight), &pinch, 0.75)
@@ -185,7 +175,7 @@ fn a_cam_climbs() -> Tested {
 /// A weight that the given squeeze does not even hold is put on from nothing at every amount: `2 μ s 10 N` are to carry it with the force beside it.
 #[test]
 fn a_force_of_any_direction_beside_a_weight_that_is_not_held() -> Tested {
-    let pinch = pinch()?;
+    let pinch = jaws([0.5; 2])?;
     let loads = Loads::AnyForce { base: Wrench::force([0.0, -12.0]), size: 2.0, point: [0.0; 2] };
     let grasp_lcp::planar::LeastSqueeze::Factor { factor, .. } = pinch.least_squeeze(&loads)? else {
         panic!("some squeeze does")
@@ -205,7 +195,7 @@ fn a_force_of_any_direction_beside_a_weight_that_is_not_held() -> Tested {
 fn directions_are_not_compared_across_an_open_contact() -> Tested {
     let spare =
         Contact::new([0.0, -0.03], [0.0, 1.0]).series_stiffness(1000.0, 800.0).friction(0.5).clearance(0.01);
-    let contacts = pinch()?.contacts().iter().cloned().chain([spare]).collect::<Vec<_>>();
+    let contacts = jaws([0.5; 2])?.contacts().iter().cloned().chain([spare]).collect::<Vec<_>>();
     let loads = Loads::AnyForce { base: Wrench::force([0.0, -3.0]), size: 1.0, point: [0.0; 2] };
     let needed = Grasp::new(contacts)?.need(&Need::squeeze(loads).to_stick())?;
     assert!(matches!(needed.amount, Amount::Undecided { .. }), "{needed}");

@@ -6,8 +6,8 @@ use grasp_lcp::need::{Amount, Need};
 use grasp_lcp::planar::{Contact, Grasp, Turn, Wrench};
 use grasp_lcp::{Error, Settings};
 use proptest::prelude::*;
+use support::samples::{assert_met, config, samples, seeded};
 use support::shaken::in_the_plane;
-use support::splitmix::Random;
 
 /// Two feet under a presser that does not rub, `p` newtons in all.
 fn block(p: f64, mu: f64, k_t: f64) -> Result<Grasp, Error> {
@@ -33,7 +33,7 @@ fn bound(grasp: &Grasp, need: &Need<2>) -> Result<f64, TestCaseError> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(12))]
+    #![proptest_config(config(6))]
     /// It rests, and stays, up to a pull of q = μ (p - 2 m). Slips below a billionth of what springs are stretched by count as none.
     #[test]
     fn rests_up_to_what_one_foot_leaves_to_the_other(
@@ -58,13 +58,16 @@ proptest! {
 
 #[test]
 fn rests_under_no_more_than_the_shakedown_factor() -> Result<(), Error> {
-    let mut random = Random(29);
+    let mut random = seeded(29);
     let mut compared = 0;
-    for _ in 0..14 {
+    for _ in 0..samples(5) {
         let drawn = in_the_plane(&mut random)?;
-        let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
-        let loads =
-            [0, 1].map(|_| Wrench::new([between(-1.0, 1.0), between(-1.0, 1.0)], 0.02 * between(-1.0, 1.0)));
+        let loads = [0, 1].map(|_| {
+            Wrench::new(
+                [random.between(-1.0, 1.0), random.between(-1.0, 1.0)],
+                0.02 * random.between(-1.0, 1.0),
+            )
+        });
         let found = drawn.grasp.statics().shakedown(&drawn.base, &loads)?;
         let need = Need::load(loads.to_vec()).on_top_of(drawn.base).if_lower_by(0.0, 0.0).with_scan(0);
         let (Some(most), Amount::Bound { does, .. }) =
@@ -90,7 +93,7 @@ fn rests_under_no_more_than_the_shakedown_factor() -> Result<(), Error> {
         let stays = bound(&need.to_stay())?.unwrap_or(f64::INFINITY);
         assert!(sticks <= does * (1.0 + 1e-9) && does <= stays * (1.0 + 1e-9), "{sticks} {does} {stays}");
     }
-    assert!(compared >= 3, "{compared}");
+    assert_met(&[(compared, 1)]);
     Ok(())
 }
 

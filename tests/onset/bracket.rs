@@ -9,7 +9,9 @@ use grasp_lcp::spatial::{Contact, Grasp, Onset, Outcome, Wrench};
 use grasp_lcp::{Fit, PolygonCone, Settings, planar};
 use proptest::prelude::*;
 use support::assert_close;
+use support::jaws::jaw;
 use support::ramps::{Change, Tally, for_both};
+use support::samples::samples;
 use support::scene::Scene;
 
 fn polygon(facets: usize, fit: Fit) -> Settings {
@@ -30,7 +32,7 @@ fn check_order(
     scene: &Scene<6, 3>,
     change: &Change<6, 3>,
     tally: &Tally,
-    undecided: &Cell<u32>,
+    undecided: &Cell<usize>,
 ) -> Result<(), TestCaseError> {
     let (grasp, ramp) = (scene.grasp(), change.ramp(scene));
     let on_circumscribed = polygon(8, Fit::Circumscribed).on_the_polygon();
@@ -63,9 +65,9 @@ fn check_order(
 fn polygons_bracket_the_onset() {
     let undecided = Cell::new(0);
     let tally = for_both::<6, 3>(file!(), &(1..6), |s, c, t| check_order(s, c, t, &undecided));
-    tally.assert_at_least(800, 100, 800);
+    tally.assert_at_least(200, 12, 200);
     println!("{} undecided", undecided.get());
-    assert!(undecided.get() <= 10, "{} undecided", undecided.get());
+    assert!(undecided.get() <= samples(3), "{} undecided", undecided.get());
 }
 
 /// If everything sticks on the inscribed polygon the three answers are one, and the inscribed polygon sticks only where the
@@ -86,7 +88,7 @@ fn check_sticking(scene: &Scene<6, 3>, _: &Change<6, 3>, tally: &Tally) -> Resul
 
 #[test]
 fn where_everything_sticks_the_cone_does_not_matter() {
-    for_both::<6, 3>(file!(), &(1..6), check_sticking).assert_at_least(500, 0, 500);
+    for_both::<6, 3>(file!(), &(1..6), check_sticking).assert_at_least(125, 0, 125);
 }
 
 /// A foot pressed by N onto the floor, its block held by a tether of stiffness c in all directions, both at the origin, drawn
@@ -135,12 +137,7 @@ fn the_spread_of_a_sliding_foot() {
 /// The planar cone is a polygon by nature.
 #[test]
 fn in_the_plane_there_is_nothing_to_bracket() {
-    let finger = |side: f64| {
-        planar::Contact::new([side, 0.0], [-side, 0.0])
-            .series_stiffness(100.0, 80.0)
-            .friction(0.5)
-            .command([0.1, 0.02 * side])
-    };
+    let finger = |side: f64| jaw::<2>(side, [100.0, 80.0], 0.5).command([0.1, 0.02 * side]);
     let grasp = planar::Grasp::new([finger(-1.0), finger(1.0)]).unwrap();
     for load in [1.0, 20.0] {
         let bracket = grasp.bracket(&planar::Wrench::force([0.0, -load])).unwrap();

@@ -3,6 +3,7 @@
 
 use grasp_lcp::planar::{Beyond, Contact, ContactState, Departure, Grasp, Onset, Ramp, Wrench};
 use grasp_lcp::{Settings, spatial};
+use support::jaws::{around, jaw};
 
 fn onset(grasp: &Grasp, base: Wrench, direction: Wrench) -> Onset {
     grasp.onset_of_sliding(&base, &direction).expect("valid loads")
@@ -10,12 +11,7 @@ fn onset(grasp: &Grasp, base: Wrench, direction: Wrench) -> Onset {
 
 /// Fingers at ±1 pressing inwards by `a`: N = k a each.
 fn pinch(k: f64, kt: f64, mu: f64, a: f64) -> Grasp {
-    Grasp::new(
-        [-1.0, 1.0].map(|x| {
-            Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(k, kt).friction(mu).command([a, 0.0])
-        }),
-    )
-    .unwrap()
+    Grasp::new([-1.0, 1.0].map(|x| jaw::<2>(x, [k, kt], mu).command([a, 0.0]))).unwrap()
 }
 
 /// Pushing along the pinch line loads one finger and relieves the other until it opens at w = 2 N, unless friction is
@@ -76,12 +72,7 @@ fn already_sliding_and_no_base() {
 /// A load direction that works on a free motion is not carried from the start: the motion is the reason.
 #[test]
 fn gives_way() {
-    let finger = |x: f64| {
-        spatial::Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0])
-            .series_stiffness(10.0, 5.0)
-            .friction(0.5)
-            .command([0.1, 0.0, 0.0])
-    };
+    let finger = |x: f64| jaw::<3>(x, [10.0, 5.0], 0.5).command([0.1, 0.0, 0.0]);
     let grasp = spatial::Grasp::new([finger(-1.0), finger(1.0)]).unwrap();
     let twist = spatial::Wrench::new([0.0, 0.0, -1.0], [0.3, 0.0, 0.0]);
     let outcome = grasp.onset_of_sliding(&spatial::Wrench::ZERO, &twist).unwrap();
@@ -170,21 +161,15 @@ fn along_commands_and_both_at_once() {
 /// Rings of identical contacts under a torque about their axis leave together, at one factor.
 #[test]
 fn rings_leave_together() {
-    for n in [2_u32, 3, 5, 8, 17, 64] {
-        let finger = |i: u32| {
-            let (sin, cos) = (std::f64::consts::TAU * f64::from(i) / f64::from(n)).sin_cos();
-            Contact::new([cos, sin], [-cos, -sin])
-                .series_stiffness(10.0, 4.0)
-                .friction(0.3)
-                .command([0.1, 0.0])
-        };
+    for n in [2, 3, 5, 8, 17, 64] {
+        let finger = |i: usize| around::<2>(i, n, 1.0, [10.0, 4.0], 0.3).command([0.1, 0.0]);
         let ring = Grasp::new((0..n).map(finger)).unwrap();
         let Onset::At(event) = onset(&ring, Wrench::ZERO, Wrench::new([0.0, 0.0], 1.0)) else {
             panic!("finite")
         };
-        let exact = f64::from(n) * 0.3;
+        let exact = n as f64 * 0.3;
         assert!((event.factor - exact).abs() < 1e-13 * exact, "{n}: {}", event.factor);
-        assert_eq!(event.leaving.len(), n as usize);
+        assert_eq!(event.leaving.len(), n);
         let beyond = ring.beyond(&event).expect("its own event");
         assert!(!matches!(beyond, Beyond::Continues(_)), "friction is exhausted: {beyond:?}");
     }

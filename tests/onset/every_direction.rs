@@ -3,17 +3,15 @@
 use std::f64::consts::TAU;
 
 use grasp_lcp::picture::SphereGrid;
-use grasp_lcp::planar::{self, Beyond, Contact, Grasp, Leg, PathEnd, Wrench};
+use grasp_lcp::planar::{self, Beyond, Grasp, Leg, PathEnd, Wrench};
 use grasp_lcp::spatial;
+use support::jaws::around;
 
 type Failure = Box<dyn std::error::Error>;
 
 /// A disc in evenly spaced fingers.
-fn ring(fingers: u32) -> Result<Grasp, grasp_lcp::Error> {
-    Grasp::new((0..fingers).map(|k| {
-        let (sin, cos) = (TAU * f64::from(k) / f64::from(fingers)).sin_cos();
-        Contact::new([cos, sin], [-cos, -sin]).series_stiffness(50.0, 30.0).friction(0.3).command([0.1, 0.0])
-    }))
+fn ring(fingers: usize) -> Result<Grasp, grasp_lcp::Error> {
+    Grasp::new((0..fingers).map(|k| around::<2>(k, fingers, 1.0, [50.0, 30.0], 0.3).command([0.1, 0.0])))
 }
 
 fn angles(count: u32) -> impl Iterator<Item = f64> {

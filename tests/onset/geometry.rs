@@ -6,24 +6,15 @@ use grasp_lcp::equilibrium::ContactState;
 use grasp_lcp::grasp::{Contact, Wrench};
 use grasp_lcp::load_path::{Onset, Parameter, Ramp, Turn};
 use nalgebra::{SMatrix, SVector};
+use support::samples::{samples, seeded};
+use support::splitmix::Random;
 
 /// Steps of 1e-6 leave about 1e-10 of a derivative, and of a force of 1 N as much by rounding.
 const STEP: f64 = 1e-6;
 const TOLERANCE: f64 = 1e-6;
 
-/// A small generator, so that the scenes are the same everywhere.
-struct Dice(u64);
-
-impl Dice {
-    /// Uniform in [-1, 1).
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        f64::from(u32::try_from(self.0 >> 33).unwrap()) / f64::from(1_u32 << 30) - 1.0
-    }
-
-    fn vector<const N: usize>(&mut self) -> SVector<f64, N> {
-        SVector::from_fn(|_, _| self.next())
-    }
+fn vector<const N: usize>(dice: &mut Random) -> SVector<f64, N> {
+    SVector::from(dice.vector())
 }
 
 #[derive(Clone)]
@@ -39,18 +30,18 @@ struct Scene<const D: usize, const C: usize> {
 
 impl<const D: usize, const C: usize> Scene<D, C> {
     /// Fingers around an object whose middle is at `place`.
-    fn random(dice: &mut Dice, contacts: usize, place: f64) -> Self {
-        let around: Vec<SVector<f64, C>> = (0..contacts).map(|_| dice.vector::<C>().normalize()).collect();
+    fn random(dice: &mut Random, contacts: usize, place: f64) -> Self {
+        let around: Vec<SVector<f64, C>> = (0..contacts).map(|_| vector::<C>(dice).normalize()).collect();
         let mut scene = Self {
             point: around.iter().map(|p| p + SVector::repeat(place)).collect(),
             frame: Vec::new(),
             stiffness: (0..contacts)
-                .map(|_| dice.vector::<C>().map(|x: f64| 10f64.powf(1.0 + 0.5 * x)))
+                .map(|_| vector::<C>(dice).map(|x: f64| 10f64.powf(1.0 + 0.5 * x)))
                 .collect(),
-            friction: (0..contacts).map(|_| 0.4 + 0.35 * dice.next()).collect(),
-            command: (0..contacts).map(|_| dice.vector::<C>() * 0.02).collect(),
-            change: (0..contacts).map(|_| dice.vector::<C>() * 0.003).collect(),
-            load: [0.03, 0.5, 0.5].map(|size| dice.vector::<D>() * size),
+            friction: (0..contacts).map(|_| 0.4 + 0.35 * dice.signed()).collect(),
+            command: (0..contacts).map(|_| vector::<C>(dice) * 0.02).collect(),
+            change: (0..contacts).map(|_| vector::<C>(dice) * 0.003).collect(),
+            load: [0.03, 0.5, 0.5].map(|size| vector::<D>(dice) * size),
         };
         scene.command.iter_mut().for_each(|a| a[0] = 0.1);
         // Moments about the middle.
@@ -65,7 +56,7 @@ impl<const D: usize, const C: usize> Scene<D, C> {
             moved.iter().enumerate().for_each(|(k, m)| load[C + k] += m);
         }
         for p in &around {
-            let contact = Contact::new(*p, -p + dice.vector::<C>() * 0.3).tangent(dice.vector::<C>());
+            let contact = Contact::new(*p, -p + vector::<C>(dice) * 0.3).tangent(vector::<C>(dice));
             let alone = Grasp::<C>::new([contact.series_stiffness(1.0, 1.0)]).unwrap();
             scene.frame.push(*alone.frames().next().unwrap());
         }
@@ -143,8 +134,8 @@ fn compare_equilibria<const D: usize, const C: usize>(
     contacts: usize,
     place: f64,
 ) -> usize {
-    let (mut dice, mut sliding) = (Dice(seed), 0);
-    for _ in 0..scenes {
+    let (mut dice, mut sliding) = (seeded(seed), 0);
+    for _ in 0..samples(scenes) {
         let scene = Scene::<D, C>::random(&mut dice, contacts, place);
         let solve = |scene: &Scene<D, C>| {
             let load = scene.wrenches()[0] + scene.wrenches()[1];
@@ -191,8 +182,8 @@ fn compare_onsets<const D: usize, const C: usize>(
     contacts: usize,
     turns: bool,
 ) -> usize {
-    let (mut dice, mut compared) = (Dice(seed), 0);
-    for _ in 0..scenes {
+    let (mut dice, mut compared) = (seeded(seed), 0);
+    for _ in 0..samples(scenes) {
         let scene = Scene::<D, C>::random(&mut dice, contacts, 0.0);
         let onset = scene.onset(turns);
         let Some(event) = onset.event().filter(|event| event.factor > 0.0) else { continue };
@@ -225,32 +216,35 @@ fn compare_onsets<const D: usize, const C: usize>(
 
 #[test]
 fn equilibria_in_the_plane() {
-    assert!(compare_equilibria::<3, 2>(21, 100, 4, 0.0) > 200);
+    assert!(compare_equilibria::<3, 2>(21, 100, 4, 0.0) > samples(200));
 }
 
 #[test]
 fn equilibria_in_space() {
-    assert!(compare_equilibria::<6, 3>(22, 40, 6, 0.0) > 200);
+    assert!(compare_equilibria::<6, 3>(22, 40, 6, 0.0) > samples(200));
 }
 
 /// The reference point of loads and motions is far from the contacts, and not in their middle.
 #[test]
 fn equilibria_far_from_the_origin() {
-    assert!(compare_equilibria::<3, 2>(23, 60, 4, 7.0) + compare_equilibria::<6, 3>(24, 20, 6, 7.0) > 200);
+    assert!(
+        compare_equilibria::<3, 2>(23, 60, 4, 7.0) + compare_equilibria::<6, 3>(24, 20, 6, 7.0)
+            > samples(200)
+    );
 }
 
 #[test]
 fn onsets_of_ramps_in_the_plane() {
-    assert!(compare_onsets::<3, 2>(25, 300, 3, false) > 300);
+    assert!(compare_onsets::<3, 2>(25, 300, 3, false) > samples(300));
 }
 
 #[test]
 fn onsets_of_ramps_on_the_round_cone() {
-    assert!(compare_onsets::<6, 3>(26, 800, 4, false) > 300);
+    assert!(compare_onsets::<6, 3>(26, 800, 4, false) > samples(300));
 }
 
 #[test]
 fn onsets_of_turns() {
-    assert!(compare_onsets::<3, 2>(27, 300, 3, true) > 200);
-    assert!(compare_onsets::<6, 3>(28, 800, 4, true) > 200);
+    assert!(compare_onsets::<3, 2>(27, 300, 3, true) > samples(200));
+    assert!(compare_onsets::<6, 3>(28, 800, 4, true) > samples(200));
 }

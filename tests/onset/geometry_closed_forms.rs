@@ -2,13 +2,14 @@
 
 use grasp_lcp::load_path::Parameter;
 use grasp_lcp::{Error, planar, spatial};
+use support::jaws::jaw;
 
 const MU: f64 = 0.5;
 const PRESS: f64 = 10.0;
 
 /// Springs alike along both axes: then a tilted finger presses along its normal as before.
 fn palm(x: f64) -> planar::Contact {
-    planar::Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(800.0, 800.0).friction(MU).pressed_with(PRESS)
+    jaw::<2>(x, [800.0, 800.0], MU).pressed_with(PRESS)
 }
 
 fn weight() -> planar::Ramp {

@@ -4,7 +4,9 @@ use grasp_lcp::equilibrium::{Outcome, Rung};
 use grasp_lcp::load_path::Leaver;
 use grasp_lcp::squeeze::{LeastSqueeze, Loads, WeakestDirection};
 use grasp_lcp::{Error, planar, spatial};
-use support::numbers::Numbers;
+use support::jaws::jaw;
+use support::samples::{assert_met, samples, seeded};
+use support::splitmix::Random;
 
 /// A spatial grasp of so many fingers round a ball, whose commands press with `press` N each.
 struct Ball {
@@ -12,13 +14,13 @@ struct Ball {
 }
 
 impl Ball {
-    fn new(count: usize, numbers: &mut Numbers) -> Self {
+    fn new(count: usize, numbers: &mut Random) -> Self {
         let finger = |k: usize| {
             let angle = std::f64::consts::TAU * (k as f64 + 0.2 * numbers.signed()) / count as f64;
             let point = [angle.cos(), angle.sin(), 0.3 * numbers.signed()];
-            let bent = numbers.three();
+            let bent: [f64; 3] = numbers.vector();
             let normal = std::array::from_fn(|a| 0.15 * bent[a] - point[a]);
-            (point, normal, 1000.0 * (1.0 + numbers.part()), 0.4 + 0.4 * numbers.part())
+            (point, normal, 1000.0 * (1.0 + numbers.uniform()), 0.4 + 0.4 * numbers.uniform())
         };
         Self { fingers: (0..count).map(finger).collect() }
     }
@@ -45,12 +47,12 @@ fn sticks(grasp: &spatial::Grasp, load: &spatial::Wrench) -> bool {
 
 #[test]
 fn no_direction_is_weaker_than_the_weakest() -> Result<(), Error> {
-    let mut numbers = Numbers(21);
+    let mut numbers = seeded(21);
     let mut found = 0;
-    for number in 0..60 {
+    for number in 0..samples(20) {
         let grasp = Ball::new(3 + number % 3, &mut numbers).pressed(10.0)?;
-        let base = spatial::Wrench::force(numbers.three());
-        let point = numbers.three().map(|x| 0.2 * x);
+        let base = spatial::Wrench::force(numbers.vector());
+        let point = numbers.vector().map(|x| 0.2 * x);
         let WeakestDirection::Force { size, direction, load, leaver, .. } =
             grasp.weakest_direction(&base, point)?
         else {
@@ -66,37 +68,37 @@ fn no_direction_is_weaker_than_the_weakest() -> Result<(), Error> {
         assert!((load.to_vector() - event.load.to_vector()).norm() < 1e-12 * size);
         let mut least = f64::INFINITY;
         for _ in 0..2000 {
-            let v = numbers.three();
+            let v = numbers.vector();
             let norm = v.iter().map(|x| x * x).sum::<f64>().sqrt();
             least = least.min(onset(v.map(|x| x / norm))?.factor().expect("sticks at rest"));
         }
         // Beside it, too: where it would be weaker if it were not the least near by.
         for step in [1e-2, 1e-4] {
-            let near = numbers.three();
+            let near: [f64; 3] = numbers.vector();
             let v: [f64; 3] = std::array::from_fn(|a| direction[a] + step * near[a]);
             let norm = v.iter().map(|x| x * x).sum::<f64>().sqrt();
             least = least.min(onset(v.map(|x| x / norm))?.factor().expect("sticks at rest"));
         }
         assert!(least >= size * (1.0 - 1e-12) && least < 1.05 * size, "{number}: {least} {size}");
     }
-    assert!(found > 40, "{found}");
+    assert_met(&[(found, 13)]);
     Ok(())
 }
 
 #[test]
 fn enough_is_enough_and_less_is_not() -> Result<(), Error> {
-    let mut numbers = Numbers(22);
+    let mut numbers = seeded(22);
     let mut factors = [0; 3];
-    for number in 0..60 {
+    for number in 0..samples(20) {
         let ball = Ball::new(3 + number % 3, &mut numbers);
-        let base = spatial::Wrench::force(numbers.three());
-        let point = numbers.three().map(|x| 0.1 * x);
+        let base = spatial::Wrench::force(numbers.vector());
+        let point = numbers.vector().map(|x| 0.1 * x);
         let loads = match number % 3 {
             0 => Loads::Each(
-                (0..4).map(|_| base + spatial::Wrench::force(numbers.three().map(|x| 4.0 * x))).collect(),
+                (0..4).map(|_| base + spatial::Wrench::force(numbers.vector().map(|x| 4.0 * x))).collect(),
             ),
             1 => Loads::AnyForce { base, size: 2.0, point },
-            _ => Loads::Turn(spatial::Turn::tilting([0.0, 0.0, -3.0], point, numbers.three())?.beside(base)),
+            _ => Loads::Turn(spatial::Turn::tilting([0.0, 0.0, -3.0], point, numbers.vector())?.beside(base)),
         };
         // One newton each: the factor counts newtons.
         let answer = ball.pressed(1.0)?.least_squeeze(&loads)?;
@@ -106,7 +108,7 @@ fn enough_is_enough_and_less_is_not() -> Result<(), Error> {
             Loads::Each(list) => list.clone(),
             Loads::AnyForce { .. } => (0..400)
                 .map(|_| {
-                    let v = numbers.three();
+                    let v = numbers.vector();
                     let norm = v.iter().map(|x| x * x).sum::<f64>().sqrt();
                     base + spatial::Wrench::force_at(v.map(|x| 2.0 * x / norm), point)
                 })
@@ -122,7 +124,7 @@ fn enough_is_enough_and_less_is_not() -> Result<(), Error> {
         let less = ball.pressed(factor * (1.0 - 1e-9))?;
         assert!(!sticks(&less, &worst), "{number}: {factor}");
     }
-    assert!(factors.iter().all(|count| *count > 8), "{factors:?}");
+    assert!(factors.iter().all(|count| *count > samples(2)), "{factors:?}");
     Ok(())
 }
 
@@ -142,12 +144,7 @@ fn what_no_squeeze_helps_is_told() -> Result<(), Error> {
     let little = planar::Wrench::force([1.0, -4.0]);
     assert_eq!(tray.least_squeeze(&Loads::Each(vec![little]))?, factor_of_none());
     // Two fingers on a line do not resist a turn about it.
-    let finger = |x: f64| {
-        spatial::Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0])
-            .series_stiffness(1e3, 1e3)
-            .friction(0.5)
-            .pressed_with(1.0)
-    };
+    let finger = |x: f64| jaw::<3>(x, [1e3, 1e3], 0.5).pressed_with(1.0);
     let pinch = spatial::Grasp::new([finger(-1.0), finger(1.0)])?;
     let off = Loads::AnyForce { base: spatial::Wrench::ZERO, size: 1.0, point: [0.0, 0.1, 0.0] };
     assert!(matches!(pinch.least_squeeze(&off)?, LeastSqueeze::GivesWay { .. }));
@@ -176,12 +173,7 @@ fn factor_of_none() -> LeastSqueeze<2> {
 
 #[test]
 fn what_is_no_set_of_loads_is_refused() {
-    let palm = |x: f64| {
-        planar::Contact::new([x, 0.0], [-x, 0.0])
-            .series_stiffness(1000.0, 800.0)
-            .friction(0.5)
-            .pressed_with(1.0)
-    };
+    let palm = |x: f64| jaw::<2>(x, [1000.0, 800.0], 0.5).pressed_with(1.0);
     let palms = planar::Grasp::new([palm(-1.0), palm(1.0)]).unwrap();
     let told = |loads: Loads<2>| palms.least_squeeze(&loads).unwrap_err().to_string();
     assert_eq!(told(Loads::Each(Vec::new())), "number of loads is 0, must be at least 1");
@@ -200,10 +192,10 @@ fn what_is_no_set_of_loads_is_refused() {
 #[test]
 fn a_squeeze_that_presses_nothing_helps_nothing() {
     // Fingers that all carry from below only lift what they carry, wherever they are: what is left of their forces is rounding.
-    let mut numbers = Numbers(23);
-    for _ in 0..300 {
-        let finger = |numbers: &mut Numbers| {
-            let [x, y, _] = numbers.three();
+    let mut numbers = seeded(23);
+    for _ in 0..samples(300) {
+        let finger = |numbers: &mut Random| {
+            let [x, y, _] = numbers.vector();
             let k = 1000.0 * 10_f64.powf(numbers.signed());
             spatial::Contact::new([x, y, 0.0], [0.0, 0.0, 1.0])
                 .series_stiffness(k, 0.7 * k)

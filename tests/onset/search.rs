@@ -141,20 +141,20 @@ fn is_at_the_edge<const D: usize, const C: usize>(
 
 #[test]
 fn the_onset_is_where_bisection_finds_it_in_the_plane() {
-    for_both::<3, 2>(file!(), &(2..5), check_bisection).assert_at_least(1000, 50, 20);
+    for_both::<3, 2>(file!(), &(2..5), check_bisection).assert_at_least(250, 12, 5);
 }
 
 #[test]
 fn the_onset_is_where_bisection_finds_it_in_space() {
-    for_both::<6, 3>(file!(), &(2..6), check_bisection).assert_at_least(150, 20, 0);
+    for_both::<6, 3>(file!(), &(2..6), check_bisection).assert_at_least(37, 5, 0);
 }
 
 #[test]
 fn the_onset_has_two_sides_in_the_plane() {
-    for_both::<3, 2>(file!(), &(2..5), check_both_sides).assert_at_least(300, 20, 0);
+    for_both::<3, 2>(file!(), &(2..5), check_both_sides).assert_at_least(75, 5, 0);
 }
 
 #[test]
 fn the_onset_has_two_sides_in_space() {
-    for_both::<6, 3>(file!(), &(3..5), check_both_sides).assert_at_least(100, 5, 0);
+    for_both::<6, 3>(file!(), &(3..5), check_both_sides).assert_at_least(25, 1, 0);
 }

@@ -7,19 +7,11 @@ use grasp_lcp::grasp::{Contact, Wrench};
 use grasp_lcp::load_path::{Onset, Parameter, Ramp};
 use grasp_lcp::{planar, spatial};
 use nalgebra::SVector;
+use support::jaws::jaw;
+use support::samples::{samples, seeded};
+use support::splitmix::Random;
 
 const TOLERANCE: f64 = 1e-7;
-
-/// A small generator, so that the scenes are the same everywhere.
-struct Dice(u64);
-
-impl Dice {
-    /// Uniform in [-1, 1).
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        f64::from(u32::try_from(self.0 >> 33).unwrap()) / f64::from(1_u32 << 30) - 1.0
-    }
-}
 
 #[derive(Clone)]
 struct Scene<const D: usize, const C: usize> {
@@ -33,8 +25,8 @@ struct Scene<const D: usize, const C: usize> {
 }
 
 impl<const D: usize, const C: usize> Scene<D, C> {
-    fn random(dice: &mut Dice, contacts: usize) -> Self {
-        let mut vector = || SVector::<f64, C>::from_fn(|_, _| dice.next());
+    fn random(dice: &mut Random, contacts: usize) -> Self {
+        let mut vector = || SVector::<f64, C>::from_fn(|_, _| dice.signed());
         let directions: Vec<_> = (0..contacts).map(|_| vector().normalize()).collect();
         let normal = directions.iter().map(|d| -d + vector() * 0.3).collect();
         let stiffness = (0..contacts).map(|_| vector().map(|x| 10f64.powf(1.0 + 0.5 * x))).collect();
@@ -45,9 +37,9 @@ impl<const D: usize, const C: usize> Scene<D, C> {
                 a
             })
             .collect();
-        let mut wrench = |size: f64| SVector::<f64, D>::from_fn(|_, _| size * dice.next());
+        let mut wrench = |size: f64| SVector::<f64, D>::from_fn(|_, _| size * dice.signed());
         let (load, direction) = (wrench(0.3), wrench(0.5));
-        let friction = (0..contacts).map(|_| 0.4 + 0.35 * dice.next()).collect();
+        let friction = (0..contacts).map(|_| 0.4 + 0.35 * dice.signed()).collect();
         Self { point: directions, normal, stiffness, friction, command, load, direction }
     }
 
@@ -118,8 +110,8 @@ fn states<const C: usize>(e: &Equilibrium<C>) -> Vec<u8> {
 
 /// Compares on random scenes; how many derivatives were compared in scenes with sliding contacts.
 fn compare_equilibria<const D: usize, const C: usize>(seed: u64, scenes: usize, contacts: usize) -> usize {
-    let (mut dice, mut sliding) = (Dice(seed), 0);
-    for _ in 0..scenes {
+    let (mut dice, mut sliding) = (seeded(seed), 0);
+    for _ in 0..samples(scenes) {
         let scene = Scene::<D, C>::random(&mut dice, contacts);
         let Some(here) = scene.solve() else { continue };
         if !here.free_motions.is_empty() {
@@ -156,17 +148,17 @@ fn compare_equilibria<const D: usize, const C: usize>(seed: u64, scenes: usize, 
 
 #[test]
 fn equilibria_in_the_plane() {
-    assert!(compare_equilibria::<3, 2>(1, 150, 4) > 300);
+    assert!(compare_equilibria::<3, 2>(1, 50, 4) > samples(100));
 }
 
 #[test]
 fn equilibria_in_space() {
-    assert!(compare_equilibria::<6, 3>(2, 60, 6) > 300);
+    assert!(compare_equilibria::<6, 3>(2, 20, 6) > samples(100));
 }
 
 fn compare_onsets<const D: usize, const C: usize>(seed: u64, scenes: usize, contacts: usize) -> usize {
-    let (mut dice, mut compared) = (Dice(seed), 0);
-    for _ in 0..scenes {
+    let (mut dice, mut compared) = (seeded(seed), 0);
+    for _ in 0..samples(scenes) {
         let mut scene = Scene::<D, C>::random(&mut dice, contacts);
         scene.load *= 0.1;
         let Some((factor, leaving)) = scene.onset() else { continue };
@@ -210,12 +202,12 @@ fn compare_onsets<const D: usize, const C: usize>(seed: u64, scenes: usize, cont
 
 #[test]
 fn onsets_in_the_plane() {
-    assert!(compare_onsets::<3, 2>(3, 300, 3) > 500);
+    assert!(compare_onsets::<3, 2>(3, 100, 3) > samples(120));
 }
 
 #[test]
 fn onsets_on_the_round_cone() {
-    assert!(compare_onsets::<6, 3>(4, 1500, 4) > 500);
+    assert!(compare_onsets::<6, 3>(4, 500, 4) > samples(120));
 }
 
 /// A symmetric pinch by hand: N = k a, so dN/da = k/2 for one command alone (the other spring gives way as much), the object
@@ -223,10 +215,8 @@ fn onsets_on_the_round_cone() {
 #[test]
 fn position_control_of_a_pinch() {
     let (k, kt) = (30.0, 10.0);
-    let grasp = planar::Grasp::new([-1.0, 1.0].map(|x| {
-        planar::Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(k, kt).friction(0.5).command([0.1, 0.0])
-    }))
-    .unwrap();
+    let grasp =
+        planar::Grasp::new([-1.0, 1.0].map(|x| jaw::<2>(x, [k, kt], 0.5).command([0.1, 0.0]))).unwrap();
     let outcome = grasp.solve(&planar::Wrench::ZERO).unwrap();
     let response = grasp.sensitivity().response(outcome.equilibrium().unwrap()).unwrap();
     assert!((response.twist[(0, 0)] - 0.5).abs() < 1e-15, "finger 1 pushes the object along x");
@@ -239,13 +229,8 @@ fn position_control_of_a_pinch() {
         assert!((got - want).abs() < 1e-15, "{command}");
     }
     // A spatial pinch cannot turn the object about its line.
-    let pinch = spatial::Grasp::new([-1.0, 1.0].map(|x| {
-        spatial::Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0])
-            .series_stiffness(k, kt)
-            .friction(0.5)
-            .command([0.1, 0.0, 0.0])
-    }))
-    .unwrap();
+    let pinch =
+        spatial::Grasp::new([-1.0, 1.0].map(|x| jaw::<3>(x, [k, kt], 0.5).command([0.1, 0.0, 0.0]))).unwrap();
     let outcome = pinch.solve(&spatial::Wrench::ZERO).unwrap();
     let response = pinch.sensitivity().response(outcome.equilibrium().unwrap()).unwrap();
     let turn = |axis: usize| {

@@ -5,10 +5,11 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use grasp_lcp::load_path::{EdgeOf, PathEnd};
 use grasp_lcp::planar::{self, Turn, Wrench};
 use grasp_lcp::{Error, PolygonCone, Settings, spatial};
+use support::jaws::jaw;
 use support::programs::changes;
 
 fn palm(x: f64) -> planar::Contact {
-    planar::Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1000.0, 800.0).friction(0.5).pressed_with(10.0)
+    jaw::<2>(x, [1000.0, 800.0], 0.5).pressed_with(10.0)
 }
 
 /// A box between two palms, which starts on its side: each palm carries F_n = 10 ∓ w/2 cos θ and F_t = w/2 sin θ.
@@ -96,12 +97,7 @@ fn a_gap_that_closes_on_the_way_carries_until_it_opens_again() {
 #[test]
 fn what_nothing_resists_gives_way_at_once() {
     // Two points cannot carry a moment about the line between them.
-    let finger = |x: f64| {
-        spatial::Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0])
-            .series_stiffness(1000.0, 800.0)
-            .friction(0.5)
-            .pressed_with(10.0)
-    };
+    let finger = |x: f64| jaw::<3>(x, [1000.0, 800.0], 0.5).pressed_with(10.0);
     let grasp = spatial::Grasp::new([finger(-1.0), finger(1.0)]).unwrap();
     let off_the_line = spatial::Turn::tilting([0.0, 0.0, -2.0], [0.0, 0.0, -0.1], [1.0, 0.0, 0.0]).unwrap();
     let answer = grasp.onset_of_turn(&off_the_line).unwrap();

@@ -6,7 +6,8 @@ use grasp_lcp::load_path::{Onset, Turn};
 use grasp_lcp::nalgebra::SMatrix;
 use grasp_lcp::{Error, planar, spatial};
 use support::dyadic::{Dyadic, solve};
-use support::numbers::Numbers;
+use support::samples::{samples, seeded};
+use support::splitmix::Random;
 
 const BITS: u64 = 200;
 /// Isolated to so many halvings, counted by Sturm's chain in the first ones.
@@ -17,10 +18,7 @@ fn d(x: f64) -> Dyadic {
     Dyadic::new(x)
 }
 
-/// How many grasps: as many as `TURN_SCENES` says.
-fn scenes() -> usize {
-    std::env::var("TURN_SCENES").ok().and_then(|count| count.parse().ok()).unwrap_or(120)
-}
+const SCENES: usize = 48;
 
 /// One contact as numbers: rows of Gᵀ along its axes, stiffnesses, command along the normal, friction.
 struct Spring {
@@ -240,23 +238,26 @@ impl Tally {
 
     fn judge(&self) {
         println!("{self:?}");
-        let some = scenes() / 8;
-        assert!(self.onsets > some && self.never > some && self.near < 5 && self.worst < 1e-13, "{self:?}");
+        let some = samples(SCENES / 16);
+        assert!(
+            self.onsets > some && self.never > some && self.near < samples(5) && self.worst < 1e-13,
+            "{self:?}"
+        );
     }
 }
 
 /// Stiffnesses, the command for 10 N and friction; in every second scene stiffnesses lie up to 1e8 apart.
-fn springs(number: usize, numbers: &mut Numbers) -> [f64; 4] {
+fn springs(number: usize, numbers: &mut Random) -> [f64; 4] {
     let decades = if number.is_multiple_of(2) { 0.3 } else { 4.0 };
     let k = 1000.0 * 10_f64.powf(decades * numbers.signed());
-    [k, k * (0.5 + numbers.part()), 10.0 / k, 0.3 + 0.6 * numbers.part()]
+    [k, k * (0.5 + numbers.uniform()), 10.0 / k, 0.3 + 0.6 * numbers.uniform()]
 }
 
 #[test]
 fn in_the_plane() -> Result<(), Error> {
-    let mut numbers = Numbers(11);
+    let mut numbers = seeded(11);
     let mut tally = Tally::default();
-    for number in 0..scenes() {
+    for number in 0..samples(SCENES) {
         let count = 2 + number % 3;
         let (mut contacts, mut data) = (Vec::new(), Vec::new());
         for k in 0..count {
@@ -268,7 +269,7 @@ fn in_the_plane() -> Result<(), Error> {
             contacts.push(contact.command([command, 0.0]));
             data.push((point, [k, kt, command, mu]));
         }
-        let weight = 16.0 * numbers.part();
+        let weight = 16.0 * numbers.uniform();
         let turn = planar::Turn::tilting([0.0, -weight], [0.3 * numbers.signed(), 0.3 * numbers.signed()])
             .beside(planar::Wrench::force([0.5 * numbers.signed(), 0.0]));
         tally.compare(&planar::Grasp::new(contacts)?, &data, &turn)?;
@@ -279,25 +280,25 @@ fn in_the_plane() -> Result<(), Error> {
 
 #[test]
 fn on_the_round_cone() -> Result<(), Error> {
-    let mut numbers = Numbers(12);
+    let mut numbers = seeded(12);
     let mut tally = Tally::default();
-    for number in 0..scenes() {
+    for number in 0..samples(SCENES) {
         let count = 3 + number % 3;
         let (mut contacts, mut data) = (Vec::new(), Vec::new());
         for k in 0..count {
             let angle = std::f64::consts::TAU * (k as f64 + 0.3 * numbers.signed()) / count as f64;
             let point = [angle.cos(), angle.sin(), 0.3 * numbers.signed()];
-            let bent = numbers.three();
+            let bent: [f64; 3] = numbers.vector();
             let normal: [f64; 3] = std::array::from_fn(|a| 0.2 * bent[a] - point[a]);
             let [k, kt, command, mu] = springs(number, &mut numbers);
             let contact = spatial::Contact::new(point, normal).series_stiffness(k, kt).friction(mu);
             contacts.push(contact.command([command, 0.0, 0.0]));
             data.push((point, [k, kt, command, mu]));
         }
-        let weight = 24.0 * numbers.part();
-        let centre = numbers.three().map(|x| 0.2 * x);
-        let turn = spatial::Turn::tilting([0.0, 0.0, -weight], centre, numbers.three())?
-            .beside(spatial::Wrench::force(numbers.three().map(|x| 0.5 * x)));
+        let weight = 24.0 * numbers.uniform();
+        let centre = numbers.vector().map(|x| 0.2 * x);
+        let turn = spatial::Turn::tilting([0.0, 0.0, -weight], centre, numbers.vector())?
+            .beside(spatial::Wrench::force(numbers.vector().map(|x| 0.5 * x)));
         tally.compare(&spatial::Grasp::new(contacts)?, &data, &turn)?;
     }
     tally.judge();

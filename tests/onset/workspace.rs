@@ -8,11 +8,13 @@ use grasp_lcp::load_path::Ramp;
 use grasp_lcp::planar::hand::{Finger, Hand, Joint};
 use grasp_lcp::{Settings, planar};
 use std::cell::RefCell;
+use support::jaws::jaw;
 use support::ramps::ramps;
 use support::random::{Spread, for_all};
+use support::samples::assert_met;
 
 /// Grasps and ramps of any kind: with free motions, closing contacts, without a base.
-fn questions<const D: usize, const C: usize>(cases: u32) -> Vec<(Grasp<C>, Ramp<C>)> {
+fn questions<const D: usize, const C: usize>(cases: usize) -> Vec<(Grasp<C>, Ramp<C>)> {
     let list = RefCell::new(Vec::new());
     for spread in [Spread::Narrow, Spread::Wide] {
         for_all(file!(), cases, &ramps::<D, C>(1..6, spread), |(scene, change)| {
@@ -26,7 +28,7 @@ fn questions<const D: usize, const C: usize>(cases: u32) -> Vec<(Grasp<C>, Ramp<
 fn tells_the_same<const D: usize, const C: usize>(settings: Settings) {
     let mut workspace = OnsetWorkspace::<C>::new(settings);
     let mut events = 0;
-    for (grasp, ramp) in questions::<D, C>(400) {
+    for (grasp, ramp) in questions::<D, C>(100) {
         let told = workspace.onset(&grasp, &ramp).expect("valid");
         // Numbers are written so that they come back as they were.
         let expected = grasp.with(&settings).onset(&ramp).expect("valid");
@@ -34,7 +36,7 @@ fn tells_the_same<const D: usize, const C: usize>(settings: Settings) {
         events += usize::from(told.event().is_some());
     }
     println!("{events} events");
-    assert!(events > 60, "{events}");
+    assert_met(&[(events, 15)]);
 }
 
 #[test]
@@ -52,7 +54,7 @@ fn in_space() {
 fn without_allocation<const D: usize, const C: usize>() -> usize {
     let mut workspace = OnsetWorkspace::<C>::default();
     let mut count = 0;
-    for (grasp, ramp) in &questions::<D, C>(300) {
+    for (grasp, ramp) in &questions::<D, C>(75) {
         // The factors of the grasp, and the lists if it is larger than all before.
         assert!(workspace.onset(grasp, ramp).is_ok());
         let counted = measure(|| assert!(workspace.onset(grasp, ramp).is_ok()));
@@ -69,7 +71,7 @@ fn without_allocation<const D: usize, const C: usize>() -> usize {
 fn where_one_contact_leaves_nothing_is_allocated() {
     let [plane, space] = [without_allocation::<3, 2>(), without_allocation::<6, 3>()];
     println!("{plane} and {space} of 600");
-    assert!(plane > 80 && space > 30, "{plane} {space}");
+    assert_met(&[(plane, 20), (space, 7)]);
 }
 
 #[test]
@@ -93,12 +95,7 @@ fn nor_for_a_hand() {
 /// Wrong input is refused, and what was asked before does no harm to what is asked next.
 #[test]
 fn an_error_leaves_it_as_good_as_new() {
-    let jaw = |x: f64, friction: f64| {
-        planar::Contact::new([x, 0.0], [-x, 0.0])
-            .series_stiffness(1e3, 8e2)
-            .friction(friction)
-            .pressed_with(10.0)
-    };
+    let jaw = |x: f64, friction: f64| jaw::<2>(x, [1e3, 8e2], friction).pressed_with(10.0);
     let grasp = planar::Grasp::new([jaw(-1.0, 0.5), jaw(1.0, 0.4)]).expect("valid");
     let pull = planar::Ramp::load(planar::Wrench::ZERO, planar::Wrench::force([0.0, -1.0]));
     let mut workspace = planar::OnsetWorkspace::default();

@@ -6,14 +6,10 @@ use grasp_lcp::load_path::Ramp;
 use grasp_lcp::squeeze::{Bounds, LeastOnset};
 use grasp_lcp::{Error, Field, PolygonCone, Settings, planar, spatial};
 use nalgebra::SVector;
+use support::jaws::jaw;
 
 fn palms() -> planar::Grasp {
-    let palm = |x: f64| {
-        planar::Contact::new([x, 0.0], [-x, 0.0])
-            .series_stiffness(1000.0, 800.0)
-            .friction(0.5)
-            .command([0.01, 0.0])
-    };
+    let palm = |x: f64| jaw::<2>(x, [1000.0, 800.0], 0.5).command([0.01, 0.0]);
     planar::Grasp::new([palm(-1.0), palm(1.0)]).unwrap()
 }
 
@@ -159,12 +155,7 @@ fn what_does_not_stick_in_some_case_is_told() {
     let slightly = planar::Bounds::none().with_commands([[1e-3, 1e-3]; 2]);
     let answer = palms().least_onset_within(&tighter, &slightly).unwrap();
     assert!(matches!(answer, LeastOnset::Never), "{answer:?}");
-    let finger = |x: f64| {
-        spatial::Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0])
-            .series_stiffness(1e3, 1e3)
-            .friction(0.5)
-            .pressed_with(5.0)
-    };
+    let finger = |x: f64| jaw::<3>(x, [1e3, 1e3], 0.5).pressed_with(5.0);
     let pinch = spatial::Grasp::new([finger(-1.0), finger(1.0)]).unwrap();
     let down = spatial::Ramp::load(spatial::Wrench::ZERO, spatial::Wrench::force([0.0, 0.0, -1.0]));
     let twisted = spatial::Bounds::none().with_base(spatial::Wrench::new([0.0; 3], [1e-3, 0.0, 0.0]));

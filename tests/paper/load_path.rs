@@ -3,6 +3,7 @@
 use grasp_lcp::planar::{Change, Contact, ContactState, Event, Grasp, Leg, LoadPath, PathEnd, Wrench};
 use support::assert_close;
 use support::ends::limit_load;
+use support::jaws::{around, jaw};
 use support::programs::{changes, numbers};
 
 fn pull(force: f64) -> Wrench {
@@ -173,8 +174,7 @@ fn a_support_lets_go_and_takes_hold_again() {
 #[test]
 fn regrasping_starts_without_tangential_force() {
     let (k, kt, mu) = (10.0, 6.0, 0.5);
-    let side =
-        |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(k, kt).friction(mu).command([0.1, 0.0]);
+    let side = |x: f64| jaw::<2>(x, [k, kt], mu).command([0.1, 0.0]);
     // Two pairs of fingers on top of each other: one pair holds while the other regrasps.
     let grasp = Grasp::new([side(-1.0), side(1.0), side(-1.0), side(1.0)]).unwrap();
     let w = 0.4;
@@ -207,25 +207,18 @@ fn regrasping_starts_without_tangential_force() {
 /// Ring of n identical contacts under a torque: all leave at one load, and that is the limit.
 #[test]
 fn rings_have_one_event() {
-    for n in [2_u32, 3, 5, 8, 17, 64] {
-        let finger = |i: u32| {
-            let (sin, cos) = (std::f64::consts::TAU * f64::from(i) / f64::from(n)).sin_cos();
-            Contact::new([cos, sin], [-cos, -sin])
-                .series_stiffness(10.0, 4.0)
-                .friction(0.3)
-                .command([0.1, 0.0])
-        };
+    for n in [2, 3, 5, 8, 17, 64] {
+        let finger = |i: usize| around::<2>(i, n, 1.0, [10.0, 4.0], 0.3).command([0.1, 0.0]);
         // An elastic stop about the axis takes over when friction is exhausted.
         let stop = Contact::new([1.0, 0.0], [0.0, -1.0]).series_stiffness(0.5, 1.0).kept_closed();
         let counter = Contact::new([-1.0, 0.0], [0.0, 1.0]).series_stiffness(0.5, 1.0).kept_closed();
         let ring = Grasp::new((0..n).map(finger).chain([stop, counter])).unwrap();
         let torque = |m: f64| Leg::load_to(Wrench::new([0.0, 0.0], m));
-        let size = f64::from(n);
+        let size = n as f64;
         let (path, events) = run(&ring, &[torque(size), torque(-size), torque(size)]);
         assert!(matches!(path.end(), Some(PathEnd::Completed)), "{n}: {:?}", path.end());
         let sizes: Vec<_> = events.iter().map(|e| (e.leg, e.changes.len())).collect();
-        let all = n as usize;
-        assert_eq!(sizes, [(0, all), (1, all), (1, all), (2, all), (2, all)], "{n}");
+        assert_eq!(sizes, [(0, n), (1, n), (1, n), (2, n), (2, n)], "{n}");
         // All slide when the turn times kt is μ N: with the stop the torque is n · 0.3 · (1 + 1.0/(4 n)).
         assert_close!(events[0].fraction * size, size * 0.3 + 0.3 / 4.0);
     }

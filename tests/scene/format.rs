@@ -7,6 +7,7 @@ use grasp_lcp::scene::{Answer, Answers, Fingertip, Question, Scene, Setup, Space
 use grasp_lcp::{Fit, PolygonCone, Settings, planar, spatial};
 use proptest::prelude::TestCaseError;
 use serde_json::{Value, json};
+use support::jaws::jaw;
 use support::random::{Spread, for_all, scene};
 use support::scene::Scene as Drawn;
 
@@ -40,7 +41,7 @@ fn there_and_back(scene: &Scene) -> Scene {
 #[test]
 fn planar_grasps_read_back_to_the_bit() {
     let draw = scene::<3, 2>(1..6, Spread::Wide, 0.05);
-    for_all(file!(), 300, &draw, |drawn| {
+    for_all(file!(), 100, &draw, |drawn| {
         let grasp = planar::Grasp::new(contacts(&drawn)).unwrap();
         let Space::Planar(back) = there_and_back(&Scene::from(&grasp)).space else { panic!("was planar") };
         let back = back.grasp().unwrap();
@@ -52,7 +53,7 @@ fn planar_grasps_read_back_to_the_bit() {
 #[test]
 fn spatial_grasps_read_back_to_the_bit() {
     let draw = scene::<6, 3>(1..5, Spread::Wide, 0.05);
-    for_all(file!(), 200, &draw, |drawn| {
+    for_all(file!(), 60, &draw, |drawn| {
         let grasp = spatial::Grasp::new(contacts(&drawn)).unwrap();
         let Space::Spatial(back) = there_and_back(&Scene::from(&grasp)).space else { panic!("was spatial") };
         let back = back.grasp().unwrap();
@@ -124,13 +125,13 @@ fn only_equilibria_have_forces(value: &Value) {
 #[test]
 fn planar_answers_read_back_to_the_bit() {
     let draw = scene::<3, 2>(1..5, Spread::Wide, 0.1);
-    for_all(file!(), 200, &draw, |drawn| answers_read_back(&drawn));
+    for_all(file!(), 60, &draw, |drawn| answers_read_back(&drawn));
 }
 
 #[test]
 fn spatial_answers_read_back_to_the_bit() {
     let draw = scene::<6, 3>(1..4, Spread::Narrow, 0.05);
-    for_all(file!(), 30, &draw, |drawn| answers_read_back(&drawn));
+    for_all(file!(), 8, &draw, |drawn| answers_read_back(&drawn));
 }
 
 /// A motion of a hand is written with its joints; a wrench has none.
@@ -255,12 +256,7 @@ fn what_is_not_finite_is_said_in_words() {
 /// A soft fingertip in a scene is the one of the crate, and its points follow the command of their contact.
 #[test]
 fn soft_fingertips_are_spread() {
-    let finger = |x: f64| {
-        spatial::Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0])
-            .series_stiffness(2000.0, 1000.0)
-            .friction(0.5)
-            .command([0.005, 0.0, 0.0])
-    };
+    let finger = |x: f64| jaw::<3>(x, [2000.0, 1000.0], 0.5).command([0.005, 0.0, 0.0]);
     let patch = spatial::SoftFingertip::disc(0.006, 1, 4, spatial::Pressure::Hertz).unwrap();
     let tip = Tip::Disc { radius: 0.006, annuli: 1, points: 4, pressure: spatial::Pressure::Hertz };
     let squeeze = json!([{ "onset": { "direction": { "moment": [0.01, 0, 0] }, "command_change": [[0.001, 0, 0], [0, 0, 0]] } }]);
@@ -319,8 +315,7 @@ fn rectangular_pads_are_spread() {
 /// A grasp's own answer is written like that of its scene, which measures it besides. What was read knows no more than what was written.
 #[test]
 fn an_answer_that_was_read_has_nothing_more_to_say() {
-    let jaw =
-        |side: f64| planar::Contact::new([side, 0.0], [-side, 0.0]).series_stiffness(1e3, 8e2).friction(0.5);
+    let jaw = |side: f64| jaw::<2>(side, [1e3, 8e2], 0.5);
     let grasp = planar::Grasp::new([-1.0, 1.0].map(|side| jaw(side).pressed_with(8.0).name("jaw"))).unwrap();
     let load = planar::Wrench::force([0.0, -4.0]);
     let outcome = grasp.solve(&load).unwrap();

@@ -1,24 +1,21 @@
 //! Charts of friction used show every contact, soft fingertips as one, or name what they leave out.
 
-use std::f64::consts::TAU;
-
 use grasp_lcp::picture::{chart_of_load, chart_of_program, chart_of_turn};
 use grasp_lcp::planar::{Contact, Grasp, Leg, Pressure, Ramp, SoftFingertip, Turn, Wrench};
 
 use crate::turn_charts::curves;
+use support::jaws::{self, around};
 use support::svg::{Failure, Shape, shapes};
 
 fn jaw(name: &str, x: f64) -> Contact {
-    let jaw = Contact::new([x, 0.0], [-x, 0.0]).name(name).series_stiffness(1000.0, 800.0);
-    jaw.friction(0.5).pressed_with(10.0)
+    jaws::jaw::<2>(x, [1000.0, 800.0], 0.5).name(name).pressed_with(10.0)
 }
 
 /// So many contacts all around, each pressing with another force, so that each uses another part of its friction.
 fn ring(count: usize) -> Result<Grasp, grasp_lcp::Error> {
     let support = |k: usize| {
-        let (sin, cos) = (TAU * k as f64 / count as f64).sin_cos();
-        let at = Contact::new([0.05 * cos, 0.05 * sin], [-cos, -sin]).name(format!("support {k}."));
-        at.series_stiffness(2000.0, 1500.0).friction(0.5).pressed_with(3.0 + 0.1 * k as f64)
+        let at = around::<2>(k, count, 0.05, [2000.0, 1500.0], 0.5).name(format!("support {k}."));
+        at.pressed_with(3.0 + 0.1 * k as f64)
     };
     Grasp::new((0..count).map(support).collect::<Vec<_>>())
 }

@@ -10,6 +10,7 @@ use grasp_lcp::planar::{Leg, Wrench};
 use grasp_lcp::scene::{Answer, Answers, Fingertip, Scene, Setup, SolveAnswer, Space};
 use grasp_lcp::{planar, scene, spatial};
 use serde_json::{Value, json};
+use support::jaws::jaw;
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 
@@ -187,7 +188,7 @@ fn hands_of_every_size_are_answered() -> Tested {
 #[test]
 fn a_finger_has_soft_tips() -> Tested {
     let jaw = |side: f64| {
-        let pad = Contact::new([side, 0.0], [-side, 0.0]).series_stiffness(1e4, 8e3).friction(0.5);
+        let pad = jaw::<2>(side, [1e4, 8e3], 0.5);
         let slide = Joint::prismatic([-side, 0.0]).stiffness(1e3).command(0.01);
         scene::FingerSetup::new([slide]).contact(Fingertip::from(pad).soft(scene::Tip::Pair { width: 0.1 }))
     };
@@ -210,7 +211,7 @@ fn a_finger_has_soft_tips() -> Tested {
 #[test]
 fn free_motions_tell_what_joints_do() -> Tested {
     let jaw = |side: f64| {
-        let pad = Contact::new([side, 0.0], [-side, 0.0]).series_stiffness(1e4, 8e3).friction(0.5);
+        let pad = jaw::<2>(side, [1e4, 8e3], 0.5);
         scene::FingerSetup::new([Joint::prismatic([-side, 0.0])]).contact(pad)
     };
     let setup = Setup::<2>::new([]).finger(jaw(-1.0)).finger(jaw(1.0));
@@ -291,7 +292,7 @@ fn what_is_wrong_with_a_hand_is_named() {
 /// A contact of a finger that cannot be built is named by its place in the scene, soft fingertips before it counted once.
 #[test]
 fn a_wrong_contact_of_a_finger_is_named_by_its_place() {
-    let pad = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e4, 8e3).friction(0.5);
+    let pad = |x: f64| jaw::<2>(x, [1e4, 8e3], 0.5);
     let soft = Fingertip::from(pad(-1.0)).soft(scene::Tip::Pair { width: 0.1 });
     let setup = Setup::<2>::new([soft]).finger(
         scene::FingerSetup::new([Joint::prismatic([-1.0, 0.0]).stiffness(1e3)])

@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use grasp_lcp::picture::{PlanarPicture, SpatialPage, View, draw_grasp};
 use grasp_lcp::{planar, spatial};
+use support::jaws::around;
 use support::svg::{Failure, outside, overlap, plaques, shapes};
 
 const LONG: &str =
@@ -11,9 +12,8 @@ const LONG: &str =
 
 fn planar_ring(count: usize, name: &str) -> Result<planar::Grasp, grasp_lcp::Error> {
     let support = |k: usize| {
-        let (sin, cos) = (TAU * k as f64 / count as f64).sin_cos();
-        let at = planar::Contact::new([0.05 * cos, 0.05 * sin], [-cos, -sin]).name(format!("{name} {k}."));
-        at.series_stiffness(2000.0, 1500.0).friction(0.5).pressed_with(5.0)
+        let at = around::<2>(k, count, 0.05, [2000.0, 1500.0], 0.5);
+        at.name(format!("{name} {k}.")).pressed_with(5.0)
     };
     planar::Grasp::new((0..count).map(support).collect::<Vec<_>>())
 }

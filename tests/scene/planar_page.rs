@@ -1,16 +1,15 @@
 //! A page with a planar grasp needs nothing else, says its answer first, cannot be broken out of by names, and has all its pictures at one scale.
 
 use grasp_lcp::picture::PlanarPage;
-use grasp_lcp::planar::{Contact, Equilibrium, Grasp, Wrench};
+use grasp_lcp::planar::{Equilibrium, Grasp, Wrench};
+use support::jaws::jaw;
 use support::svg::{Failure, outside, shapes};
 
 const NASTY: &str = "</script><b>\"left\" & 'right'\u{1b}";
 const LOAD: &str = "#000000";
 
 fn jaws(name: &str) -> Result<Grasp, grasp_lcp::Error> {
-    let jaw = |x: f64| {
-        Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(2000.0, 1500.0).friction(0.5).pressed_with(8.0)
-    };
+    let jaw = |x: f64| jaw::<2>(x, [2000.0, 1500.0], 0.5).pressed_with(8.0);
     Grasp::new([jaw(-0.04).name(name), jaw(0.04)])
 }
 

@@ -3,20 +3,15 @@
 use grasp_lcp::equilibrium::Outcome;
 use grasp_lcp::hold::Holding;
 use grasp_lcp::need::Amount;
-use grasp_lcp::planar::{Contact, Wrench};
+use grasp_lcp::planar::Wrench;
 use grasp_lcp::scene::{Answer, Answers, Fingertip, Question, Scene, Setup, SolveAnswer, Space};
 use grasp_lcp::words::Words;
 use serde_json::json;
+use support::jaws::jaw;
 
 /// Two jaws of 7.123456789 N each, μ = 0.5, that hold as much together.
 fn jaws() -> Setup<2> {
-    let jaw = |x: f64, name| {
-        Contact::new([x, 0.0], [-x, 0.0])
-            .name(name)
-            .series_stiffness(1e3, 8e2)
-            .friction(0.5)
-            .pressed_with(7.123_456_789)
-    };
+    let jaw = |x: f64, name| jaw::<2>(x, [1e3, 8e2], 0.5).name(name).pressed_with(7.123_456_789);
     Setup::new([jaw(-0.03, "left").into(), jaw(0.03, "right").into()])
 }
 

@@ -1,9 +1,10 @@
 //! Turns that are none are refused with a message that says where, what, and what is allowed.
 
-use grasp_lcp::planar::{Contact, Turn};
+use grasp_lcp::planar::Turn;
 use grasp_lcp::scene::Scene;
 use grasp_lcp::scene::{Commands, Goal, LegAsked, Question, Setup};
 use grasp_lcp::{Error, planar, spatial};
+use support::jaws::jaw;
 
 /// Contacts stand on lines 2 and 3, an onset on line 4, a path on line 5.
 const PLANE: &str = r#"{"format": "grasp-lcp/1", "planar": {"contacts": [
@@ -149,8 +150,7 @@ fn commands_stay_along_a_leg_that_turns() {
 /// What a program puts together is checked when it is asked.
 #[test]
 fn turns_that_were_not_read_are_checked_as_well() {
-    let palm =
-        |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).pressed_with(9.0);
+    let palm = |x: f64| jaw::<2>(x, [1e3, 8e2], 0.5).pressed_with(9.0);
     let asked = |question| {
         let setup = Setup::<2>::new([palm(-1.0).into(), palm(1.0).into()]).ask(question);
         setup.answers().unwrap_err()

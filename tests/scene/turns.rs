@@ -5,7 +5,6 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::{HandPart, Wrench};
 use grasp_lcp::load_path::{EdgeOf, Leg, Touch, Turn};
-use grasp_lcp::planar::Contact;
 use grasp_lcp::planar::hand::{self, Hand, Joint};
 use grasp_lcp::scene::{
     self, Answer, Answers, Fingertip, OnsetAnswer, PathOutcome, Question, Scene, Setup, TurnAnswer,
@@ -13,6 +12,7 @@ use grasp_lcp::scene::{
 use grasp_lcp::{Limit, planar, spatial};
 use proptest::prelude::TestCaseError;
 use serde_json::{Value, json};
+use support::jaws::jaw;
 use support::random::{Spread, for_all, scene as random_scene};
 use support::scene::Scene as Drawn;
 
@@ -106,13 +106,13 @@ fn read_back_and_answered<const D: usize, const C: usize>(drawn: &Drawn<D, C>) -
 #[test]
 fn planar_turns_read_back_to_the_bit_and_are_answered_as_by_calls() {
     let draw = random_scene::<3, 2>(1..5, Spread::Narrow, 0.1);
-    for_all(file!(), 200, &draw, |drawn| read_back_and_answered(&drawn));
+    for_all(file!(), 60, &draw, |drawn| read_back_and_answered(&drawn));
 }
 
 #[test]
 fn spatial_turns_read_back_to_the_bit_and_are_answered_as_by_calls() {
     let draw = random_scene::<6, 3>(2..4, Spread::Narrow, 0.05);
-    for_all(file!(), 20, &draw, |drawn| read_back_and_answered(&drawn));
+    for_all(file!(), 8, &draw, |drawn| read_back_and_answered(&drawn));
 }
 
 fn answers_of(scene: Value) -> Result<Vec<Answer<2>>, Box<dyn std::error::Error>> {
@@ -213,7 +213,7 @@ fn turns_on_hands_are_answered_as_by_calls() -> Tested {
         "questions": [{ "onset_of_turn": turn }, { "follow": { "legs": [{ "turn": turn }] } }]
     }}))?;
     let jaw = |side: f64| {
-        let pad = Contact::new([side, 0.0], [-side, 0.0]).series_stiffness(1e4, 1e4).friction(0.5);
+        let pad = jaw::<2>(side, [1e4, 1e4], 0.5);
         let slide = Joint::prismatic([-side, 0.0]).stiffness(1e3).command(0.004).limit(Limit::Saturates(6.0));
         hand::Finger::new([slide]).contact(pad)
     };

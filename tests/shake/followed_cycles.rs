@@ -1,16 +1,15 @@
-//! Verdicts for all time against cycles that are followed one after the other: `SHAKEN=10000 SHAKEN_CYCLES=1000` for many.
+//! Verdicts for all time against thirty cycles that are followed one after the other.
 
 use grasp_lcp::Error;
 use grasp_lcp::shake::Repeats;
+use support::samples::{samples, seeded};
 use support::shaken::{
     Cycle, fault, in_space, in_the_plane, rocked_in_space, rocked_in_the_plane, weaker_once_it_slides,
 };
 use support::splitmix::Random;
 
-fn asked_for(name: &str, otherwise: usize) -> usize {
-    std::env::var(name).ok().and_then(|value| value.parse().ok()).unwrap_or(otherwise)
-}
-
+/// Cycles that are followed.
+const CYCLES: usize = 30;
 /// One in so many may stay undecided.
 const FEW: usize = 1000;
 /// Where friction falls cycles may repeat after more of them than are followed.
@@ -22,8 +21,7 @@ fn judge<const C: usize>(
     error: f64,
     mut draw: impl FnMut(&mut Random) -> Result<Cycle<C>, Error>,
 ) -> Result<(), Error> {
-    let (many, cycles) = (asked_for("SHAKEN", many), asked_for("SHAKEN_CYCLES", 30));
-    let mut random = Random(asked_for("SHAKEN_SEED", 45) as u64);
+    let (many, mut random) = (samples(many), seeded(45));
     let mut counts = [0; 7];
     let (mut wrong, mut followed) = (Vec::new(), Vec::new());
     for k in 0..many {
@@ -39,7 +37,7 @@ fn judge<const C: usize>(
             _ => 6,
         }] += 1;
         followed.push(shaken.followed);
-        if let Some(fault) = fault(&cycle, &shaken, cycles, error)? {
+        if let Some(fault) = fault(&cycle, &shaken, CYCLES, error)? {
             let (ratio, cycles, gone) = (shaken.ratio, shaken.cycles, shaken.followed);
             wrong.push(format!(
                 "case {k}: {shaken}, and {fault} (ratio {ratio}, cycle {cycles}, {gone} followed)"
@@ -62,32 +60,32 @@ fn judge<const C: usize>(
 
 #[test]
 fn in_the_plane_every_verdict_is_what_cycles_show() -> Result<(), Error> {
-    judge((60, FEW), 1e-6, in_the_plane)
+    judge((20, FEW), 1e-6, in_the_plane)
 }
 
 #[test]
 fn on_the_round_cone_every_verdict_is_what_cycles_show() -> Result<(), Error> {
-    judge((10, FEW), 1e-5, in_space)
+    judge((4, FEW), 1e-5, in_space)
 }
 
 #[test]
 fn what_is_rocked_in_the_plane_walks_as_cycles_show() -> Result<(), Error> {
-    judge((40, FEW), 1e-6, rocked_in_the_plane)
+    judge((13, FEW), 1e-6, rocked_in_the_plane)
 }
 
 #[test]
 fn what_is_rocked_in_space_walks_as_cycles_show() -> Result<(), Error> {
-    judge((12, FEW), 1e-5, rocked_in_space)
+    judge((4, FEW), 1e-5, rocked_in_space)
 }
 
 #[test]
 fn what_jumps_in_the_plane_does_as_cycles_show() -> Result<(), Error> {
-    judge((40, FEW_THAT_JUMP), 1e-6, |random| weaker_once_it_slides(in_the_plane(random)?, random))?;
-    judge((40, FEW_THAT_JUMP), 1e-6, |random| weaker_once_it_slides(rocked_in_the_plane(random)?, random))
+    judge((13, FEW_THAT_JUMP), 1e-6, |random| weaker_once_it_slides(in_the_plane(random)?, random))?;
+    judge((13, FEW_THAT_JUMP), 1e-6, |random| weaker_once_it_slides(rocked_in_the_plane(random)?, random))
 }
 
 #[test]
 fn what_jumps_in_space_does_as_cycles_show() -> Result<(), Error> {
-    judge((10, FEW_THAT_JUMP), 1e-5, |random| weaker_once_it_slides(in_space(random)?, random))?;
-    judge((12, FEW_THAT_JUMP), 1e-5, |random| weaker_once_it_slides(rocked_in_space(random)?, random))
+    judge((4, FEW_THAT_JUMP), 1e-5, |random| weaker_once_it_slides(in_space(random)?, random))?;
+    judge((4, FEW_THAT_JUMP), 1e-5, |random| weaker_once_it_slides(rocked_in_space(random)?, random))
 }

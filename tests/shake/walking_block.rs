@@ -6,6 +6,7 @@
 use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
 use grasp_lcp::shake::Repeats;
 use proptest::prelude::*;
+use support::samples::config;
 
 /// Twist per cycle of a block of weight `p` pulled by `q`, rocked so that each foot carries `m` less in turn.
 fn walk(p: f64, q: f64, m: f64, mu: f64, k_t: f64) -> Repeats<2> {
@@ -19,7 +20,7 @@ fn walk(p: f64, q: f64, m: f64, mu: f64, k_t: f64) -> Repeats<2> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(200))]
+    #![proptest_config(config(200))]
     #[test]
     fn walks_or_rests_as_the_closed_form_says(
         p in 1.0..100.0, part in 0.02..0.98, rocked in 0.05..0.45, mu in 0.1..1.5, k_t in 1e2..1e6,

@@ -5,7 +5,9 @@ use grasp_lcp::nalgebra::{DMatrix, SVector};
 use grasp_lcp::statics::Closure;
 use grasp_lcp::{Error, planar, spatial};
 use support::closure_margin::closure_margin;
-use support::numbers::Numbers;
+use support::jaws::jaw;
+use support::samples::{assert_met, samples, seeded};
+use support::splitmix::Random;
 
 /// The wrench of a force at a point.
 fn wrench<const C: usize>(point: [f64; C], force: &SVector<f64, C>) -> Vec<f64> {
@@ -47,17 +49,17 @@ fn is_closed<const C: usize>(grasp: &Grasp<C>, points: &[[f64; C]], mu: &[f64]) 
 #[test]
 fn two_fingers_in_the_plane_by_the_line_between_them() {
     // V.-D. Nguyen, Constructing force-closure grasps, 1988: the line between the contacts lies inside both cones, and they face each other.
-    let mut numbers = Numbers(31);
+    let mut numbers = seeded(31);
     let (mut counts, mut told) = ([0; 2], 0);
-    for _ in 0..4000 {
-        let point = |numbers: &mut Numbers| [numbers.signed(), numbers.signed()];
+    for _ in 0..samples(4000) {
+        let point = |numbers: &mut Random| [numbers.signed(), numbers.signed()];
         let (a, b) = (point(&mut numbers), point(&mut numbers));
         let along = SVector::<f64, 2>::new(b[0] - a[0], b[1] - a[1]).normalize();
         let mut normal = |towards: SVector<f64, 2>| {
             (towards + 0.8 * SVector::<f64, 2>::new(numbers.signed(), numbers.signed())).normalize()
         };
         let (na, nb) = (normal(along), normal(-along));
-        let mu = 0.2 + 0.5 * numbers.part();
+        let mu = 0.2 + 0.5 * numbers.uniform();
         let contact = |p: [f64; 2], n: SVector<f64, 2>| {
             planar::Contact::new(p, n).series_stiffness(100.0, 50.0).friction(mu)
         };
@@ -74,23 +76,23 @@ fn two_fingers_in_the_plane_by_the_line_between_them() {
             counts[usize::from(closed)] += 1;
         }
     }
-    assert!(told > 3990 && counts[0] > 1000 && counts[1] > 500, "{told} {counts:?}");
+    assert_met(&[(told, 3990), (counts[0], 1000), (counts[1], 500)]);
 }
 
 #[test]
 fn on_the_round_cone_by_an_interior_point_method() {
-    let mut numbers = Numbers(32);
+    let mut numbers = seeded(32);
     let (mut counts, mut unclear) = ([0; 2], 0);
-    for number in 0..500 {
+    for number in 0..samples(500) {
         let count = 3 + number % 3;
         let (mut contacts, mut points, mut friction) = (Vec::new(), Vec::new(), Vec::new());
         for _ in 0..count {
-            let outward = numbers.three();
+            let outward = numbers.vector();
             let size = outward.iter().map(|x| x * x).sum::<f64>().sqrt();
             let point = outward.map(|x| x / size);
-            let bent = numbers.three();
+            let bent: [f64; 3] = numbers.vector();
             let normal: [f64; 3] = std::array::from_fn(|a| 0.5 * bent[a] - point[a]);
-            let mu = 0.2 + 0.6 * numbers.part();
+            let mu = 0.2 + 0.6 * numbers.uniform();
             contacts.push(spatial::Contact::new(point, normal).series_stiffness(1e3, 7e2).friction(mu));
             points.push(point);
             friction.push(mu);
@@ -117,7 +119,8 @@ fn on_the_round_cone_by_an_interior_point_method() {
             _ => unclear += 1,
         }
     }
-    assert!(counts[0] > 100 && counts[1] > 100 && unclear < 5, "{counts:?} {unclear}");
+    assert_met(&[(counts[0], 100), (counts[1], 100)]);
+    assert!(unclear < samples(5), "{counts:?} {unclear}");
 }
 
 #[test]
@@ -155,9 +158,7 @@ fn without_friction_it_takes_four_normals_in_the_plane() -> Result<(), Error> {
 
 #[test]
 fn a_pinch_in_space_turns_about_its_line() -> Result<(), Error> {
-    let finger = |x: f64| {
-        spatial::Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0]).series_stiffness(1e3, 1e3).friction(0.5)
-    };
+    let finger = |x: f64| jaw::<3>(x, [1e3, 1e3], 0.5);
     let Closure::Open { motion, .. } =
         spatial::Grasp::new([finger(-1.0), finger(1.0)])?.statics().force_closure()?
     else {

@@ -5,8 +5,10 @@ use grasp_lcp::grasp::{Contact, Wrench};
 use grasp_lcp::nalgebra::{DMatrix, DVector, SVector};
 use grasp_lcp::statics::{Budget, LoadLimit};
 use grasp_lcp::{Error, planar, spatial};
+use support::jaws::jaw;
 use support::limit_analysis::{Bound, load_limit};
-use support::numbers::Numbers;
+use support::samples::{assert_met, samples, seeded};
+use support::splitmix::Random;
 
 type Datum<const C: usize> = (SVector<f64, C>, SVector<f64, C>, f64);
 
@@ -16,12 +18,12 @@ fn wrench<const C: usize>(point: &SVector<f64, C>, force: &SVector<f64, C>) -> V
     force.iter().copied().chain(planes.iter().map(moment)).collect()
 }
 
-fn drawn<const C: usize>(numbers: &mut Numbers, contacts: usize) -> Vec<Datum<C>> {
+fn drawn<const C: usize>(numbers: &mut Random, contacts: usize) -> Vec<Datum<C>> {
     let mut datum = || {
         let out = SVector::<f64, C>::from_fn(|_, _| numbers.signed()).normalize();
         let tilt = SVector::<f64, C>::from_fn(|_, _| 0.4 * numbers.signed());
         // In millimetres: nothing depends on units.
-        (out * (700.0 + 300.0 * numbers.part()), (tilt - out).normalize(), 0.2 + 0.8 * numbers.part())
+        (out * (700.0 + 300.0 * numbers.uniform()), (tilt - out).normalize(), 0.2 + 0.8 * numbers.uniform())
     };
     (0..contacts).map(|_| datum()).collect()
 }
@@ -35,7 +37,7 @@ struct Tally {
 }
 
 impl Tally {
-    fn compare<const D: usize, const C: usize>(&mut self, numbers: &mut Numbers, contacts: usize) {
+    fn compare<const D: usize, const C: usize>(&mut self, numbers: &mut Random, contacts: usize) {
         let data = drawn::<C>(numbers, contacts);
         let contact = |(point, normal, mu): &Datum<C>| {
             Contact::new(*point, *normal)
@@ -155,24 +157,23 @@ fn reach<const D: usize, const C: usize>(
 
 #[test]
 fn against_a_second_order_cone_program() {
-    let mut numbers = Numbers(61);
+    let mut numbers = seeded(61);
     let (mut plane, mut space) = (Tally::default(), Tally::default());
-    for number in 0..400 {
+    for number in 0..samples(200) {
         plane.compare::<3, 2>(&mut numbers, 2 + number % 4);
         space.compare::<6, 3>(&mut numbers, 3 + number % 4);
     }
     println!("{plane:?} {space:?}");
     for tally in [plane, space] {
-        assert!(tally.factors > 60 && tally.no_base > 100 && tally.unknown < 5, "{tally:?}");
+        assert_met(&[(tally.no_base, 50)]);
+        assert!(tally.factors > samples(30) && tally.unknown < samples(3), "{tally:?}");
         assert!(tally.worst < 1e-6, "{tally:?}");
     }
 }
 
 #[test]
 fn a_pinch_carries_what_turns_about_its_line_not_at_all() -> Result<(), Error> {
-    let finger = |x: f64| {
-        spatial::Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0]).series_stiffness(1e3, 1e3).friction(0.5)
-    };
+    let finger = |x: f64| jaw::<3>(x, [1e3, 1e3], 0.5);
     let pinch = spatial::Grasp::new([finger(-1.0), finger(1.0)])?;
     let weight = spatial::Wrench::force([0.0, 0.0, -1.0]);
     let LoadLimit::Factor { at_least, at_most, .. } =
@@ -198,7 +199,7 @@ fn a_pinch_carries_what_turns_about_its_line_not_at_all() -> Result<(), Error> {
 
 #[test]
 fn a_direction_of_nothing_is_refused() -> Result<(), Error> {
-    let finger = |x: f64| planar::Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 1e3).friction(0.5);
+    let finger = |x: f64| jaw::<2>(x, [1e3, 1e3], 0.5);
     let pinch = planar::Grasp::new([finger(-1.0), finger(1.0)])?;
     let refused = pinch
         .statics()

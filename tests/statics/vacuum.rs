@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use grasp_lcp::Error;
 use grasp_lcp::planar::{Closure, Contact, Grasp, Wrench};
 use grasp_lcp::statics::{Budget, LoadLimit, WrenchScale};
+use support::jaws::jaw;
 
 const VACUUM: f64 = 60.0;
 const FRICTION: f64 = 0.5;
@@ -98,7 +99,7 @@ fn closure_does_not_rest_on_a_vacuum() -> Tested {
     );
     assert!(matches!(cups()?.statics().form_closure(), Err(Error::Vacuum { .. })));
     // Two jaws are closed with a cup or without.
-    let jaw = |x: f64| Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 1e3).friction(FRICTION);
+    let jaw = |x: f64| jaw::<2>(x, [1e3, 1e3], FRICTION);
     let cup =
         Contact::new([0.0, 0.5], [0.0, -1.0]).series_stiffness(1e3, 1e3).friction(FRICTION).suction(VACUUM);
     let jaws = Grasp::new([jaw(-1.0), jaw(1.0), cup])?;

@@ -12,7 +12,7 @@ use support::random::{Spread, for_all, scene};
 /// The scenes in both places, largest first.
 fn scenes<const D: usize, const C: usize>(
     count: std::ops::Range<usize>,
-    cases: u32,
+    cases: usize,
 ) -> Vec<(Grasp<C>, Wrench<C>)> {
     let list = RefCell::new(Vec::new());
     for_all(file!(), cases, &scene::<D, C>(count, Spread::Narrow, 0.3), |scene| {
@@ -27,7 +27,7 @@ fn scenes<const D: usize, const C: usize>(
 fn allocates_only_at_first<const D: usize, const C: usize>(
     mut workspace: Workspace<C>,
     count: std::ops::Range<usize>,
-    cases: u32,
+    cases: usize,
 ) {
     let scenes = scenes::<D, C>(count, cases);
     let (grasp, load) = &scenes[0];

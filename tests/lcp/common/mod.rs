@@ -12,6 +12,7 @@
 pub(crate) mod published;
 
 pub(crate) use support::exact_lcp::Exact;
+pub(crate) use support::samples::{assert_met, samples, seeded};
 pub(crate) use support::splitmix::Random;
 
 use num_bigint::BigInt;

@@ -2,7 +2,7 @@
 
 use grasp_lcp::planar::{Change, Equilibrium, Event, Grasp, Leg, PathEnd};
 use support::kinetic::{Datum, Scene};
-use support::splitmix::Random;
+use support::samples::{assert_met, samples, seeded};
 
 /// Who does what, in order.
 fn story(events: &[Event]) -> Vec<(usize, std::mem::Discriminant<Change>)> {
@@ -50,11 +50,11 @@ impl Apart {
 
 #[test]
 fn paths_converge_in_proportion() {
-    let mut random = Random(0x006f_6e65);
+    let mut random = seeded(0x006f_6e65);
     let (mut events_apart, mut forces_apart, mut in_turn) =
         (Apart::default(), Apart::default(), Apart::default());
     let mut count = 0;
-    while count < 300 {
+    while count < samples(75) {
         let scene = Scene::random(&mut random);
         let legs = [2.0, 0.0].map(|times| Leg::load_to(scene.load(times)));
         let followed = |kinetic: Option<f64>| {
@@ -93,7 +93,7 @@ fn paths_converge_in_proportion() {
     for apart in [&events_apart, &forces_apart] {
         // Of order one: with a hundredth of the part a hundredth of the difference.
         assert!(apart.most[4] < 2.0 * apart.most[2] && apart.most[4] > 0.5 * apart.most[2]);
-        assert!(apart.count[4] > 150);
+        assert_met(&[(apart.count[4], 37)]);
     }
     assert!(in_turn.most[..3].iter().all(|most| *most < 10.0));
 }
@@ -101,8 +101,8 @@ fn paths_converge_in_proportion() {
 /// The coefficient of rest given once more changes no bit.
 #[test]
 fn friction_of_rest_given_twice_is_given_once() {
-    let mut random = Random(0x6269_7473);
-    for _ in 0..200 {
+    let mut random = seeded(0x6269_7473);
+    for _ in 0..samples(100) {
         let scene = Scene::random(&mut random);
         let [once, twice] = [false, true].map(|twice| {
             let contact = |datum: &Datum| {
@@ -121,9 +121,9 @@ fn friction_of_rest_given_twice_is_given_once() {
 /// The first slip is the same to the last bit, whatever friction falls to.
 #[test]
 fn the_first_slip_is_a_matter_of_rest() {
-    let mut random = Random(0x6f6e_7365);
+    let mut random = seeded(0x6f6e_7365);
     let mut slides = 0;
-    for _ in 0..200 {
+    for _ in 0..samples(100) {
         let scene = Scene::random(&mut random);
         let [plain, falling] = [Datum::plain, Datum::contact].map(|contact| {
             let grasp = Grasp::new(scene.contacts.iter().map(contact)).unwrap();
@@ -134,5 +134,5 @@ fn the_first_slip_is_a_matter_of_rest() {
         slides += usize::from(plain.0.is_some());
         assert_eq!(plain, falling);
     }
-    assert!(slides > 100);
+    assert_met(&[(slides, 50)]);
 }

@@ -11,6 +11,7 @@ use grasp_lcp::ask::Grasp;
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::load_path::{Leg, PathEnd};
 use nalgebra::SVector;
+use support::samples::{samples, seeded};
 use support::scene::{Datum, displacement, wrench};
 use support::splitmix::Random;
 
@@ -118,9 +119,10 @@ pub(super) fn scene<const D: usize, const C: usize>(
 }
 
 fn compare<const D: usize, const C: usize>(count: usize, seed: u64) -> Tally {
-    let mut random = Random(seed);
+    let mut random = seeded(seed);
     let mut tally = Tally::default();
-    while tally.caught + tally.lost + tally.only_the_jump_is_caught + tally.only_time_catches < count {
+    while tally.caught + tally.lost + tally.only_the_jump_is_caught + tally.only_time_catches < samples(count)
+    {
         let (contacts, kinetic, base, more) = scene::<D, C>(&mut random);
         let made = contacts.iter().zip(&kinetic).map(|(datum, mu)| datum.contact().kinetic(*mu));
         let grasp = Grasp::new(made).expect("a grasp");
@@ -179,18 +181,18 @@ fn told<const D: usize, const C: usize>(count: usize, seed: u64) -> (Tally, [f64
 
 #[test]
 fn in_the_plane_it_comes_to_rest_where_the_jump_ends() {
-    let (tally, [_, most, _]) = told::<3, 2>(400, 1);
-    assert!(tally.only_the_jump_is_caught + tally.only_time_catches <= 4);
+    let (tally, [_, most, _]) = told::<3, 2>(80, 1);
+    assert!(tally.only_the_jump_is_caught + tally.only_time_catches <= samples(1));
     // Another way may lead elsewhere.
     let elsewhere = tally.apart.iter().filter(|apart| **apart > 1e-6).count();
     println!("{elsewhere} elsewhere");
-    assert!(most < 1e-9 && elsewhere <= 24);
+    assert!(most < 1e-9 && elsewhere <= samples(5));
 }
 
 /// Directions of sliding turn on the way, and by a little otherwise.
 #[test]
 fn in_space_it_comes_to_rest_near_where_the_jump_ends() {
-    let (tally, [median, most, all]) = told::<6, 3>(100, 2);
-    assert!(tally.only_the_jump_is_caught + tally.only_time_catches <= 2);
+    let (tally, [median, most, all]) = told::<6, 3>(25, 2);
+    assert!(tally.only_the_jump_is_caught + tally.only_time_catches <= samples(1));
     assert!(median < 1e-3 && most < 1e-2 && all < 0.1);
 }

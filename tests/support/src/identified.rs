@@ -4,6 +4,8 @@ use grasp_lcp::identify::{Ending, Identify, Slip, SlipKind, Unknown};
 use grasp_lcp::{Error, planar, spatial};
 
 use crate::Failure;
+use crate::jaws::jaws;
+use crate::samples::seeded;
 use crate::splitmix::Random;
 
 /// A grasp with known data, directions of loads that make it slip, and the unknowns to identify.
@@ -115,7 +117,7 @@ impl<const C: usize> Known<C> {
     /// Coverage of the intervals over `draws` random sets of slips.
     pub fn coverage(&self, draws: usize) -> Result<Coverage, Failure> {
         let limits = self.limits()?;
-        let mut draw = Random(47);
+        let mut draw = seeded(47);
         let [mut held, mut told] = [vec![0; self.unknowns.len()], vec![0; self.unknowns.len()]];
         for _ in 0..draws {
             let found = self.asked(&limits, &mut draw).answered_by(&self.guess)?;
@@ -132,14 +134,6 @@ impl<const C: usize> Known<C> {
         }
         Ok(Coverage { held, told })
     }
-}
-
-fn jaws(friction: [f64; 2]) -> Result<planar::Grasp, Error> {
-    let jaw = |x: f64, mu: f64, name: &str| {
-        let jaw = planar::Contact::new([x, 0.0], [-x, 0.0]).name(name).friction(mu);
-        jaw.series_stiffness(1000.0, 800.0).pressed_with(10.0)
-    };
-    planar::Grasp::new([jaw(-0.03, friction[0], "left"), jaw(0.03, friction[1], "right")])
 }
 
 /// An object in two jaws with a common friction coefficient, pulled out `slips` times.

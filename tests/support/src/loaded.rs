@@ -4,6 +4,7 @@ use grasp_lcp::spatial::{Contact, Equilibrium, Grasp, Ramp, Wrench};
 use nalgebra::{Vector2, Vector3};
 
 use crate::Failure;
+use crate::splitmix::Random;
 
 /// A grasp, a ramp of load and finger commands, and a multiple of the onset at which contacts slide far.
 pub struct Scene {
@@ -153,44 +154,26 @@ pub fn dragged_block() -> Scene {
 }
 
 /// Fingertips on a ball of 60 mm that press towards its middle within some 20 degrees. The load is a force in a random direction
-/// beside the middle. The scene depends on the seed of `random` alone.
+/// beside the middle.
 pub fn random_fingers(count: usize, random: &mut Random) -> Scene {
     let contacts: Vec<_> = (0..count)
         .map(|_| {
-            let outward = random.vector().normalize();
-            let inward = random.vector() * 0.35 - outward;
-            let softness = 0.5 + random.unit();
+            let outward = Vector3::from(random.vector()).normalize();
+            let inward = Vector3::from(random.vector()) * 0.35 - outward;
+            let softness = 0.5 + random.uniform();
             Contact::new((outward * 0.03).data.0[0], inward.data.0[0])
                 .series_stiffness(1500.0 * softness, 900.0 * softness)
-                .friction(0.3 + 0.6 * random.unit())
-                .command([0.002 + 0.002 * random.unit(), 0.0, 0.0])
+                .friction(0.3 + 0.6 * random.uniform())
+                .command([0.002 + 0.002 * random.uniform(), 0.0, 0.0])
         })
         .collect();
-    let point = random.vector() * 0.01;
+    let point = Vector3::from(random.vector()) * 0.01;
     Scene {
         name: "random fingers",
         commands: vec![Vector3::zeros(); count],
         contacts,
         base: Wrench::ZERO,
-        direction: Wrench::force_at(random.vector().normalize().data.0[0], point.data.0[0]),
-        deep: 1.2 + 1.3 * random.unit(),
-    }
-}
-
-/// A xorshift generator, whose quality suffices for random scenes.
-pub struct Random(pub u64);
-
-impl Random {
-    /// Between 0 and 1.
-    fn unit(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    /// Components between -1 and 1.
-    fn vector(&mut self) -> Vector3<f64> {
-        Vector3::from_fn(|_, _| 2.0 * self.unit() - 1.0)
+        direction: Wrench::force_at(Vector3::from(random.vector()).normalize().data.0[0], point.data.0[0]),
+        deep: 1.2 + 1.3 * random.uniform(),
     }
 }

@@ -31,17 +31,13 @@ pub enum Odd {
 /// The families in space.
 pub const IN_SPACE: [Odd; 3] = [Odd::Regrasped, Odd::Handled, Odd::Pushed];
 
-fn between(random: &mut Random, from: f64, to: f64) -> f64 {
-    from + (to - from) * random.uniform()
-}
-
 /// A random number between two positive ones, uniform in its logarithm.
 fn of_any_size(random: &mut Random, from: f64, to: f64) -> f64 {
     from * (to / from).powf(random.uniform())
 }
 
 fn vector<const C: usize>(random: &mut Random, size: f64) -> [f64; C] {
-    std::array::from_fn(|_| between(random, -size, size))
+    std::array::from_fn(|_| random.between(-size, size))
 }
 
 fn direction<const C: usize>(random: &mut Random) -> [f64; C] {
@@ -75,7 +71,7 @@ fn regrasped(random: &mut Random) -> Result<OddPath<3>, Error> {
     for i in 0..count {
         // The first two fingers are opposite each other, so that the grasp holds the box.
         let face = if i < 2 { i } else { random.index(0, 3) };
-        let [along, height] = [between(random, -0.03, 0.03), between(random, -0.015, 0.015)];
+        let [along, height] = [random.between(-0.03, 0.03), random.between(-0.015, 0.015)];
         let (point, normal) = match face {
             0 => ([-0.025, along, height], [1.0, 0.0, 0.0]),
             1 => ([0.025, along, height], [-1.0, 0.0, 0.0]),
@@ -84,23 +80,23 @@ fn regrasped(random: &mut Random) -> Result<OddPath<3>, Error> {
         };
         let stiffness = of_any_size(random, 500.0, 10_000.0);
         let sway = if random.index(0, 2) == 0 { 1.0 } else { 0.0 };
-        let press = between(random, 1.5, 8.0) / stiffness;
-        let command = [press, 0.3 * sway * press * between(random, -1.0, 1.0), 0.1 * sway * press];
+        let press = random.between(1.5, 8.0) / stiffness;
+        let command = [press, 0.3 * sway * press * random.between(-1.0, 1.0), 0.1 * sway * press];
         commands.push(command);
         contacts.push(
             Contact::new(point, normal)
-                .series_stiffness(stiffness, stiffness * between(random, 0.5, 1.0))
-                .friction(between(random, 0.2, 0.9))
+                .series_stiffness(stiffness, stiffness * random.between(0.5, 1.0))
+                .friction(random.between(0.2, 0.9))
                 .command(command),
         );
     }
-    let weight = between(random, 0.3, 1.5);
+    let weight = random.between(0.3, 1.5);
     let aside: [f64; 2] = vector(random, 0.003);
     let weight = Wrench::new([0.0, 0.0, -weight], [aside[1] * weight, -aside[0] * weight, 0.0]);
-    let size = between(random, 0.3, 10.0);
+    let size = random.between(0.3, 10.0);
     let way = Wrench::new(vector(random, size), vector(random, 0.02 * size));
     let finger = random.index(0, count - 1);
-    let off = between(random, 0.5, 2.5);
+    let off = random.between(0.5, 2.5);
     let of_finger = |part: f64| {
         let change = (0..count).map(|i| if i == finger { commands[i].map(|a| part * a) } else { [0.0; 3] });
         Leg::commands_by(change.collect::<Vec<_>>())
@@ -124,7 +120,7 @@ struct Around<const C: usize> {
 }
 
 fn around<const C: usize>(random: &mut Random, count: usize) -> Around<C> {
-    let softest = between(random, 100.0, 400.0);
+    let softest = random.between(100.0, 400.0);
     let mut made = Around { contacts: Vec::new(), press: Vec::new() };
     // Opposite contacts press on each other; contacts at random places may carry no force without a load.
     let opposite = random.index(0, 3) > 0;
@@ -143,18 +139,18 @@ fn around<const C: usize>(random: &mut Random, count: usize) -> Around<C> {
             let size = out.iter().map(|x| x * x).sum::<f64>().sqrt();
             out = out.map(|x| x / size);
         }
-        let arm = between(random, 0.5, 1.5);
+        let arm = random.between(0.5, 1.5);
         let tilt: [f64; C] = vector(random, 0.35);
         let [point, normal] = [out.map(|x| arm * x), std::array::from_fn(|a| tilt[a] - out[a])];
         let stiffness = of_any_size(random, softest, 20.0 * softest);
-        let press = between(random, 1.5, 8.0) / stiffness;
+        let press = random.between(1.5, 8.0) / stiffness;
         let mut command = [0.0; C];
         command[0] = press;
         made.press.push(press);
         made.contacts.push(
             grasp_lcp::grasp::Contact::new(point, normal)
-                .series_stiffness(stiffness, stiffness * between(random, 0.12, 1.2))
-                .friction(between(random, 0.2, 0.9))
+                .series_stiffness(stiffness, stiffness * random.between(0.12, 1.2))
+                .friction(random.between(0.2, 0.9))
                 .command(command),
         );
     }
@@ -192,7 +188,7 @@ fn handled_in_space(random: &mut Random) -> Result<OddPath<3>, Error> {
 /// A block on three feet up to 120 mm apart along each axis, pushed at the height of its feet.
 fn pushed(random: &mut Random) -> Result<OddPath<3>, Error> {
     use spatial::{Contact, Grasp, Leg, Wrench};
-    let friction = between(random, 0.2, 0.5);
+    let friction = random.between(0.2, 0.5);
     let foot = |[x, y]: [f64; 2]| {
         Contact::new([x - 0.05, y - 0.05, 0.0], [0.0, 0.0, 1.0]).series_stiffness(1e6, 1e5).friction(friction)
     };
@@ -221,7 +217,7 @@ pub fn in_the_plane(random: &mut Random) -> Result<OddPath<2>, Error> {
     let Around { contacts, press } = around::<2>(random, count);
     let wrench = |random: &mut Random| {
         let size = of_any_size(random, 0.1, 10.0);
-        Wrench::new(vector(random, size), between(random, -size, size))
+        Wrench::new(vector(random, size), random.between(-size, size))
     };
     let start = wrench(random) * if random.index(0, 2) == 0 { 0.0 } else { 0.3 };
     let legs = (0..random.index(1, 4)).map(|_| match random.index(0, 3) {

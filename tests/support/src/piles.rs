@@ -72,22 +72,21 @@ impl Pile {
 /// A pile of boxes of random size, mass and friction, with a push at the last one. With `fingers` two fingers press on the last box, and the push
 /// also has an upward part. `None` if two boxes overlap by less than 20 mm.
 pub fn boxes(random: &mut Random, count: usize, fingers: bool) -> Option<Pile> {
-    let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
     let name = |k: usize| format!("box {k}");
     let (mut bodies, mut contacts, mut boxes, mut touches) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     let ([mut left, mut right], mut height) = ([-0.5, 0.5], 0.0);
     for k in 0..count {
-        let (wide, high) = (between(0.1, 0.3), between(0.05, 0.2));
-        let middle = if k == 0 { 0.0 } else { 0.25 * (left + right) + 0.5 * between(left, right) };
+        let (wide, high) = (random.between(0.1, 0.3), random.between(0.05, 0.2));
+        let middle = if k == 0 { 0.0 } else { 0.25 * (left + right) + 0.5 * random.between(left, right) };
         let own = [middle - 0.5 * wide, middle + 0.5 * wide];
         let face = [own[0].max(left), own[1].min(right)];
         if face[1] - face[0] < 0.02 {
             return None;
         }
-        let (mass, centre) = (between(0.1, 3.0), [middle, height + 0.5 * high]);
+        let (mass, centre) = (random.between(0.1, 3.0), [middle, height + 0.5 * high]);
         bodies.push(Body::new(name(k)).mass(mass, centre));
         boxes.push((mass, centre));
-        let (friction, stiffness) = (between(0.2, 0.9), 10_f64.powf(between(4.0, 6.0)));
+        let (friction, stiffness) = (random.between(0.2, 0.9), 10_f64.powf(random.between(4.0, 6.0)));
         touches.extend([Touching { on: k, against: k.checked_sub(1), friction, stiffness, pressed: 0.0 }; 2]);
         contacts.extend(face.map(|x| {
             let edge = Contact::new([x, height], [0.0, 1.0]).series_stiffness(stiffness, 0.8 * stiffness);
@@ -96,7 +95,7 @@ pub fn boxes(random: &mut Random, count: usize, fingers: bool) -> Option<Pile> {
         }));
         ([left, right], height) = (own, height + high);
         if fingers && k + 1 == count {
-            let (force, friction) = (between(2.0, 30.0), between(0.2, 0.9));
+            let (force, friction) = (random.between(2.0, 30.0), random.between(0.2, 0.9));
             touches.extend([Touching { on: k, against: None, friction, stiffness: 1e4, pressed: force }; 2]);
             contacts.extend([(left, 1.0), (right, -1.0)].map(|(x, normal)| {
                 let finger = Contact::new([x, height - 0.5 * high], [normal, 0.0]).series_stiffness(1e4, 8e3);
@@ -104,7 +103,7 @@ pub fn boxes(random: &mut Random, count: usize, fingers: bool) -> Option<Pile> {
             }));
         }
     }
-    let (push, up) = (between(0.5, 20.0), if fingers { between(0.0, 1.0) } else { 0.0 });
+    let (push, up) = (random.between(0.5, 20.0), if fingers { random.between(0.0, 1.0) } else { 0.0 });
     let load = Wrench::force_at([push * (1.0 - up), push * up], [0.0, height - 0.03]);
     let bodies = Bodies::new(bodies).contacts(contacts).gravity(GRAVITY).loaded(name(count - 1));
     Some(Pile { bodies, load, boxes, touches })

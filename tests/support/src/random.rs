@@ -2,8 +2,9 @@
 
 use nalgebra::SVector;
 use proptest::prelude::*;
-use proptest::test_runner::{Config, FileFailurePersistence, RngAlgorithm, TestRng, TestRunner};
+use proptest::test_runner::{Config, FileFailurePersistence};
 
+use super::samples::{config, runner};
 use super::scene::{Datum, Scene, displacement, wrench};
 
 /// How stiffnesses and friction coefficients are drawn.
@@ -112,22 +113,20 @@ pub fn scene<const D: usize, const C: usize>(
     })
 }
 
-/// Tests a property on `cases` random scenes, the same in every run.
+/// Tests a property on random scenes, by default on this many, the same in every run.
 pub fn for_all<S: Strategy>(
     source_file: &'static str,
-    cases: u32,
+    default: usize,
     strategy: &S,
     property: impl Fn(S::Value) -> Result<(), TestCaseError>,
 ) where
     S::Value: std::fmt::Debug,
 {
+    let persistence = FileFailurePersistence::WithSource("regressions");
     let config = Config {
-        cases,
-        failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("regressions"))),
+        failure_persistence: Some(Box::new(persistence)),
         source_file: Some(source_file),
-        ..Config::default()
+        ..config(default)
     };
-    TestRunner::new_with_rng(config, TestRng::deterministic_rng(RngAlgorithm::ChaCha))
-        .run(strategy, property)
-        .unwrap_or_else(|failure| panic!("{failure}"));
+    runner(config).run(strategy, property).unwrap_or_else(|failure| panic!("{failure}"));
 }

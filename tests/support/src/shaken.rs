@@ -28,45 +28,43 @@ pub struct Cycle<const C: usize> {
 /// Two to five fingers around a disc under its weight. Two to four accelerations act in turn, with sizes of 0.7 to 2.5 times the first slip.
 pub fn in_the_plane(random: &mut Random) -> Result<Cycle<2>, Error> {
     let (count, loads) = (random.index(2, 5), random.index(2, 4));
-    let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
-    let from = between(0.0, std::f64::consts::TAU);
+    let from = random.between(0.0, std::f64::consts::TAU);
     let fingers = (0..count).map(|i| {
-        let angle = from + std::f64::consts::TAU * (i as f64 + between(-0.15, 0.15)) / count as f64;
-        let lean = angle + between(-0.3, 0.3);
-        let press = between(5.0, 30.0);
+        let angle = from + std::f64::consts::TAU * (i as f64 + random.between(-0.15, 0.15)) / count as f64;
+        let lean = angle + random.between(-0.3, 0.3);
+        let press = random.between(5.0, 30.0);
         planar::Contact::new([0.05 * angle.cos(), 0.05 * angle.sin()], [-lean.cos(), -lean.sin()])
-            .series_stiffness(10f64.powf(between(3.0, 5.0)), 10f64.powf(between(3.0, 5.0)))
-            .friction(between(0.2, 1.0))
+            .series_stiffness(10f64.powf(random.between(3.0, 5.0)), 10f64.powf(random.between(3.0, 5.0)))
+            .friction(random.between(0.2, 1.0))
             .pressed_with(press)
     });
     let grasp = Grasp::new(fingers.collect::<Vec<_>>())?;
-    let base = planar::Wrench::new([0.0, -between(0.0, 4.0)], 0.0);
+    let base = planar::Wrench::new([0.0, -random.between(0.0, 4.0)], 0.0);
     let loads: Vec<_> = (0..loads)
         .map(|_| {
-            let angle = between(0.0, std::f64::consts::TAU);
-            planar::Wrench::new([angle.cos(), angle.sin()], 0.03 * between(-1.0, 1.0))
+            let angle = random.between(0.0, std::f64::consts::TAU);
+            planar::Wrench::new([angle.cos(), angle.sin()], 0.03 * random.between(-1.0, 1.0))
         })
         .collect();
-    turned_up(grasp, base, &loads, between(0.7, 2.5))
+    turned_up(grasp, base, &loads, random.between(0.7, 2.5))
 }
 
 /// A block on two to five feet under a steady pull, rocked to and fro, so that it may walk.
 pub fn rocked_in_the_plane(random: &mut Random) -> Result<Cycle<2>, Error> {
     let count = random.index(2, 5);
-    let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
-    let friction = between(0.2, 1.0);
+    let friction = random.between(0.2, 1.0);
     let feet = (0..count).map(|i| {
-        let x = 2.0 * (i as f64 + between(-0.2, 0.2)) / (count - 1) as f64 - 1.0;
-        planar::Contact::new([x, between(-0.1, 0.1)], [between(-0.2, 0.2), 1.0])
-            .series_stiffness(10f64.powf(between(3.0, 5.0)), 10f64.powf(between(3.0, 5.0)))
+        let x = 2.0 * (i as f64 + random.between(-0.2, 0.2)) / (count - 1) as f64 - 1.0;
+        planar::Contact::new([x, random.between(-0.1, 0.1)], [random.between(-0.2, 0.2), 1.0])
+            .series_stiffness(10f64.powf(random.between(3.0, 5.0)), 10f64.powf(random.between(3.0, 5.0)))
             .friction(friction)
     });
     let grasp = Grasp::new(feet.collect::<Vec<_>>())?;
-    let weight = between(5.0, 20.0);
-    let base = planar::Wrench::new([between(-0.7, 0.7) * friction * weight, -weight], 0.0);
-    let rock = between(0.2, 0.8) * weight;
+    let weight = random.between(5.0, 20.0);
+    let base = planar::Wrench::new([random.between(-0.7, 0.7) * friction * weight, -weight], 0.0);
+    let rock = random.between(0.2, 0.8) * weight;
     let legs = [rock, -rock].map(|moment| {
-        let lift = between(-0.1, 0.1) * weight;
+        let lift = random.between(-0.1, 0.1) * weight;
         Leg::there_and_back(planar::Wrench::new([0.0, lift], moment))
     });
     Ok(Cycle { grasp, base, legs: legs.concat() })
@@ -75,19 +73,18 @@ pub fn rocked_in_the_plane(random: &mut Random) -> Result<Cycle<2>, Error> {
 /// A plate on three to five feet under a steady pull, rocked about two axes.
 pub fn rocked_in_space(random: &mut Random) -> Result<Cycle<3>, Error> {
     let count = random.index(3, 5);
-    let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
-    let friction = between(0.2, 1.0);
+    let friction = random.between(0.2, 1.0);
     let feet = (0..count).map(|i| {
-        let angle = std::f64::consts::TAU * (i as f64 + between(-0.2, 0.2)) / count as f64;
+        let angle = std::f64::consts::TAU * (i as f64 + random.between(-0.2, 0.2)) / count as f64;
         spatial::Contact::new([angle.cos(), angle.sin(), 0.0], [0.0, 0.0, 1.0])
-            .series_stiffness(10f64.powf(between(3.0, 5.0)), 10f64.powf(between(3.0, 5.0)))
+            .series_stiffness(10f64.powf(random.between(3.0, 5.0)), 10f64.powf(random.between(3.0, 5.0)))
             .friction(friction)
     });
     let grasp = Grasp::new(feet.collect::<Vec<_>>())?;
-    let weight = between(5.0, 20.0);
-    let pull = between(0.0, 0.7) * friction * weight;
+    let weight = random.between(5.0, 20.0);
+    let pull = random.between(0.0, 0.7) * friction * weight;
     let base = spatial::Wrench::new([pull, 0.0, -weight], [0.0; 3]);
-    let rock = between(0.1, 0.4) * weight;
+    let rock = random.between(0.1, 0.4) * weight;
     let legs = [[rock, 0.0, 0.0], [0.0, rock, 0.0], [-rock, 0.0, 0.0], [0.0, -rock, 0.0]]
         .map(|moment| Leg::there_and_back(spatial::Wrench::new([0.0; 3], moment)));
     Ok(Cycle { grasp, base, legs: legs.concat() })
@@ -142,26 +139,25 @@ pub fn roller_rests_up_to(springs: i32, w: f64) -> Result<Option<f64>, Error> {
 /// Three to five fingers around a ball under its weight, with accelerations to and fro along three axes.
 pub fn in_space(random: &mut Random) -> Result<Cycle<3>, Error> {
     let count = random.index(3, 5);
-    let mut between = |low: f64, high: f64| low + (high - low) * random.uniform();
-    let from = between(0.0, std::f64::consts::TAU);
+    let from = random.between(0.0, std::f64::consts::TAU);
     let fingers = (0..count).map(|i| {
-        let angle = from + std::f64::consts::TAU * (i as f64 + between(-0.15, 0.15)) / count as f64;
-        let height: f64 = between(-0.4, 0.4);
+        let angle = from + std::f64::consts::TAU * (i as f64 + random.between(-0.15, 0.15)) / count as f64;
+        let height: f64 = random.between(-0.4, 0.4);
         let normal = [-angle.cos() * height.cos(), -angle.sin() * height.cos(), -height.sin()];
         spatial::Contact::new(normal.map(|x| -0.04 * x), normal)
-            .series_stiffness(10f64.powf(between(3.0, 5.0)), 10f64.powf(between(3.0, 5.0)))
-            .friction(between(0.3, 1.0))
-            .pressed_with(between(5.0, 30.0))
+            .series_stiffness(10f64.powf(random.between(3.0, 5.0)), 10f64.powf(random.between(3.0, 5.0)))
+            .friction(random.between(0.3, 1.0))
+            .pressed_with(random.between(5.0, 30.0))
     });
     let grasp = Grasp::new(fingers.collect::<Vec<_>>())?;
-    let weight = between(0.5, 4.0);
+    let weight = random.between(0.5, 4.0);
     let base = spatial::Wrench::new([0.0, 0.0, -weight], [0.0; 3]);
     let loads = [0, 1, 2, 3, 4, 5].map(|k| {
         let mut force = [0.0; 3];
         force[k / 2] = if k % 2 == 0 { 1.0 } else { -1.0 };
         spatial::Wrench::new(force, [0.0; 3])
     });
-    turned_up(grasp, base, &loads, between(0.7, 2.5))
+    turned_up(grasp, base, &loads, random.between(0.7, 2.5))
 }
 
 /// A cycle of these loads, each scaled to `times` the least factor at which one of them makes a contact slide.

@@ -44,10 +44,13 @@ pub fn draw(random: &mut Random) -> Result<(Grasp, Wrench), Error> {
         _ => SoftFingertip::disc(0.006, 2, points, Pressure::Uniform)?,
     };
     let places = if random.index(0, 4) < 3 { TWO } else { THREE };
-    let mut between = |from: f64, to: f64| from + (to - from) * random.uniform();
-    let grasp = pinch(&tip, places, [between(0.02, 0.05), between(0.3, 0.9), between(0.003, 0.007)])?;
-    let force = [0; 3].map(|_| between(-1.0, 1.0));
-    let moment = [0; 3].map(|_| between(-0.02, 0.02));
+    let grasp = pinch(
+        &tip,
+        places,
+        [random.between(0.02, 0.05), random.between(0.3, 0.9), random.between(0.003, 0.007)],
+    )?;
+    let force = [0; 3].map(|_| random.between(-1.0, 1.0));
+    let moment = [0; 3].map(|_| random.between(-0.02, 0.02));
     let load = match kind {
         0 => Wrench::force([0.0, 0.0, -1.0]),
         1 => Wrench::new([0.0, 0.0, -1.0], [moment[0], 0.0, 0.0]),

@@ -23,6 +23,18 @@ impl Random {
     pub fn uniform(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
     }
+    /// A random number, uniform in [low, high).
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.uniform()
+    }
+    /// A random number, uniform in [-1, 1).
+    pub fn signed(&mut self) -> f64 {
+        self.between(-1.0, 1.0)
+    }
+    /// Random numbers, each uniform in [-1, 1).
+    pub fn vector<const N: usize>(&mut self) -> [f64; N] {
+        std::array::from_fn(|_| self.signed())
+    }
     /// A random number with the standard normal distribution.
     pub fn normal(&mut self) -> f64 {
         (-2.0 * (1.0 - self.uniform()).ln()).sqrt() * (std::f64::consts::TAU * self.uniform()).cos()

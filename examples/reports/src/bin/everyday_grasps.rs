@@ -14,7 +14,6 @@ use std::time::Instant;
 use grasp_lcp::equilibrium::{Outcome as OutcomeOf, Proof};
 use grasp_lcp::load_path::{LossKind, PathEnd as EndOf};
 use grasp_lcp::spatial::{Beyond, Contact, Grasp, Leg, Outcome, PathEnd, Wrench};
-use support::numbers::Numbers;
 use support::odd_paths::{IN_SPACE, OddPath, in_space, in_the_plane};
 use support::soft_tips::draw;
 use support::splitmix::Random;
@@ -24,9 +23,9 @@ type Failure = Box<dyn std::error::Error>;
 const PARTS: [f64; 4] = [0.5, 1.15, 2.5, 6.0];
 
 /// A random direction, uniform over the sphere.
-fn direction(numbers: &mut Numbers) -> [f64; 3] {
+fn direction(numbers: &mut Random) -> [f64; 3] {
     loop {
-        let v = numbers.three();
+        let v = numbers.vector();
         let square: f64 = v.iter().map(|x| x * x).sum();
         if (0.01..1.0).contains(&square) {
             return v.map(|x| x / square.sqrt());
@@ -49,7 +48,7 @@ enum Load {
 }
 
 /// Fingers that press with 5 to 15 N.
-fn grasp(place: Place, count: usize, numbers: &mut Numbers) -> Result<Grasp, grasp_lcp::Error> {
+fn grasp(place: Place, count: usize, numbers: &mut Random) -> Result<Grasp, grasp_lcp::Error> {
     let contact = |i: usize| {
         let (sin, cos) = (TAU * i as f64 / count as f64 + 0.3 * numbers.signed()).sin_cos();
         let mut near = |x: f64| 0.1 * numbers.signed() - x;
@@ -77,7 +76,7 @@ fn grasp(place: Place, count: usize, numbers: &mut Numbers) -> Result<Grasp, gra
     Grasp::new((0..count).map(contact).collect::<Vec<_>>())
 }
 
-fn load(load: Load, numbers: &mut Numbers) -> Wrench {
+fn load(load: Load, numbers: &mut Random) -> Wrench {
     match load {
         Load::Weight => Wrench::force([0.0, 0.0, -100.0]),
         Load::Push => Wrench::force(direction(numbers).map(|x| 100.0 * x)),
@@ -123,7 +122,7 @@ fn main() -> Result<(), Failure> {
     println!("  equilibria                       loads     median     99 %  longest");
     for count in [3, 4, 5, 6, 8, 12] {
         let mut tallies = PARTS.map(|_| Tally::default());
-        let mut numbers = Numbers(count as u64);
+        let mut numbers = Random(count as u64);
         for (place, kind) in places.into_iter().flat_map(|place| loads.map(|load| (place, load))) {
             for _ in 0..each {
                 let grasp = grasp(place, count, &mut numbers)?;
@@ -152,7 +151,7 @@ fn main() -> Result<(), Failure> {
     for place in places {
         for kind in loads {
             let mut tally = Tally::default();
-            let mut numbers = Numbers(1);
+            let mut numbers = Random(1);
             for count in [3, 4, 5, 6].into_iter().flat_map(|count| std::iter::repeat_n(count, each)) {
                 let grasp = grasp(place, count, &mut numbers)?;
                 let leg = Leg::load_to(load(kind, &mut numbers));

@@ -6,22 +6,22 @@ use grasp_lcp::grasp::Hold;
 use nalgebra::{SMatrix, SVector};
 use proptest::collection::vec;
 use proptest::prelude::*;
-use proptest::test_runner::{Config, RngAlgorithm, TestError, TestRng, TestRunner};
+use proptest::test_runner::{Config, TestError};
 
 use super::tally::Tally;
 use super::{Goal, Scene, Spot, Swing};
+use crate::samples::{config, runner};
 
-/// Tests a property on `cases` scenes, the same in every run, and returns its counts. A failing scene is shrunk before it is
+/// Tests a property on scenes, by default on this many, the same in every run, and returns its counts. A failing scene is shrunk before it is
 /// printed.
 pub fn over<S: Strategy>(
-    cases: u32,
+    default: usize,
     scenes: &S,
     property: impl Fn(S::Value, &mut Tally) -> Result<(), TestCaseError>,
 ) -> Tally {
     let tally = std::cell::RefCell::new(Tally::default());
-    let config = Config { cases, failure_persistence: None, max_shrink_iters: 30, ..Config::default() };
-    let mut runner = TestRunner::new_with_rng(config, TestRng::deterministic_rng(RngAlgorithm::ChaCha));
-    let result = runner.run(scenes, |scene| property(scene, &mut tally.borrow_mut()));
+    let config = Config { max_shrink_iters: 30, ..config(default) };
+    let result = runner(config).run(scenes, |scene| property(scene, &mut tally.borrow_mut()));
     match result {
         Ok(()) => tally.into_inner(),
         Err(TestError::Fail(why, scene)) => panic!("{why}\n{scene:?}"),

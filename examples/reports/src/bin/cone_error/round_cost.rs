@@ -13,7 +13,8 @@ use grasp_lcp::{PolygonCone, Settings};
 
 use support::Failure;
 use support::best_time::best_in_turns;
-use support::loaded::{Random, random_fingers};
+use support::loaded::random_fingers;
+use support::splitmix::Random;
 
 const CONTACTS: [usize; 5] = [3, 5, 8, 13, 20];
 /// Number of contacts from which on the ladder pivots on contact states.
