@@ -81,6 +81,6 @@ impl Response {
 
     fn least_combination(&self, size: Size, wanted: &[f64]) -> Vec<f64> {
         let columns = self.twist.column_iter().map(|column| Vector::from_fn(size, |k| column[k]));
-        least_combination(size, columns.collect(), &Vector::from_fn(size, |k| wanted[k]))
+        least_combination(size, &columns.collect::<Vec<_>>(), &Vector::from_fn(size, |k| wanted[k]))
     }
 }

@@ -7,7 +7,6 @@ use super::partial_pivoting::PartialPivoting;
 
 /// Factors of a `D x D` matrix A.
 #[derive(Debug, Clone)]
-#[allow(clippy::large_enum_variant)] // boxing would allocate at every step of Newton's method
 pub(crate) enum Factors {
     Regular(PartialPivoting),
     /// Singular or nearly so: complete pivoting distinguishes singular from soft.

@@ -80,7 +80,8 @@ impl<const C: usize> Piece<C> {
         };
         let right = rows(|spring| &spring.right);
         let straight = springs.iter().all(|spring| spring.left == spring.right);
-        let factors = OrthogonalPiece::new(size, right, (!straight).then(|| rows(|spring| &spring.left)));
+        let left = (!straight).then(|| rows(|spring| &spring.left));
+        let factors = OrthogonalPiece::new(size, &right, left.as_deref());
         let free = factors.right.null_space();
         let unbalanced = factors.left.as_ref().map_or_else(|| free.clone(), |(left, _)| left.null_space());
         Self { springs, first, free, unbalanced, band: None, orthogonal: Once::from(factors), size }
@@ -90,7 +91,7 @@ impl<const C: usize> Piece<C> {
     pub(super) fn orthogonal(&self) -> &OrthogonalPiece {
         self.orthogonal.get_or_init(|| {
             let [right, left] = self.band.as_ref().map_or_else(|| [None, None], |(band, _)| band.rows());
-            OrthogonalPiece::new(self.size, right.unwrap_or_default(), left)
+            OrthogonalPiece::new(self.size, &right.unwrap_or_default(), left.as_deref())
         })
     }
 
@@ -213,11 +214,11 @@ impl<const C: usize> Piece<C> {
 
 impl OrthogonalPiece {
     /// Factors from the rows of A and, where a contact slides, of B.
-    fn new(size: Size, right: Vec<Vector>, left: Option<Vec<Vector>>) -> Self {
-        let right = Orthogonal::new(size, &right);
+    fn new(size: Size, right: &[Vector], left: Option<&[Vector]>) -> Self {
+        let right = Orthogonal::new(size, right);
         let Some(left) = left else { return Self { right, left: None } };
         let count = left.len();
-        let left = Orthogonal::new(size, &left);
+        let left = Orthogonal::new(size, left);
         let mut coupling = Square::zeros(size);
         for i in 0..count {
             coupling.add_product(left.row(i), right.row(i));
@@ -243,11 +244,8 @@ pub(crate) fn least_forces<const C: usize>(
         .filter(|&i| carries[i])
         .flat_map(|i| (0..sites[i].springs.axes()).map(move |a| (i, a)))
         .collect();
-    let shares = least_combination(
-        size_of(sites),
-        axes.iter().map(|&(i, a)| sites[i].map.column(a)).collect(),
-        wrench,
-    );
+    let columns: Vec<Vector> = axes.iter().map(|&(i, a)| sites[i].map.column(a)).collect();
+    let shares = least_combination(size_of(sites), &columns, wrench);
     let mut forces = vec![SVector::<f64, C>::zeros(); sites.len()];
     for (&(i, a), share) in axes.iter().zip(shares) {
         forces[i][a] = -share;
@@ -256,9 +254,9 @@ pub(crate) fn least_forces<const C: usize>(
 }
 
 /// The smallest coefficients (least squares) with which these vectors add up to a target that they span.
-pub(crate) fn least_combination(size: Size, vectors: Vec<Vector>, target: &Vector) -> Vec<f64> {
+pub(crate) fn least_combination(size: Size, vectors: &[Vector], target: &Vector) -> Vec<f64> {
     let count = vectors.len();
-    let factor = Orthogonal::new(size, &vectors);
+    let factor = Orthogonal::new(size, vectors);
     let coordinates = factor.load_coordinates(target);
     (0..count).map(|i| factor.along_row(i, &coordinates)).collect()
 }

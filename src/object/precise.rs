@@ -119,11 +119,12 @@ impl PreciseBalance {
         let (high, low) = (&mut self.0.high, &mut self.0.low);
         let of_one_object = site.whole_column_in_twice(axis);
         if let (Some(g), Some(high), Some(low)) = (of_one_object, high.array_mut(), low.array_mut()) {
-            return if C == 2 {
-                add_multiple::<3>(g, force, high, low)
+            if C == 2 {
+                add_multiple::<3>(g, force, high, low);
             } else {
-                add_multiple::<6>(g, force, high, low)
-            };
+                add_multiple::<6>(g, force, high, low);
+            }
+            return;
         }
         for range in site.support.ranges::<C>() {
             let (g, rest) = site.column_in_twice(axis, range.clone());

@@ -13,7 +13,6 @@ use super::solved::SolveAnswer;
 /// The answer to a [`Question`](super::Question), under the same name.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[allow(clippy::large_enum_variant)] // one is made for a question
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum Answer<const C: usize> {

@@ -37,7 +37,6 @@ pub struct PathAnswer<const C: usize> {
 /// The end of a load path, with the state there; see [`PathEnd`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[allow(clippy::large_enum_variant)] // one is made for a question
 #[serde(tag = "outcome", rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum PathOutcome<const C: usize> {

@@ -10,7 +10,6 @@ const FEW: usize = 15;
 
 /// A list of any length: up to [`FEW`] numbers in place with zeros behind them, more on the heap.
 #[derive(Clone)]
-#[allow(clippy::large_enum_variant)] // most lists are short
 #[repr(u32)] // tag and length share one word, so the numbers behind them are copied by whole words
 pub(super) enum List {
     Few(u32, [f64; FEW]),

@@ -166,6 +166,6 @@ impl<const C: usize> Mul<SVector<f64, C>> for &Map<C> {
 
     #[inline]
     fn mul(self, f: SVector<f64, C>) -> Vector {
-        self * &f
+        Mul::mul(self, &f)
     }
 }

@@ -20,7 +20,6 @@ pub(crate) struct Square {
 
 /// Entries of a square matrix, column by column: in place for one object, with zeros behind the last column.
 #[derive(Debug, Clone, PartialEq)]
-#[allow(clippy::large_enum_variant)] // most matrices are those of one object
 enum Entries {
     Few([f64; WHOLE * WHOLE]),
     More(Vec<f64>),
