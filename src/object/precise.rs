@@ -81,7 +81,11 @@ impl PreciseTwist {
         let v = DoubleDouble::new(drive);
         let of_one_object = site.whole_column_in_twice(axis);
         if let Some((column, q)) = of_one_object.zip(self.0.arrays()) {
-            return if C == 2 { less_products::<3>(v, column, q) } else { less_products::<6>(v, column, q) };
+            return if site.coordinates().count() <= 3 {
+                less_products::<3>(v, column, q)
+            } else {
+                less_products::<6>(v, column, q)
+            };
         }
         let mut v = v;
         for range in site.support.ranges::<C>() {
@@ -103,7 +107,7 @@ fn less_products<const N: usize>(mut v: DoubleDouble, g: Twice<'_>, q: Twice<'_>
     v
 }
 
-/// Numbers for the coordinates of one object in twice the working precision: their high and their low parts.
+/// Numbers for up to as many coordinates as one object has, in twice the working precision: their high and their low parts.
 type Twice<'v> = [&'v [f64; WHOLE]; 2];
 
 /// Forces and moments in twice the working precision.
@@ -119,7 +123,7 @@ impl PreciseBalance {
         let (high, low) = (&mut self.0.high, &mut self.0.low);
         let of_one_object = site.whole_column_in_twice(axis);
         if let (Some(g), Some(high), Some(low)) = (of_one_object, high.array_mut(), low.array_mut()) {
-            if C == 2 {
+            if site.coordinates().count() <= 3 {
                 add_multiple::<3>(g, force, high, low);
             } else {
                 add_multiple::<6>(g, force, high, low);
