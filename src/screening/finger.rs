@@ -36,7 +36,7 @@ pub(super) fn moment<const C: usize, X: Packed>(arm: &[X; C], f: &[X; C]) -> [X;
 
 /// The displacement of the point at `arm` under the motion q of the object (translation, then rotation).
 #[inline(always)]
-pub(super) fn displacement<const D: usize, const C: usize, X: Packed>(arm: &[X; C], q: &[X; D]) -> [X; C] {
+pub(super) fn displacement<const C: usize, X: Packed>(arm: &[X; C], q: &[X; 6]) -> [X; C] {
     let mut u = *arm;
     if C == 2 {
         u[0] = q[0] - q[2] * arm[1];

@@ -42,10 +42,10 @@ impl<const C: usize> ScreeningQuestion<C> for GradientOf<C> {
     }
 
     #[inline(always)]
-    fn ask<V: Vectors, P: StickingSprings<C, M, X>, const M: usize, X: Packed>(
+    fn ask<V: Vectors, P: StickingSprings<C, X>, X: Packed>(
         &self,
-        scenes: &Scenes<'_, V, P, C, M, X>,
-        [rates, forces, answered]: Room<'_, C, M, X>,
+        scenes: &Scenes<'_, V, P, C, X>,
+        [rates, forces, answered]: Room<'_, C, X>,
         told: &mut Told<'_, f64, X>,
     ) {
         let (v, block, ready) = (scenes.vectors, &scenes.block, scenes.ready);
@@ -81,12 +81,12 @@ impl<const C: usize> ScreeningQuestion<C> for GradientOf<C> {
 }
 
 #[inline(never)]
-fn reach<V: Vectors, const C: usize, const M: usize, X: Packed>(
+fn reach<V: Vectors, const C: usize, X: Packed>(
     v: V,
-    edge: &mut LeavingEdge<C, M, X>,
+    edge: &mut LeavingEdge<C, X>,
     friction: &[X],
     first: (X::Each<Screened>, Option<usize>),
-    [rates, forces]: [&mut Forces<C, M, X>; 2],
+    [rates, forces]: [&mut Forces<C, X>; 2],
 ) {
     v.run(
         #[inline(always)]
@@ -95,9 +95,9 @@ fn reach<V: Vectors, const C: usize, const M: usize, X: Packed>(
 }
 
 #[inline(never)]
-fn tell<V: Vectors, const C: usize, const M: usize, X: Packed>(
+fn tell<V: Vectors, const C: usize, X: Packed>(
     v: V,
-    slopes: &Slopes<'_, C, M, X>,
+    slopes: &Slopes<'_, C, X>,
     block: &Block<'_, C, X>,
     told: &mut Told<'_, f64, X>,
 ) {

@@ -151,14 +151,14 @@ impl<X: Packed> LeastFactor<X> {
 
     /// Adds the conditions of all contacts under one load, from the forces of the commands and of all else.
     #[inline(always)]
-    pub(super) fn under<const C: usize, const M: usize>(
+    pub(super) fn under<const C: usize>(
         &mut self,
         load: usize,
         friction: &[X],
-        [commands, others]: [&Forces<C, M, X>; 2],
+        [commands, others]: [&Forces<C, X>; 2],
     ) {
         let (zero, one) = (X::all(0.0), X::all(1.0));
-        for i in 0..count::<M, X>(friction.len()) {
+        for i in 0..count(friction.len()) {
             let cone = StickingCone::of(friction[i]);
             let weight = cone.alpha + cone.beta;
             let noise = weight * others.rounding[i];

@@ -37,10 +37,10 @@ impl<const C: usize> ScreeningQuestion<C> for LoadCases<C> {
     const UNKNOWN: ScreenedSqueeze = ScreenedSqueeze::UNKNOWN;
 
     #[inline(always)]
-    fn ask<V: Vectors, P: StickingSprings<C, M, X>, const M: usize, X: Packed>(
+    fn ask<V: Vectors, P: StickingSprings<C, X>, X: Packed>(
         &self,
-        scenes: &Scenes<'_, V, P, C, M, X>,
-        [commands, overlaps, others]: Room<'_, C, M, X>,
+        scenes: &Scenes<'_, V, P, C, X>,
+        [commands, overlaps, others]: Room<'_, C, X>,
         told: &mut Told<'_, ScreenedSqueeze, X>,
     ) {
         scenes.apart([commands, overlaps]);
@@ -61,12 +61,12 @@ impl<const C: usize> ScreeningQuestion<C> for LoadCases<C> {
 }
 
 #[inline(never)]
-fn judge_apart<V: Vectors, const C: usize, const M: usize, X: Packed>(
+fn judge_apart<V: Vectors, const C: usize, X: Packed>(
     v: V,
     enough: &mut LeastFactor<X>,
     number: usize,
     friction: &[X],
-    forces: [&Forces<C, M, X>; 2],
+    forces: [&Forces<C, X>; 2],
 ) {
     v.run(
         #[inline(always)]

@@ -3,7 +3,7 @@
 //! Where forces are found in compliances, the springs give the displacement of the object at each contact, `u = a - C F`. The difference of
 //! displacements along an edge e is `ω × e`, from which the rotation follows.
 
-use super::block::{Block, Commanded};
+use super::block::{Block, Commanded, MOST_CONTACTS};
 use super::finger::{Force, world};
 use super::forces::Forces;
 use super::lanes::{Packed, cross, dot};
@@ -12,17 +12,17 @@ use super::triangle::{self, Triangle, others};
 
 /// A small motion of the object, m and rad.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct ObjectMotion<const C: usize, const M: usize, X: Packed> {
+pub(super) struct ObjectMotion<const C: usize, X: Packed> {
     /// Displacements at the contacts along the coordinate axes.
-    pub(super) at: [[X; C]; M],
+    pub(super) at: [[X; C]; MOST_CONTACTS],
     /// Rotation about the coordinate axes, rad; in the plane the first entry alone.
     pub(super) turn: [X; 3],
 }
 
-impl<const C: usize, const M: usize, X: Packed> ObjectMotion<C, M, X> {
+impl<const C: usize, X: Packed> ObjectMotion<C, X> {
     /// No motion.
     pub(super) fn none() -> Self {
-        Self { at: [[X::all(0.0); C]; M], turn: [X::all(0.0); 3] }
+        Self { at: [[X::all(0.0); C]; MOST_CONTACTS], turn: [X::all(0.0); 3] }
     }
 }
 
@@ -45,11 +45,11 @@ fn off_the_spring<const C: usize, X: Packed>(
 
 /// The motion of an object held by two contacts in the plane.
 #[inline(always)]
-pub(super) fn with_pair<const C: usize, const M: usize, X: Packed>(
+pub(super) fn with_pair<const C: usize, X: Packed>(
     block: &Block<'_, C, X>,
     cause: &Cause<'_, C, X>,
-    forces: &Forces<C, M, X>,
-    moved: &mut ObjectMotion<C, M, X>,
+    forces: &Forces<C, X>,
+    moved: &mut ObjectMotion<C, X>,
 ) {
     let points = block.points();
     for i in 0..2 {
@@ -62,12 +62,12 @@ pub(super) fn with_pair<const C: usize, const M: usize, X: Packed>(
 
 /// The motion of an object held by three contacts in space: `ω = (m·d₂ e₁ - m·d₁ e₂ + ½ (e₂·d₁ - e₁·d₂) m) / |m|²` with `d = ω × e` of two edges.
 #[inline(always)]
-pub(super) fn with_triangle<const C: usize, const M: usize, X: Packed>(
+pub(super) fn with_triangle<const C: usize, X: Packed>(
     triangle: &Triangle<C, X>,
     block: &Block<'_, C, X>,
     cause: &Cause<'_, C, X>,
-    forces: &Forces<C, M, X>,
-    moved: &mut ObjectMotion<C, M, X>,
+    forces: &Forces<C, X>,
+    moved: &mut ObjectMotion<C, X>,
 ) {
     for i in 0..triangle::N {
         moved.at[i] = off_the_spring(block, &cause.commands, i, &forces.of[i]);

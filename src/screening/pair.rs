@@ -31,7 +31,7 @@ use crate::numerics::Vectors;
 /// A contact without friction has an infinite tangential compliance: the condition on λ reads `F_t = 0` there, and all its other terms vanish. Two
 /// such contacts hold nothing. Neither does one whose normal points along the line, because the object turns about the other contact. In these cases
 /// the compliances are NaN.
-pub(super) fn to_compliances<const C: usize, const N: usize>(scene: &mut OneScene<C, N>) {
+pub(super) fn to_compliances<const C: usize>(scene: &mut OneScene<C>) {
     let block = scene.block();
     let (points, normals, [k_n, k_t]) = (block.points(), block.normals(), block.springs());
     let slippery = [k_t[0], k_t[1]].map(|k| k == 0.0);
@@ -147,7 +147,7 @@ impl<X: Packed> Pair<X> {
     }
 }
 
-impl<const C: usize, const M: usize, X: Packed> StickingSprings<C, M, X> for Pair<X> {
+impl<const C: usize, X: Packed> StickingSprings<C, X> for Pair<X> {
     const METHOD: Method = Method::Edges;
     const CONTACTS: Option<usize> = Some(2);
 
@@ -174,7 +174,7 @@ impl<const C: usize, const M: usize, X: Packed> StickingSprings<C, M, X> for Pai
     }
 
     #[inline(always)]
-    fn load<V: Vectors>(&self, _: V, _: &Block<'_, C, X>, load: &[f64], forces: &mut Forces<C, M, X>) {
+    fn load<V: Vectors>(&self, _: V, _: &Block<'_, C, X>, load: &[f64], forces: &mut Forces<C, X>) {
         let zero = [X::all(0.0); 2];
         let load = [0, 1, 2].map(|k| X::all(load[k]));
         let s = (load[2] - (self.midpoint[0] * load[1] - self.midpoint[1] * load[0])) * self.one_over_square;
@@ -203,7 +203,7 @@ impl<const C: usize, const M: usize, X: Packed> StickingSprings<C, M, X> for Pai
         _: V,
         block: &Block<'_, C, X>,
         others: Option<&Commanded<'_, C, X>>,
-        forces: &mut Forces<C, M, X>,
+        forces: &mut Forces<C, X>,
     ) {
         let (commanded, size) = others.map_or((self.commanded, self.sizes.commands), |others| {
             let points = block.points();
@@ -226,8 +226,8 @@ impl<const C: usize, const M: usize, X: Packed> StickingSprings<C, M, X> for Pai
         _: V,
         block: &Block<'_, C, X>,
         cause: &Cause<'_, C, X>,
-        forces: &Forces<C, M, X>,
-        moved: &mut ObjectMotion<C, M, X>,
+        forces: &Forces<C, X>,
+        moved: &mut ObjectMotion<C, X>,
     ) {
         moved::with_pair(block, cause, forces, moved);
     }

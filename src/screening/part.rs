@@ -23,40 +23,37 @@ pub(super) struct Part<'a, const C: usize, Q: ScreeningQuestion<C>> {
     pub(super) answers: &'a mut [Q::Answer],
 }
 
-/// Answers the questions for a part; the method of motions has room for `M` contacts.
-pub(super) fn screen<const D: usize, const C: usize, const M: usize, Q: ScreeningQuestion<C>>(
-    part: Part<'_, C, Q>,
-) {
-    struct Here<'a, const D: usize, const C: usize, const M: usize, Q: ScreeningQuestion<C>>(Part<'a, C, Q>);
-    impl<const D: usize, const C: usize, const M: usize, Q: ScreeningQuestion<C>> OnVectors
-        for Here<'_, D, C, M, Q>
-    {
-        type Output = ();
-        fn on<V: Vectors>(self, vectors: V) {
-            self.0.screen_on::<V, D, M>(vectors);
-        }
+/// Answers the questions for a part.
+pub(super) fn screen<const C: usize, Q: ScreeningQuestion<C>>(part: Part<'_, C, Q>) {
+    on_the_widest(part);
+}
+
+impl<const C: usize, Q: ScreeningQuestion<C>> OnVectors for Part<'_, C, Q> {
+    type Output = ();
+    #[inline(always)]
+    fn on<V: Vectors>(self, vectors: V) {
+        self.screen_on(vectors);
     }
-    on_the_widest(Here::<D, C, M, Q>(part));
 }
 
 impl<const C: usize, Q: ScreeningQuestion<C>> Part<'_, C, Q> {
     #[inline(always)]
-    fn screen_on<V: Vectors, const D: usize, const M: usize>(self, vectors: V) {
+    fn screen_on<V: Vectors>(self, vectors: V) {
         let contacts = self.contacts;
         let numbers = self.numbers.chunks_exact(Layout::<C>::numbers(contacts));
         let blocks = numbers.zip(self.parted.chunks_exact(2 * contacts));
-        let blocks = blocks.map(|(numbers, parted)| Block::<C, Lanes> { contacts, numbers, parted });
         let of_block = LANES * self.questions.len() * Q::answers(contacts);
         let blocks = blocks.zip(self.answers.chunks_mut(of_block));
         let questions = self.questions;
-        let mut edges = Answering::<_, Triangle<C, Lanes>, C, 3>::on(vectors);
-        let mut motions = Answering::<_, RigidBody<D, C, M, Lanes>, C, M>::on(vectors);
-        for (block, answers) in blocks {
-            if is_a_pair(&block) {
+        let mut edges = Answering::<_, Triangle<C, Lanes>, C>::on(vectors);
+        let mut motions = Answering::<_, RigidBody<C, Lanes>, C>::on(vectors);
+        for ((numbers, parted), answers) in blocks {
+            let block = Block { contacts, numbers, parted };
+            if const { C == 2 } && is_a_pair(&block) {
                 answer_pairs(vectors, &block, questions, answers);
                 continue;
             }
-            if is_a_triangle(&block) {
+            if const { C == 3 } && is_a_triangle(&block) {
                 edges.answer(&block, questions, answers);
             }
             motions.answer(&block, questions, answers);
@@ -76,20 +73,20 @@ fn answer_pairs<V: Vectors, const C: usize, Q: ScreeningQuestion<C>>(
         #[inline(always)]
         || {
             let block = Block { contacts: 2, ..*block };
-            Answering::<_, Pair<Lanes>, C, 2>::on(Compiled).answer(&block, questions, answers);
+            Answering::<_, Pair<Lanes>, C>::on(Compiled).answer(&block, questions, answers);
         },
     );
 }
 
 /// The working memory of one method for a block of scenes.
-struct Answering<V, P, const C: usize, const M: usize> {
+struct Answering<V, P, const C: usize> {
     vectors: V,
     ready: P,
-    squeezed: Forces<C, M, Lanes>,
-    room: [Forces<C, M, Lanes>; 3],
+    squeezed: Forces<C, Lanes>,
+    room: [Forces<C, Lanes>; 3],
 }
 
-impl<V: Vectors, P: StickingSprings<C, M, Lanes>, const C: usize, const M: usize> Answering<V, P, C, M> {
+impl<V: Vectors, P: StickingSprings<C, Lanes>, const C: usize> Answering<V, P, C> {
     #[inline(always)]
     fn on(vectors: V) -> Self {
         Self { vectors, ready: P::none(), squeezed: Forces::none(), room: [Forces::none(); 3] }

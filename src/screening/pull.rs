@@ -39,10 +39,10 @@ impl<const C: usize> ScreeningQuestion<C> for Pull<C> {
     const UNKNOWN: Screened = Screened(SlipCode::UNKNOWN);
 
     #[inline(always)]
-    fn ask<V: Vectors, P: StickingSprings<C, M, X>, const M: usize, X: Packed>(
+    fn ask<V: Vectors, P: StickingSprings<C, X>, X: Packed>(
         &self,
-        scenes: &Scenes<'_, V, P, C, M, X>,
-        [rates, base, _]: Room<'_, C, M, X>,
+        scenes: &Scenes<'_, V, P, C, X>,
+        [rates, base, _]: Room<'_, C, X>,
         told: &mut Told<'_, Screened, X>,
     ) {
         scenes.under(&self.direction, rates);
@@ -58,10 +58,10 @@ impl<const C: usize> ScreeningQuestion<C> for Pull<C> {
 
 /// The verdicts on scenes from their forces at factor zero and the rates of these.
 #[inline(always)]
-pub(super) fn judged<V: Vectors, P: StickingSprings<C, M, X>, const C: usize, const M: usize, X: Packed>(
-    scenes: &Scenes<'_, V, P, C, M, X>,
-    base: &Forces<C, M, X>,
-    rates: &Forces<C, M, X>,
+pub(super) fn judged<V: Vectors, P: StickingSprings<C, X>, const C: usize, X: Packed>(
+    scenes: &Scenes<'_, V, P, C, X>,
+    base: &Forces<C, X>,
+    rates: &Forces<C, X>,
 ) -> X::Each<Screened> {
     if P::CONTACTS.is_some() {
         return judge(scenes.block.friction(), base, rates);
@@ -70,11 +70,11 @@ pub(super) fn judged<V: Vectors, P: StickingSprings<C, M, X>, const C: usize, co
 }
 
 #[inline(never)]
-fn judge_apart<V: Vectors, const C: usize, const M: usize, X: Packed>(
+fn judge_apart<V: Vectors, const C: usize, X: Packed>(
     v: V,
     friction: &[X],
-    base: &Forces<C, M, X>,
-    rates: &Forces<C, M, X>,
+    base: &Forces<C, X>,
+    rates: &Forces<C, X>,
 ) -> X::Each<Screened> {
     v.run(
         #[inline(always)]

@@ -15,7 +15,7 @@ pub(super) struct Cause<'a, const C: usize, X: Packed> {
 }
 
 /// The sticking springs of scenes before any load acts, by one of three methods: a pair, a triangle, or the stiffness of the object.
-pub(super) trait StickingSprings<const C: usize, const M: usize, X: Packed>: Copy {
+pub(super) trait StickingSprings<const C: usize, X: Packed>: Copy {
     /// An empty value that [`Self::prepare`] fills.
     fn none() -> Self;
     /// The method that this type implements; a scene that needs another one is skipped.
@@ -31,7 +31,7 @@ pub(super) trait StickingSprings<const C: usize, const M: usize, X: Packed>: Cop
         vectors: V,
         block: &Block<'_, C, X>,
         load: &[f64],
-        forces: &mut Forces<C, M, X>,
+        forces: &mut Forces<C, X>,
     );
 
     /// Forces of commands alone, the object without load: the commands of the block less its clearances, or `others`.
@@ -40,7 +40,7 @@ pub(super) trait StickingSprings<const C: usize, const M: usize, X: Packed>: Cop
         vectors: V,
         block: &Block<'_, C, X>,
         others: Option<&Commanded<'_, C, X>>,
-        forces: &mut Forces<C, M, X>,
+        forces: &mut Forces<C, X>,
     );
 
     /// The motion of the object under commands and a load, given the `forces` that both bring about together.
@@ -49,7 +49,7 @@ pub(super) trait StickingSprings<const C: usize, const M: usize, X: Packed>: Cop
         vectors: V,
         block: &Block<'_, C, X>,
         cause: &Cause<'_, C, X>,
-        forces: &Forces<C, M, X>,
-        moved: &mut ObjectMotion<C, M, X>,
+        forces: &Forces<C, X>,
+        moved: &mut ObjectMotion<C, X>,
     );
 }

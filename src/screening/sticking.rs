@@ -5,7 +5,7 @@
 //! residual is solved for again. Forces that obey both the balance and the springs are right, however inaccurate T is.
 
 use super::balance::RigidBody;
-use super::block::{Block, Commanded};
+use super::block::{Block, Commanded, Layout, MOST_CONTACTS};
 use super::finger::{Force, displacement, stretched};
 use super::forces::{Forces, ON_THE_EDGE};
 use super::lanes::Packed;
@@ -24,8 +24,8 @@ const TIMES: usize = 3;
 /// a larger bound a load that drives the object away weakly would be called unclear.
 const GIVES_WAY: f64 = 1e-6;
 
-impl<const D: usize, const C: usize, const M: usize, X: Packed> StickingSprings<C, M, X>
-    for RigidBody<D, C, M, X>
+impl<const C: usize, X: Packed> StickingSprings<C, X>
+    for RigidBody<C, X>
 {
     const METHOD: Method = Method::Motions;
     const CONTACTS: Option<usize> = None;
@@ -43,7 +43,7 @@ impl<const D: usize, const C: usize, const M: usize, X: Packed> StickingSprings<
     }
 
     #[inline(always)]
-    fn load<V: Vectors>(&self, v: V, _: &Block<'_, C, X>, load: &[f64], forces: &mut Forces<C, M, X>) {
+    fn load<V: Vectors>(&self, v: V, _: &Block<'_, C, X>, load: &[f64], forces: &mut Forces<C, X>) {
         sticking(v, self, None, load, forces);
     }
 
@@ -53,7 +53,7 @@ impl<const D: usize, const C: usize, const M: usize, X: Packed> StickingSprings<
         v: V,
         block: &Block<'_, C, X>,
         others: Option<&Commanded<'_, C, X>>,
-        forces: &mut Forces<C, M, X>,
+        forces: &mut Forces<C, X>,
     ) {
         let commands = others.copied().unwrap_or_else(|| block.commands());
         sticking(v, self, Some(&commands), &[0.0; 6], forces);
@@ -65,8 +65,8 @@ impl<const D: usize, const C: usize, const M: usize, X: Packed> StickingSprings<
         v: V,
         _: &Block<'_, C, X>,
         cause: &Cause<'_, C, X>,
-        _: &Forces<C, M, X>,
-        moved: &mut ObjectMotion<C, M, X>,
+        _: &Forces<C, X>,
+        moved: &mut ObjectMotion<C, X>,
     ) {
         v.run(
             #[inline(always)]
@@ -77,12 +77,12 @@ impl<const D: usize, const C: usize, const M: usize, X: Packed> StickingSprings<
 
 /// Forces of commands alone, or of a load alone with the fingers at rest.
 #[inline(never)]
-fn sticking<V: Vectors, const D: usize, const C: usize, const M: usize, X: Packed>(
+fn sticking<V: Vectors, const C: usize, X: Packed>(
     v: V,
-    body: &RigidBody<D, C, M, X>,
+    body: &RigidBody<C, X>,
     commands: Option<&Commanded<'_, C, X>>,
     load: &[f64],
-    forces: &mut Forces<C, M, X>,
+    forces: &mut Forces<C, X>,
 ) {
     v.run(
         #[inline(always)]
@@ -91,16 +91,16 @@ fn sticking<V: Vectors, const D: usize, const C: usize, const M: usize, X: Packe
 }
 
 #[inline(always)]
-fn stretch<const D: usize, const C: usize, const M: usize, X: Packed>(
-    body: &RigidBody<D, C, M, X>,
+fn stretch<const C: usize, X: Packed>(
+    body: &RigidBody<C, X>,
     commands: Option<&Commanded<'_, C, X>>,
     load: &[f64],
-    forces: &mut Forces<C, M, X>,
+    forces: &mut Forces<C, X>,
 ) {
     let zero = X::all(0.0);
     let fingers = body.fingers();
-    let mut lanes = [zero; D];
-    for k in 0..D {
+    let mut lanes = [zero; 6];
+    for k in 0..Layout::<C>::COORDINATES {
         lanes[k] = X::all(load[k]);
     }
     let load = if commands.is_none() { body.carried(&lanes) } else { lanes };
@@ -112,22 +112,22 @@ fn stretch<const D: usize, const C: usize, const M: usize, X: Packed>(
 }
 
 /// Forces, the motion of the object, and the unbalanced part of the load.
-struct Settled<const D: usize, const C: usize, const M: usize, X: Packed> {
-    contacts: [Force<C, X>; M],
-    moved: [X; D],
+struct Settled<const C: usize, X: Packed> {
+    contacts: [Force<C, X>; MOST_CONTACTS],
+    moved: [X; 6],
     part: X,
 }
 
 /// The equilibrium under commands and a load about the centroid.
 #[inline(always)]
-fn let_go<const D: usize, const C: usize, const M: usize, X: Packed>(
-    body: &RigidBody<D, C, M, X>,
+fn let_go<const C: usize, X: Packed>(
+    body: &RigidBody<C, X>,
     commands: Option<&Commanded<'_, C, X>>,
-    load: &[X; D],
-) -> Settled<D, C, M, X> {
+    load: &[X; 6],
+) -> Settled<C, X> {
     let zero = X::all(0.0);
     let fingers = body.fingers();
-    let mut contacts = [Force { normal: zero, tangential: [zero; C] }; M];
+    let mut contacts = [Force { normal: zero, tangential: [zero; C] }; MOST_CONTACTS];
     for (i, (finger, force)) in fingers.iter().zip(&mut contacts).enumerate() {
         if let Some(commands) = commands {
             let [normal, tangential] = finger.springs;
@@ -139,10 +139,10 @@ fn let_go<const D: usize, const C: usize, const M: usize, X: Packed>(
     }
     let (mut left, mut part) =
         if commands.is_some() { body.unbalanced(&contacts, load) } else { (*load, zero) };
-    let mut moved = [zero; D];
+    let mut moved = [zero; 6];
     for time in 0..=TIMES {
         let q = body.motion(&left);
-        for k in 0..D {
+        for k in 0..Layout::<C>::COORDINATES {
             moved[k] += q[k];
         }
         for (finger, force) in fingers.iter().zip(&mut contacts) {
@@ -168,38 +168,37 @@ fn let_go<const D: usize, const C: usize, const M: usize, X: Packed>(
 
 /// The displacements of contacts at the equilibrium. If a motion is free they are NaN, because the position of the object is not determined.
 #[inline(always)]
-fn move_object<const D: usize, const C: usize, const M: usize, X: Packed>(
-    body: &RigidBody<D, C, M, X>,
+fn move_object<const C: usize, X: Packed>(
+    body: &RigidBody<C, X>,
     cause: &Cause<'_, C, X>,
-    moved: &mut ObjectMotion<C, M, X>,
+    moved: &mut ObjectMotion<C, X>,
 ) {
-    let mut load = [X::all(0.0); D];
-    load.copy_from_slice(&cause.load[..D]);
-    let mut settled = let_go(body, Some(&cause.commands), &body.carried(&load));
+    let mut settled = let_go(body, Some(&cause.commands), &body.carried(&cause.load));
     for entry in &mut settled.moved {
         *entry = body.free().above(X::all(0.0), X::all(f64::NAN), *entry);
     }
     for (at, finger) in moved.at.iter_mut().zip(body.fingers()) {
         *at = displacement(&finger.arm, &settled.moved);
     }
-    moved.turn[..D - C].copy_from_slice(&settled.moved[C..]);
+    let coordinates = Layout::<C>::COORDINATES;
+    moved.turn[..coordinates - C].copy_from_slice(&settled.moved[C..coordinates]);
 }
 
 /// Bounds the rounding of forces: a part of the force, and a part of the force that its spring would exert over the whole displacement that stretches
 /// and slackens it. The second part is limited by the size of the forces. Displacements that ought to cancel leave forces only between two contacts
 /// or more, so that the second stiffest contact sets that size.
 #[inline(always)]
-fn bound_rounding<const D: usize, const C: usize, const M: usize, X: Packed>(
-    body: &RigidBody<D, C, M, X>,
+fn bound_rounding<const C: usize, X: Packed>(
+    body: &RigidBody<C, X>,
     commands: Option<&Commanded<'_, C, X>>,
-    load: &[X; D],
-    moved: &[X; D],
-    forces: &mut Forces<C, M, X>,
+    load: &[X; 6],
+    moved: &[X; 6],
+    forces: &mut Forces<C, X>,
 ) {
     let zero = X::all(0.0);
     let fingers = body.fingers();
     let (mut shift, mut turn, mut largest) = (zero, zero, zero);
-    for k in 0..D {
+    for k in 0..Layout::<C>::COORDINATES {
         if k < C {
             shift += moved[k].abs();
             largest += load[k].abs();
@@ -208,7 +207,7 @@ fn bound_rounding<const D: usize, const C: usize, const M: usize, X: Packed>(
         }
     }
     let span = shift + turn * body.reach;
-    let mut sizes = [zero; M];
+    let mut sizes = [zero; MOST_CONTACTS];
     let (mut most, mut second) = (zero, zero);
     for (i, finger) in fingers.iter().enumerate() {
         let [normal, tangential] = finger.springs;

@@ -17,7 +17,7 @@
 use nalgebra::SVector;
 
 use super::arccotangent::angle_of;
-use super::block::count;
+use super::block::{MOST_CONTACTS, count};
 use super::cone::{LEAST, MOST, StickingCone};
 use super::first_exit::SHARP;
 use super::first_slip::UNCLEAR;
@@ -87,10 +87,10 @@ struct Waves<const C: usize, X: Packed> {
 
 impl<const C: usize, X: Packed> Waves<C, X> {
     #[inline(always)]
-    fn new<const M: usize>(
+    fn new(
         cone: &StickingCone<X>,
         contact: usize,
-        forces: &Harmonic<&Forces<C, M, X>>,
+        forces: &Harmonic<&Forces<C, X>>,
     ) -> Self {
         let Harmonic { constant, cosine, sine } = forces;
         let standing = X::all(ROUNDING / ON_THE_EDGE) * constant.rounding[contact];
@@ -232,14 +232,14 @@ fn straight<X: Packed>(margin: &Harmonic<X>, noise: X) -> Fall<X> {
 
 /// The verdicts on the scenes of a block up to the angle `most` (rad; infinite for a full turn), from their forces as functions of the angle.
 #[inline(always)]
-pub(super) fn judge<const C: usize, const M: usize, X: Packed>(
+pub(super) fn judge<const C: usize, X: Packed>(
     friction: &[X],
-    forces: &Harmonic<&Forces<C, M, X>>,
+    forces: &Harmonic<&Forces<C, X>>,
     most: f64,
 ) -> X::Each<ScreenedTurn> {
     let (zero, one, infinite) = (X::all(0.0), X::all(1.0), X::all(f64::INFINITY));
     let (mut margin, mut sure) = (infinite, infinite);
-    let contacts = count::<M, X>(friction.len());
+    let contacts = count(friction.len());
     for i in 0..contacts {
         let cone = StickingCone::of(friction[i]);
         let waves = Waves::new(&cone, i, forces);
@@ -250,7 +250,7 @@ pub(super) fn judge<const C: usize, const M: usize, X: Packed>(
         sure = sure.min(here - rounding + waves.lost(&cone));
     }
     let mut first = Fall { cotangent: -infinite, off: zero, doubt: zero };
-    let mut cotangents = [zero; M];
+    let mut cotangents = [zero; MOST_CONTACTS];
     for i in 0..contacts {
         let cone = StickingCone::of(friction[i]);
         let never = X::all(f64::from_bits(1));

@@ -44,10 +44,10 @@ impl<const C: usize> ScreeningQuestion<C> for TurningPull<C> {
     const UNKNOWN: ScreenedTurn = ScreenedTurn { first: SlipCode::UNKNOWN, most: 0.0 };
 
     #[inline(always)]
-    fn ask<V: Vectors, P: StickingSprings<C, M, X>, const M: usize, X: Packed>(
+    fn ask<V: Vectors, P: StickingSprings<C, X>, X: Packed>(
         &self,
-        scenes: &Scenes<'_, V, P, C, M, X>,
-        [constant, cosine, sine]: Room<'_, C, M, X>,
+        scenes: &Scenes<'_, V, P, C, X>,
+        [constant, cosine, sine]: Room<'_, C, X>,
         told: &mut Told<'_, ScreenedTurn, X>,
     ) {
         scenes.squeezed_under(&self.load.constant, constant);
@@ -63,10 +63,10 @@ impl<const C: usize> ScreeningQuestion<C> for TurningPull<C> {
 }
 
 #[inline(never)]
-fn judge_apart<V: Vectors, const C: usize, const M: usize, X: Packed>(
+fn judge_apart<V: Vectors, const C: usize, X: Packed>(
     v: V,
     friction: &[X],
-    forces: &Harmonic<&Forces<C, M, X>>,
+    forces: &Harmonic<&Forces<C, X>>,
     most: f64,
 ) -> X::Each<ScreenedTurn> {
     v.run(

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use super::block::count;
+use super::block::{MOST_CONTACTS, count};
 use super::cone::StickingCone;
 use super::fingers::Fingers;
 use super::first_slip::SlipCode;
@@ -77,7 +77,7 @@ impl fmt::Debug for Watched {
     }
 }
 
-impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
+impl<const C: usize, const N: usize> Fingers<C, N> {
     /// Margins of contact forces measured just now, under a load that is to come on top of the present one. Nothing is allocated and no loop depends
     /// on the numbers: the steps are always the same, for a control loop with a deadline.
     ///
@@ -126,9 +126,9 @@ pub(super) struct Measured<'a, const C: usize> {
 impl<const C: usize> Measured<'_, C> {
     /// Splits the forces into parts along and across the normals, with an error bound of 1e-12 relative to each force.
     #[inline(always)]
-    fn write<const M: usize, X: Packed>(&self, normals: [&[X]; C], measured: &mut Forces<C, M, X>) {
+    fn write<X: Packed>(&self, normals: [&[X]; C], measured: &mut Forces<C, X>) {
         *measured = Forces::none();
-        for (i, force) in self.forces.iter().enumerate().take(M) {
+        for (i, force) in self.forces.iter().enumerate().take(MOST_CONTACTS) {
             let (normal, world) = (normals.map(|row| row[i]), force.map(X::all));
             let along = dot(&normal, &world);
             let part = &mut measured.of[i];
@@ -153,10 +153,10 @@ impl<const C: usize> ScreeningQuestion<C> for Measured<'_, C> {
     const UNKNOWN: Watched = Watched::UNKNOWN;
 
     #[inline(always)]
-    fn ask<V: Vectors, P: StickingSprings<C, M, X>, const M: usize, X: Packed>(
+    fn ask<V: Vectors, P: StickingSprings<C, X>, X: Packed>(
         &self,
-        scenes: &Scenes<'_, V, P, C, M, X>,
-        [to_come, measured, commands]: Room<'_, C, M, X>,
+        scenes: &Scenes<'_, V, P, C, X>,
+        [to_come, measured, commands]: Room<'_, C, X>,
         told: &mut Told<'_, Watched, X>,
     ) {
         let (friction, contacts) = (scenes.block.friction(), scenes.block.contacts);
@@ -164,7 +164,7 @@ impl<const C: usize> ScreeningQuestion<C> for Measured<'_, C> {
         self.write(scenes.block.normals(), measured);
         let first_slip = judged(scenes, measured, to_come);
         let (mut margin, mut tightest) = (X::all(f64::INFINITY), X::all(0.0));
-        for i in 0..count::<M, X>(contacts) {
+        for i in 0..count(contacts) {
             let cone = StickingCone::of(friction[i]);
             let t = cone.friction(&measured.of[i]);
             let here = cone.alpha * measured.of[i].normal - dot(&t, &t).sqrt();
