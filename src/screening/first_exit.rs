@@ -7,6 +7,7 @@ use super::forces::Forces;
 use super::lanes::Packed;
 use super::screened::Screened;
 use super::verdict::{Start, TOGETHER, verdicts};
+use crate::numerics::Vectors;
 
 /// A margin must close at this multiple of the rounding of its rate. A slower one closes at a factor of fewer than six digits, and the verdict is
 /// unclear.
@@ -70,8 +71,21 @@ fn known<X: Packed>(factor: X, closing: X, noise: X) -> X {
 }
 
 /// The verdicts on the scenes of a block, from the forces at factor zero and their rates.
+#[inline(never)]
+pub(super) fn judge<V: Vectors, const C: usize, X: Packed>(
+    v: V,
+    friction: &[X],
+    base: &Forces<C, X>,
+    rates: &Forces<C, X>,
+) -> X::Each<Screened> {
+    v.run(
+        #[inline(always)]
+        || judged(friction, base, rates),
+    )
+}
+
 #[inline(always)]
-pub(super) fn judge<const C: usize, X: Packed>(
+fn judged<const C: usize, X: Packed>(
     friction: &[X],
     base: &Forces<C, X>,
     rates: &Forces<C, X>,

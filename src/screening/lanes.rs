@@ -112,8 +112,10 @@ impl Packed for f64 {
     }
 }
 
-/// One number of each of [`LANES`] scenes. Every operation is a loop over the lanes, which the compiler turns into vector instructions.
+/// One number of each of [`LANES`] scenes. Every operation is a loop over the lanes, which the compiler turns into vector instructions. The alignment
+/// keeps these from straddling lines of the cache.
 #[derive(Debug, Clone, Copy)]
+#[repr(align(32))]
 pub(super) struct Lanes([f64; LANES]);
 
 impl Lanes {

@@ -11,6 +11,7 @@ use super::first_exit::SHARP;
 use super::forces::Forces;
 use super::lanes::{Packed, dot};
 use super::verdict::balanced;
+use crate::numerics::Vectors;
 
 /// A line must pass inside the cone by this multiple of the rounding of its margin; with less it may miss the cone, and the answer is unclear.
 const DEPTH: f64 = 4.0;
@@ -150,13 +151,22 @@ impl<X: Packed> LeastFactor<X> {
     }
 
     /// Adds the conditions of all contacts under one load, from the forces of the commands and of all else.
-    #[inline(always)]
-    pub(super) fn under<const C: usize>(
+    #[inline(never)]
+    pub(super) fn under<V: Vectors, const C: usize>(
         &mut self,
+        v: V,
         load: usize,
         friction: &[X],
-        [commands, others]: [&Forces<C, X>; 2],
+        forces: [&Forces<C, X>; 2],
     ) {
+        v.run(
+            #[inline(always)]
+            || self.add(load, friction, forces),
+        );
+    }
+
+    #[inline(always)]
+    fn add<const C: usize>(&mut self, load: usize, friction: &[X], [commands, others]: [&Forces<C, X>; 2]) {
         let (zero, one) = (X::all(0.0), X::all(1.0));
         for i in 0..count(friction.len()) {
             let cone = StickingCone::of(friction[i]);

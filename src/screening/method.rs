@@ -7,7 +7,6 @@
 
 use super::block::{Block, Layout, OneScene, Sizes};
 use super::lanes::Packed;
-use super::springs::StickingSprings;
 use super::triangle::{self, N, Triangle, others};
 
 /// A method for the forces of a scene.
@@ -72,7 +71,7 @@ pub(super) fn to_compliances<const C: usize>(scene: &mut OneScene<C>) {
 
 /// Scales of the rounding along edges; moment and force are zero where it would be too large.
 fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
-    let mut triangle = <Triangle<C, f64> as StickingSprings<C, f64>>::none();
+    let mut triangle = Triangle::none();
     triangle.ready(scene);
     let length = triangle.edge.map(|edge| edge.iter().map(|x| x * x).sum::<f64>().sqrt());
     let [c_n, c_t] = scene.springs();
@@ -102,8 +101,8 @@ fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::balance::RigidBody;
     use super::super::forces::{Forces, ON_THE_EDGE};
+    use super::super::springs::StickingSprings;
     use super::*;
     use crate::contact::ZERO_SLACK as ROUNDING;
     use crate::numerics::{Compiled, Draw};
@@ -148,11 +147,8 @@ mod tests {
     }
 
     /// Forces of a load, and of the commands.
-    fn forces<P: StickingSprings<3, f64>>(
-        scene: &Block<'_, 3, f64>,
-        load: &[f64],
-    ) -> [Forces<3, f64>; 2] {
-        let (mut ready, [mut loaded, mut squeezed]) = (P::none(), [Forces::none(); 2]);
+    fn forces(method: Method, scene: &Block<'_, 3, f64>, load: &[f64]) -> [Forces<3, f64>; 2] {
+        let (mut ready, [mut loaded, mut squeezed]) = (StickingSprings::none(method), [Forces::none(); 2]);
         ready.prepare(Compiled, scene);
         ready.load(Compiled, scene, load, &mut loaded);
         ready.squeeze(Compiled, scene, None, &mut squeezed);
@@ -174,8 +170,8 @@ mod tests {
                 continue;
             }
             count += 1;
-            let along = forces::<Triangle<3, f64>>(&compliant, &load);
-            let moved = forces::<RigidBody<3, f64>>(&stiff, &load);
+            let along = forces(Method::Edges, &compliant, &load);
+            let moved = forces(Method::Motions, &stiff, &load);
             let loaded = off(&along[0], &moved[0], 1.0);
             let commanded = off(&along[1], &moved[1], ROUNDING / ON_THE_EDGE);
             worst = [loaded, commanded].into_iter().fold(worst, f64::max);

@@ -1,15 +1,13 @@
 //! One grasp prepared for screening.
 
-use super::balance::RigidBody;
-use super::block::{Block, Layout, OneScene};
+use super::block::{Layout, OneScene};
 use super::cone::{OPENS_ONLY, STAYS};
 use super::forces::Forces;
 use super::method::{self, Method, is_a_pair, is_a_triangle};
-use super::pair::{self, Pair};
+use super::pair;
 use super::question::{Scenes, ScreeningQuestion};
 use super::springs::StickingSprings;
 use super::told::Told;
-use super::triangle::Triangle;
 use super::watch::{Measured, Watched};
 use crate::error::{Error, Field};
 use crate::grasp::{Contact, Hold};
@@ -19,19 +17,8 @@ use crate::numerics::Compiled;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct OneGrasp<const C: usize> {
     pub(super) scene: OneScene<C>,
-    ready: Ready<C>,
+    ready: StickingSprings<C, f64>,
     squeezed: Forces<C, f64>,
-}
-
-#[derive(Debug, Clone, Copy)]
-#[allow(clippy::large_enum_variant)] // none is ever moved about alone
-enum Ready<const C: usize> {
-    /// Closed form for a pair in the plane.
-    Pair(Pair<f64>),
-    /// Forces along the edges of a triangle in space.
-    Triangle(Triangle<C, f64>),
-    /// Factorised stiffness of the object.
-    RigidBody(RigidBody<C, f64>),
 }
 
 impl<const C: usize> OneGrasp<C> {
@@ -41,60 +28,23 @@ impl<const C: usize> OneGrasp<C> {
         for (index, contact) in contacts.iter().enumerate() {
             write(&mut scene, index, contact)?;
         }
-        let mut ready = Ready::RigidBody(RigidBody::none());
         if is_a_pair(&scene.block()) {
             pair::to_compliances(&mut scene);
-            ready = Ready::Pair(StickingSprings::<C, f64>::none());
         } else if is_a_triangle(&scene.block()) {
             method::to_compliances(&mut scene);
-            if Method::Edges.of(&scene.block()) == [true] {
-                ready = Ready::Triangle(StickingSprings::<C, f64>::none());
-            }
         }
+        let edges = Method::Edges.of(&scene.block()) == [true];
+        let ready = StickingSprings::none(if edges { Method::Edges } else { Method::Motions });
         let mut grasp = Self { scene, ready, squeezed: Forces::none() };
-        let (block, squeezed) = (grasp.scene.block(), &mut grasp.squeezed);
-        match &mut grasp.ready {
-            Ready::Pair(pair) => {
-                if const { C == 2 } {
-                    prepare(pair, &block, squeezed);
-                }
-            }
-            Ready::Triangle(triangle) => {
-                if const { C == 3 } {
-                    prepare(triangle, &block, squeezed);
-                }
-            }
-            Ready::RigidBody(body) => prepare(body, &block, squeezed),
-        }
+        let block = grasp.scene.block();
+        grasp.ready.prepare(Compiled, &block);
+        grasp.ready.squeeze(Compiled, &block, None, &mut grasp.squeezed);
         Ok(grasp)
     }
 
     /// Answers a question; `answers` has as many slots as the question has answers.
     pub(super) fn ask<Q: ScreeningQuestion<C>>(&self, question: &Q, answers: &mut [Q::Answer]) {
-        // Constants in braces keep pairs in space and triangles in the plane, which do not exist, from being compiled.
-        match &self.ready {
-            Ready::Pair(pair) => {
-                if const { C == 2 } {
-                    self.answer(pair, question, answers);
-                }
-            }
-            Ready::Triangle(triangle) => {
-                if const { C == 3 } {
-                    self.answer(triangle, question, answers);
-                }
-            }
-            Ready::RigidBody(body) => self.answer(body, question, answers),
-        }
-    }
-
-    fn answer<P: StickingSprings<C, f64>, Q: ScreeningQuestion<C>>(
-        &self,
-        ready: &P,
-        question: &Q,
-        answers: &mut [Q::Answer],
-    ) {
-        let (mut block, squeezed) = (self.scene.block(), &self.squeezed);
-        block.contacts = P::CONTACTS.unwrap_or(block.contacts);
+        let (block, ready, squeezed) = (self.scene.block(), &self.ready, &self.squeezed);
         // Forces that a question does not use are optimised away.
         let (mut a, mut b, mut c) = (Forces::none(), Forces::none(), Forces::none());
         let mut told = Told::new(answers, [true], [0, 1], Q::answers(block.contacts));
@@ -110,22 +60,8 @@ impl<const C: usize> OneGrasp<C> {
     }
 }
 
-/// Prepares a scene, and computes the forces of its commands.
-fn prepare<P: StickingSprings<C, f64>, const C: usize>(
-    ready: &mut P,
-    block: &Block<'_, C, f64>,
-    squeezed: &mut Forces<C, f64>,
-) {
-    ready.prepare(Compiled, block);
-    ready.squeeze(Compiled, block, None, squeezed);
-}
-
 /// Checks a contact and stores its numbers.
-fn write<const C: usize>(
-    scene: &mut OneScene<C>,
-    index: usize,
-    contact: &Contact<C>,
-) -> Result<(), Error> {
+fn write<const C: usize>(scene: &mut OneScene<C>, index: usize, contact: &Contact<C>) -> Result<(), Error> {
     contact.check(index)?;
     let suction = Some(contact.suction).filter(|suction| *suction != 0.0);
     for (field, value) in [(Field::Force, contact.force), (Field::Suction, suction)] {

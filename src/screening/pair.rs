@@ -20,9 +20,6 @@ use super::block::{Block, Commanded, Layout, OneScene, Sizes};
 use super::factors::NOTHING;
 use super::forces::{Forces, ON_THE_EDGE};
 use super::lanes::Packed;
-use super::method::Method;
-use super::moved::{self, ObjectMotion};
-use super::springs::{Cause, StickingSprings};
 use crate::contact::ZERO_SLACK as ROUNDING;
 use crate::numerics::Vectors;
 
@@ -147,11 +144,9 @@ impl<X: Packed> Pair<X> {
     }
 }
 
-impl<const C: usize, X: Packed> StickingSprings<C, X> for Pair<X> {
-    const METHOD: Method = Method::Edges;
-    const CONTACTS: Option<usize> = Some(2);
-
-    fn none() -> Self {
+impl<X: Packed> Pair<X> {
+    /// An empty value that [`Self::prepare`] fills.
+    pub(super) fn none() -> Self {
         let (zero, zeros) = (X::all(0.0), [X::all(0.0); 2]);
         Self {
             normal: [zeros; 2],
@@ -168,13 +163,39 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> for Pair<X> {
         }
     }
 
-    #[inline(always)]
-    fn prepare<V: Vectors>(&mut self, _: V, block: &Block<'_, C, X>) {
-        *self = Self::new(block);
+    #[inline(never)]
+    pub(super) fn prepare<V: Vectors, const C: usize>(&mut self, v: V, block: &Block<'_, C, X>) {
+        v.run(
+            #[inline(always)]
+            || *self = Self::new(block),
+        );
     }
 
+    #[inline(never)]
+    pub(super) fn load<V: Vectors, const C: usize>(&self, v: V, load: &[f64], forces: &mut Forces<C, X>) {
+        v.run(
+            #[inline(always)]
+            || self.loaded(load, forces),
+        );
+    }
+
+    #[inline(never)]
+    pub(super) fn squeeze<V: Vectors, const C: usize>(
+        &self,
+        v: V,
+        block: &Block<'_, C, X>,
+        others: Option<&Commanded<'_, C, X>>,
+        forces: &mut Forces<C, X>,
+    ) {
+        v.run(
+            #[inline(always)]
+            || self.squeezed(block, others, forces),
+        );
+    }
+
+    /// Forces of a load alone.
     #[inline(always)]
-    fn load<V: Vectors>(&self, _: V, _: &Block<'_, C, X>, load: &[f64], forces: &mut Forces<C, X>) {
+    fn loaded<const C: usize>(&self, load: &[f64], forces: &mut Forces<C, X>) {
         let zero = [X::all(0.0); 2];
         let load = [0, 1, 2].map(|k| X::all(load[k]));
         let s = (load[2] - (self.midpoint[0] * load[1] - self.midpoint[1] * load[0])) * self.one_over_square;
@@ -196,11 +217,10 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> for Pair<X> {
         (forces.unbalanced, forces.free) = (X::all(0.0), X::all(0.0));
     }
 
-    /// The forces act along the line through both contacts.
+    /// Forces of commands alone, which act along the line through both contacts.
     #[inline(always)]
-    fn squeeze<V: Vectors>(
+    fn squeezed<const C: usize>(
         &self,
-        _: V,
         block: &Block<'_, C, X>,
         others: Option<&Commanded<'_, C, X>>,
         forces: &mut Forces<C, X>,
@@ -218,18 +238,6 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> for Pair<X> {
             forces.rounding[i] = X::all(ON_THE_EDGE) * size;
         }
         (forces.unbalanced, forces.free) = (X::all(0.0), X::all(0.0));
-    }
-
-    #[inline(always)]
-    fn moved<V: Vectors>(
-        &self,
-        _: V,
-        block: &Block<'_, C, X>,
-        cause: &Cause<'_, C, X>,
-        forces: &Forces<C, X>,
-        moved: &mut ObjectMotion<C, X>,
-    ) {
-        moved::with_pair(block, cause, forces, moved);
     }
 }
 

@@ -1,16 +1,13 @@
 //! Screening of a part of a batch on one thread.
 
-use super::balance::RigidBody;
 use super::block::{Block, Layout};
 use super::forces::Forces;
 use super::lanes::{LANES, Lanes};
-use super::method::{is_a_pair, is_a_triangle};
-use super::pair::Pair;
+use super::method::Method;
 use super::question::{Scenes, ScreeningQuestion};
 use super::springs::StickingSprings;
 use super::told::Told;
-use super::triangle::Triangle;
-use crate::numerics::{Compiled, OnVectors, Vectors, on_the_widest};
+use crate::numerics::{OnVectors, Vectors, on_the_widest};
 
 /// Scenes, the questions about them, and the slots for their answers.
 pub(super) struct Part<'a, const C: usize, Q: ScreeningQuestion<C>> {
@@ -32,64 +29,32 @@ impl<const C: usize, Q: ScreeningQuestion<C>> OnVectors for Part<'_, C, Q> {
     type Output = ();
     #[inline(always)]
     fn on<V: Vectors>(self, vectors: V) {
-        self.screen_on(vectors);
-    }
-}
-
-impl<const C: usize, Q: ScreeningQuestion<C>> Part<'_, C, Q> {
-    #[inline(always)]
-    fn screen_on<V: Vectors>(self, vectors: V) {
         let contacts = self.contacts;
         let numbers = self.numbers.chunks_exact(Layout::<C>::numbers(contacts));
         let blocks = numbers.zip(self.parted.chunks_exact(2 * contacts));
         let of_block = LANES * self.questions.len() * Q::answers(contacts);
-        let blocks = blocks.zip(self.answers.chunks_mut(of_block));
-        let questions = self.questions;
-        let mut edges = Answering::<_, Triangle<C, Lanes>, C>::on(vectors);
-        let mut motions = Answering::<_, RigidBody<C, Lanes>, C>::on(vectors);
-        for ((numbers, parted), answers) in blocks {
-            let block = Block { contacts, numbers, parted };
-            if const { C == 2 } && is_a_pair(&block) {
-                answer_pairs(vectors, &block, questions, answers);
-                continue;
+        let mut methods =
+            [Method::Edges, Method::Motions].map(|method| Answering::<V, C>::on(vectors, method));
+        for ((numbers, parted), answers) in blocks.zip(self.answers.chunks_mut(of_block)) {
+            for method in &mut methods {
+                method.answer(&Block { contacts, numbers, parted }, self.questions, answers);
             }
-            if const { C == 3 } && is_a_triangle(&block) {
-                edges.answer(&block, questions, answers);
-            }
-            motions.answer(&block, questions, answers);
         }
     }
 }
 
-/// Pairs have the shortest method, which is compiled as one function.
-#[inline(never)]
-fn answer_pairs<V: Vectors, const C: usize, Q: ScreeningQuestion<C>>(
-    vectors: V,
-    block: &Block<'_, C, Lanes>,
-    questions: &[Q],
-    answers: &mut [Q::Answer],
-) {
-    vectors.run(
-        #[inline(always)]
-        || {
-            let block = Block { contacts: 2, ..*block };
-            Answering::<_, Pair<Lanes>, C>::on(Compiled).answer(&block, questions, answers);
-        },
-    );
-}
-
 /// The working memory of one method for a block of scenes.
-struct Answering<V, P, const C: usize> {
+struct Answering<V, const C: usize> {
     vectors: V,
-    ready: P,
+    ready: StickingSprings<C, Lanes>,
     squeezed: Forces<C, Lanes>,
     room: [Forces<C, Lanes>; 3],
 }
 
-impl<V: Vectors, P: StickingSprings<C, Lanes>, const C: usize> Answering<V, P, C> {
-    #[inline(always)]
-    fn on(vectors: V) -> Self {
-        Self { vectors, ready: P::none(), squeezed: Forces::none(), room: [Forces::none(); 3] }
+impl<V: Vectors, const C: usize> Answering<V, C> {
+    fn on(vectors: V, method: Method) -> Self {
+        let ready = StickingSprings::none(method);
+        Self { vectors, ready, squeezed: Forces::none(), room: [Forces::none(); 3] }
     }
 
     /// Answers the questions for those scenes of a block that use this method.
@@ -100,7 +65,7 @@ impl<V: Vectors, P: StickingSprings<C, Lanes>, const C: usize> Answering<V, P, C
         questions: &[Q],
         answers: &mut [Q::Answer],
     ) {
-        let these = P::METHOD.of(block);
+        let these = self.ready.method().of(block);
         if these == [false; LANES] {
             return;
         }

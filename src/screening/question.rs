@@ -11,10 +11,10 @@ use crate::numerics::Vectors;
 
 /// Prepared scenes, one in each lane. They are borrowed because they are too large to be moved for every block.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Scenes<'a, V, P, const C: usize, X: Packed> {
+pub(crate) struct Scenes<'a, V, const C: usize, X: Packed> {
     pub(super) vectors: V,
     pub(super) block: Block<'a, C, X>,
-    pub(super) ready: &'a P,
+    pub(super) ready: &'a StickingSprings<C, X>,
     /// Forces of the commands less the clearances, without load.
     pub(super) squeezed: &'a Forces<C, X>,
 }
@@ -32,17 +32,15 @@ pub(crate) trait ScreeningQuestion<const C: usize>: Sync + Sized {
         1
     }
     /// Implementations must be inlined, or the caller's vector instructions would not be used.
-    fn ask<V: Vectors, P: StickingSprings<C, X>, X: Packed>(
+    fn ask<V: Vectors, X: Packed>(
         &self,
-        scenes: &Scenes<'_, V, P, C, X>,
+        scenes: &Scenes<'_, V, C, X>,
         room: Room<'_, C, X>,
         told: &mut Told<'_, Self::Answer, X>,
     );
 }
 
-impl<V: Vectors, P: StickingSprings<C, X>, const C: usize, X: Packed>
-    Scenes<'_, V, P, C, X>
-{
+impl<V: Vectors, const C: usize, X: Packed> Scenes<'_, V, C, X> {
     /// The forces of a load alone.
     #[inline(always)]
     pub(super) fn under(&self, load: &Wrench<C>, forces: &mut Forces<C, X>) {

@@ -22,9 +22,6 @@ use super::block::{Block, Commanded};
 use super::factors::LaneFactors;
 use super::forces::{Forces, ON_THE_EDGE};
 use super::lanes::{Packed, cross, dot};
-use super::method::Method;
-use super::moved::{self, ObjectMotion};
-use super::springs::{Cause, StickingSprings};
 use crate::contact::ZERO_SLACK as ROUNDING;
 use crate::numerics::Vectors;
 
@@ -228,11 +225,9 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
     }
 }
 
-impl<const C: usize, X: Packed> StickingSprings<C, X> for Triangle<C, X> {
-    const METHOD: Method = Method::Edges;
-    const CONTACTS: Option<usize> = None;
-
-    fn none() -> Self {
+impl<const C: usize, X: Packed> Triangle<C, X> {
+    /// An empty value that [`Self::prepare`] fills.
+    pub(super) fn none() -> Self {
         let (none, zero) = ([X::all(0.0); N], X::all(0.0));
         Self {
             edge: [[zero; C]; N],
@@ -248,7 +243,7 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> for Triangle<C, X> {
     }
 
     #[inline(never)]
-    fn prepare<V: Vectors>(&mut self, v: V, block: &Block<'_, C, X>) {
+    pub(super) fn prepare<V: Vectors>(&mut self, v: V, block: &Block<'_, C, X>) {
         v.run(
             #[inline(always)]
             || self.ready(block),
@@ -256,7 +251,13 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> for Triangle<C, X> {
     }
 
     #[inline(never)]
-    fn load<V: Vectors>(&self, v: V, block: &Block<'_, C, X>, load: &[f64], forces: &mut Forces<C, X>) {
+    pub(super) fn load<V: Vectors>(
+        &self,
+        v: V,
+        block: &Block<'_, C, X>,
+        load: &[f64],
+        forces: &mut Forces<C, X>,
+    ) {
         v.run(
             #[inline(always)]
             || self.loaded(block, load, forces),
@@ -264,7 +265,7 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> for Triangle<C, X> {
     }
 
     #[inline(never)]
-    fn squeeze<V: Vectors>(
+    pub(super) fn squeeze<V: Vectors>(
         &self,
         v: V,
         block: &Block<'_, C, X>,
@@ -274,21 +275,6 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> for Triangle<C, X> {
         v.run(
             #[inline(always)]
             || self.squeezed(block, others, forces),
-        );
-    }
-
-    #[inline(never)]
-    fn moved<V: Vectors>(
-        &self,
-        v: V,
-        block: &Block<'_, C, X>,
-        cause: &Cause<'_, C, X>,
-        forces: &Forces<C, X>,
-        moved: &mut ObjectMotion<C, X>,
-    ) {
-        v.run(
-            #[inline(always)]
-            || moved::with_triangle(self, block, cause, forces, moved),
         );
     }
 }

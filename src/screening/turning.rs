@@ -26,7 +26,7 @@ use super::lanes::{Packed, dot};
 use super::screened::ScreenedTurn;
 use super::verdict::{Start, TOGETHER, verdicts};
 use crate::contact::ZERO_SLACK as ROUNDING;
-use crate::numerics::{Harmonic, Turning};
+use crate::numerics::{Harmonic, Turning, Vectors};
 
 /// A margin must be able to fall this multiple of its rounding below zero before it can bend back, or its root is unclear. With a smaller number
 /// rounding could create or lose roots.
@@ -87,11 +87,7 @@ struct Waves<const C: usize, X: Packed> {
 
 impl<const C: usize, X: Packed> Waves<C, X> {
     #[inline(always)]
-    fn new(
-        cone: &StickingCone<X>,
-        contact: usize,
-        forces: &Harmonic<&Forces<C, X>>,
-    ) -> Self {
+    fn new(cone: &StickingCone<X>, contact: usize, forces: &Harmonic<&Forces<C, X>>) -> Self {
         let Harmonic { constant, cosine, sine } = forces;
         let standing = X::all(ROUNDING / ON_THE_EDGE) * constant.rounding[contact];
         let rounding = standing + (cosine.rounding[contact] + sine.rounding[contact]);
@@ -231,8 +227,21 @@ fn straight<X: Packed>(margin: &Harmonic<X>, noise: X) -> Fall<X> {
 }
 
 /// The verdicts on the scenes of a block up to the angle `most` (rad; infinite for a full turn), from their forces as functions of the angle.
+#[inline(never)]
+pub(super) fn judge<V: Vectors, const C: usize, X: Packed>(
+    v: V,
+    friction: &[X],
+    forces: &Harmonic<&Forces<C, X>>,
+    most: f64,
+) -> X::Each<ScreenedTurn> {
+    v.run(
+        #[inline(always)]
+        || judged(friction, forces, most),
+    )
+}
+
 #[inline(always)]
-pub(super) fn judge<const C: usize, X: Packed>(
+fn judged<const C: usize, X: Packed>(
     friction: &[X],
     forces: &Harmonic<&Forces<C, X>>,
     most: f64,

@@ -5,16 +5,15 @@ use core::fmt;
 use super::block::{MOST_CONTACTS, count};
 use super::cone::StickingCone;
 use super::fingers::Fingers;
+use super::first_exit::judge;
 use super::first_slip::SlipCode;
 use super::forces::{Forces, ON_THE_EDGE};
 use super::kernels::Kernels;
 use super::lanes::{Packed, dot};
 use super::least_factor::LeastFactor;
-use super::pull::judged;
 use super::question::{Room, Scenes, ScreeningQuestion};
 use super::screened::Screened;
 use super::screened_squeeze::ScreenedSqueeze;
-use super::springs::StickingSprings;
 use super::told::Told;
 use crate::contact::ZERO_SLACK as ROUNDING;
 use crate::error::{ContactLabel, Error, Field};
@@ -153,16 +152,16 @@ impl<const C: usize> ScreeningQuestion<C> for Measured<'_, C> {
     const UNKNOWN: Watched = Watched::UNKNOWN;
 
     #[inline(always)]
-    fn ask<V: Vectors, P: StickingSprings<C, X>, X: Packed>(
+    fn ask<V: Vectors, X: Packed>(
         &self,
-        scenes: &Scenes<'_, V, P, C, X>,
+        scenes: &Scenes<'_, V, C, X>,
         [to_come, measured, commands]: Room<'_, C, X>,
         told: &mut Told<'_, Watched, X>,
     ) {
         let (friction, contacts) = (scenes.block.friction(), scenes.block.contacts);
         scenes.under(self.to_come, to_come);
         self.write(scenes.block.normals(), measured);
-        let first_slip = judged(scenes, measured, to_come);
+        let first_slip = judge(scenes.vectors, friction, measured, to_come);
         let (mut margin, mut tightest) = (X::all(f64::INFINITY), X::all(0.0));
         for i in 0..count(contacts) {
             let cone = StickingCone::of(friction[i]);
@@ -178,7 +177,7 @@ impl<const C: usize> ScreeningQuestion<C> for Measured<'_, C> {
         to_come.add_to(contacts, measured, 1.0);
         scenes.apart([commands, measured]);
         let mut enough = LeastFactor::new();
-        enough.under(0, friction, [&*commands, &*to_come]);
+        enough.under(scenes.vectors, 0, friction, [&*commands, &*to_come]);
         let (code, binding) = enough.least();
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // it is a small whole number
         told.each(X::each(|scene| Watched {
