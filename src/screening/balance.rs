@@ -151,7 +151,7 @@ fn add<const C: usize, X: Packed>(t: &mut [[X; 6]; 6], finger: &LaneFinger<C, X>
     for axis in 0..C {
         t[axis][axis] += tangential;
     }
-    if C == 2 {
+    if const { C == 2 } {
         t[2][0] -= pulled[1];
         t[2][1] += pulled[0];
         t[2][2] += square;

@@ -74,7 +74,7 @@ impl<const C: usize, X: Packed> LeavingEdge<C, X> {
             let mut size = force.normal.abs() + self.factor * rate.normal.abs();
             force.normal += self.factor * rate.normal;
             // In the plane only the first tangential entry is used.
-            for axis in 0..if C == 2 { 1 } else { C } {
+            for axis in 0..if const { C == 2 } { 1 } else { C } {
                 let changed = self.factor * rate.tangential[axis];
                 size += force.tangential[axis].abs() + changed.abs();
                 force.tangential[axis] += changed;

@@ -43,7 +43,7 @@ fn exit<const C: usize, X: Packed>(
     let (factor, margin);
     // Minus infinity where squares over- or underflow, so that nothing is certain.
     let mut lost = zero;
-    if C == 2 {
+    if const { C == 2 } {
         let [t, dt] = [cone.beta * force.tangential[0], cone.beta * rate.tangential[0]];
         let (one, two) = (n - t, n + t);
         let (closing_one, closing_two) = (dt - dn, -(dt + dn));

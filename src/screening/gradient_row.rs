@@ -110,7 +110,7 @@ impl<const C: usize, X: Packed> Slopes<'_, C, X> {
             Method::Edges => [k_n, k_t],
             Method::Motions => [give(k_n), give(k_t)],
         };
-        if C == 2 && self.method == Method::Edges {
+        if const { C == 2 } && self.method == Method::Edges {
             // If one contact of a pair has no friction, commands leave no forces; c_n = 0 marks such a pair. P is then zero, and the compliances
             // serve for the motion of the object alone.
             let squeezes = k_n.above(zero, scale, zero);

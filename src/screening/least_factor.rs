@@ -178,7 +178,7 @@ impl<X: Packed> LeastFactor<X> {
             let (t, dt) = (cone.friction(force), cone.friction(gain));
             let binding = X::all((8 * load + i) as f64);
             self.know([n.abs(), dn.abs()]);
-            if C == 2 {
+            if const { C == 2 } {
                 for (value, gain) in [(n - t[0], dn - dt[0]), (n + t[0], dn + dt[0])] {
                     let margin = Margin { value, gain, noise, gain_noise };
                     self.narrow(&margin, &margin.straight(), binding);

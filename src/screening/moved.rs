@@ -110,7 +110,7 @@ fn off_the_spring<const C: usize, X: Packed>(
 /// the change of the normal, `(u × F) × n`.
 #[inline(always)]
 pub(super) fn worked<const C: usize, X: Packed>([turn, at, force, normal]: [&[X; C]; 4]) -> ([X; C], [X; C]) {
-    if C == 2 {
+    if const { C == 2 } {
         let (mut moved, mut tilted) = (*force, *normal);
         moved[0] = -(turn[0] * force[1]);
         moved[1] = turn[0] * force[0];

@@ -28,9 +28,9 @@ impl<const C: usize> OneGrasp<C> {
         for (index, contact) in contacts.iter().enumerate() {
             write(&mut scene, index, contact)?;
         }
-        if is_a_pair(&scene.block()) {
+        if const { C == 2 } && is_a_pair(&scene.block()) {
             pair::to_compliances(&mut scene);
-        } else if is_a_triangle(&scene.block()) {
+        } else if const { C == 3 } && is_a_triangle(&scene.block()) {
             method::to_compliances(&mut scene);
         }
         let edges = Method::Edges.of(&scene.block()) == [true];

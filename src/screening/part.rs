@@ -33,50 +33,24 @@ impl<const C: usize, Q: ScreeningQuestion<C>> OnVectors for Part<'_, C, Q> {
         let numbers = self.numbers.chunks_exact(Layout::<C>::numbers(contacts));
         let blocks = numbers.zip(self.parted.chunks_exact(2 * contacts));
         let of_block = LANES * self.questions.len() * Q::answers(contacts);
-        let mut methods =
-            [Method::Edges, Method::Motions].map(|method| Answering::<V, C>::on(vectors, method));
+        let mut methods = [Method::Edges, Method::Motions].map(StickingSprings::none);
+        let (mut squeezed, mut room) = (Forces::none(), [Forces::none(); 3]);
         for ((numbers, parted), answers) in blocks.zip(self.answers.chunks_mut(of_block)) {
-            for method in &mut methods {
-                method.answer(&Block { contacts, numbers, parted }, self.questions, answers);
+            let block = Block { contacts, numbers, parted };
+            for ready in &mut methods {
+                let these = ready.method().of(&block);
+                if these == [false; LANES] {
+                    continue;
+                }
+                ready.prepare(vectors, &block);
+                ready.squeeze(vectors, &block, None, &mut squeezed);
+                let scenes = Scenes { vectors, block, ready, squeezed: &squeezed };
+                for (k, question) in self.questions.iter().enumerate() {
+                    let place = [k, self.questions.len()];
+                    let mut told = Told::new(answers, these, place, Q::answers(contacts));
+                    question.ask(&scenes, room.each_mut(), &mut told);
+                }
             }
-        }
-    }
-}
-
-/// The working memory of one method for a block of scenes.
-struct Answering<V, const C: usize> {
-    vectors: V,
-    ready: StickingSprings<C, Lanes>,
-    squeezed: Forces<C, Lanes>,
-    room: [Forces<C, Lanes>; 3],
-}
-
-impl<V: Vectors, const C: usize> Answering<V, C> {
-    fn on(vectors: V, method: Method) -> Self {
-        let ready = StickingSprings::none(method);
-        Self { vectors, ready, squeezed: Forces::none(), room: [Forces::none(); 3] }
-    }
-
-    /// Answers the questions for those scenes of a block that use this method.
-    #[inline(always)]
-    fn answer<Q: ScreeningQuestion<C>>(
-        &mut self,
-        block: &Block<'_, C, Lanes>,
-        questions: &[Q],
-        answers: &mut [Q::Answer],
-    ) {
-        let these = self.ready.method().of(block);
-        if these == [false; LANES] {
-            return;
-        }
-        let Self { vectors, ready, squeezed, room } = self;
-        ready.prepare(*vectors, block);
-        ready.squeeze(*vectors, block, None, squeezed);
-        let scenes = Scenes { vectors: *vectors, block: *block, ready: &*ready, squeezed: &*squeezed };
-        for (k, question) in questions.iter().enumerate() {
-            let [a, b, c] = &mut *room;
-            let mut told = Told::new(answers, these, [k, questions.len()], Q::answers(block.contacts));
-            question.ask(&scenes, [a, b, c], &mut told);
         }
     }
 }

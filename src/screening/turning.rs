@@ -119,13 +119,13 @@ impl<const C: usize, X: Packed> Waves<C, X> {
         for axis in 0..C {
             t[axis] += self.t.cosine[axis];
         }
-        n - if C == 2 { t[0].abs() } else { dot(&t, &t).sqrt() }
+        n - if const { C == 2 } { t[0].abs() } else { dot(&t, &t).sqrt() }
     }
 
     /// The first root of the margin.
     #[inline(always)]
     fn fall(&self, cone: &StickingCone<X>, sticking: X) -> Fall<X> {
-        if C == 2 {
+        if const { C == 2 } {
             let t = self.t.map(|t| t[0]);
             let side = |sign: f64| {
                 let part = |n: X, t: X| n + X::all(sign) * t;

@@ -133,7 +133,7 @@ impl<const C: usize> Measured<'_, C> {
             let part = &mut measured.of[i];
             part.normal = along;
             let mut size = along.abs();
-            if C == 2 {
+            if const { C == 2 } {
                 part.tangential[0] = normal[1] * world[0] - normal[0] * world[1];
                 size += part.tangential[0].abs();
             } else {

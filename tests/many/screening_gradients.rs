@@ -128,7 +128,7 @@ fn agree<const D: usize, const C: usize, const N: usize>(scenes: usize) -> (usiz
         let contacts = contacts::<C, N>(&mut random, place);
         let base = if scene % 3 == 0 { 0.0 } else { 0.03 };
         let pull = [load::<D, C>(&mut random, base, place), load::<D, C>(&mut random, 0.5, place)];
-        let fingers = Fingers::<D, C, N>::new(&contacts).unwrap();
+        let fingers = Fingers::<C, N>::new(&contacts).unwrap();
         let asked = Pull::new(&pull[0], &pull[1]).unwrap();
         let each = fingers.onset_gradients(&asked);
         assert_eq!(each.len(), fingers.onset(&asked).leaving().count());
@@ -169,7 +169,7 @@ fn pairs_in_space_know_what_leaves_their_line() {
             .friction(friction)
             .pressed_with(10.0)
     };
-    let fingers = Fingers::<6, 3, 2>::new(&[finger(-1.0, 0.5), finger(1.0, 0.4)]).unwrap();
+    let fingers = Fingers::<3, 2>::new(&[finger(-1.0, 0.5), finger(1.0, 0.4)]).unwrap();
     let pull = Pull::new(&Wrench::ZERO, &spatial::Wrench::force([0.0, 0.0, -1.0])).unwrap();
     let gradients = fingers.onset_gradients(&pull);
     let gradient = gradients.get(0).unwrap();
@@ -192,7 +192,7 @@ fn ties_are_told_and_each_has_its_gradient() {
             .friction(0.5)
             .pressed_with(6.0)
     };
-    let fingers = Fingers::<6, 3, 3>::new(&[finger(0.0), finger(1.0), finger(2.0)]).unwrap();
+    let fingers = Fingers::<3, 3>::new(&[finger(0.0), finger(1.0), finger(2.0)]).unwrap();
     let down = Pull::new(&Wrench::ZERO, &spatial::Wrench::force([0.0, 0.0, -1.0])).unwrap();
     let gradients = fingers.onset_gradients(&down);
     assert_eq!(gradients.len(), 3);
@@ -218,7 +218,7 @@ fn a_finger_pulled_off_leaves_through_the_apex() {
     let finger = |x: f64| {
         Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).pressed_with(10.0)
     };
-    let fingers = Fingers::<3, 2, 2>::new(&[finger(-1.0), finger(1.0)]).unwrap();
+    let fingers = Fingers::<2, 2>::new(&[finger(-1.0), finger(1.0)]).unwrap();
     let off = Pull::new(&Wrench::ZERO, &planar::Wrench::force([1.0, 0.0])).unwrap();
     let gradients = fingers.onset_gradients(&off);
     let gradient = gradients.get(0).unwrap();
@@ -234,7 +234,7 @@ fn without_a_factor_no_gradient() {
     let finger = |x: f64| {
         Contact::new([x, 0.0], [-x, 0.0]).series_stiffness(1e3, 8e2).friction(0.5).pressed_with(10.0)
     };
-    let fingers = Fingers::<3, 2, 2>::new(&[finger(-1.0), finger(1.0)]).unwrap();
+    let fingers = Fingers::<2, 2>::new(&[finger(-1.0), finger(1.0)]).unwrap();
     let down = planar::Wrench::force([0.0, -1.0]);
     for pull in [[down * 30.0, down], [Wrench::ZERO, Wrench::ZERO]] {
         let pull = Pull::new(&pull[0], &pull[1]).unwrap();
@@ -253,9 +253,8 @@ fn without_a_factor_no_gradient() {
 /// Grasps of every kind in one batch, under several loads: whoever asks, and on how many threads, gets the same bits.
 fn same_bits<const D: usize, const C: usize, const N: usize>() {
     let mut random = Random(7 + N as u64);
-    let fingers: Vec<_> = (0..3001)
-        .map(|k| Fingers::<D, C, N>::new(&contacts(&mut random, f64::from(k % 2))).unwrap())
-        .collect();
+    let fingers: Vec<_> =
+        (0..3001).map(|k| Fingers::<C, N>::new(&contacts(&mut random, f64::from(k % 2))).unwrap()).collect();
     let mut batch = Batch::with_capacity(fingers.len());
     for fingers in &fingers {
         batch.push(fingers);
