@@ -46,7 +46,7 @@ impl<const C: usize, const N: usize> Fingers<C, N> {
     /// both tangents. A contact must not be held by a force or by suction.
     pub fn new(contacts: &[Contact<C>; N]) -> Result<Self, Error> {
         const { assert!(2 <= N && N <= MOST_CONTACTS, "screening is for two to five contacts") };
-        Ok(Self { grasp: (Kernels::get().prepare)(contacts)? })
+        (Kernels::get().prepare)(contacts).map(|grasp| Self { grasp })
     }
 
     /// The factor at which the first contact stops sticking as the load grows, and the contacts that leave there. Where screening cannot decide, the

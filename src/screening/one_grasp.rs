@@ -24,21 +24,23 @@ pub(super) struct OneGrasp<const C: usize> {
 impl<const C: usize> OneGrasp<C> {
     /// Checks and prepares the contacts, two to five.
     pub(super) fn new(contacts: &[Contact<C>]) -> Result<Self, Error> {
-        let mut scene = OneScene::new(contacts.len());
+        let (scene, ready) = (OneScene::new(contacts.len()), StickingSprings::none(Method::Edges));
+        let mut grasp = Self { scene, ready, squeezed: Forces::none() };
+        let Self { scene, ready, squeezed } = &mut grasp;
         for (index, contact) in contacts.iter().enumerate() {
-            write(&mut scene, index, contact)?;
+            write(scene, index, contact)?;
         }
         if const { C == 2 } && is_a_pair(&scene.block()) {
-            pair::to_compliances(&mut scene);
+            pair::to_compliances(scene);
         } else if const { C == 3 } && is_a_triangle(&scene.block()) {
-            method::to_compliances(&mut scene);
+            method::to_compliances(scene);
         }
-        let edges = Method::Edges.of(&scene.block()) == [true];
-        let ready = StickingSprings::none(if edges { Method::Edges } else { Method::Motions });
-        let mut grasp = Self { scene, ready, squeezed: Forces::none() };
-        let block = grasp.scene.block();
-        grasp.ready.prepare(Compiled, &block);
-        grasp.ready.squeeze(Compiled, &block, None, &mut grasp.squeezed);
+        let block = scene.block();
+        if Method::Motions.of(&block) == [true] {
+            *ready = StickingSprings::none(Method::Motions);
+        }
+        ready.prepare(Compiled, &block);
+        ready.squeeze(Compiled, &block, None, squeezed);
         Ok(grasp)
     }
 
