@@ -90,9 +90,9 @@ pub type PathEnd = crate::load_path::PathEnd<2>;
 /// A load program being followed; see [`crate::load_path::LoadPath`].
 pub type LoadPath<'g> = crate::load_path::LoadPath<'g, 2>;
 /// A few contacts prepared for screening; see [`crate::screening::Fingers`].
-pub type Fingers<const N: usize> = crate::screening::Fingers<3, 2, N>;
+pub type Fingers<const N: usize> = crate::screening::Fingers<2, N>;
 /// Many grasps prepared for screening; see [`crate::screening::Batch`].
-pub type Batch<const N: usize> = crate::screening::Batch<3, 2, N>;
+pub type Batch<const N: usize> = crate::screening::Batch<2, N>;
 /// A load for screening; see [`crate::screening::Pull`].
 pub type Pull = crate::screening::Pull<2>;
 /// A load for screening that turns; see [`crate::screening::TurningPull`].

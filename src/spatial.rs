@@ -91,9 +91,9 @@ pub type PathEnd = crate::load_path::PathEnd<3>;
 /// A load program being followed; see [`crate::load_path::LoadPath`].
 pub type LoadPath<'g> = crate::load_path::LoadPath<'g, 3>;
 /// A few contacts prepared for screening; see [`crate::screening::Fingers`].
-pub type Fingers<const N: usize> = crate::screening::Fingers<6, 3, N>;
+pub type Fingers<const N: usize> = crate::screening::Fingers<3, N>;
 /// Many grasps prepared for screening; see [`crate::screening::Batch`].
-pub type Batch<const N: usize> = crate::screening::Batch<6, 3, N>;
+pub type Batch<const N: usize> = crate::screening::Batch<3, N>;
 /// A load for screening; see [`crate::screening::Pull`].
 pub type Pull = crate::screening::Pull<3>;
 /// A load for screening that turns; see [`crate::screening::TurningPull`].

@@ -43,8 +43,8 @@ struct Gradients;
 impl Asked for Gradients {
     type Answer = Slopes;
 
-    fn screened<const D: usize, const C: usize, const N: usize>(rows: &Rows<'_, C>) -> Slopes {
-        rows.slopes::<D, N>()
+    fn screened<const C: usize, const N: usize>(rows: &Rows<'_, C>) -> Slopes {
+        rows.slopes::<N>()
     }
 
     fn whole<const C: usize>(_: &Rows<'_, C>) -> Option<Slopes> {
@@ -53,8 +53,8 @@ impl Asked for Gradients {
 }
 
 impl<const C: usize> Rows<'_, C> {
-    fn slopes<const D: usize, const N: usize>(&self) -> Slopes {
-        let mut parts = self.in_chunks(|rows| self.differentiate::<D, N>(rows)).into_iter();
+    fn slopes<const N: usize>(&self) -> Slopes {
+        let mut parts = self.in_chunks(|rows| self.differentiate::<N>(rows)).into_iter();
         let Some(mut all) = parts.next() else { return Slopes { numbers: Vec::new(), status: Vec::new() } };
         for part in parts {
             all.numbers.extend(part.numbers);
@@ -63,12 +63,12 @@ impl<const C: usize> Rows<'_, C> {
         all
     }
 
-    fn differentiate<const D: usize, const N: usize>(&self, rows: Range<usize>) -> Slopes {
+    fn differentiate<const N: usize>(&self, rows: Range<usize>) -> Slopes {
         let each = if self.own { 1 } else { self.pulls.len() };
         let mut slopes = Slopes::unclear(rows.len() * each, ScreenedGradients::<C>::width(N));
         let asked: Vec<Pull<C>> =
             if self.own { Vec::new() } else { self.pulls.iter().flatten().copied().collect() };
-        let mut batch = Batch::<D, C, N>::with_capacity(if self.own { 0 } else { rows.len() });
+        let mut batch = Batch::<C, N>::with_capacity(if self.own { 0 } else { rows.len() });
         let (mut screened, mut gradients) = (Vec::with_capacity(rows.len()), ScreenedGradients::new());
         let first = rows.start;
         for row in rows {

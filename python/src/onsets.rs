@@ -45,8 +45,8 @@ struct Onsets;
 impl Asked for Onsets {
     type Answer = Found;
 
-    fn screened<const D: usize, const C: usize, const N: usize>(rows: &Rows<'_, C>) -> Found {
-        rows.screened::<D, N>()
+    fn screened<const C: usize, const N: usize>(rows: &Rows<'_, C>) -> Found {
+        rows.screened::<N>()
     }
 
     fn whole<const C: usize>(rows: &Rows<'_, C>) -> Option<Found> {
@@ -78,8 +78,8 @@ impl<const C: usize> Rows<'_, C> {
     }
 
     /// Screens all rows, as grasps of `N` contacts.
-    fn screened<const D: usize, const N: usize>(&self) -> Found {
-        self.each(|rows| self.screen::<D, N>(rows))
+    fn screened<const N: usize>(&self) -> Found {
+        self.each(|rows| self.screen::<N>(rows))
     }
 
     /// Answers all rows by the full method, one grasp after the other, for any number of contacts.
@@ -94,12 +94,12 @@ impl<const C: usize> Rows<'_, C> {
         })
     }
 
-    fn screen<const D: usize, const N: usize>(&self, rows: Range<usize>) -> Found {
+    fn screen<const N: usize>(&self, rows: Range<usize>) -> Found {
         let mut found = self.found(rows.len());
         let each = found.factor.len() / rows.len().max(1);
         let asked: Vec<Pull<C>> =
             if self.own { Vec::new() } else { self.pulls.iter().flatten().copied().collect() };
-        let mut batch = Batch::<D, C, N>::with_capacity(if self.own { 0 } else { rows.len() });
+        let mut batch = Batch::<C, N>::with_capacity(if self.own { 0 } else { rows.len() });
         let mut screened = Vec::with_capacity(rows.len());
         let mut left = Vec::new();
         let first = rows.start;
@@ -134,9 +134,9 @@ impl<const C: usize> Rows<'_, C> {
     }
 
     /// Copies the answers of a batch to the places of their rows and loads. `screened` has the row of each grasp in the batch.
-    fn scatter<const D: usize, const N: usize>(
+    fn scatter<const N: usize>(
         &self,
-        batch: &Batch<D, C, N>,
+        batch: &Batch<C, N>,
         asked: &[Pull<C>],
         screened: &[usize],
         found: &mut Found,

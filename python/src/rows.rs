@@ -33,8 +33,8 @@ pub(crate) enum Status {
 pub(crate) trait Asked {
     type Answer;
 
-    /// Answers for grasps of `D` coordinates and `N` contacts.
-    fn screened<const D: usize, const C: usize, const N: usize>(rows: &Rows<'_, C>) -> Self::Answer;
+    /// Answers for grasps of `N` contacts.
+    fn screened<const C: usize, const N: usize>(rows: &Rows<'_, C>) -> Self::Answer;
 
     /// Answers for grasps of any other number of contacts; `None` if the question does not support them.
     fn whole<const C: usize>(rows: &Rows<'_, C>) -> Option<Self::Answer>;
@@ -50,15 +50,15 @@ pub(crate) fn by_size<'a, A: Asked>(
     let in_plane = || Rows::<2>::new(columns, loads, own, complete);
     let in_space = || Rows::<3>::new(columns, loads, own, complete);
     match (columns.axes(), columns.contacts()) {
-        (2, 2) => Some(A::screened::<3, 2, 2>(&in_plane())),
-        (2, 3) => Some(A::screened::<3, 2, 3>(&in_plane())),
-        (2, 4) => Some(A::screened::<3, 2, 4>(&in_plane())),
-        (2, 5) => Some(A::screened::<3, 2, 5>(&in_plane())),
+        (2, 2) => Some(A::screened::<2, 2>(&in_plane())),
+        (2, 3) => Some(A::screened::<2, 3>(&in_plane())),
+        (2, 4) => Some(A::screened::<2, 4>(&in_plane())),
+        (2, 5) => Some(A::screened::<2, 5>(&in_plane())),
         (2, _) => A::whole(&in_plane()),
-        (3, 2) => Some(A::screened::<6, 3, 2>(&in_space())),
-        (3, 3) => Some(A::screened::<6, 3, 3>(&in_space())),
-        (3, 4) => Some(A::screened::<6, 3, 4>(&in_space())),
-        (3, 5) => Some(A::screened::<6, 3, 5>(&in_space())),
+        (3, 2) => Some(A::screened::<3, 2>(&in_space())),
+        (3, 3) => Some(A::screened::<3, 3>(&in_space())),
+        (3, 4) => Some(A::screened::<3, 4>(&in_space())),
+        (3, 5) => Some(A::screened::<3, 5>(&in_space())),
         (3, _) => A::whole(&in_space()),
         _ => None,
     }

@@ -19,7 +19,7 @@ trait Watches: Send + Sync {
     fn look(&self, forces: &ArrayView2<'_, f64>, to_come: &Bound<'_, PyAny>) -> PyResult<Watched>;
 }
 
-impl<const D: usize, const C: usize, const N: usize> Watches for Fingers<D, C, N> {
+impl<const C: usize, const N: usize> Watches for Fingers<C, N> {
     fn look(&self, forces: &ArrayView2<'_, f64>, to_come: &Bound<'_, PyAny>) -> PyResult<Watched> {
         if forces.dim() != (N, C) {
             let (rows, axes) = forces.dim();
@@ -58,29 +58,29 @@ pub(crate) trait Watchable: Sized {
 
 impl Watchable for Contact<2> {
     fn watch(contacts: &[Self]) -> PyResult<Watch> {
-        watch_of::<3, 2>(contacts)
+        watch_of::<2>(contacts)
     }
 }
 
 impl Watchable for Contact<3> {
     fn watch(contacts: &[Self]) -> PyResult<Watch> {
-        watch_of::<6, 3>(contacts)
+        watch_of::<3>(contacts)
     }
 }
 
-fn watch_of<const D: usize, const C: usize>(contacts: &[Contact<C>]) -> PyResult<Watch> {
+fn watch_of<const C: usize>(contacts: &[Contact<C>]) -> PyResult<Watch> {
     match contacts.len() {
-        2 => fingers::<D, C, 2>(contacts),
-        3 => fingers::<D, C, 3>(contacts),
-        4 => fingers::<D, C, 4>(contacts),
-        _ => fingers::<D, C, 5>(contacts),
+        2 => fingers::<C, 2>(contacts),
+        3 => fingers::<C, 3>(contacts),
+        4 => fingers::<C, 4>(contacts),
+        _ => fingers::<C, 5>(contacts),
     }
 }
 
-fn fingers<const D: usize, const C: usize, const N: usize>(contacts: &[Contact<C>]) -> PyResult<Watch> {
+fn fingers<const C: usize, const N: usize>(contacts: &[Contact<C>]) -> PyResult<Watch> {
     let given = contacts.len();
     let contacts = contacts
         .try_into()
         .map_err(|_| wrong(format_args!("watch: a grasp of {given} contacts given, must be of 2 to 5")))?;
-    Ok(Watch(Box::new(Fingers::<D, C, N>::new(contacts).map_err(refused)?)))
+    Ok(Watch(Box::new(Fingers::<C, N>::new(contacts).map_err(refused)?)))
 }

@@ -50,7 +50,7 @@
 //! The whole library is then `no_std`: equilibria, paths, verdicts and complementarity problems as well, on one core. These need an allocator;
 //! `onset` and `watch` of `Fingers` allocate nothing. The [root](crate#without-the-standard-library) lists the parts that need std.
 //!
-//! A program that uses `Fingers` alone links their kernels alone, for its number of fingers. A [`Grasp`](crate::ask::Grasp) links all of its
+//! A program that uses `Fingers` alone links their kernels alone, of the plane or of space. A [`Grasp`](crate::ask::Grasp) links all of its
 //! questions.
 //!
 //! A Cortex-M4 has no hardware for double precision, so that a tick takes as long as its emulation in software. A Cortex-M7 may have it. Times must

@@ -2,29 +2,29 @@
 //!
 //! With one tangential stiffness per contact `K_i = k_t I + (k_n - k_t) n nᵀ` in coordinate axes.
 
-use super::block::{Block, count};
+use super::block::{Block, Layout, MOST_CONTACTS, count};
 use super::factors::LaneFactors;
 use super::finger::{Force, LaneFinger, moment, world};
 use super::lanes::{Packed, dot};
 
 /// Factorised stiffness of the object about the centroid of its contacts.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct RigidBody<const D: usize, const C: usize, const M: usize, X: Packed> {
+pub(super) struct RigidBody<const C: usize, X: Packed> {
     contacts: usize,
-    fingers: [LaneFinger<C, X>; M],
+    fingers: [LaneFinger<C, X>; MOST_CONTACTS],
     centre: [X; C],
     /// Largest coordinate of an arm, m.
     pub(super) reach: X,
-    factors: LaneFactors<D, X>,
+    factors: LaneFactors<6, X>,
 }
 
-impl<const D: usize, const C: usize, const M: usize, X: Packed> RigidBody<D, C, M, X> {
+impl<const C: usize, X: Packed> RigidBody<C, X> {
     /// An empty value that [`Self::ready`] fills.
     pub(super) fn none() -> Self {
         let none = [X::all(0.0); C];
         Self {
             contacts: 0,
-            fingers: [LaneFinger { normal: none, springs: [X::all(0.0); 2], arm: none }; M],
+            fingers: [LaneFinger { normal: none, springs: [X::all(0.0); 2], arm: none }; MOST_CONTACTS],
             centre: none,
             reach: X::all(0.0),
             factors: LaneFactors::none(),
@@ -34,7 +34,7 @@ impl<const D: usize, const C: usize, const M: usize, X: Packed> RigidBody<D, C, 
     /// Computes arms and factors from the contacts of a block.
     #[inline(always)]
     pub(super) fn ready(&mut self, block: &Block<'_, C, X>) {
-        let contacts = count::<M, X>(block.contacts);
+        let contacts = count(block.contacts);
         self.contacts = contacts;
         let share = X::all(1.0 / contacts as f64);
         let (points, normals, springs) = (block.points(), block.normals(), block.springs());
@@ -52,17 +52,17 @@ impl<const D: usize, const C: usize, const M: usize, X: Packed> RigidBody<D, C, 
             }
             self.centre[axis] = centre;
         }
-        self.factors.entries = [[X::all(0.0); D]; D];
+        self.factors.entries = [[X::all(0.0); 6]; 6];
         for i in 0..contacts {
             self.fingers[i].springs = springs.map(|row| row[i]);
             add(&mut self.factors.entries, &self.fingers[i]);
         }
-        self.factors.factorize();
+        self.factors.factorize(Layout::<C>::COORDINATES);
     }
 
     #[inline(always)]
     pub(super) fn fingers(&self) -> &[LaneFinger<C, X>] {
-        &self.fingers[..count::<M, X>(self.contacts)]
+        &self.fingers[..count(self.contacts)]
     }
 
     /// Positive if some motion of the object stretches no spring.
@@ -73,18 +73,18 @@ impl<const D: usize, const C: usize, const M: usize, X: Packed> RigidBody<D, C, 
 
     /// The motion `T⁻¹ w`, zero along motions that stretch no spring.
     #[inline(always)]
-    pub(super) fn motion(&self, w: &[X; D]) -> [X; D] {
-        self.factors.solve(w)
+    pub(super) fn motion(&self, w: &[X; 6]) -> [X; 6] {
+        self.factors.solve(Layout::<C>::COORDINATES, w)
     }
 
     /// The load with its moment about the centroid instead of the origin.
     #[inline(always)]
-    pub(super) fn carried(&self, load: &[X; D]) -> [X; D] {
+    pub(super) fn carried(&self, load: &[X; 6]) -> [X; 6] {
         let mut force = [X::all(0.0); C];
         force.copy_from_slice(&load[..C]);
         let turning = moment(&self.centre, &force);
         let mut carried = *load;
-        for k in C..D {
+        for k in C..Layout::<C>::COORDINATES {
             carried[k] -= turning[k - C];
         }
         carried
@@ -92,7 +92,7 @@ impl<const D: usize, const C: usize, const M: usize, X: Packed> RigidBody<D, C, 
 
     /// The residual of the balance, and its size relative to the forces and moments.
     #[inline(always)]
-    pub(super) fn unbalanced(&self, forces: &[Force<C, X>], load: &[X; D]) -> ([X; D], X) {
+    pub(super) fn unbalanced(&self, forces: &[Force<C, X>], load: &[X; 6]) -> ([X; 6], X) {
         let mut left = *load;
         let mut size = X::all(0.0);
         for axis in 0..C {
@@ -101,7 +101,7 @@ impl<const D: usize, const C: usize, const M: usize, X: Packed> RigidBody<D, C, 
         for (finger, force) in self.fingers().iter().zip(forces) {
             let force = world(&finger.normal, force);
             let turning = moment(&finger.arm, &force);
-            for k in 0..D {
+            for k in 0..Layout::<C>::COORDINATES {
                 left[k] += if k < C { force[k] } else { turning[k - C] };
             }
             for axis in 0..C {
@@ -110,7 +110,7 @@ impl<const D: usize, const C: usize, const M: usize, X: Packed> RigidBody<D, C, 
         }
         let mut moments = self.reach * size;
         let (mut worst_force, mut worst_moment) = (X::all(0.0), X::all(0.0));
-        for k in 0..D {
+        for k in 0..Layout::<C>::COORDINATES {
             if k < C {
                 worst_force = worst_force.max(left[k].abs());
             } else {
@@ -128,16 +128,16 @@ impl<const D: usize, const C: usize, const M: usize, X: Packed> RigidBody<D, C, 
 
 /// Adds `G K Gᵀ` of a contact to t, the entries on and below the diagonal.
 #[inline(always)]
-fn add<const D: usize, const C: usize, X: Packed>(t: &mut [[X; D]; D], finger: &LaneFinger<C, X>) {
+fn add<const C: usize, X: Packed>(t: &mut [[X; 6]; 6], finger: &LaneFinger<C, X>) {
     let arm = &finger.arm;
     let [normal, tangential] = finger.springs;
     let more = normal - tangential;
     let turning = moment(arm, &finger.normal);
-    let mut line = [X::all(0.0); D];
-    for k in 0..D {
+    let mut line = [X::all(0.0); 6];
+    for k in 0..Layout::<C>::COORDINATES {
         line[k] = if k < C { finger.normal[k] } else { turning[k - C] };
     }
-    for row in 0..D {
+    for row in 0..Layout::<C>::COORDINATES {
         let stiff = more * line[row];
         for column in 0..=row {
             t[row][column] += stiff * line[column];
@@ -151,7 +151,7 @@ fn add<const D: usize, const C: usize, X: Packed>(t: &mut [[X; D]; D], finger: &
     for axis in 0..C {
         t[axis][axis] += tangential;
     }
-    if C == 2 {
+    if const { C == 2 } {
         t[2][0] -= pulled[1];
         t[2][1] += pulled[0];
         t[2][2] += square;

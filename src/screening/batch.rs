@@ -20,7 +20,7 @@ use crate::prelude::*;
 /// leaves every core a share of a batch of ten thousand.
 const BLOCKS: usize = 256;
 
-/// Many grasps of `N` contacts each, two to five, to be screened under common loads. `D` and `C` are 3 and 2 in the plane, 6 and 3 in space.
+/// Many grasps of `N` contacts each, two to five, to be screened under common loads. `C` is 2 in the plane and 3 in space.
 ///
 /// Numbers of several grasps lie side by side (eight with the feature `simd`, else four), so that one instruction works on all of them. A grasp gets
 /// the same answer as from [`Fingers::onset`], to the last bit, whatever the batch, the processor and the number of threads.
@@ -42,20 +42,20 @@ const BLOCKS: usize = 256;
 /// # Ok::<(), grasp_lcp::Error>(())
 /// ```
 #[derive(Debug, Clone)]
-pub struct Batch<const D: usize, const C: usize, const N: usize> {
+pub struct Batch<const C: usize, const N: usize> {
     /// The numbers of all blocks in order, laid out as in [`Block`](super::block::Block).
     numbers: Vec<Lanes>,
     parted: Vec<Lanes>,
     len: usize,
 }
 
-impl<const D: usize, const C: usize, const N: usize> Default for Batch<D, C, N> {
+impl<const C: usize, const N: usize> Default for Batch<C, N> {
     fn default() -> Self {
         Self { numbers: Vec::new(), parted: Vec::new(), len: 0 }
     }
 }
 
-impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
+impl<const C: usize, const N: usize> Batch<C, N> {
     /// Lengths of `numbers` and `parted` of one block.
     const SIZES: [usize; 2] = [Layout::<C>::numbers(N), 2 * N];
 
@@ -68,7 +68,7 @@ impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
     }
 
     /// Appends a grasp. Its answers have the index at which it was appended.
-    pub fn push(&mut self, fingers: &Fingers<D, C, N>) {
+    pub fn push(&mut self, fingers: &Fingers<C, N>) {
         let lane = self.len % LANES;
         let scene = fingers.grasp.scene.block();
         let both = [(&mut self.numbers, scene.numbers), (&mut self.parted, scene.parted)];
@@ -159,7 +159,7 @@ impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
 
     fn ask_into<Q: ScreeningQuestion<C>>(
         &self,
-        kernel: &Kernel<D, C, N, Q>,
+        kernel: &Kernel<C, Q>,
         questions: &[Q],
         answers: &mut Vec<Q::Answer>,
     ) {
@@ -193,7 +193,7 @@ impl<const D: usize, const C: usize, const N: usize> Batch<D, C, N> {
 
     fn ask_on_all_cores<Q: ScreeningQuestion<C>>(
         &self,
-        kernel: &Kernel<D, C, N, Q>,
+        kernel: &Kernel<C, Q>,
         questions: &[Q],
         answers: &mut Vec<Q::Answer>,
     ) {

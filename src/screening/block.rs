@@ -4,10 +4,10 @@ use super::lanes::Packed;
 
 /// Upper limit of the number of contacts of a grasp.
 pub(super) const MOST_CONTACTS: usize = 5;
-/// The number of contacts where arrays have room for `M`. It equals `M`, and loops are unrolled, except in kernels of batches with the largest room.
+/// The number of contacts, which arrays have room for.
 #[inline(always)]
-pub(super) fn count<const M: usize, X: Packed>(contacts: usize) -> usize {
-    if M < MOST_CONTACTS || X::ALONE { M } else { contacts.min(M) }
+pub(super) fn count(contacts: usize) -> usize {
+    contacts.min(MOST_CONTACTS)
 }
 
 /// Scenes of equally many contacts, one in each lane: rows of one number per contact, then three sizes. The number of contacts is known at run time
@@ -51,6 +51,8 @@ impl<const C: usize> Layout<C> {
     /// Friction coefficients, or codes; see [`super::cone`].
     pub(super) const FRICTION: usize = 3 * C + 3;
     const ALL: usize = 3 * C + 4;
+    /// The number of components of loads and of motions of the object.
+    pub(super) const COORDINATES: usize = 3 * (C - 1);
 
     /// The count of numbers of one scene.
     pub(super) const fn numbers(contacts: usize) -> usize {
@@ -116,38 +118,38 @@ impl<'a, const C: usize, X: Packed> Block<'a, C, X> {
 
 /// The data of one scene, row by row, before it becomes a [`Block`].
 #[derive(Debug, Clone, Copy)]
-pub(super) struct OneScene<const C: usize, const N: usize> {
-    /// Room for the rows in space, and two more rows for the three sizes.
-    numbers: [[f64; N]; 15],
-    parted: [[f64; N]; 2],
+pub(super) struct OneScene<const C: usize> {
+    contacts: usize,
+    /// With room for the rows of most contacts in space.
+    numbers: [f64; Layout::<3>::numbers(MOST_CONTACTS)],
+    parted: [f64; 2 * MOST_CONTACTS],
 }
 
-impl<const C: usize, const N: usize> OneScene<C, N> {
-    /// All numbers zero.
-    pub(super) const EMPTY: Self = Self { numbers: [[0.0; N]; 15], parted: [[0.0; N]; 2] };
+impl<const C: usize> OneScene<C> {
+    /// A scene of `contacts` contacts, at most five, with all numbers zero.
+    pub(super) fn new(contacts: usize) -> Self {
+        let numbers = [0.0; Layout::<3>::numbers(MOST_CONTACTS)];
+        Self { contacts: count(contacts), numbers, parted: [0.0; 2 * MOST_CONTACTS] }
+    }
 
-    #[inline(always)]
     pub(super) fn block(&self) -> Block<'_, C, f64> {
-        let numbers = &self.numbers.as_flattened()[..Layout::<C>::numbers(N)];
-        Block { contacts: N, numbers, parted: self.parted.as_flattened() }
+        let numbers = &self.numbers[..Layout::<C>::numbers(self.contacts)];
+        Block { contacts: self.contacts, numbers, parted: &self.parted[..2 * self.contacts] }
     }
 
     /// The number of one contact in a row.
     pub(super) fn at(&mut self, row: usize, contact: usize) -> &mut f64 {
-        &mut self.numbers[row][contact]
+        &mut self.numbers[row * self.contacts + contact]
     }
 
     /// Sets the command along the normal and the clearance of a contact, m.
     pub(super) fn part(&mut self, contact: usize, [command, clearance]: [f64; 2]) {
-        self.parted[0][contact] = command;
-        self.parted[1][contact] = clearance;
+        self.parted[contact] = command;
+        self.parted[self.contacts + contact] = clearance;
     }
 
     pub(super) fn measure(&mut self, sizes: &Sizes<f64>) {
-        self.numbers.as_flattened_mut()[Layout::<C>::ALL * N..][..3].copy_from_slice(&[
-            sizes.commands,
-            sizes.moment,
-            sizes.force,
-        ]);
+        let first = Layout::<C>::ALL * self.contacts;
+        self.numbers[first..first + 3].copy_from_slice(&[sizes.commands, sizes.moment, sizes.force]);
     }
 }

@@ -1,6 +1,6 @@
 //! The contact that stops sticking first, at the edge of its cone.
 
-use super::block::{Commanded, count};
+use super::block::{Commanded, MOST_CONTACTS, count};
 use super::cone::StickingCone;
 use super::forces::Forces;
 use super::lanes::{Packed, dot};
@@ -13,32 +13,32 @@ const APEX: f64 = 1e-9;
 /// The margin `m = α F_n - β |F_t|` that vanishes first, and its derivatives. Arrays are zero at all contacts but the leaving one; all is NaN where
 /// no contact leaves.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct LeavingEdge<const C: usize, const M: usize, X: Packed> {
+pub(super) struct LeavingEdge<const C: usize, X: Packed> {
     /// The factor of the load at which it vanishes.
     pub(super) factor: X,
     /// The index of the leaving contact; -1 where there is none.
     pub(super) contact: X,
     /// `∂m/∂F`, along the normal and across it. Used as a command it gives the forces from which the derivatives of m follow.
-    normal: [X; M],
-    tangential: [[X; M]; C],
+    normal: [X; MOST_CONTACTS],
+    tangential: [[X; MOST_CONTACTS]; C],
     /// `∂m/∂μ`.
-    pub(super) by_friction: [X; M],
+    pub(super) by_friction: [X; MOST_CONTACTS],
     /// The rate m' along the load.
     pub(super) rate: X,
     /// Positive if the least factor has a kink here, so that derivatives are one-sided.
     pub(super) kink: X,
 }
 
-impl<const C: usize, const M: usize, X: Packed> LeavingEdge<C, M, X> {
+impl<const C: usize, X: Packed> LeavingEdge<C, X> {
     /// All zero, before [`Self::reach`].
     pub(super) fn none() -> Self {
         let zero = X::all(0.0);
         Self {
             factor: zero,
             contact: zero,
-            normal: [zero; M],
-            tangential: [[zero; M]; C],
-            by_friction: [zero; M],
+            normal: [zero; MOST_CONTACTS],
+            tangential: [[zero; MOST_CONTACTS]; C],
+            by_friction: [zero; MOST_CONTACTS],
             rate: zero,
             kink: zero,
         }
@@ -51,8 +51,8 @@ impl<const C: usize, const M: usize, X: Packed> LeavingEdge<C, M, X> {
         &mut self,
         friction: &[X],
         (first, which): (X::Each<Screened>, Option<usize>),
-        rates: &Forces<C, M, X>,
-        forces: &mut Forces<C, M, X>,
+        rates: &Forces<C, X>,
+        forces: &mut Forces<C, X>,
     ) {
         let (zero, one) = (X::all(0.0), X::all(1.0));
         let first = first.as_ref();
@@ -66,7 +66,7 @@ impl<const C: usize, const M: usize, X: Packed> LeavingEdge<C, M, X> {
             contact.above(X::all(-0.5), X::of(X::each(|lane| first[lane].0.code)), X::all(f64::NAN));
         self.rate = zero;
         self.kink = X::of(X::each(|lane| f64::from(u8::from(first[lane].leaving().count() > 1))));
-        for i in 0..count::<M, X>(friction.len()) {
+        for i in 0..count(friction.len()) {
             let cone = StickingCone::of(friction[i]);
             let number = X::all(i as f64);
             let here = X::all(0.5).above((contact - number).abs(), one, zero);
@@ -74,7 +74,7 @@ impl<const C: usize, const M: usize, X: Packed> LeavingEdge<C, M, X> {
             let mut size = force.normal.abs() + self.factor * rate.normal.abs();
             force.normal += self.factor * rate.normal;
             // In the plane only the first tangential entry is used.
-            for axis in 0..if C == 2 { 1 } else { C } {
+            for axis in 0..if const { C == 2 } { 1 } else { C } {
                 let changed = self.factor * rate.tangential[axis];
                 size += force.tangential[axis].abs() + changed.abs();
                 force.tangential[axis] += changed;
@@ -98,7 +98,7 @@ impl<const C: usize, const M: usize, X: Packed> LeavingEdge<C, M, X> {
     /// `∂m/∂F` as commands.
     #[inline(always)]
     pub(super) fn probe(&self, contacts: usize) -> Commanded<'_, C, X> {
-        let contacts = count::<M, X>(contacts);
+        let contacts = count(contacts);
         let mut sheared = [&self.normal[..contacts]; C];
         for axis in 0..C {
             sheared[axis] = &self.tangential[axis][..contacts];

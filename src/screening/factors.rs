@@ -6,7 +6,7 @@ use super::lanes::Packed;
 /// stiffness made of rounding. With a larger one stiff motions beside very soft ones would be called free.
 pub(super) const NOTHING: f64 = 1e-13;
 
-/// The factors of a matrix of `R` rows.
+/// The factors of a matrix, with room for `R` rows.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LaneFactors<const R: usize, X: Packed> {
     /// L below the diagonal, and D⁻¹ on it; zero in place of 1/d where the pivot is rounding.
@@ -21,13 +21,13 @@ impl<const R: usize, X: Packed> LaneFactors<R, X> {
         Self { entries: [[X::all(0.0); R]; R], free: X::all(0.0) }
     }
 
-    /// Factorises in place the matrix whose entries on and below the diagonal are stored.
+    /// Factorises in place the matrix of `rows` rows whose entries on and below the diagonal are stored.
     #[inline(always)]
-    pub(super) fn factorize(&mut self) {
+    pub(super) fn factorize(&mut self, rows: usize) {
         let (zero, one) = (X::all(0.0), X::all(1.0));
         let t = &mut self.entries;
         let mut free = zero;
-        for column in 0..R {
+        for column in 0..rows {
             let whole = t[column][column];
             // Columns to the left hold L already.
             let mut scaled = [zero; R];
@@ -41,7 +41,7 @@ impl<const R: usize, X: Packed> LaneFactors<R, X> {
             let inverse = pivot.above(bound, one / pivot, zero);
             free += pivot.above(bound, zero, one);
             t[column][column] = inverse;
-            for row in column + 1..R {
+            for row in column + 1..rows {
                 let mut rest = t[row][column];
                 for k in 0..column {
                     rest -= t[row][k] * scaled[k];
@@ -55,19 +55,19 @@ impl<const R: usize, X: Packed> LaneFactors<R, X> {
 
     /// `T⁻¹ w`; rows whose pivot is rounding contribute zero.
     #[inline(always)]
-    pub(super) fn solve(&self, w: &[X; R]) -> [X; R] {
+    pub(super) fn solve(&self, rows: usize, w: &[X; R]) -> [X; R] {
         let f = &self.entries;
         let mut q = *w;
-        for row in 1..R {
+        for row in 1..rows {
             for column in 0..row {
                 q[row] -= f[row][column] * q[column];
             }
         }
-        for row in 0..R {
+        for row in 0..rows {
             q[row] = q[row] * f[row][row];
         }
-        for row in (0..R).rev() {
-            for below in row + 1..R {
+        for row in (0..rows).rev() {
+            for below in row + 1..rows {
                 q[row] -= f[below][row] * q[below];
             }
         }

@@ -23,7 +23,7 @@ pub(super) struct Force<const C: usize, X: Packed> {
 #[inline(always)]
 pub(super) fn moment<const C: usize, X: Packed>(arm: &[X; C], f: &[X; C]) -> [X; 3] {
     let zero = X::all(0.0);
-    if C == 2 {
+    if const { C == 2 } {
         [arm[0] * f[1] - arm[1] * f[0], zero, zero]
     } else {
         [
@@ -36,9 +36,9 @@ pub(super) fn moment<const C: usize, X: Packed>(arm: &[X; C], f: &[X; C]) -> [X;
 
 /// The displacement of the point at `arm` under the motion q of the object (translation, then rotation).
 #[inline(always)]
-pub(super) fn displacement<const D: usize, const C: usize, X: Packed>(arm: &[X; C], q: &[X; D]) -> [X; C] {
+pub(super) fn displacement<const C: usize, X: Packed>(arm: &[X; C], q: &[X; 6]) -> [X; C] {
     let mut u = *arm;
-    if C == 2 {
+    if const { C == 2 } {
         u[0] = q[0] - q[2] * arm[1];
         u[1] = q[1] + q[2] * arm[0];
     } else {
@@ -54,7 +54,7 @@ pub(super) fn displacement<const D: usize, const C: usize, X: Packed>(arm: &[X; 
 #[inline(always)]
 pub(super) fn world<const C: usize, X: Packed>(n: &[X; C], force: &Force<C, X>) -> [X; C] {
     let mut world = force.tangential;
-    if C == 2 {
+    if const { C == 2 } {
         world = [X::all(0.0); C];
         world[0] = n[1] * force.tangential[0];
         world[1] = -(n[0] * force.tangential[0]);
@@ -72,7 +72,7 @@ pub(super) fn stretched<const C: usize, X: Packed>(finger: &LaneFinger<C, X>, s:
     let n = &finger.normal;
     let along = dot(n, s);
     let mut across = [X::all(0.0); C];
-    if C == 2 {
+    if const { C == 2 } {
         across[0] = tangential * (n[1] * s[0] - n[0] * s[1]);
     } else {
         for axis in 0..C {

@@ -1,5 +1,6 @@
 //! One grasp, checked and prepared for screening.
 
+use super::block::MOST_CONTACTS;
 use super::gradient::GradientOf;
 use super::gradient_row::GradientRow;
 use super::kernels::Kernels;
@@ -16,7 +17,7 @@ use crate::prelude::*;
 
 /// A grasp of two to five contacts, `N` of them, prepared for screening: everything that does not depend on the load is computed once.
 ///
-/// `D` and `C` are 3 and 2 in the plane, 6 and 3 in space; see
+/// `C` is 2 in the plane and 3 in space; see
 /// [`planar::Fingers`](crate::planar::Fingers) and [`spatial::Fingers`](crate::spatial::Fingers).
 ///
 /// ```
@@ -33,18 +34,19 @@ use crate::prelude::*;
 /// # Ok::<(), grasp_lcp::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy)]
-pub struct Fingers<const D: usize, const C: usize, const N: usize> {
-    pub(super) grasp: OneGrasp<D, C, N>,
+pub struct Fingers<const C: usize, const N: usize> {
+    pub(super) grasp: OneGrasp<C>,
 }
 
-impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
+impl<const C: usize, const N: usize> Fingers<C, N> {
     /// Checks and prepares the contacts. Any other number of contacts than two to five does not compile.
     ///
     /// # Errors
     /// [`Error::Contact`] naming the first contact, field and value that is out of range. In space the stiffness of a contact must be equal along
     /// both tangents. A contact must not be held by a force or by suction.
     pub fn new(contacts: &[Contact<C>; N]) -> Result<Self, Error> {
-        Ok(Self { grasp: (Kernels::get().prepare)(contacts)? })
+        const { assert!(2 <= N && N <= MOST_CONTACTS, "screening is for two to five contacts") };
+        (Kernels::get().prepare)(contacts).map(|grasp| Self { grasp })
     }
 
     /// The factor at which the first contact stops sticking as the load grows, and the contacts that leave there. Where screening cannot decide, the

@@ -1,12 +1,13 @@
 //! Where forces that grow in proportion to the load leave their friction cones.
 
-use super::block::count;
+use super::block::{MOST_CONTACTS, count};
 use super::cone::{Crossing, LEAST, MOST, StickingCone};
 use super::first_slip::UNCLEAR;
 use super::forces::Forces;
 use super::lanes::Packed;
 use super::screened::Screened;
 use super::verdict::{Start, TOGETHER, verdicts};
+use crate::numerics::Vectors;
 
 /// A margin must close at this multiple of the rounding of its rate. A slower one closes at a factor of fewer than six digits, and the verdict is
 /// unclear.
@@ -28,11 +29,11 @@ struct Exit<X: Packed> {
 /// leaves at all only if that exceeds its rounding. In the plane the margin is the least of two straight lines. In space its first root solves a
 /// quadratic equation, see [`Crossing`].
 #[inline(always)]
-fn exit<const C: usize, const M: usize, X: Packed>(
+fn exit<const C: usize, X: Packed>(
     cone: &StickingCone<X>,
     contact: usize,
-    base: &Forces<C, M, X>,
-    rates: &Forces<C, M, X>,
+    base: &Forces<C, X>,
+    rates: &Forces<C, X>,
 ) -> Exit<X> {
     let zero = X::all(0.0);
     let weight = cone.alpha + cone.beta;
@@ -42,7 +43,7 @@ fn exit<const C: usize, const M: usize, X: Packed>(
     let (factor, margin);
     // Minus infinity where squares over- or underflow, so that nothing is certain.
     let mut lost = zero;
-    if C == 2 {
+    if const { C == 2 } {
         let [t, dt] = [cone.beta * force.tangential[0], cone.beta * rate.tangential[0]];
         let (one, two) = (n - t, n + t);
         let (closing_one, closing_two) = (dt - dn, -(dt + dn));
@@ -70,16 +71,29 @@ fn known<X: Packed>(factor: X, closing: X, noise: X) -> X {
 }
 
 /// The verdicts on the scenes of a block, from the forces at factor zero and their rates.
-#[inline(always)]
-pub(super) fn judge<const C: usize, const M: usize, X: Packed>(
+#[inline(never)]
+pub(super) fn judge<V: Vectors, const C: usize, X: Packed>(
+    v: V,
     friction: &[X],
-    base: &Forces<C, M, X>,
-    rates: &Forces<C, M, X>,
+    base: &Forces<C, X>,
+    rates: &Forces<C, X>,
+) -> X::Each<Screened> {
+    v.run(
+        #[inline(always)]
+        || judged(friction, base, rates),
+    )
+}
+
+#[inline(always)]
+fn judged<const C: usize, X: Packed>(
+    friction: &[X],
+    base: &Forces<C, X>,
+    rates: &Forces<C, X>,
 ) -> X::Each<Screened> {
     let zero = X::all(0.0);
     let infinite = X::all(f64::INFINITY);
-    let contacts = count::<M, X>(friction.len());
-    let mut factors = [zero; M];
+    let contacts = count(friction.len());
+    let mut factors = [zero; MOST_CONTACTS];
     let (mut first, mut margin, mut sure) = (infinite, infinite, infinite);
     for i in 0..contacts {
         let exit = exit(&StickingCone::of(friction[i]), i, base, rates);

@@ -1,6 +1,6 @@
 //! The forces of all contacts, one scene in each lane.
 
-use super::block::count;
+use super::block::{MOST_CONTACTS, count};
 use super::finger::Force;
 use super::lanes::Packed;
 
@@ -8,25 +8,25 @@ use super::lanes::Packed;
 /// decide whether it sticks; with a larger one more grasps would be unclear.
 pub(super) const ON_THE_EDGE: f64 = 1e-12;
 
-/// The forces of all contacts, or their rates, with room for `M` of them.
+/// The forces of all contacts, or their rates, with room for five of them.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Forces<const C: usize, const M: usize, X: Packed> {
-    pub(super) of: [Force<C, X>; M],
+pub(super) struct Forces<const C: usize, X: Packed> {
+    pub(super) of: [Force<C, X>; MOST_CONTACTS],
     /// Bound of the rounding of each force, N.
-    pub(super) rounding: [X; M],
+    pub(super) rounding: [X; MOST_CONTACTS],
     /// The part of the load that the forces leave unbalanced; NaN if there are no such forces.
     pub(super) unbalanced: X,
     /// Positive if the load works on a motion that no contact resists.
     pub(super) free: X,
 }
 
-impl<const C: usize, const M: usize, X: Packed> Forces<C, M, X> {
+impl<const C: usize, X: Packed> Forces<C, X> {
     /// Zero forces without rounding.
     pub(super) fn none() -> Self {
         let zero = X::all(0.0);
         Self {
-            of: [Force { normal: zero, tangential: [zero; C] }; M],
-            rounding: [zero; M],
+            of: [Force { normal: zero, tangential: [zero; C] }; MOST_CONTACTS],
+            rounding: [zero; MOST_CONTACTS],
             unbalanced: zero,
             free: zero,
         }
@@ -35,7 +35,7 @@ impl<const C: usize, const M: usize, X: Packed> Forces<C, M, X> {
     /// Adds the forces `others` of `contacts` contacts to these; the rounding of these is multiplied by `rounding` first.
     #[inline(always)]
     pub(super) fn add_to(&mut self, contacts: usize, others: &Self, rounding: f64) {
-        for i in 0..count::<M, X>(contacts) {
+        for i in 0..count(contacts) {
             let (sum, other) = (&mut self.of[i], &others.of[i]);
             sum.normal = other.normal + sum.normal;
             for axis in 0..C {

@@ -14,14 +14,15 @@
 
 use super::block::Block;
 use super::edge::LeavingEdge;
+use super::first_exit::judge;
 use super::forces::Forces;
 use super::gradient_row::{GradientRow, Slopes};
 use super::lanes::Packed;
 use super::moved::ObjectMotion;
-use super::pull::{Pull, judged};
+use super::pull::Pull;
 use super::question::{Room, Scenes, ScreeningQuestion};
 use super::screened::Screened;
-use super::springs::{Cause, StickingSprings};
+use super::springs::Cause;
 use super::told::Told;
 use crate::numerics::Vectors;
 
@@ -42,10 +43,10 @@ impl<const C: usize> ScreeningQuestion<C> for GradientOf<C> {
     }
 
     #[inline(always)]
-    fn ask<V: Vectors, P: StickingSprings<C, M, X>, const M: usize, X: Packed>(
+    fn ask<V: Vectors, X: Packed>(
         &self,
-        scenes: &Scenes<'_, V, P, C, M, X>,
-        [rates, forces, answered]: Room<'_, C, M, X>,
+        scenes: &Scenes<'_, V, C, X>,
+        [rates, forces, answered]: Room<'_, C, X>,
         told: &mut Told<'_, f64, X>,
     ) {
         let (v, block, ready) = (scenes.vectors, &scenes.block, scenes.ready);
@@ -56,7 +57,7 @@ impl<const C: usize> ScreeningQuestion<C> for GradientOf<C> {
         } else {
             *forces = *scenes.squeezed;
         }
-        let first = judged(scenes, forces, rates);
+        let first = judge(v, block.friction(), forces, rates);
         let mut edge = LeavingEdge::none();
         reach(v, &mut edge, block.friction(), (first, self.contact), [rates, forces]);
         let probe = edge.probe(block.contacts);
@@ -70,7 +71,7 @@ impl<const C: usize> ScreeningQuestion<C> for GradientOf<C> {
         let probed = Cause { commands: probe, load: [X::all(0.0); 6] };
         ready.moved(v, block, &probed, answered, &mut virtually);
         let slopes = Slopes {
-            method: P::METHOD,
+            method: ready.method(),
             edge: &edge,
             forces: [forces, answered],
             motions: [&moved, &virtually],
@@ -81,12 +82,12 @@ impl<const C: usize> ScreeningQuestion<C> for GradientOf<C> {
 }
 
 #[inline(never)]
-fn reach<V: Vectors, const C: usize, const M: usize, X: Packed>(
+fn reach<V: Vectors, const C: usize, X: Packed>(
     v: V,
-    edge: &mut LeavingEdge<C, M, X>,
+    edge: &mut LeavingEdge<C, X>,
     friction: &[X],
     first: (X::Each<Screened>, Option<usize>),
-    [rates, forces]: [&mut Forces<C, M, X>; 2],
+    [rates, forces]: [&mut Forces<C, X>; 2],
 ) {
     v.run(
         #[inline(always)]
@@ -95,9 +96,9 @@ fn reach<V: Vectors, const C: usize, const M: usize, X: Packed>(
 }
 
 #[inline(never)]
-fn tell<V: Vectors, const C: usize, const M: usize, X: Packed>(
+fn tell<V: Vectors, const C: usize, X: Packed>(
     v: V,
-    slopes: &Slopes<'_, C, M, X>,
+    slopes: &Slopes<'_, C, X>,
     block: &Block<'_, C, X>,
     told: &mut Told<'_, f64, X>,
 ) {

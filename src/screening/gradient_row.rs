@@ -46,21 +46,21 @@ impl<const C: usize> GradientRow<C> {
 const MOST: usize = GradientRow::<3>::numbers(MOST_CONTACTS);
 
 /// The quantities that derivatives are products of; see [`super::gradient`].
-pub(super) struct Slopes<'a, const C: usize, const M: usize, X: Packed> {
+pub(super) struct Slopes<'a, const C: usize, X: Packed> {
     pub(super) method: Method,
-    pub(super) edge: &'a LeavingEdge<C, M, X>,
+    pub(super) edge: &'a LeavingEdge<C, X>,
     /// F and P of [`super::gradient`].
-    pub(super) forces: [&'a Forces<C, M, X>; 2],
+    pub(super) forces: [&'a Forces<C, X>; 2],
     /// (u, ω) and (v, ω̄) of [`super::gradient`].
-    pub(super) motions: [&'a ObjectMotion<C, M, X>; 2],
+    pub(super) motions: [&'a ObjectMotion<C, X>; 2],
     pub(super) first: X::Each<Screened>,
 }
 
-impl<const C: usize, const M: usize, X: Packed> Slopes<'_, C, M, X> {
+impl<const C: usize, X: Packed> Slopes<'_, C, X> {
     /// Computes the row of each scene of a block and stores it.
     #[inline(always)]
     pub(super) fn tell(&self, block: &Block<'_, C, X>, told: &mut Told<'_, f64, X>) {
-        let contacts = count::<M, X>(block.contacts);
+        let contacts = count(block.contacts);
         let mut row = [X::all(0.0); MOST];
         let scale = X::all(-1.0) / self.edge.rate;
         let LeavingEdge { contact, kink, by_friction, .. } = self.edge;
@@ -101,7 +101,7 @@ impl<const C: usize, const M: usize, X: Packed> Slopes<'_, C, M, X> {
     /// Writes the derivatives by the data of one contact.
     #[inline(always)]
     fn contact(&self, block: &Block<'_, C, X>, i: usize, scale: X, row: &mut [X; MOST]) {
-        let (zero, contacts) = (X::all(0.0), count::<M, X>(block.contacts));
+        let (zero, contacts) = (X::all(0.0), count(block.contacts));
         let normal = block.normals().map(|row| row[i]);
         let [k_n, k_t] = block.springs().map(|row| row[i]);
         let [force, mut answered] = self.forces.map(|forces| forces.of[i]);
@@ -110,7 +110,7 @@ impl<const C: usize, const M: usize, X: Packed> Slopes<'_, C, M, X> {
             Method::Edges => [k_n, k_t],
             Method::Motions => [give(k_n), give(k_t)],
         };
-        if C == 2 && self.method == Method::Edges {
+        if const { C == 2 } && self.method == Method::Edges {
             // If one contact of a pair has no friction, commands leave no forces; c_n = 0 marks such a pair. P is then zero, and the compliances
             // serve for the motion of the object alone.
             let squeezes = k_n.above(zero, scale, zero);

@@ -25,8 +25,6 @@ pub(super) trait Packed:
 {
     /// A value of any type for each scene.
     type Each<T: Copy>: Copy + AsRef<[T]>;
-    /// Whether there is one scene only.
-    const ALONE: bool;
 
     /// The same number in every lane.
     fn all(value: f64) -> Self;
@@ -55,7 +53,6 @@ pub(super) trait Packed:
 
 impl Packed for f64 {
     type Each<T: Copy> = [T; 1];
-    const ALONE: bool = true;
 
     #[cfg_attr(not(feature = "simd"), inline)]
     #[cfg_attr(feature = "simd", inline(always))]
@@ -112,8 +109,10 @@ impl Packed for f64 {
     }
 }
 
-/// One number of each of [`LANES`] scenes. Every operation is a loop over the lanes, which the compiler turns into vector instructions.
+/// One number of each of [`LANES`] scenes. Every operation is a loop over the lanes, which the compiler turns into vector instructions. The alignment
+/// keeps these from straddling lines of the cache.
 #[derive(Debug, Clone, Copy)]
+#[repr(align(32))]
 pub(super) struct Lanes([f64; LANES]);
 
 impl Lanes {
@@ -143,7 +142,6 @@ impl Lanes {
 
 impl Packed for Lanes {
     type Each<T: Copy> = [T; LANES];
-    const ALONE: bool = false;
 
     #[cfg_attr(not(feature = "simd"), inline)]
     #[cfg_attr(feature = "simd", inline(always))]

@@ -11,6 +11,7 @@ use super::first_exit::SHARP;
 use super::forces::Forces;
 use super::lanes::{Packed, dot};
 use super::verdict::balanced;
+use crate::numerics::Vectors;
 
 /// A line must pass inside the cone by this multiple of the rounding of its margin; with less it may miss the cone, and the answer is unclear.
 const DEPTH: f64 = 4.0;
@@ -150,15 +151,24 @@ impl<X: Packed> LeastFactor<X> {
     }
 
     /// Adds the conditions of all contacts under one load, from the forces of the commands and of all else.
-    #[inline(always)]
-    pub(super) fn under<const C: usize, const M: usize>(
+    #[inline(never)]
+    pub(super) fn under<V: Vectors, const C: usize>(
         &mut self,
+        v: V,
         load: usize,
         friction: &[X],
-        [commands, others]: [&Forces<C, M, X>; 2],
+        forces: [&Forces<C, X>; 2],
     ) {
+        v.run(
+            #[inline(always)]
+            || self.add(load, friction, forces),
+        );
+    }
+
+    #[inline(always)]
+    fn add<const C: usize>(&mut self, load: usize, friction: &[X], [commands, others]: [&Forces<C, X>; 2]) {
         let (zero, one) = (X::all(0.0), X::all(1.0));
-        for i in 0..count::<M, X>(friction.len()) {
+        for i in 0..count(friction.len()) {
             let cone = StickingCone::of(friction[i]);
             let weight = cone.alpha + cone.beta;
             let noise = weight * others.rounding[i];
@@ -168,7 +178,7 @@ impl<X: Packed> LeastFactor<X> {
             let (t, dt) = (cone.friction(force), cone.friction(gain));
             let binding = X::all((8 * load + i) as f64);
             self.know([n.abs(), dn.abs()]);
-            if C == 2 {
+            if const { C == 2 } {
                 for (value, gain) in [(n - t[0], dn - dt[0]), (n + t[0], dn + dt[0])] {
                     let margin = Margin { value, gain, noise, gain_noise };
                     self.narrow(&margin, &margin.straight(), binding);

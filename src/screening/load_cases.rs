@@ -1,11 +1,9 @@
 //! A list of loads that a grasp must hold one at a time.
 
-use super::forces::Forces;
 use super::lanes::Packed;
 use super::least_factor::LeastFactor;
 use super::question::{Room, Scenes, ScreeningQuestion};
 use super::screened_squeeze::ScreenedSqueeze;
-use super::springs::StickingSprings;
 use super::told::Told;
 use crate::error::Error;
 use crate::grasp::Wrench;
@@ -37,10 +35,10 @@ impl<const C: usize> ScreeningQuestion<C> for LoadCases<C> {
     const UNKNOWN: ScreenedSqueeze = ScreenedSqueeze::UNKNOWN;
 
     #[inline(always)]
-    fn ask<V: Vectors, P: StickingSprings<C, M, X>, const M: usize, X: Packed>(
+    fn ask<V: Vectors, X: Packed>(
         &self,
-        scenes: &Scenes<'_, V, P, C, M, X>,
-        [commands, overlaps, others]: Room<'_, C, M, X>,
+        scenes: &Scenes<'_, V, C, X>,
+        [commands, overlaps, others]: Room<'_, C, X>,
         told: &mut Told<'_, ScreenedSqueeze, X>,
     ) {
         scenes.apart([commands, overlaps]);
@@ -48,28 +46,9 @@ impl<const C: usize> ScreeningQuestion<C> for LoadCases<C> {
         for (number, load) in self.loads.iter().enumerate() {
             scenes.under(load, others);
             others.add_to(scenes.block.contacts, overlaps, 1.0);
-            let (friction, forces) = (scenes.block.friction(), [&*commands, &*others]);
-            if P::CONTACTS.is_some() {
-                enough.under(number, friction, forces);
-            } else {
-                judge_apart(scenes.vectors, &mut enough, number, friction, forces);
-            }
+            enough.under(scenes.vectors, number, scenes.block.friction(), [&*commands, &*others]);
         }
         let (code, binding) = enough.least();
         told.each(X::each(|lane| ScreenedSqueeze { code: code.lane(lane), binding: binding.lane(lane) }));
     }
-}
-
-#[inline(never)]
-fn judge_apart<V: Vectors, const C: usize, const M: usize, X: Packed>(
-    v: V,
-    enough: &mut LeastFactor<X>,
-    number: usize,
-    friction: &[X],
-    forces: [&Forces<C, M, X>; 2],
-) {
-    v.run(
-        #[inline(always)]
-        || enough.under(number, friction, forces),
-    );
 }

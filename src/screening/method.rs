@@ -7,7 +7,6 @@
 
 use super::block::{Block, Layout, OneScene, Sizes};
 use super::lanes::Packed;
-use super::springs::StickingSprings;
 use super::triangle::{self, N, Triangle, others};
 
 /// A method for the forces of a scene.
@@ -52,7 +51,7 @@ const LARGEST: f64 = 1e3;
 const UNEVEN: f64 = 1e3;
 
 /// Replaces stiffnesses by compliances where forces are to be found along edges. Non-zero sizes mark this choice.
-pub(super) fn to_compliances<const C: usize, const N: usize>(scene: &mut OneScene<C, N>) {
+pub(super) fn to_compliances<const C: usize>(scene: &mut OneScene<C>) {
     let mut compliant = *scene;
     let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
     for axis in 0..2 {
@@ -72,7 +71,7 @@ pub(super) fn to_compliances<const C: usize, const N: usize>(scene: &mut OneScen
 
 /// Scales of the rounding along edges; moment and force are zero where it would be too large.
 fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
-    let mut triangle = <Triangle<C, f64> as StickingSprings<C, N, f64>>::none();
+    let mut triangle = Triangle::none();
     triangle.ready(scene);
     let length = triangle.edge.map(|edge| edge.iter().map(|x| x * x).sum::<f64>().sqrt());
     let [c_n, c_t] = scene.springs();
@@ -81,7 +80,7 @@ fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
     for k in 0..N {
         let mut unit = [0.0; N];
         unit[k] = 1.0;
-        let lambda = triangle.factors.solve(&unit);
+        let lambda = triangle.factors.solve(N, &unit);
         let given = others(k).map(|i| c_t[i].max(c_n[i])).iter().sum::<f64>() * length[k];
         for i in 0..N {
             gives += length[i] * lambda[i].abs() * given;
@@ -102,18 +101,18 @@ fn sizes<const C: usize>(scene: &Block<'_, C, f64>) -> Sizes<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::balance::RigidBody;
     use super::super::forces::{Forces, ON_THE_EDGE};
+    use super::super::springs::StickingSprings;
     use super::*;
     use crate::contact::ZERO_SLACK as ROUNDING;
     use crate::numerics::{Compiled, Draw};
 
-    type OneScene = super::OneScene<3, 3>;
+    type OneScene = super::OneScene<3>;
     type Row = Layout<3>;
 
     /// Contacts around a triangle, narrower than an even one by the factor `narrow`, with stiffnesses spread over `decades` decades.
     fn scene(draw: &mut Draw, narrow: f64, decades: f64) -> OneScene {
-        let mut scene = OneScene::EMPTY;
+        let mut scene = OneScene::new(3);
         for i in 0..3 {
             let inward = [0, 1, 2].map(|_| draw.normal());
             let length = inward.iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -135,7 +134,7 @@ mod tests {
     }
 
     /// The largest difference of two sets of forces, relative to the sum of the bounds of both.
-    fn off(forces: &Forces<3, 3, f64>, others: &Forces<3, 3, f64>, part: f64) -> f64 {
+    fn off(forces: &Forces<3, f64>, others: &Forces<3, f64>, part: f64) -> f64 {
         let mut off = 0.0_f64;
         for i in 0..3 {
             let bound = part * (forces.rounding[i] + others.rounding[i]);
@@ -148,11 +147,8 @@ mod tests {
     }
 
     /// Forces of a load, and of the commands.
-    fn forces<P: StickingSprings<3, 3, f64>>(
-        scene: &Block<'_, 3, f64>,
-        load: &[f64],
-    ) -> [Forces<3, 3, f64>; 2] {
-        let (mut ready, [mut loaded, mut squeezed]) = (P::none(), [Forces::none(); 2]);
+    fn forces(method: Method, scene: &Block<'_, 3, f64>, load: &[f64]) -> [Forces<3, f64>; 2] {
+        let (mut ready, [mut loaded, mut squeezed]) = (StickingSprings::none(method), [Forces::none(); 2]);
         ready.prepare(Compiled, scene);
         ready.load(Compiled, scene, load, &mut loaded);
         ready.squeeze(Compiled, scene, None, &mut squeezed);
@@ -174,8 +170,8 @@ mod tests {
                 continue;
             }
             count += 1;
-            let along = forces::<Triangle<3, f64>>(&compliant, &load);
-            let moved = forces::<RigidBody<6, 3, 3, f64>>(&stiff, &load);
+            let along = forces(Method::Edges, &compliant, &load);
+            let moved = forces(Method::Motions, &stiff, &load);
             let loaded = off(&along[0], &moved[0], 1.0);
             let commanded = off(&along[1], &moved[1], ROUNDING / ON_THE_EDGE);
             worst = [loaded, commanded].into_iter().fold(worst, f64::max);

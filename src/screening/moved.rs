@@ -3,26 +3,89 @@
 //! Where forces are found in compliances, the springs give the displacement of the object at each contact, `u = a - C F`. The difference of
 //! displacements along an edge e is `ω × e`, from which the rotation follows.
 
-use super::block::{Block, Commanded};
+use super::block::{Block, Commanded, MOST_CONTACTS};
 use super::finger::{Force, world};
 use super::forces::Forces;
 use super::lanes::{Packed, cross, dot};
 use super::springs::Cause;
 use super::triangle::{self, Triangle, others};
+use crate::numerics::Vectors;
 
 /// A small motion of the object, m and rad.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct ObjectMotion<const C: usize, const M: usize, X: Packed> {
+pub(super) struct ObjectMotion<const C: usize, X: Packed> {
     /// Displacements at the contacts along the coordinate axes.
-    pub(super) at: [[X; C]; M],
+    pub(super) at: [[X; C]; MOST_CONTACTS],
     /// Rotation about the coordinate axes, rad; in the plane the first entry alone.
     pub(super) turn: [X; 3],
 }
 
-impl<const C: usize, const M: usize, X: Packed> ObjectMotion<C, M, X> {
+impl<const C: usize, X: Packed> ObjectMotion<C, X> {
     /// No motion.
     pub(super) fn none() -> Self {
-        Self { at: [[X::all(0.0); C]; M], turn: [X::all(0.0); 3] }
+        Self { at: [[X::all(0.0); C]; MOST_CONTACTS], turn: [X::all(0.0); 3] }
+    }
+}
+
+impl<const C: usize, X: Packed> ObjectMotion<C, X> {
+    /// Becomes the motion of an object held by two contacts in the plane.
+    #[inline(never)]
+    pub(super) fn of_a_pair<V: Vectors>(
+        &mut self,
+        v: V,
+        block: &Block<'_, C, X>,
+        cause: &Cause<'_, C, X>,
+        forces: &Forces<C, X>,
+    ) {
+        v.run(
+            #[inline(always)]
+            || {
+                let points = block.points();
+                for i in 0..2 {
+                    self.at[i] = off_the_spring(block, &cause.commands, i, &forces.of[i]);
+                }
+                let [x, y] = [0, 1].map(|axis| points[axis][1] - points[axis][0]);
+                let [u, v] = [0, 1].map(|axis| self.at[1][axis] - self.at[0][axis]);
+                self.turn[0] = (x * v - y * u) / (x * x + y * y);
+            },
+        );
+    }
+
+    /// Becomes the motion of an object held by three contacts in space: `ω = (m·d₂ e₁ - m·d₁ e₂ + ½ (e₂·d₁ - e₁·d₂) m) / |m|²` with `d = ω × e` of
+    /// two edges.
+    #[inline(never)]
+    pub(super) fn of_a_triangle<V: Vectors>(
+        &mut self,
+        v: V,
+        triangle: &Triangle<C, X>,
+        block: &Block<'_, C, X>,
+        cause: &Cause<'_, C, X>,
+        forces: &Forces<C, X>,
+    ) {
+        v.run(
+            #[inline(always)]
+            || {
+                for i in 0..triangle::N {
+                    self.at[i] = off_the_spring(block, &cause.commands, i, &forces.of[i]);
+                }
+                let along = |k: usize| {
+                    let [tail, head] = others(k);
+                    let mut along = self.at[head];
+                    for axis in 0..C {
+                        along[axis] -= self.at[tail][axis];
+                    }
+                    along
+                };
+                let (m, [e_1, e_2]) = (&triangle.across, [&triangle.edge[1], &triangle.edge[2]]);
+                let [d_1, d_2] = [along(1), along(2)];
+                let twice = dot(e_2, &d_1) - dot(e_1, &d_2);
+                let (x, y, z) = (dot(m, &d_2), dot(m, &d_1), X::all(0.5) * twice);
+                for axis in 0..C {
+                    self.turn[axis] =
+                        triangle.one_over_square * ((x * e_1[axis] - y * e_2[axis]) + z * m[axis]);
+                }
+            },
+        );
     }
 }
 
@@ -43,57 +106,11 @@ fn off_the_spring<const C: usize, X: Packed>(
     world(&block.normals().map(|row| row[i]), &left)
 }
 
-/// The motion of an object held by two contacts in the plane.
-#[inline(always)]
-pub(super) fn with_pair<const C: usize, const M: usize, X: Packed>(
-    block: &Block<'_, C, X>,
-    cause: &Cause<'_, C, X>,
-    forces: &Forces<C, M, X>,
-    moved: &mut ObjectMotion<C, M, X>,
-) {
-    let points = block.points();
-    for i in 0..2 {
-        moved.at[i] = off_the_spring(block, &cause.commands, i, &forces.of[i]);
-    }
-    let [x, y] = [0, 1].map(|axis| points[axis][1] - points[axis][0]);
-    let [u, v] = [0, 1].map(|axis| moved.at[1][axis] - moved.at[0][axis]);
-    moved.turn[0] = (x * v - y * u) / (x * x + y * y);
-}
-
-/// The motion of an object held by three contacts in space: `ω = (m·d₂ e₁ - m·d₁ e₂ + ½ (e₂·d₁ - e₁·d₂) m) / |m|²` with `d = ω × e` of two edges.
-#[inline(always)]
-pub(super) fn with_triangle<const C: usize, const M: usize, X: Packed>(
-    triangle: &Triangle<C, X>,
-    block: &Block<'_, C, X>,
-    cause: &Cause<'_, C, X>,
-    forces: &Forces<C, M, X>,
-    moved: &mut ObjectMotion<C, M, X>,
-) {
-    for i in 0..triangle::N {
-        moved.at[i] = off_the_spring(block, &cause.commands, i, &forces.of[i]);
-    }
-    let along = |k: usize| {
-        let [tail, head] = others(k);
-        let mut along = moved.at[head];
-        for axis in 0..C {
-            along[axis] -= moved.at[tail][axis];
-        }
-        along
-    };
-    let (m, [e_1, e_2]) = (&triangle.across, [&triangle.edge[1], &triangle.edge[2]]);
-    let [d_1, d_2] = [along(1), along(2)];
-    let twice = dot(e_2, &d_1) - dot(e_1, &d_2);
-    let (x, y, z) = (dot(m, &d_2), dot(m, &d_1), X::all(0.5) * twice);
-    for axis in 0..C {
-        moved.turn[axis] = triangle.one_over_square * ((x * e_1[axis] - y * e_2[axis]) + z * m[axis]);
-    }
-}
-
 /// The derivatives of the work of a force under a motion at a contact: `ω × F` by the point, and by a turn of the contact frame `u × F`, expressed as
 /// the change of the normal, `(u × F) × n`.
 #[inline(always)]
 pub(super) fn worked<const C: usize, X: Packed>([turn, at, force, normal]: [&[X; C]; 4]) -> ([X; C], [X; C]) {
-    if C == 2 {
+    if const { C == 2 } {
         let (mut moved, mut tilted) = (*force, *normal);
         moved[0] = -(turn[0] * force[1]);
         moved[1] = turn[0] * force[0];

@@ -20,9 +20,6 @@ use super::block::{Block, Commanded, Layout, OneScene, Sizes};
 use super::factors::NOTHING;
 use super::forces::{Forces, ON_THE_EDGE};
 use super::lanes::Packed;
-use super::method::Method;
-use super::moved::{self, ObjectMotion};
-use super::springs::{Cause, StickingSprings};
 use crate::contact::ZERO_SLACK as ROUNDING;
 use crate::numerics::Vectors;
 
@@ -31,7 +28,7 @@ use crate::numerics::Vectors;
 /// A contact without friction has an infinite tangential compliance: the condition on λ reads `F_t = 0` there, and all its other terms vanish. Two
 /// such contacts hold nothing. Neither does one whose normal points along the line, because the object turns about the other contact. In these cases
 /// the compliances are NaN.
-pub(super) fn to_compliances<const C: usize, const N: usize>(scene: &mut OneScene<C, N>) {
+pub(super) fn to_compliances<const C: usize>(scene: &mut OneScene<C>) {
     let block = scene.block();
     let (points, normals, [k_n, k_t]) = (block.points(), block.normals(), block.springs());
     let slippery = [k_t[0], k_t[1]].map(|k| k == 0.0);
@@ -147,11 +144,9 @@ impl<X: Packed> Pair<X> {
     }
 }
 
-impl<const C: usize, const M: usize, X: Packed> StickingSprings<C, M, X> for Pair<X> {
-    const METHOD: Method = Method::Edges;
-    const CONTACTS: Option<usize> = Some(2);
-
-    fn none() -> Self {
+impl<X: Packed> Pair<X> {
+    /// An empty value that [`Self::prepare`] fills.
+    pub(super) fn none() -> Self {
         let (zero, zeros) = (X::all(0.0), [X::all(0.0); 2]);
         Self {
             normal: [zeros; 2],
@@ -168,13 +163,39 @@ impl<const C: usize, const M: usize, X: Packed> StickingSprings<C, M, X> for Pai
         }
     }
 
-    #[inline(always)]
-    fn prepare<V: Vectors>(&mut self, _: V, block: &Block<'_, C, X>) {
-        *self = Self::new(block);
+    #[inline(never)]
+    pub(super) fn prepare<V: Vectors, const C: usize>(&mut self, v: V, block: &Block<'_, C, X>) {
+        v.run(
+            #[inline(always)]
+            || *self = Self::new(block),
+        );
     }
 
+    #[inline(never)]
+    pub(super) fn load<V: Vectors, const C: usize>(&self, v: V, load: &[f64], forces: &mut Forces<C, X>) {
+        v.run(
+            #[inline(always)]
+            || self.loaded(load, forces),
+        );
+    }
+
+    #[inline(never)]
+    pub(super) fn squeeze<V: Vectors, const C: usize>(
+        &self,
+        v: V,
+        block: &Block<'_, C, X>,
+        others: Option<&Commanded<'_, C, X>>,
+        forces: &mut Forces<C, X>,
+    ) {
+        v.run(
+            #[inline(always)]
+            || self.squeezed(block, others, forces),
+        );
+    }
+
+    /// Forces of a load alone.
     #[inline(always)]
-    fn load<V: Vectors>(&self, _: V, _: &Block<'_, C, X>, load: &[f64], forces: &mut Forces<C, M, X>) {
+    fn loaded<const C: usize>(&self, load: &[f64], forces: &mut Forces<C, X>) {
         let zero = [X::all(0.0); 2];
         let load = [0, 1, 2].map(|k| X::all(load[k]));
         let s = (load[2] - (self.midpoint[0] * load[1] - self.midpoint[1] * load[0])) * self.one_over_square;
@@ -196,14 +217,13 @@ impl<const C: usize, const M: usize, X: Packed> StickingSprings<C, M, X> for Pai
         (forces.unbalanced, forces.free) = (X::all(0.0), X::all(0.0));
     }
 
-    /// The forces act along the line through both contacts.
+    /// Forces of commands alone, which act along the line through both contacts.
     #[inline(always)]
-    fn squeeze<V: Vectors>(
+    fn squeezed<const C: usize>(
         &self,
-        _: V,
         block: &Block<'_, C, X>,
         others: Option<&Commanded<'_, C, X>>,
-        forces: &mut Forces<C, M, X>,
+        forces: &mut Forces<C, X>,
     ) {
         let (commanded, size) = others.map_or((self.commanded, self.sizes.commands), |others| {
             let points = block.points();
@@ -218,18 +238,6 @@ impl<const C: usize, const M: usize, X: Packed> StickingSprings<C, M, X> for Pai
             forces.rounding[i] = X::all(ON_THE_EDGE) * size;
         }
         (forces.unbalanced, forces.free) = (X::all(0.0), X::all(0.0));
-    }
-
-    #[inline(always)]
-    fn moved<V: Vectors>(
-        &self,
-        _: V,
-        block: &Block<'_, C, X>,
-        cause: &Cause<'_, C, X>,
-        forces: &Forces<C, M, X>,
-        moved: &mut ObjectMotion<C, M, X>,
-    ) {
-        moved::with_pair(block, cause, forces, moved);
     }
 }
 

@@ -1,16 +1,13 @@
 //! Screening of a part of a batch on one thread.
 
-use super::balance::RigidBody;
 use super::block::{Block, Layout};
 use super::forces::Forces;
 use super::lanes::{LANES, Lanes};
-use super::method::{is_a_pair, is_a_triangle};
-use super::pair::Pair;
+use super::method::Method;
 use super::question::{Scenes, ScreeningQuestion};
 use super::springs::StickingSprings;
 use super::told::Told;
-use super::triangle::Triangle;
-use crate::numerics::{Compiled, OnVectors, Vectors, on_the_widest};
+use crate::numerics::{OnVectors, Vectors, on_the_widest};
 
 /// Scenes, the questions about them, and the slots for their answers.
 pub(super) struct Part<'a, const C: usize, Q: ScreeningQuestion<C>> {
@@ -23,98 +20,37 @@ pub(super) struct Part<'a, const C: usize, Q: ScreeningQuestion<C>> {
     pub(super) answers: &'a mut [Q::Answer],
 }
 
-/// Answers the questions for a part; the method of motions has room for `M` contacts.
-pub(super) fn screen<const D: usize, const C: usize, const M: usize, Q: ScreeningQuestion<C>>(
-    part: Part<'_, C, Q>,
-) {
-    struct Here<'a, const D: usize, const C: usize, const M: usize, Q: ScreeningQuestion<C>>(Part<'a, C, Q>);
-    impl<const D: usize, const C: usize, const M: usize, Q: ScreeningQuestion<C>> OnVectors
-        for Here<'_, D, C, M, Q>
-    {
-        type Output = ();
-        fn on<V: Vectors>(self, vectors: V) {
-            self.0.screen_on::<V, D, M>(vectors);
-        }
-    }
-    on_the_widest(Here::<D, C, M, Q>(part));
+/// Answers the questions for a part.
+pub(super) fn screen<const C: usize, Q: ScreeningQuestion<C>>(part: Part<'_, C, Q>) {
+    on_the_widest(part);
 }
 
-impl<const C: usize, Q: ScreeningQuestion<C>> Part<'_, C, Q> {
+impl<const C: usize, Q: ScreeningQuestion<C>> OnVectors for Part<'_, C, Q> {
+    type Output = ();
     #[inline(always)]
-    fn screen_on<V: Vectors, const D: usize, const M: usize>(self, vectors: V) {
+    fn on<V: Vectors>(self, vectors: V) {
         let contacts = self.contacts;
         let numbers = self.numbers.chunks_exact(Layout::<C>::numbers(contacts));
         let blocks = numbers.zip(self.parted.chunks_exact(2 * contacts));
-        let blocks = blocks.map(|(numbers, parted)| Block::<C, Lanes> { contacts, numbers, parted });
         let of_block = LANES * self.questions.len() * Q::answers(contacts);
-        let blocks = blocks.zip(self.answers.chunks_mut(of_block));
-        let questions = self.questions;
-        let mut edges = Answering::<_, Triangle<C, Lanes>, C, 3>::on(vectors);
-        let mut motions = Answering::<_, RigidBody<D, C, M, Lanes>, C, M>::on(vectors);
-        for (block, answers) in blocks {
-            if is_a_pair(&block) {
-                answer_pairs(vectors, &block, questions, answers);
-                continue;
+        let mut methods = [Method::Edges, Method::Motions].map(StickingSprings::none);
+        let (mut squeezed, mut room) = (Forces::none(), [Forces::none(); 3]);
+        for ((numbers, parted), answers) in blocks.zip(self.answers.chunks_mut(of_block)) {
+            let block = Block { contacts, numbers, parted };
+            for ready in &mut methods {
+                let these = ready.method().of(&block);
+                if these == [false; LANES] {
+                    continue;
+                }
+                ready.prepare(vectors, &block);
+                ready.squeeze(vectors, &block, None, &mut squeezed);
+                let scenes = Scenes { vectors, block, ready, squeezed: &squeezed };
+                for (k, question) in self.questions.iter().enumerate() {
+                    let place = [k, self.questions.len()];
+                    let mut told = Told::new(answers, these, place, Q::answers(contacts));
+                    question.ask(&scenes, room.each_mut(), &mut told);
+                }
             }
-            if is_a_triangle(&block) {
-                edges.answer(&block, questions, answers);
-            }
-            motions.answer(&block, questions, answers);
-        }
-    }
-}
-
-/// Pairs have the shortest method, which is compiled as one function.
-#[inline(never)]
-fn answer_pairs<V: Vectors, const C: usize, Q: ScreeningQuestion<C>>(
-    vectors: V,
-    block: &Block<'_, C, Lanes>,
-    questions: &[Q],
-    answers: &mut [Q::Answer],
-) {
-    vectors.run(
-        #[inline(always)]
-        || {
-            let block = Block { contacts: 2, ..*block };
-            Answering::<_, Pair<Lanes>, C, 2>::on(Compiled).answer(&block, questions, answers);
-        },
-    );
-}
-
-/// The working memory of one method for a block of scenes.
-struct Answering<V, P, const C: usize, const M: usize> {
-    vectors: V,
-    ready: P,
-    squeezed: Forces<C, M, Lanes>,
-    room: [Forces<C, M, Lanes>; 3],
-}
-
-impl<V: Vectors, P: StickingSprings<C, M, Lanes>, const C: usize, const M: usize> Answering<V, P, C, M> {
-    #[inline(always)]
-    fn on(vectors: V) -> Self {
-        Self { vectors, ready: P::none(), squeezed: Forces::none(), room: [Forces::none(); 3] }
-    }
-
-    /// Answers the questions for those scenes of a block that use this method.
-    #[inline(always)]
-    fn answer<Q: ScreeningQuestion<C>>(
-        &mut self,
-        block: &Block<'_, C, Lanes>,
-        questions: &[Q],
-        answers: &mut [Q::Answer],
-    ) {
-        let these = P::METHOD.of(block);
-        if these == [false; LANES] {
-            return;
-        }
-        let Self { vectors, ready, squeezed, room } = self;
-        ready.prepare(*vectors, block);
-        ready.squeeze(*vectors, block, None, squeezed);
-        let scenes = Scenes { vectors: *vectors, block: *block, ready: &*ready, squeezed: &*squeezed };
-        for (k, question) in questions.iter().enumerate() {
-            let [a, b, c] = &mut *room;
-            let mut told = Told::new(answers, these, [k, questions.len()], Q::answers(block.contacts));
-            question.ask(&scenes, [a, b, c], &mut told);
         }
     }
 }

@@ -2,11 +2,9 @@
 
 use super::first_exit::judge;
 use super::first_slip::SlipCode;
-use super::forces::Forces;
 use super::lanes::Packed;
 use super::question::{Room, Scenes, ScreeningQuestion};
 use super::screened::Screened;
-use super::springs::StickingSprings;
 use super::told::Told;
 use crate::error::Error;
 use crate::grasp::Wrench;
@@ -39,45 +37,18 @@ impl<const C: usize> ScreeningQuestion<C> for Pull<C> {
     const UNKNOWN: Screened = Screened(SlipCode::UNKNOWN);
 
     #[inline(always)]
-    fn ask<V: Vectors, P: StickingSprings<C, M, X>, const M: usize, X: Packed>(
+    fn ask<V: Vectors, X: Packed>(
         &self,
-        scenes: &Scenes<'_, V, P, C, M, X>,
-        [rates, base, _]: Room<'_, C, M, X>,
+        scenes: &Scenes<'_, V, C, X>,
+        [rates, base, _]: Room<'_, C, X>,
         told: &mut Told<'_, Screened, X>,
     ) {
         scenes.under(&self.direction, rates);
-        // Two calls instead of a choice between forces: a method compiled as one function then keeps them in registers.
+        let mut start = scenes.squeezed;
         if self.loaded {
             scenes.squeezed_under(&self.base, base);
-            told.each(judged(scenes, base, rates));
-        } else {
-            told.each(judged(scenes, scenes.squeezed, rates));
+            start = base;
         }
+        told.each(judge(scenes.vectors, scenes.block.friction(), start, rates));
     }
-}
-
-/// The verdicts on scenes from their forces at factor zero and the rates of these.
-#[inline(always)]
-pub(super) fn judged<V: Vectors, P: StickingSprings<C, M, X>, const C: usize, const M: usize, X: Packed>(
-    scenes: &Scenes<'_, V, P, C, M, X>,
-    base: &Forces<C, M, X>,
-    rates: &Forces<C, M, X>,
-) -> X::Each<Screened> {
-    if P::CONTACTS.is_some() {
-        return judge(scenes.block.friction(), base, rates);
-    }
-    judge_apart(scenes.vectors, scenes.block.friction(), base, rates)
-}
-
-#[inline(never)]
-fn judge_apart<V: Vectors, const C: usize, const M: usize, X: Packed>(
-    v: V,
-    friction: &[X],
-    base: &Forces<C, M, X>,
-    rates: &Forces<C, M, X>,
-) -> X::Each<Screened> {
-    v.run(
-        #[inline(always)]
-        || judge(friction, base, rates),
-    )
 }

@@ -1,6 +1,6 @@
 //! A question about the scenes of a block.
 
-use super::block::{Block, Commanded, count};
+use super::block::{Block, Commanded, MOST_CONTACTS, count};
 use super::forces::{Forces, ON_THE_EDGE};
 use super::lanes::Packed;
 use super::springs::StickingSprings;
@@ -11,16 +11,16 @@ use crate::numerics::Vectors;
 
 /// Prepared scenes, one in each lane. They are borrowed because they are too large to be moved for every block.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Scenes<'a, V, P, const C: usize, const M: usize, X: Packed> {
+pub(crate) struct Scenes<'a, V, const C: usize, X: Packed> {
     pub(super) vectors: V,
     pub(super) block: Block<'a, C, X>,
-    pub(super) ready: &'a P,
+    pub(super) ready: &'a StickingSprings<C, X>,
     /// Forces of the commands less the clearances, without load.
-    pub(super) squeezed: &'a Forces<C, M, X>,
+    pub(super) squeezed: &'a Forces<C, X>,
 }
 
 /// Working memory for the forces of a question, created once for all blocks.
-pub(crate) type Room<'a, const C: usize, const M: usize, X> = [&'a mut Forces<C, M, X>; 3];
+pub(crate) type Room<'a, const C: usize, X> = [&'a mut Forces<C, X>; 3];
 
 /// A question that every scene of a batch gets alike.
 pub(crate) trait ScreeningQuestion<const C: usize>: Sync + Sized {
@@ -32,36 +32,34 @@ pub(crate) trait ScreeningQuestion<const C: usize>: Sync + Sized {
         1
     }
     /// Implementations must be inlined, or the caller's vector instructions would not be used.
-    fn ask<V: Vectors, P: StickingSprings<C, M, X>, const M: usize, X: Packed>(
+    fn ask<V: Vectors, X: Packed>(
         &self,
-        scenes: &Scenes<'_, V, P, C, M, X>,
-        room: Room<'_, C, M, X>,
+        scenes: &Scenes<'_, V, C, X>,
+        room: Room<'_, C, X>,
         told: &mut Told<'_, Self::Answer, X>,
     );
 }
 
-impl<V: Vectors, P: StickingSprings<C, M, X>, const C: usize, const M: usize, X: Packed>
-    Scenes<'_, V, P, C, M, X>
-{
+impl<V: Vectors, const C: usize, X: Packed> Scenes<'_, V, C, X> {
     /// The forces of a load alone.
     #[inline(always)]
-    pub(super) fn under(&self, load: &Wrench<C>, forces: &mut Forces<C, M, X>) {
+    pub(super) fn under(&self, load: &Wrench<C>, forces: &mut Forces<C, X>) {
         self.ready.load(self.vectors, &self.block, load.components(), forces);
     }
 
     /// The forces of the commands and a load together.
     #[inline(always)]
-    pub(super) fn squeezed_under(&self, load: &Wrench<C>, forces: &mut Forces<C, M, X>) {
+    pub(super) fn squeezed_under(&self, load: &Wrench<C>, forces: &mut Forces<C, X>) {
         self.under(load, forces);
         forces.add_to(self.block.contacts, self.squeezed, ON_THE_EDGE / ROUNDING);
     }
 
     /// The forces of the commands alone, and those of the clearances alone, both with the rounding of loads.
     #[inline(always)]
-    pub(super) fn apart(&self, [commands, clearances]: [&mut Forces<C, M, X>; 2]) {
+    pub(super) fn apart(&self, [commands, clearances]: [&mut Forces<C, X>; 2]) {
         let [commanded, clearance] = self.block.parted();
         let mut largest = X::all(0.0);
-        let mut overlaps = [X::all(0.0); M];
+        let mut overlaps = [X::all(0.0); MOST_CONTACTS];
         for (overlap, clearance) in overlaps.iter_mut().zip(clearance) {
             largest = largest.max(clearance.abs());
             *overlap = -*clearance;
@@ -70,12 +68,12 @@ impl<V: Vectors, P: StickingSprings<C, M, X>, const C: usize, const M: usize, X:
         *commands = *self.squeezed;
         *clearances = Forces::none();
         if !largest.is_all(0.0) {
-            let contacts = count::<M, X>(self.block.contacts);
-            let squeeze = |pressed, sheared, forces: &mut Forces<C, M, X>| {
+            let contacts = count(self.block.contacts);
+            let squeeze = |pressed, sheared, forces: &mut Forces<C, X>| {
                 self.ready.squeeze(self.vectors, &self.block, Some(&Commanded { pressed, sheared }), forces);
             };
             squeeze(commanded, self.block.commands().sheared, commands);
-            squeeze(&overlaps[..contacts], [&[X::all(0.0); M][..contacts]; C], clearances);
+            squeeze(&overlaps[..contacts], [&[X::all(0.0); MOST_CONTACTS][..contacts]; C], clearances);
             // Clearances stretch springs alone and drive no free motion. Where their forces cancel, `free` would come from rounding.
             clearances.free = X::all(0.0);
         }

@@ -1,10 +1,13 @@
 //! Forces of sticking contacts under loads and commands.
 
+use super::balance::RigidBody;
 use super::block::{Block, Commanded};
 use super::forces::Forces;
 use super::lanes::Packed;
 use super::method::Method;
 use super::moved::ObjectMotion;
+use super::pair::Pair;
+use super::triangle::Triangle;
 use crate::numerics::Vectors;
 
 /// The commands of the fingers and the load that move the object.
@@ -14,42 +17,97 @@ pub(super) struct Cause<'a, const C: usize, X: Packed> {
     pub(super) load: [X; 6],
 }
 
-/// The sticking springs of scenes before any load acts, by one of three methods: a pair, a triangle, or the stiffness of the object.
-pub(super) trait StickingSprings<const C: usize, const M: usize, X: Packed>: Copy {
-    /// An empty value that [`Self::prepare`] fills.
-    fn none() -> Self;
-    /// The method that this type implements; a scene that needs another one is skipped.
-    const METHOD: Method;
-    /// The number of contacts, if the method serves exactly one. Such a method is short, and each question is compiled with it as one function.
-    const CONTACTS: Option<usize>;
+/// The sticking springs of scenes before any load acts, by one of three methods. Conditions on constants keep pairs in space and triangles in the
+/// plane, which do not exist, from being compiled.
+#[derive(Debug, Clone, Copy)]
+#[allow(clippy::large_enum_variant)] // none is ever moved about alone
+pub(super) enum StickingSprings<const C: usize, X: Packed> {
+    /// Closed form for a pair in the plane.
+    Pair(Pair<X>),
+    /// Forces along the edges of a triangle in space.
+    Triangle(Triangle<C, X>),
+    /// Factorised stiffness of the object.
+    RigidBody(RigidBody<C, X>),
+}
 
-    fn prepare<V: Vectors>(&mut self, vectors: V, block: &Block<'_, C, X>);
+impl<const C: usize, X: Packed> StickingSprings<C, X> {
+    /// An empty value that [`Self::prepare`] fills.
+    pub(super) fn none(method: Method) -> Self {
+        match method {
+            Method::Edges if C == 2 => Self::Pair(Pair::none()),
+            Method::Edges => Self::Triangle(Triangle::none()),
+            Method::Motions => Self::RigidBody(RigidBody::none()),
+        }
+    }
+
+    /// The method in use; a scene that needs another one is skipped.
+    pub(super) fn method(&self) -> Method {
+        match self {
+            Self::Pair(_) | Self::Triangle(_) => Method::Edges,
+            Self::RigidBody(_) => Method::Motions,
+        }
+    }
+
+    pub(super) fn prepare<V: Vectors>(&mut self, v: V, block: &Block<'_, C, X>) {
+        match self {
+            Self::Pair(pair) if const { C == 2 } => pair.prepare(v, block),
+            Self::Triangle(triangle) if const { C == 3 } => triangle.prepare(v, block),
+            Self::RigidBody(body) => body.prepare(v, block),
+            _ => {}
+        }
+    }
 
     /// Forces of a load alone, with the fingers at rest, at the contacts of the block.
-    fn load<V: Vectors>(
+    pub(super) fn load<V: Vectors>(
         &self,
-        vectors: V,
+        v: V,
         block: &Block<'_, C, X>,
         load: &[f64],
-        forces: &mut Forces<C, M, X>,
-    );
+        forces: &mut Forces<C, X>,
+    ) {
+        match self {
+            Self::Pair(pair) if const { C == 2 } => pair.load(v, load, forces),
+            Self::Triangle(triangle) if const { C == 3 } => triangle.load(v, block, load, forces),
+            Self::RigidBody(body) => body.sticking(v, None, load, forces),
+            _ => {}
+        }
+    }
 
     /// Forces of commands alone, the object without load: the commands of the block less its clearances, or `others`.
-    fn squeeze<V: Vectors>(
+    pub(super) fn squeeze<V: Vectors>(
         &self,
-        vectors: V,
+        v: V,
         block: &Block<'_, C, X>,
         others: Option<&Commanded<'_, C, X>>,
-        forces: &mut Forces<C, M, X>,
-    );
+        forces: &mut Forces<C, X>,
+    ) {
+        match self {
+            Self::Pair(pair) if const { C == 2 } => pair.squeeze(v, block, others, forces),
+            Self::Triangle(triangle) if const { C == 3 } => triangle.squeeze(v, block, others, forces),
+            Self::RigidBody(body) => {
+                let commands = others.copied().unwrap_or_else(|| block.commands());
+                body.sticking(v, Some(&commands), &[0.0; 6], forces);
+            }
+            _ => {}
+        }
+    }
 
     /// The motion of the object under commands and a load, given the `forces` that both bring about together.
-    fn moved<V: Vectors>(
+    pub(super) fn moved<V: Vectors>(
         &self,
-        vectors: V,
+        v: V,
         block: &Block<'_, C, X>,
         cause: &Cause<'_, C, X>,
-        forces: &Forces<C, M, X>,
-        moved: &mut ObjectMotion<C, M, X>,
-    );
+        forces: &Forces<C, X>,
+        moved: &mut ObjectMotion<C, X>,
+    ) {
+        match self {
+            Self::Pair(_) if const { C == 2 } => moved.of_a_pair(v, block, cause, forces),
+            Self::Triangle(triangle) if const { C == 3 } => {
+                moved.of_a_triangle(v, triangle, block, cause, forces);
+            }
+            Self::RigidBody(body) => body.moved(v, cause, moved),
+            _ => {}
+        }
+    }
 }

@@ -5,13 +5,12 @@
 //! residual is solved for again. Forces that obey both the balance and the springs are right, however inaccurate T is.
 
 use super::balance::RigidBody;
-use super::block::{Block, Commanded};
+use super::block::{Block, Commanded, Layout, MOST_CONTACTS};
 use super::finger::{Force, displacement, stretched};
 use super::forces::{Forces, ON_THE_EDGE};
 use super::lanes::Packed;
-use super::method::Method;
 use super::moved::ObjectMotion;
-use super::springs::{Cause, StickingSprings};
+use super::springs::Cause;
 use crate::contact::ZERO_SLACK as ROUNDING;
 use crate::numerics::Vectors;
 
@@ -24,50 +23,32 @@ const TIMES: usize = 3;
 /// a larger bound a load that drives the object away weakly would be called unclear.
 const GIVES_WAY: f64 = 1e-6;
 
-impl<const D: usize, const C: usize, const M: usize, X: Packed> StickingSprings<C, M, X>
-    for RigidBody<D, C, M, X>
-{
-    const METHOD: Method = Method::Motions;
-    const CONTACTS: Option<usize> = None;
-
-    fn none() -> Self {
-        RigidBody::none()
-    }
-
+impl<const C: usize, X: Packed> RigidBody<C, X> {
     #[inline(never)]
-    fn prepare<V: Vectors>(&mut self, v: V, block: &Block<'_, C, X>) {
+    pub(super) fn prepare<V: Vectors>(&mut self, v: V, block: &Block<'_, C, X>) {
         v.run(
             #[inline(always)]
             || self.ready(block),
         );
     }
 
-    #[inline(always)]
-    fn load<V: Vectors>(&self, v: V, _: &Block<'_, C, X>, load: &[f64], forces: &mut Forces<C, M, X>) {
-        sticking(v, self, None, load, forces);
-    }
-
-    #[inline(always)]
-    fn squeeze<V: Vectors>(
+    /// Forces of commands alone, or of a load alone with the fingers at rest.
+    #[inline(never)]
+    pub(super) fn sticking<V: Vectors>(
         &self,
         v: V,
-        block: &Block<'_, C, X>,
-        others: Option<&Commanded<'_, C, X>>,
-        forces: &mut Forces<C, M, X>,
+        commands: Option<&Commanded<'_, C, X>>,
+        load: &[f64],
+        forces: &mut Forces<C, X>,
     ) {
-        let commands = others.copied().unwrap_or_else(|| block.commands());
-        sticking(v, self, Some(&commands), &[0.0; 6], forces);
+        v.run(
+            #[inline(always)]
+            || stretch(self, commands, load, forces),
+        );
     }
 
     #[inline(never)]
-    fn moved<V: Vectors>(
-        &self,
-        v: V,
-        _: &Block<'_, C, X>,
-        cause: &Cause<'_, C, X>,
-        _: &Forces<C, M, X>,
-        moved: &mut ObjectMotion<C, M, X>,
-    ) {
+    pub(super) fn moved<V: Vectors>(&self, v: V, cause: &Cause<'_, C, X>, moved: &mut ObjectMotion<C, X>) {
         v.run(
             #[inline(always)]
             || move_object(self, cause, moved),
@@ -75,60 +56,37 @@ impl<const D: usize, const C: usize, const M: usize, X: Packed> StickingSprings<
     }
 }
 
-/// Forces of commands alone, or of a load alone with the fingers at rest.
-#[inline(never)]
-fn sticking<V: Vectors, const D: usize, const C: usize, const M: usize, X: Packed>(
-    v: V,
-    body: &RigidBody<D, C, M, X>,
-    commands: Option<&Commanded<'_, C, X>>,
-    load: &[f64],
-    forces: &mut Forces<C, M, X>,
-) {
-    v.run(
-        #[inline(always)]
-        || stretch(body, commands, load, forces),
-    );
-}
-
 #[inline(always)]
-fn stretch<const D: usize, const C: usize, const M: usize, X: Packed>(
-    body: &RigidBody<D, C, M, X>,
+fn stretch<const C: usize, X: Packed>(
+    body: &RigidBody<C, X>,
     commands: Option<&Commanded<'_, C, X>>,
     load: &[f64],
-    forces: &mut Forces<C, M, X>,
+    forces: &mut Forces<C, X>,
 ) {
     let zero = X::all(0.0);
-    let fingers = body.fingers();
-    let mut lanes = [zero; D];
-    for k in 0..D {
+    let mut lanes = [zero; 6];
+    for k in 0..Layout::<C>::COORDINATES {
         lanes[k] = X::all(load[k]);
     }
     let load = if commands.is_none() { body.carried(&lanes) } else { lanes };
-    let Settled { contacts, moved, part } = let_go(body, commands, &load);
-    forces.of[..fingers.len()].copy_from_slice(&contacts[..fingers.len()]);
+    let (moved, part) = let_go(body, commands, &load, &mut forces.of);
     bound_rounding(body, commands, &load, &moved, forces);
     forces.unbalanced = part;
     forces.free = part.above(X::all(GIVES_WAY), body.free(), zero);
 }
 
-/// Forces, the motion of the object, and the unbalanced part of the load.
-struct Settled<const D: usize, const C: usize, const M: usize, X: Packed> {
-    contacts: [Force<C, X>; M],
-    moved: [X; D],
-    part: X,
-}
-
-/// The equilibrium under commands and a load about the centroid.
+/// The equilibrium under commands and a load about the centroid: forces, the motion of the object, and the unbalanced part of the load.
 #[inline(always)]
-fn let_go<const D: usize, const C: usize, const M: usize, X: Packed>(
-    body: &RigidBody<D, C, M, X>,
+fn let_go<const C: usize, X: Packed>(
+    body: &RigidBody<C, X>,
     commands: Option<&Commanded<'_, C, X>>,
-    load: &[X; D],
-) -> Settled<D, C, M, X> {
+    load: &[X; 6],
+    contacts: &mut [Force<C, X>; MOST_CONTACTS],
+) -> ([X; 6], X) {
     let zero = X::all(0.0);
     let fingers = body.fingers();
-    let mut contacts = [Force { normal: zero, tangential: [zero; C] }; M];
-    for (i, (finger, force)) in fingers.iter().zip(&mut contacts).enumerate() {
+    for (i, (finger, force)) in fingers.iter().zip(&mut *contacts).enumerate() {
+        *force = Force { normal: zero, tangential: [zero; C] };
         if let Some(commands) = commands {
             let [normal, tangential] = finger.springs;
             force.normal = normal * commands.pressed[i];
@@ -138,14 +96,14 @@ fn let_go<const D: usize, const C: usize, const M: usize, X: Packed>(
         }
     }
     let (mut left, mut part) =
-        if commands.is_some() { body.unbalanced(&contacts, load) } else { (*load, zero) };
-    let mut moved = [zero; D];
+        if commands.is_some() { body.unbalanced(&*contacts, load) } else { (*load, zero) };
+    let mut moved = [zero; 6];
     for time in 0..=TIMES {
         let q = body.motion(&left);
-        for k in 0..D {
+        for k in 0..Layout::<C>::COORDINATES {
             moved[k] += q[k];
         }
-        for (finger, force) in fingers.iter().zip(&mut contacts) {
+        for (finger, force) in fingers.iter().zip(&mut *contacts) {
             let u = displacement(&finger.arm, &q);
             let less = stretched(finger, &u);
             force.normal -= less.normal;
@@ -153,7 +111,7 @@ fn let_go<const D: usize, const C: usize, const M: usize, X: Packed>(
                 force.tangential[axis] -= less.tangential[axis];
             }
         }
-        (left, part) = body.unbalanced(&contacts, load);
+        (left, part) = body.unbalanced(&*contacts, load);
         let improvable = part.above(X::all(IMPROVED), X::all(1.0), zero);
         if time == TIMES || improvable.is_all(0.0) {
             break;
@@ -163,43 +121,43 @@ fn let_go<const D: usize, const C: usize, const M: usize, X: Packed>(
             *entry = improvable.above(zero, *entry, zero);
         }
     }
-    Settled { contacts, moved, part }
+    (moved, part)
 }
 
 /// The displacements of contacts at the equilibrium. If a motion is free they are NaN, because the position of the object is not determined.
 #[inline(always)]
-fn move_object<const D: usize, const C: usize, const M: usize, X: Packed>(
-    body: &RigidBody<D, C, M, X>,
+fn move_object<const C: usize, X: Packed>(
+    body: &RigidBody<C, X>,
     cause: &Cause<'_, C, X>,
-    moved: &mut ObjectMotion<C, M, X>,
+    moved: &mut ObjectMotion<C, X>,
 ) {
-    let mut load = [X::all(0.0); D];
-    load.copy_from_slice(&cause.load[..D]);
-    let mut settled = let_go(body, Some(&cause.commands), &body.carried(&load));
-    for entry in &mut settled.moved {
+    let mut forces = Forces::none();
+    let (mut motion, _) = let_go(body, Some(&cause.commands), &body.carried(&cause.load), &mut forces.of);
+    for entry in &mut motion {
         *entry = body.free().above(X::all(0.0), X::all(f64::NAN), *entry);
     }
     for (at, finger) in moved.at.iter_mut().zip(body.fingers()) {
-        *at = displacement(&finger.arm, &settled.moved);
+        *at = displacement(&finger.arm, &motion);
     }
-    moved.turn[..D - C].copy_from_slice(&settled.moved[C..]);
+    let coordinates = Layout::<C>::COORDINATES;
+    moved.turn[..coordinates - C].copy_from_slice(&motion[C..coordinates]);
 }
 
 /// Bounds the rounding of forces: a part of the force, and a part of the force that its spring would exert over the whole displacement that stretches
 /// and slackens it. The second part is limited by the size of the forces. Displacements that ought to cancel leave forces only between two contacts
 /// or more, so that the second stiffest contact sets that size.
 #[inline(always)]
-fn bound_rounding<const D: usize, const C: usize, const M: usize, X: Packed>(
-    body: &RigidBody<D, C, M, X>,
+fn bound_rounding<const C: usize, X: Packed>(
+    body: &RigidBody<C, X>,
     commands: Option<&Commanded<'_, C, X>>,
-    load: &[X; D],
-    moved: &[X; D],
-    forces: &mut Forces<C, M, X>,
+    load: &[X; 6],
+    moved: &[X; 6],
+    forces: &mut Forces<C, X>,
 ) {
     let zero = X::all(0.0);
     let fingers = body.fingers();
     let (mut shift, mut turn, mut largest) = (zero, zero, zero);
-    for k in 0..D {
+    for k in 0..Layout::<C>::COORDINATES {
         if k < C {
             shift += moved[k].abs();
             largest += load[k].abs();
@@ -208,7 +166,7 @@ fn bound_rounding<const D: usize, const C: usize, const M: usize, X: Packed>(
         }
     }
     let span = shift + turn * body.reach;
-    let mut sizes = [zero; M];
+    let mut sizes = [zero; MOST_CONTACTS];
     let (mut most, mut second) = (zero, zero);
     for (i, finger) in fingers.iter().enumerate() {
         let [normal, tangential] = finger.springs;

@@ -22,9 +22,6 @@ use super::block::{Block, Commanded};
 use super::factors::LaneFactors;
 use super::forces::{Forces, ON_THE_EDGE};
 use super::lanes::{Packed, cross, dot};
-use super::method::Method;
-use super::moved::{self, ObjectMotion};
-use super::springs::{Cause, StickingSprings};
 use crate::contact::ZERO_SLACK as ROUNDING;
 use crate::numerics::Vectors;
 
@@ -95,14 +92,14 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
             pushed[k] = c_t[head] - c_t[tail];
             turned[k] = c_t[head] * corner[tail] - c_t[tail] * corner[head];
         }
-        factors.factorize();
+        factors.factorize(N);
         let one_over_square = X::all(1.0) / dot(&across, &across);
         *self = Self { edge, centre, across, one_over_square, ends, begins, pushed, turned, factors };
     }
 
     /// Forces of a load alone.
     #[inline(always)]
-    fn loaded<const M: usize>(&self, block: &Block<'_, C, X>, load: &[f64], forces: &mut Forces<C, M, X>) {
+    fn loaded(&self, block: &Block<'_, C, X>, load: &[f64], forces: &mut Forces<C, X>) {
         let (normals, springs) = (block.normals(), block.springs());
         let mut force = [X::all(0.0); C];
         let (mut moment, mut share) = (force, force);
@@ -134,7 +131,7 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
             let across = self.pushed[k] * dot(&self.edge[k], &share) + self.turned[k] * twist;
             taken[k] = -(taken[k] + across);
         }
-        let lambda = self.factors.solve(&taken);
+        let lambda = self.factors.solve(N, &taken);
         let sizes = block.sizes();
         let size = sizes.moment * moment_size + sizes.force * force_size;
         self.forces(block, &lambda, Some((&borne, &pressed)), X::all(ROUNDING) * size, forces);
@@ -156,11 +153,11 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
 
     /// Forces of commands alone: those of the block, or `others`.
     #[inline(always)]
-    fn squeezed<const M: usize>(
+    fn squeezed(
         &self,
         block: &Block<'_, C, X>,
         others: Option<&Commanded<'_, C, X>>,
-        forces: &mut Forces<C, M, X>,
+        forces: &mut Forces<C, X>,
     ) {
         let size = others.map_or_else(|| block.sizes().commands, |others| self.size_of(others));
         let Commanded { pressed, sheared } = others.copied().unwrap_or_else(|| block.commands());
@@ -171,7 +168,7 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
                 taken[k] += self.edge[k][axis] * (sheared[axis][head] - sheared[axis][tail]);
             }
         }
-        let lambda = self.factors.solve(&taken);
+        let lambda = self.factors.solve(N, &taken);
         self.forces(block, &lambda, None, X::all(ON_THE_EDGE) * size, forces);
     }
 
@@ -188,13 +185,13 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
 
     /// Stores the sum of the forces along the edges and of `borne`, given with its normal parts, which balances the load.
     #[inline(always)]
-    fn forces<const M: usize>(
+    fn forces(
         &self,
         block: &Block<'_, C, X>,
         lambda: &[X; N],
         borne: Option<(&[[X; C]; N], &[X; N])>,
         rounding: X,
-        forces: &mut Forces<C, M, X>,
+        forces: &mut Forces<C, X>,
     ) {
         let normals = block.normals();
         (forces.unbalanced, forces.free) = (X::all(0.0), X::all(0.0));
@@ -228,11 +225,9 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
     }
 }
 
-impl<const C: usize, const M: usize, X: Packed> StickingSprings<C, M, X> for Triangle<C, X> {
-    const METHOD: Method = Method::Edges;
-    const CONTACTS: Option<usize> = None;
-
-    fn none() -> Self {
+impl<const C: usize, X: Packed> Triangle<C, X> {
+    /// An empty value that [`Self::prepare`] fills.
+    pub(super) fn none() -> Self {
         let (none, zero) = ([X::all(0.0); N], X::all(0.0));
         Self {
             edge: [[zero; C]; N],
@@ -248,7 +243,7 @@ impl<const C: usize, const M: usize, X: Packed> StickingSprings<C, M, X> for Tri
     }
 
     #[inline(never)]
-    fn prepare<V: Vectors>(&mut self, v: V, block: &Block<'_, C, X>) {
+    pub(super) fn prepare<V: Vectors>(&mut self, v: V, block: &Block<'_, C, X>) {
         v.run(
             #[inline(always)]
             || self.ready(block),
@@ -256,7 +251,13 @@ impl<const C: usize, const M: usize, X: Packed> StickingSprings<C, M, X> for Tri
     }
 
     #[inline(never)]
-    fn load<V: Vectors>(&self, v: V, block: &Block<'_, C, X>, load: &[f64], forces: &mut Forces<C, M, X>) {
+    pub(super) fn load<V: Vectors>(
+        &self,
+        v: V,
+        block: &Block<'_, C, X>,
+        load: &[f64],
+        forces: &mut Forces<C, X>,
+    ) {
         v.run(
             #[inline(always)]
             || self.loaded(block, load, forces),
@@ -264,31 +265,16 @@ impl<const C: usize, const M: usize, X: Packed> StickingSprings<C, M, X> for Tri
     }
 
     #[inline(never)]
-    fn squeeze<V: Vectors>(
+    pub(super) fn squeeze<V: Vectors>(
         &self,
         v: V,
         block: &Block<'_, C, X>,
         others: Option<&Commanded<'_, C, X>>,
-        forces: &mut Forces<C, M, X>,
+        forces: &mut Forces<C, X>,
     ) {
         v.run(
             #[inline(always)]
             || self.squeezed(block, others, forces),
-        );
-    }
-
-    #[inline(never)]
-    fn moved<V: Vectors>(
-        &self,
-        v: V,
-        block: &Block<'_, C, X>,
-        cause: &Cause<'_, C, X>,
-        forces: &Forces<C, M, X>,
-        moved: &mut ObjectMotion<C, M, X>,
-    ) {
-        v.run(
-            #[inline(always)]
-            || moved::with_triangle(self, block, cause, forces, moved),
         );
     }
 }

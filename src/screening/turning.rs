@@ -17,7 +17,7 @@
 use nalgebra::SVector;
 
 use super::arccotangent::angle_of;
-use super::block::count;
+use super::block::{MOST_CONTACTS, count};
 use super::cone::{LEAST, MOST, StickingCone};
 use super::first_exit::SHARP;
 use super::first_slip::UNCLEAR;
@@ -26,7 +26,7 @@ use super::lanes::{Packed, dot};
 use super::screened::ScreenedTurn;
 use super::verdict::{Start, TOGETHER, verdicts};
 use crate::contact::ZERO_SLACK as ROUNDING;
-use crate::numerics::{Harmonic, Turning};
+use crate::numerics::{Harmonic, Turning, Vectors};
 
 /// A margin must be able to fall this multiple of its rounding below zero before it can bend back, or its root is unclear. With a smaller number
 /// rounding could create or lose roots.
@@ -87,11 +87,7 @@ struct Waves<const C: usize, X: Packed> {
 
 impl<const C: usize, X: Packed> Waves<C, X> {
     #[inline(always)]
-    fn new<const M: usize>(
-        cone: &StickingCone<X>,
-        contact: usize,
-        forces: &Harmonic<&Forces<C, M, X>>,
-    ) -> Self {
+    fn new(cone: &StickingCone<X>, contact: usize, forces: &Harmonic<&Forces<C, X>>) -> Self {
         let Harmonic { constant, cosine, sine } = forces;
         let standing = X::all(ROUNDING / ON_THE_EDGE) * constant.rounding[contact];
         let rounding = standing + (cosine.rounding[contact] + sine.rounding[contact]);
@@ -123,13 +119,13 @@ impl<const C: usize, X: Packed> Waves<C, X> {
         for axis in 0..C {
             t[axis] += self.t.cosine[axis];
         }
-        n - if C == 2 { t[0].abs() } else { dot(&t, &t).sqrt() }
+        n - if const { C == 2 } { t[0].abs() } else { dot(&t, &t).sqrt() }
     }
 
     /// The first root of the margin.
     #[inline(always)]
     fn fall(&self, cone: &StickingCone<X>, sticking: X) -> Fall<X> {
-        if C == 2 {
+        if const { C == 2 } {
             let t = self.t.map(|t| t[0]);
             let side = |sign: f64| {
                 let part = |n: X, t: X| n + X::all(sign) * t;
@@ -231,15 +227,28 @@ fn straight<X: Packed>(margin: &Harmonic<X>, noise: X) -> Fall<X> {
 }
 
 /// The verdicts on the scenes of a block up to the angle `most` (rad; infinite for a full turn), from their forces as functions of the angle.
-#[inline(always)]
-pub(super) fn judge<const C: usize, const M: usize, X: Packed>(
+#[inline(never)]
+pub(super) fn judge<V: Vectors, const C: usize, X: Packed>(
+    v: V,
     friction: &[X],
-    forces: &Harmonic<&Forces<C, M, X>>,
+    forces: &Harmonic<&Forces<C, X>>,
+    most: f64,
+) -> X::Each<ScreenedTurn> {
+    v.run(
+        #[inline(always)]
+        || judged(friction, forces, most),
+    )
+}
+
+#[inline(always)]
+fn judged<const C: usize, X: Packed>(
+    friction: &[X],
+    forces: &Harmonic<&Forces<C, X>>,
     most: f64,
 ) -> X::Each<ScreenedTurn> {
     let (zero, one, infinite) = (X::all(0.0), X::all(1.0), X::all(f64::INFINITY));
     let (mut margin, mut sure) = (infinite, infinite);
-    let contacts = count::<M, X>(friction.len());
+    let contacts = count(friction.len());
     for i in 0..contacts {
         let cone = StickingCone::of(friction[i]);
         let waves = Waves::new(&cone, i, forces);
@@ -250,7 +259,7 @@ pub(super) fn judge<const C: usize, const M: usize, X: Packed>(
         sure = sure.min(here - rounding + waves.lost(&cone));
     }
     let mut first = Fall { cotangent: -infinite, off: zero, doubt: zero };
-    let mut cotangents = [zero; M];
+    let mut cotangents = [zero; MOST_CONTACTS];
     for i in 0..contacts {
         let cone = StickingCone::of(friction[i]);
         let never = X::all(f64::from_bits(1));

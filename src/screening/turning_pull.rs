@@ -3,11 +3,9 @@
 use core::f64::consts::TAU;
 
 use super::first_slip::SlipCode;
-use super::forces::Forces;
 use super::lanes::Packed;
 use super::question::{Room, Scenes, ScreeningQuestion};
 use super::screened::ScreenedTurn;
-use super::springs::StickingSprings;
 use super::told::Told;
 use super::turning::judge;
 use crate::error::Error;
@@ -44,33 +42,16 @@ impl<const C: usize> ScreeningQuestion<C> for TurningPull<C> {
     const UNKNOWN: ScreenedTurn = ScreenedTurn { first: SlipCode::UNKNOWN, most: 0.0 };
 
     #[inline(always)]
-    fn ask<V: Vectors, P: StickingSprings<C, M, X>, const M: usize, X: Packed>(
+    fn ask<V: Vectors, X: Packed>(
         &self,
-        scenes: &Scenes<'_, V, P, C, M, X>,
-        [constant, cosine, sine]: Room<'_, C, M, X>,
+        scenes: &Scenes<'_, V, C, X>,
+        [constant, cosine, sine]: Room<'_, C, X>,
         told: &mut Told<'_, ScreenedTurn, X>,
     ) {
         scenes.squeezed_under(&self.load.constant, constant);
         scenes.under(&self.load.cosine, cosine);
         scenes.under(&self.load.sine, sine);
         let forces = Harmonic { constant: &*constant, cosine: &*cosine, sine: &*sine };
-        if P::CONTACTS.is_some() {
-            told.each(judge(scenes.block.friction(), &forces, self.most));
-            return;
-        }
-        told.each(judge_apart(scenes.vectors, scenes.block.friction(), &forces, self.most));
+        told.each(judge(scenes.vectors, scenes.block.friction(), &forces, self.most));
     }
-}
-
-#[inline(never)]
-fn judge_apart<V: Vectors, const C: usize, const M: usize, X: Packed>(
-    v: V,
-    friction: &[X],
-    forces: &Harmonic<&Forces<C, M, X>>,
-    most: f64,
-) -> X::Each<ScreenedTurn> {
-    v.run(
-        #[inline(always)]
-        || judge(friction, forces, most),
-    )
 }

@@ -2,19 +2,18 @@
 
 use core::fmt;
 
-use super::block::count;
+use super::block::{MOST_CONTACTS, count};
 use super::cone::StickingCone;
 use super::fingers::Fingers;
+use super::first_exit::judge;
 use super::first_slip::SlipCode;
 use super::forces::{Forces, ON_THE_EDGE};
 use super::kernels::Kernels;
 use super::lanes::{Packed, dot};
 use super::least_factor::LeastFactor;
-use super::pull::judged;
 use super::question::{Room, Scenes, ScreeningQuestion};
 use super::screened::Screened;
 use super::screened_squeeze::ScreenedSqueeze;
-use super::springs::StickingSprings;
 use super::told::Told;
 use crate::contact::ZERO_SLACK as ROUNDING;
 use crate::error::{ContactLabel, Error, Field};
@@ -77,7 +76,7 @@ impl fmt::Debug for Watched {
     }
 }
 
-impl<const D: usize, const C: usize, const N: usize> Fingers<D, C, N> {
+impl<const C: usize, const N: usize> Fingers<C, N> {
     /// Margins of contact forces measured just now, under a load that is to come on top of the present one. Nothing is allocated and no loop depends
     /// on the numbers: the steps are always the same, for a control loop with a deadline.
     ///
@@ -126,15 +125,15 @@ pub(super) struct Measured<'a, const C: usize> {
 impl<const C: usize> Measured<'_, C> {
     /// Splits the forces into parts along and across the normals, with an error bound of 1e-12 relative to each force.
     #[inline(always)]
-    fn write<const M: usize, X: Packed>(&self, normals: [&[X]; C], measured: &mut Forces<C, M, X>) {
+    fn write<X: Packed>(&self, normals: [&[X]; C], measured: &mut Forces<C, X>) {
         *measured = Forces::none();
-        for (i, force) in self.forces.iter().enumerate().take(M) {
+        for (i, force) in self.forces.iter().enumerate().take(MOST_CONTACTS) {
             let (normal, world) = (normals.map(|row| row[i]), force.map(X::all));
             let along = dot(&normal, &world);
             let part = &mut measured.of[i];
             part.normal = along;
             let mut size = along.abs();
-            if C == 2 {
+            if const { C == 2 } {
                 part.tangential[0] = normal[1] * world[0] - normal[0] * world[1];
                 size += part.tangential[0].abs();
             } else {
@@ -153,18 +152,18 @@ impl<const C: usize> ScreeningQuestion<C> for Measured<'_, C> {
     const UNKNOWN: Watched = Watched::UNKNOWN;
 
     #[inline(always)]
-    fn ask<V: Vectors, P: StickingSprings<C, M, X>, const M: usize, X: Packed>(
+    fn ask<V: Vectors, X: Packed>(
         &self,
-        scenes: &Scenes<'_, V, P, C, M, X>,
-        [to_come, measured, commands]: Room<'_, C, M, X>,
+        scenes: &Scenes<'_, V, C, X>,
+        [to_come, measured, commands]: Room<'_, C, X>,
         told: &mut Told<'_, Watched, X>,
     ) {
         let (friction, contacts) = (scenes.block.friction(), scenes.block.contacts);
         scenes.under(self.to_come, to_come);
         self.write(scenes.block.normals(), measured);
-        let first_slip = judged(scenes, measured, to_come);
+        let first_slip = judge(scenes.vectors, friction, measured, to_come);
         let (mut margin, mut tightest) = (X::all(f64::INFINITY), X::all(0.0));
-        for i in 0..count::<M, X>(contacts) {
+        for i in 0..count(contacts) {
             let cone = StickingCone::of(friction[i]);
             let t = cone.friction(&measured.of[i]);
             let here = cone.alpha * measured.of[i].normal - dot(&t, &t).sqrt();
@@ -178,7 +177,7 @@ impl<const C: usize> ScreeningQuestion<C> for Measured<'_, C> {
         to_come.add_to(contacts, measured, 1.0);
         scenes.apart([commands, measured]);
         let mut enough = LeastFactor::new();
-        enough.under(0, friction, [&*commands, &*to_come]);
+        enough.under(scenes.vectors, 0, friction, [&*commands, &*to_come]);
         let (code, binding) = enough.least();
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // it is a small whole number
         told.each(X::each(|scene| Watched {

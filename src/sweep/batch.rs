@@ -8,8 +8,8 @@ use crate::screening::{
 /// The load factors at which the first contact of each grasp of a batch stops sticking, for each of the loads:
 /// [`Batch::onsets_into`] on all cores. The answers come grasp by grasp, for each in the order of
 /// the loads. `answers` is overwritten and its memory reused. [`Batch`] has an example.
-pub fn onsets_of_batch<const D: usize, const C: usize, const N: usize>(
-    batch: &Batch<D, C, N>,
+pub fn onsets_of_batch<const C: usize, const N: usize>(
+    batch: &Batch<C, N>,
     pulls: &[Pull<C>],
     answers: &mut Vec<Screened>,
 ) {
@@ -39,8 +39,8 @@ pub fn onsets_of_batch<const D: usize, const C: usize, const N: usize>(
 /// assert!((gradient.friction(1) - 18.0).abs() < 1e-12);
 /// # Ok::<(), grasp_lcp::Error>(())
 /// ```
-pub fn onset_gradients_of_batch<const D: usize, const C: usize, const N: usize>(
-    batch: &Batch<D, C, N>,
+pub fn onset_gradients_of_batch<const C: usize, const N: usize>(
+    batch: &Batch<C, N>,
     pulls: &[Pull<C>],
     gradients: &mut ScreenedGradients<C>,
 ) {
@@ -49,8 +49,8 @@ pub fn onset_gradients_of_batch<const D: usize, const C: usize, const N: usize>(
 
 /// The angle at which the first contact of each grasp of a batch stops sticking, for each of the turning
 /// loads: [`Batch::turn_onsets_into`] on all cores. Answers come in the order of [`onsets_of_batch`].
-pub fn turn_onsets_of_batch<const D: usize, const C: usize, const N: usize>(
-    batch: &Batch<D, C, N>,
+pub fn turn_onsets_of_batch<const C: usize, const N: usize>(
+    batch: &Batch<C, N>,
     turns: &[TurningPull<C>],
     answers: &mut Vec<ScreenedTurn>,
 ) {
@@ -60,8 +60,8 @@ pub fn turn_onsets_of_batch<const D: usize, const C: usize, const N: usize>(
 /// The least factor of the commands with which each grasp of a batch holds every load of a list, for
 /// each of the lists: [`Batch::least_squeezes_into`] on all cores. Answers come in the order of
 /// [`onsets_of_batch`].
-pub fn least_squeezes_of_batch<const D: usize, const C: usize, const N: usize>(
-    batch: &Batch<D, C, N>,
+pub fn least_squeezes_of_batch<const C: usize, const N: usize>(
+    batch: &Batch<C, N>,
     cases: &[LoadCases<C>],
     answers: &mut Vec<ScreenedSqueeze>,
 ) {

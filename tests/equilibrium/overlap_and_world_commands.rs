@@ -47,14 +47,14 @@ fn an_overlap_presses_in_space() {
 }
 
 /// All engines see command less clearance: an overlap is a command of that size, to the bit.
-fn an_overlap_is_a_command<const D: usize, const C: usize>(fingers: [Contact<C>; 3], down: Wrench<C>) {
+fn an_overlap_is_a_command<const C: usize>(fingers: [Contact<C>; 3], down: Wrench<C>) {
     let depth = 0.004;
     let mut command = [0.0; C];
     command[0] = depth;
     let overlapping = fingers.clone().map(|finger| finger.clearance(-depth));
     let commanded = fingers.map(|finger| finger.command(command));
     let pull = screening::Pull::new(&Wrench::ZERO, &down).unwrap();
-    let onset = |fingers| screening::Fingers::<D, C, 3>::new(fingers).unwrap().onset(&pull);
+    let onset = |fingers| screening::Fingers::<C, 3>::new(fingers).unwrap().onset(&pull);
     assert!(onset(&commanded).factor().is_some());
     assert_eq!(onset(&commanded).factor(), onset(&overlapping).factor());
     let [a, b] = [overlapping, commanded].map(|fingers| Grasp::new(fingers).unwrap());
@@ -84,7 +84,7 @@ fn an_overlap_is_a_command_in_the_plane() {
         let [x, y] = around(degrees);
         planar::Contact::new([x, y], [-x, -y]).series_stiffness(1e3, 7e2).friction(0.5)
     };
-    an_overlap_is_a_command::<3, 2>([0.0, 100.0, 230.0].map(finger), planar::Wrench::force([0.1, -1.0]));
+    an_overlap_is_a_command([0.0, 100.0, 230.0].map(finger), planar::Wrench::force([0.1, -1.0]));
 }
 
 fn spatial_fingers() -> [spatial::Contact; 3] {
@@ -96,7 +96,7 @@ fn spatial_fingers() -> [spatial::Contact; 3] {
 
 #[test]
 fn an_overlap_is_a_command_in_space() {
-    an_overlap_is_a_command::<6, 3>(spatial_fingers(), spatial::Wrench::force([0.1, 0.0, -1.0]));
+    an_overlap_is_a_command(spatial_fingers(), spatial::Wrench::force([0.1, 0.0, -1.0]));
 }
 
 /// Given along the coordinate axes, before or after the tangent, a command is the same displacement; frames and patches

@@ -20,13 +20,13 @@ use support::jaws::jaw;
 use support::samples::{assert_met, samples};
 
 /// What screening says, checked against the onset; factors to this part.
-fn check<const D: usize, const C: usize, const N: usize>(
+fn check<const C: usize, const N: usize>(
     contacts: &[Contact<C>; N],
     [base, direction]: [Wrench<C>; 2],
     close: f64,
     tally: &Tally,
 ) -> Result<(), TestCaseError> {
-    let screened = Fingers::<D, C, N>::new(contacts).unwrap().onset(&Pull::new(&base, &direction).unwrap());
+    let screened = Fingers::<C, N>::new(contacts).unwrap().onset(&Pull::new(&base, &direction).unwrap());
     let grasp = Grasp::new(contacts.iter().cloned()).unwrap();
     let onset = grasp.onset(&Ramp::load(base, direction)).unwrap();
     count(tally, &format!("{:?}", screened.verdict()));
@@ -75,7 +75,7 @@ fn random<const D: usize, const C: usize, const N: usize>(cases: usize, spread: 
     );
     let close = if spread == Spread::Narrow { 1e-10 } else { 1e-8 };
     for_all(file!(), cases, &question, |(data, holds, base, direction)| {
-        check::<D, C, N>(
+        check::<C, N>(
             &contacts(&data, &holds),
             [base, direction].map(|w| Wrench::from_components(w.as_slice())),
             close,
@@ -154,7 +154,7 @@ fn far_pressed_fingers_with_stiff_tangents() {
             if i == 0 { contact.bonded() } else { contact }
         });
         let direction = planar::Wrench::new([0.53, -0.46], -7e-4);
-        check::<3, 2, 5>(&contacts, [Wrench::ZERO, direction], 1e-8, &tally).unwrap();
+        check::<2, 5>(&contacts, [Wrench::ZERO, direction], 1e-8, &tally).unwrap();
     }
     assert_eq!(tally.borrow()["Leaves"], 4);
 }
@@ -241,7 +241,7 @@ fn a_batch_gives_the_same_bits() {
             .unwrap()
         };
         let alone = std::cell::RefCell::new(Vec::new());
-        let batch = std::cell::RefCell::new(Batch::<D, C, N>::default());
+        let batch = std::cell::RefCell::new(Batch::<C, N>::default());
         for_all(file!(), 331, &prop::collection::vec(datum::<C>(spread), N), |data| {
             let fingers = Fingers::new(&contacts(&data, &[9; N])).unwrap();
             alone.borrow_mut().push(fingers.onset(&pull));
@@ -322,7 +322,7 @@ fn tangents_turned_round() {
     // t = (n_y, -n_x) of the second is (0.2, 1) apart from its length.
     let turned = [plain[0].clone(), jaw(1.0, 0.2).tangent([-0.2, -1.0]).command([0.01, 0.001])];
     let factor = |contacts: &[planar::Contact; 2]| {
-        Fingers::<3, 2, 2>::new(contacts).unwrap().onset(&pull).factor().unwrap()
+        Fingers::<2, 2>::new(contacts).unwrap().onset(&pull).factor().unwrap()
     };
     assert_eq!(factor(&plain), factor(&turned));
     let grasp = Grasp::new(turned.clone()).unwrap();

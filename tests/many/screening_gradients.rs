@@ -130,7 +130,7 @@ fn agree<const D: usize, const C: usize, const N: usize>(scenes: usize) -> (usiz
         let contacts = contacts::<C, N>(&mut random, place);
         let base = if scene % 3 == 0 { 0.0 } else { 0.03 };
         let pull = [load::<D, C>(&mut random, base, place), load::<D, C>(&mut random, 0.5, place)];
-        let fingers = Fingers::<D, C, N>::new(&contacts).unwrap();
+        let fingers = Fingers::<C, N>::new(&contacts).unwrap();
         let asked = Pull::new(&pull[0], &pull[1]).unwrap();
         let each = fingers.onset_gradients(&asked);
         assert_eq!(each.len(), fingers.onset(&asked).leaving().count());
@@ -168,7 +168,7 @@ fn those_of_the_whole_method_in_space() {
 #[test]
 fn pairs_in_space_know_what_leaves_their_line() {
     let finger = |x: f64, friction: f64| jaw::<3>(x, [1e3, 8e2], friction).pressed_with(10.0);
-    let fingers = Fingers::<6, 3, 2>::new(&[finger(-1.0, 0.5), finger(1.0, 0.4)]).unwrap();
+    let fingers = Fingers::<3, 2>::new(&[finger(-1.0, 0.5), finger(1.0, 0.4)]).unwrap();
     let pull = Pull::new(&Wrench::ZERO, &spatial::Wrench::force([0.0, 0.0, -1.0])).unwrap();
     let gradients = fingers.onset_gradients(&pull);
     let gradient = gradients.get(0).unwrap();
@@ -191,7 +191,7 @@ fn ties_are_told_and_each_has_its_gradient() {
             .friction(0.5)
             .pressed_with(6.0)
     };
-    let fingers = Fingers::<6, 3, 3>::new(&[finger(0.0), finger(1.0), finger(2.0)]).unwrap();
+    let fingers = Fingers::<3, 3>::new(&[finger(0.0), finger(1.0), finger(2.0)]).unwrap();
     let down = Pull::new(&Wrench::ZERO, &spatial::Wrench::force([0.0, 0.0, -1.0])).unwrap();
     let gradients = fingers.onset_gradients(&down);
     assert_eq!(gradients.len(), 3);
@@ -215,7 +215,7 @@ fn ties_are_told_and_each_has_its_gradient() {
 #[test]
 fn a_finger_pulled_off_leaves_through_the_apex() {
     let finger = |x: f64| jaw::<2>(x, [1e3, 8e2], 0.5).pressed_with(10.0);
-    let fingers = Fingers::<3, 2, 2>::new(&[finger(-1.0), finger(1.0)]).unwrap();
+    let fingers = Fingers::<2, 2>::new(&[finger(-1.0), finger(1.0)]).unwrap();
     let off = Pull::new(&Wrench::ZERO, &planar::Wrench::force([1.0, 0.0])).unwrap();
     let gradients = fingers.onset_gradients(&off);
     let gradient = gradients.get(0).unwrap();
@@ -229,7 +229,7 @@ fn a_finger_pulled_off_leaves_through_the_apex() {
 #[test]
 fn without_a_factor_no_gradient() {
     let finger = |x: f64| jaw::<2>(x, [1e3, 8e2], 0.5).pressed_with(10.0);
-    let fingers = Fingers::<3, 2, 2>::new(&[finger(-1.0), finger(1.0)]).unwrap();
+    let fingers = Fingers::<2, 2>::new(&[finger(-1.0), finger(1.0)]).unwrap();
     let down = planar::Wrench::force([0.0, -1.0]);
     for pull in [[down * 30.0, down], [Wrench::ZERO, Wrench::ZERO]] {
         let pull = Pull::new(&pull[0], &pull[1]).unwrap();
@@ -248,9 +248,8 @@ fn without_a_factor_no_gradient() {
 /// Grasps of every kind in one batch, under several loads: whoever asks, and on how many threads, gets the same bits.
 fn same_bits<const D: usize, const C: usize, const N: usize>() {
     let mut random = seeded(7 + N as u64);
-    let fingers: Vec<_> = (0..3001)
-        .map(|k| Fingers::<D, C, N>::new(&contacts(&mut random, f64::from(k % 2))).unwrap())
-        .collect();
+    let fingers: Vec<_> =
+        (0..3001).map(|k| Fingers::<C, N>::new(&contacts(&mut random, f64::from(k % 2))).unwrap()).collect();
     let mut batch = Batch::with_capacity(fingers.len());
     for fingers in &fingers {
         batch.push(fingers);

@@ -211,7 +211,7 @@ fn worst<const D: usize, const C: usize, const N: usize>(grasps: usize) -> f64 {
         });
         let [base, direction] = [0.02, 0.5]
             .map(|size| Wrench::from_components(&(0..D).map(|_| size * number()).collect::<Vec<_>>()));
-        let fingers = Fingers::<D, C, N>::new(&contacts).unwrap();
+        let fingers = Fingers::<C, N>::new(&contacts).unwrap();
         let gradients = fingers.onset_gradients(&Pull::new(&base, &direction).unwrap());
         let Some(ours) = gradients.get(0).filter(|gradient| !gradient.is_one_sided()) else { continue };
         let grasp = grasp_lcp::ask::Grasp::new(contacts.iter().cloned()).unwrap();

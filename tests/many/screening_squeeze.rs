@@ -21,14 +21,14 @@ use support::jaws::jaw;
 use support::samples::assert_met;
 
 /// What screening says, checked against the search. Contacts are those of a scene that is shaken by a part.
-fn check<const D: usize, const C: usize, const N: usize>(
+fn check<const C: usize, const N: usize>(
     contacts: impl Fn(f64) -> [Contact<C>; N],
     loads: &[Wrench<C>],
     close: f64,
     tally: &Tally,
 ) -> Result<(), TestCaseError> {
     let cases = LoadCases::new(loads).unwrap();
-    let screened = Fingers::<D, C, N>::new(&contacts(0.0)).unwrap().least_squeeze(&cases);
+    let screened = Fingers::<C, N>::new(&contacts(0.0)).unwrap().least_squeeze(&cases);
     let needed = |part: f64, loads: &[Wrench<C>]| {
         Grasp::new(contacts(part)).unwrap().least_squeeze(&Loads::Each(loads.to_vec())).unwrap()
     };
@@ -93,7 +93,7 @@ fn random<const D: usize, const C: usize, const N: usize>(cases: usize, spread: 
         let loads: Vec<_> =
             loads.iter().map(|load| Wrench::from_components((load * size).as_slice())).collect();
         let data = firmer(data);
-        check::<D, C, N>(|part| contacts(&shaken(&data, part), &holds), &loads, close, tally)
+        check::<C, N>(|part| contacts(&shaken(&data, part), &holds), &loads, close, tally)
     });
 }
 
@@ -224,7 +224,7 @@ fn a_batch_gives_the_same_bits() {
         let cases = LoadCases::new(&[load(0.1, 0), load(0.05, 1), load(-0.1, 2)]).unwrap();
         let other = LoadCases::new(&[load(0.3, 3)]).unwrap();
         let alone = RefCell::new(Vec::new());
-        let batch = RefCell::new(Batch::<D, C, N>::default());
+        let batch = RefCell::new(Batch::<C, N>::default());
         for_all(file!(), 331, &prop::collection::vec(datum::<C>(spread), N), |data| {
             let fingers = Fingers::new(&contacts(&firmer(data), &[9; N])).unwrap();
             alone.borrow_mut().push(fingers.least_squeeze(&cases));

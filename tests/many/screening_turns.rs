@@ -23,14 +23,14 @@ use support::jaws::jaw;
 use support::samples::assert_met;
 
 /// What screening says, checked against the onset. Contacts are those of a scene that is shaken by a part.
-fn check<const D: usize, const C: usize, const N: usize>(
+fn check<const C: usize, const N: usize>(
     contacts: impl Fn(f64) -> [Contact<C>; N],
     turn: &Turn<C>,
     close: f64,
     tally: &Tally,
 ) -> Result<(), TestCaseError> {
     let pull = TurningPull::new(turn).unwrap();
-    let screened = Fingers::<D, C, N>::new(&contacts(0.0)).unwrap().onset_of_turn(&pull);
+    let screened = Fingers::<C, N>::new(&contacts(0.0)).unwrap().onset_of_turn(&pull);
     let grasp = Grasp::new(contacts(0.0)).unwrap();
     let whole = grasp.onset_of_turn(turn).unwrap();
     let shaken = |part: f64| {
@@ -90,7 +90,7 @@ fn random<const D: usize, const C: usize, const N: usize>(cases: usize, spread: 
             .map(|w| Wrench::from_components(w.as_slice()));
         let turn = Turn::new(constant, cosine, sine).up_to(most);
         let data = firmer(data);
-        check::<D, C, N>(|part| contacts(&shaken(&data, part), &holds), &turn, close, tally)
+        check::<C, N>(|part| contacts(&shaken(&data, part), &holds), &turn, close, tally)
     });
 }
 
@@ -236,7 +236,7 @@ fn a_batch_gives_the_same_bits() {
         let turn = Turn::new(load(0.003, 0), load(0.003, 1), load(1.5, 2));
         let [turn, other] = [turn, turn.reversed().up_to(1.0)].map(|turn| TurningPull::new(&turn).unwrap());
         let alone = RefCell::new(Vec::new());
-        let batch = RefCell::new(Batch::<D, C, N>::default());
+        let batch = RefCell::new(Batch::<C, N>::default());
         for_all(file!(), 331, &prop::collection::vec(datum::<C>(spread), N), |data| {
             let fingers = Fingers::new(&contacts(&firmer(data), &[9; N])).unwrap();
             alone.borrow_mut().push(fingers.onset_of_turn(&turn));

@@ -34,7 +34,7 @@ fn compare<const D: usize, const C: usize, const N: usize>(grasps: usize) -> [us
         let contacts = contacts::<C, N>(&mut random);
         let [base, more] =
             [0.1, 0.6].map(|size| Wrench::<C>::from_components((vector::<D>(&mut random) * size).as_slice()));
-        let fingers = Fingers::<D, C, N>::new(&contacts).unwrap();
+        let fingers = Fingers::<C, N>::new(&contacts).unwrap();
         let onset = fingers.onset(&Pull::new(&base, &more).unwrap());
         let grasp = Grasp::new(contacts.iter().cloned()).unwrap();
         let Some(state) = grasp.solve(&base).unwrap().equilibrium().cloned() else { continue };
@@ -116,7 +116,7 @@ fn what_is_not_a_force_is_named() {
 #[test]
 fn nothing_is_allocated() {
     let mut random = seeded(9);
-    let grasps: Vec<_> = (0..100).map(|_| Fingers::<6, 3, 5>::new(&contacts(&mut random)).unwrap()).collect();
+    let grasps: Vec<_> = (0..100).map(|_| Fingers::<3, 5>::new(&contacts(&mut random)).unwrap()).collect();
     let loads: Vec<Wrench<3>> =
         (0..100).map(|_| Wrench::from_components(vector::<6>(&mut random).as_slice())).collect();
     let forces: Vec<[[f64; 3]; 5]> =

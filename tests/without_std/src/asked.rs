@@ -28,16 +28,16 @@ pub fn ask(grasps: usize) -> Result<Vec<Asked>, Error> {
     let mut all = Vec::new();
     for _ in 0..grasps {
         let (fingers, load) = numbers.planar();
-        all.push(answers(fingers.clone(), &Fingers::<3, 2, 3>::new(&fingers)?, load)?);
+        all.push(answers(fingers.clone(), &Fingers::<2, 3>::new(&fingers)?, load)?);
         let (fingers, load) = numbers.spatial();
-        all.push(answers(fingers.clone(), &Fingers::<6, 3, 3>::new(&fingers)?, load)?);
+        all.push(answers(fingers.clone(), &Fingers::<3, 3>::new(&fingers)?, load)?);
     }
     Ok(all)
 }
 
-fn answers<const D: usize, const C: usize>(
+fn answers<const C: usize>(
     contacts: [Contact<C>; 3],
-    fingers: &Fingers<D, C, 3>,
+    fingers: &Fingers<C, 3>,
     load: Wrench<C>,
 ) -> Result<Asked, Error> {
     let grasp = Grasp::new(contacts)?;

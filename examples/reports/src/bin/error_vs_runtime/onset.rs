@@ -169,7 +169,7 @@ fn in_the_plane() -> Result<Panel, Failure> {
     let mut panel =
         Panel::new("onset", "Onset of the paper's two fingers, W* = √65/66 N", "relative error of the onset");
     let contacts: &[_; 2] = grasp.contacts().try_into()?;
-    screened::<3, 2, _>(&mut panel, contacts, &down(), exact)?;
+    screened(&mut panel, contacts, &down(), exact)?;
     question.direct(&mut panel, exact)?;
     for solver in [Solver::Lemke, Solver::InteriorPoint] {
         question.bisections(&mut panel, &format!("bisection, {}", solver.name()), exact, solver)?;
@@ -185,14 +185,14 @@ fn in_the_plane() -> Result<Panel, Failure> {
     Ok(panel)
 }
 
-fn screened<const D: usize, const C: usize, const N: usize>(
+fn screened<const C: usize, const N: usize>(
     panel: &mut Panel,
     contacts: &[grasp_lcp::grasp::Contact<C>; N],
     direction: &Wrench<C>,
     exact: f64,
 ) -> Result<(), Failure> {
     const CALLS: u32 = 1000;
-    let (fingers, pull) = (Fingers::<D, C, N>::new(contacts)?, Pull::new(&Wrench::ZERO, direction)?);
+    let (fingers, pull) = (Fingers::<C, N>::new(contacts)?, Pull::new(&Wrench::ZERO, direction)?);
     // One call is shorter than reading the clock.
     let (factor, time) = timed(|| {
         let mut factor = None;
@@ -215,7 +215,7 @@ fn in_space() -> Result<Panel, Failure> {
         "Onset of three fingers in space, μN / hypot(w/3, m/3R)",
         "relative error of the onset",
     );
-    screened::<6, 3, _>(&mut panel, &contacts, &direction, exact)?;
+    screened(&mut panel, &contacts, &direction, exact)?;
     let on = |facets: usize| -> Result<_, Failure> {
         let cone = PolygonCone::new(facets, Fit::Inscribed)?;
         Ok(Question { grasp: &grasp, direction, cone, most: 8.0 })
