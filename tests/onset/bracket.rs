@@ -67,7 +67,7 @@ fn polygons_bracket_the_onset() {
     let tally = for_both::<6, 3>(file!(), &(1..6), |s, c, t| check_order(s, c, t, &undecided));
     tally.assert_at_least(200, 12, 200);
     println!("{} undecided", undecided.get());
-    assert!(undecided.get() <= samples(3), "{} undecided", undecided.get());
+    assert!(undecided.get() <= samples(4), "{} undecided", undecided.get());
 }
 
 /// If everything sticks on the inscribed polygon the three answers are one, and the inscribed polygon sticks only where the

