@@ -12,11 +12,9 @@
 use alloc::collections::BinaryHeap;
 use core::cmp::Ordering;
 
-use super::coordinates::Square;
-use nalgebra::{SMatrix, SVector};
-
+use super::coordinates::{Size, Square, Vector, WHOLE};
 use super::partial_pivoting::PartialPivoting;
-use super::support::{Vertex, middle};
+use super::support::{Support, Vertex, middle};
 use crate::prelude::*;
 
 /// A point lies in the plane of a face if its distance from the plane is below this part of the middle's distance from it.
@@ -28,20 +26,25 @@ const MOST_FACES: usize = 20_000;
 const SHRINKS: f64 = 1e-7;
 
 /// Bounds of the radius.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct BallBounds<const D: usize> {
+#[derive(Debug, Clone)]
+pub(crate) struct BallBounds {
     /// Lower bound of the radius; negative if the origin lies outside the polytope.
     pub(crate) at_least: f64,
     pub(crate) at_most: f64,
     /// The unit direction in which the set extends no farther than `at_most`.
-    pub(crate) direction: SVector<f64, D>,
+    pub(crate) direction: Vector,
 }
 
-struct Face<const D: usize> {
-    /// Indices of its vertices, in ascending order.
-    vertices: [usize; D],
+/// Indices of as many points as there are dimensions, in ascending order; behind them [`NO_POINT`].
+type Indices = [usize; WHOLE];
+
+/// The index of no point.
+const NO_POINT: usize = usize::MAX;
+
+struct Face {
+    vertices: Indices,
     /// v, where the plane is `v·(x - middle) = 1`.
-    normal: SVector<f64, D>,
+    normal: Vector,
     is_alive: bool,
 }
 
@@ -71,34 +74,39 @@ impl Ord for Waiting {
     }
 }
 
-struct Polytope<const D: usize> {
-    middle: SVector<f64, D>,
-    points: Vec<SVector<f64, D>>,
-    faces: Vec<Face<D>>,
+struct Polytope {
+    size: Size,
+    middle: Vector,
+    points: Vec<Vector>,
+    faces: Vec<Face>,
     alive: Vec<usize>,
     queue: BinaryHeap<Waiting>,
     /// The ridges of the faces that a new point sees, each with that point: one list for all points, so that none is allocated for each.
-    ridges: Vec<[usize; D]>,
+    ridges: Vec<Indices>,
 }
 
-impl<const D: usize> Polytope<D> {
-    fn of(simplex: &[Vertex<D>]) -> Self {
-        let points: Vec<_> = simplex.iter().map(|vertex| vertex.at).collect();
+impl Polytope {
+    /// The simplex of some vertices, one more than there are dimensions.
+    fn of(simplex: &[Vertex]) -> Self {
+        let size = Size::of(simplex.len() - 1);
+        let points: Vec<_> = simplex.iter().map(|vertex| vertex.at.clone()).collect();
         let (faces, alive, queue, ridges) = (Vec::new(), Vec::new(), BinaryHeap::new(), Vec::new());
-        let mut polytope = Self { middle: middle(simplex), points, faces, alive, queue, ridges };
-        for without in 0..=D {
-            polytope.add(core::array::from_fn(|k| if k < without { k } else { k + 1 }));
+        let mut polytope = Self { size, middle: middle(simplex), points, faces, alive, queue, ridges };
+        for without in 0..simplex.len() {
+            let mut vertices = [NO_POINT; WHOLE];
+            for (k, vertex) in vertices[..size.count()].iter_mut().enumerate() {
+                *vertex = if k < without { k } else { k + 1 };
+            }
+            polytope.add(vertices);
         }
         polytope
     }
 
     /// Adds the face through these points. A face so thin that it has no plane is left out: its neighbours meet there, up to rounding.
-    fn add(&mut self, vertices: [usize; D]) {
-        let rows = SMatrix::<f64, D, D>::from_fn(|row, column| {
-            self.points[vertices[row]][column] - self.middle[column]
-        });
-        let Some(solver) = PartialPivoting::new(&Square::from(rows)) else { return };
-        let normal = solver.solve(&SVector::<f64, D>::repeat(1.0).into()).to_svector::<D>();
+    fn add(&mut self, vertices: Indices) {
+        let columns = Square::from_columns(self.size, |k| &self.points[vertices[k]] - &self.middle);
+        let Some(solver) = PartialPivoting::new(&columns.transpose()) else { return };
+        let normal = solver.solve(&Vector::from_fn(self.size, |_| 1.0));
         let distance = (1.0 + normal.dot(&self.middle)) / normal.norm();
         self.queue.push(Waiting { distance, face: self.faces.len() });
         self.alive.push(self.faces.len());
@@ -106,9 +114,9 @@ impl<const D: usize> Polytope<D> {
     }
 
     /// Adds a point: the faces that see it, or have it in their plane, are replaced by the faces from their rim to the point.
-    fn take_in(&mut self, point: SVector<f64, D>) {
+    fn take_in(&mut self, point: Vector) {
         let number = self.points.len();
-        let from_middle = point - self.middle;
+        let (d, from_middle) = (self.size.count(), &point - &self.middle);
         self.points.push(point);
         self.ridges.clear();
         let (faces, ridges) = (&mut self.faces, &mut self.ridges);
@@ -116,10 +124,10 @@ impl<const D: usize> Polytope<D> {
             let face = &mut faces[k];
             face.is_alive = face.normal.dot(&from_middle) < 1.0 - IN_PLANE;
             if !face.is_alive {
-                for without in 0..D {
+                for without in 0..d {
                     let mut ridge = face.vertices;
-                    ridge[without..].rotate_left(1);
-                    ridge[D - 1] = number;
+                    ridge[without..d].rotate_left(1);
+                    ridge[d - 1] = number;
                     ridges.push(ridge);
                 }
             }
@@ -135,7 +143,7 @@ impl<const D: usize> Polytope<D> {
     }
 
     /// The distance and the unit normal of the nearest face.
-    fn nearest(&mut self) -> Option<(f64, SVector<f64, D>)> {
+    fn nearest(&mut self) -> Option<(f64, Vector)> {
         while let Some(first) = self.queue.peek() {
             let face = &self.faces[first.face];
             if face.is_alive {
@@ -148,30 +156,31 @@ impl<const D: usize> Polytope<D> {
 }
 
 /// Bounds of the largest ball about the origin. They differ by at most `closeness` times the size of the set, or by what `most_points` points leave.
-pub(crate) fn largest_ball<const D: usize>(
-    support: &impl Fn(&SVector<f64, D>) -> SVector<f64, D>,
-    simplex: &[Vertex<D>],
+pub(crate) fn largest_ball(
+    support: &Support<'_>,
+    simplex: &[Vertex],
     (closeness, most_points): (f64, usize),
-) -> Option<BallBounds<D>> {
+) -> Option<BallBounds> {
     let mut polytope = Polytope::of(simplex);
-    let mut bounds: Option<BallBounds<D>> = None;
+    let mut bounds: Option<BallBounds> = None;
     let size = simplex.iter().map(|vertex| vertex.at.norm()).fold(0.0, f64::max);
     for _ in 0..most_points {
         let (distance, direction) = polytope.nearest()?;
-        let shrinks =
-            bounds.is_some_and(|known| known.at_least > 0.0 && distance < known.at_least - SHRINKS * size);
+        let shrinks = bounds
+            .as_ref()
+            .is_some_and(|known| known.at_least > 0.0 && distance < known.at_least - SHRINKS * size);
         if shrinks || polytope.alive.len() > MOST_FACES {
             break;
         }
         let next = support(&direction);
         let reach = direction.dot(&next);
-        let known = bounds.filter(|known| known.at_most <= reach);
+        let known = bounds.take().filter(|known| known.at_most <= reach);
         let mut now = known.unwrap_or(BallBounds { at_least: distance, at_most: reach, direction });
         now.at_least = distance.min(now.at_most);
+        let (at_most, close) = (now.at_most, closeness * next.norm());
         bounds = Some(now);
-        let close = closeness * next.norm();
         // A set that ends at the origin in some direction contains no ball, however well its points are known.
-        if now.at_most - distance <= close || now.at_most <= close {
+        if at_most - distance <= close || at_most <= close {
             break;
         }
         polytope.take_in(next);
@@ -186,14 +195,17 @@ mod tests {
 
     #[test]
     fn of_a_box_and_of_a_ball_that_are_not_in_the_middle() {
-        let shift = SVector::<f64, 4>::from([0.1, -0.3, 0.2, 0.0]);
-        let cube = |v: &SVector<f64, 4>| v.map(f64::signum) + shift;
-        let bounds = largest_ball(&cube, &simplex(&cube).expect("thick"), (1e-12, 1000)).expect("bounds");
+        let size = Size::of(4);
+        let shift = Vector::from_fn(size, |k| [0.1, -0.3, 0.2, 0.0][k]);
+        let cube = |v: &Vector| v.map(f64::signum) + &shift;
+        let start = simplex(size, &cube).expect("thick");
+        let bounds = largest_ball(&cube, &start, (1e-12, 1000)).expect("bounds");
         assert!((bounds.at_least - 0.7).abs() < 1e-12 && (bounds.at_most - 0.7).abs() < 1e-12, "{bounds:?}");
         assert!((bounds.direction[1] - 1.0).abs() < 1e-12);
 
-        let ball = |v: &SVector<f64, 4>| v.normalize() + shift;
-        let bounds = largest_ball(&ball, &simplex(&ball).expect("thick"), (1e-6, 3000)).expect("bounds");
+        let ball = |v: &Vector| v.normalize() + &shift;
+        let start = simplex(size, &ball).expect("thick");
+        let bounds = largest_ball(&ball, &start, (1e-6, 3000)).expect("bounds");
         let known = 1.0 - shift.norm();
         assert!(bounds.at_least <= known && known <= bounds.at_most, "{bounds:?}");
         assert!(bounds.at_most - bounds.at_least < 1e-5, "{bounds:?}");

@@ -4,12 +4,9 @@
 //! `r / s` with `s = Σ β_k`. If no point of the set lies beyond that plane, the ray leaves the set there. Otherwise the farthest point beyond it
 //! replaces one of them, and s decreases.
 
-use nalgebra::{SMatrix, SVector};
-
-use super::coordinates::Square;
+use super::coordinates::{Size, Square, Vector};
 use super::partial_pivoting::PartialPivoting;
-use super::support::{Vertex, middle};
-use super::unit_vector::unit;
+use super::support::{Support, Vertex, middle};
 use crate::prelude::*;
 
 /// Relative distance beyond a plane, or relative size of a pivot, that counts as rounding.
@@ -21,12 +18,12 @@ const MOST_PIVOTS: usize = 1000;
 
 /// A place where a ray leaves a set, between two bounds.
 #[derive(Debug, Clone)]
-pub(crate) struct RayExit<const D: usize> {
-    pub(crate) vertices: Vec<Vertex<D>>,
+pub(crate) struct RayExit {
+    pub(crate) vertices: Vec<Vertex>,
     /// β, not negative.
-    pub(crate) shares: Vec<f64>,
+    pub(crate) shares: Vector,
     /// v: all of the set has `v·(x - middle) <= reach`.
-    pub(crate) normal: SVector<f64, D>,
+    pub(crate) normal: Vector,
     /// At least one, and one up to rounding if the pivots have converged.
     pub(crate) reach: f64,
     /// s: the distance of the target in units of that at which the ray leaves the simplex.
@@ -34,41 +31,40 @@ pub(crate) struct RayExit<const D: usize> {
 }
 
 /// The exit of the ray from the middle of a simplex to a target. `None` if rounding leaves no simplex.
-pub(crate) fn shoot<const D: usize>(
-    support: &impl Fn(&SVector<f64, D>) -> SVector<f64, D>,
-    simplex: &[Vertex<D>],
-    target: &SVector<f64, D>,
-) -> Option<RayExit<D>> {
+pub(crate) fn shoot(support: &Support<'_>, simplex: &[Vertex], target: &Vector) -> Option<RayExit> {
+    let size = Size::of(simplex.len() - 1);
     let origin = middle(simplex);
-    let ray = target - origin;
+    let ray = target - &origin;
     if ray.norm() <= NOWHERE * (target.norm() + origin.norm()) {
-        let vertices = simplex[..D].to_vec();
-        return Some(RayExit { vertices, shares: vec![0.0; D], normal: unit(0), reach: 1.0, stretch: 0.0 });
+        let (vertices, normal) = (simplex[..size.count()].to_vec(), Vector::unit(size, 0));
+        return Some(RayExit { vertices, shares: Vector::all_zero(size), normal, reach: 1.0, stretch: 0.0 });
     }
     let (mut vertices, mut shares) = first_face(simplex, &origin, &ray)?;
-    let mut found: Option<RayExit<D>> = None;
+    let mut found: Option<RayExit> = None;
     for _ in 0..MOST_PIVOTS {
         let points = matrix(&vertices, &origin);
         // Where the set is smooth, points come so close that rounding corrupts the plane through them: the result so far is kept.
-        let solvers = [points, points.transpose()].map(|matrix| PartialPivoting::new(&Square::from(matrix)));
+        let solvers = [PartialPivoting::new(&points), PartialPivoting::new(&points.transpose())];
         let [Some(solver), Some(transposed)] = solvers else { break };
-        let normal = transposed.solve(&SVector::<f64, D>::repeat(1.0).into()).to_svector::<D>();
-        let next = Vertex::of(support, normal);
-        let reach = normal.dot(&(next.at - origin)).max(1.0);
+        let normal = transposed.solve(&Vector::from_fn(size, |_| 1.0));
+        let next = Vertex::of(support, normal.clone());
+        let beyond = &next.at - &origin;
+        let reach = normal.dot(&beyond).max(1.0);
         let stretch = normal.dot(&ray);
         found = Some(RayExit { vertices: vertices.clone(), shares: shares.clone(), normal, reach, stretch });
         if reach <= 1.0 + BEYOND {
             break;
         }
-        let change = solver.solve(&(next.at - origin).into()).to_svector::<D>();
-        let leaving = (0..D).filter(|&k| change[k] > BEYOND * change.amax()).min_by(|&a, &b| {
+        let change = solver.solve(&beyond);
+        let least = BEYOND * change.amax();
+        let leaving = (0..size.count()).filter(|&k| change[k] > least).min_by(|&a, &b| {
             let part = |k: usize| shares[k] / change[k];
             // Among ties the largest pivot.
             part(a).total_cmp(&part(b)).then(change[b].total_cmp(&change[a]))
         });
         let Some(leaving) = leaving else { break };
         let share = shares[leaving] / change[leaving];
-        for k in 0..D {
+        for k in 0..size.count() {
             shares[k] = (shares[k] - share * change[k]).max(0.0);
         }
         (vertices[leaving], shares[leaving]) = (next, share);
@@ -76,23 +72,23 @@ pub(crate) fn shoot<const D: usize>(
     found
 }
 
-fn matrix<const D: usize>(vertices: &[Vertex<D>], origin: &SVector<f64, D>) -> SMatrix<f64, D, D> {
-    SMatrix::from_fn(|row, k| vertices[k].at[row] - origin[row])
+/// The points of vertices as columns, seen from the origin of the ray.
+fn matrix(vertices: &[Vertex], origin: &Vector) -> Square {
+    Square::from_columns(Size::of(vertices.len()), |k| &vertices[k].at - origin)
 }
 
-/// The face of the simplex that the ray from its middle passes: the one with the largest least share.
-fn first_face<const D: usize>(
-    simplex: &[Vertex<D>],
-    origin: &SVector<f64, D>,
-    ray: &SVector<f64, D>,
-) -> Option<(Vec<Vertex<D>>, Vec<f64>)> {
-    let face = |without: usize| {
-        let vertices: Vec<_> = (0..=D).filter(|&k| k != without).map(|k| simplex[k]).collect();
-        let shares = PartialPivoting::new(&Square::from(matrix(&vertices, origin)))?
-            .solve(&(*ray).into())
-            .to_svector::<D>();
-        Some((vertices, shares))
-    };
-    let best = (0..=D).filter_map(face).max_by(|(_, a), (_, b)| a.min().total_cmp(&b.min()));
-    best.map(|(vertices, shares)| (vertices, shares.iter().map(|share| share.max(0.0)).collect()))
+/// The face of the simplex that the ray from its middle passes, the one with the largest least share, and its shares.
+fn first_face(simplex: &[Vertex], origin: &Vector, ray: &Vector) -> Option<(Vec<Vertex>, Vector)> {
+    let mut best: Option<(Vec<Vertex>, Vector, f64)> = None;
+    for without in 0..simplex.len() {
+        let mut vertices = simplex.to_vec();
+        vertices.remove(without);
+        let Some(solver) = PartialPivoting::new(&matrix(&vertices, origin)) else { continue };
+        let shares = solver.solve(ray);
+        let least = shares.iter().copied().fold(f64::INFINITY, f64::min);
+        if best.as_ref().is_none_or(|(_, _, most)| least >= *most) {
+            best = Some((vertices, shares, least));
+        }
+    }
+    best.map(|(vertices, shares, _)| (vertices, shares.map(|share| share.max(0.0))))
 }

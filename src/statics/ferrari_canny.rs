@@ -7,7 +7,7 @@ use super::budget::{Budget, WrenchScale};
 use super::wrench_set::WrenchSet;
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::{largest_ball, simplex};
+use crate::numerics::{Vector, largest_ball, simplex};
 use crate::search::Settings;
 
 /// Difference of both bounds, over the largest wrench, at which they count as equal.
@@ -34,39 +34,26 @@ impl<const C: usize> Engine<C> {
         scale: &WrenchScale<C>,
         settings: &Settings,
     ) -> Result<WrenchBall<C>, Error> {
-        match C {
-            2 => self.ferrari_canny_in::<3>(budget, scale, settings),
-            _ => self.ferrari_canny_in::<6>(budget, scale, settings),
-        }
-    }
-
-    /// [`Self::ferrari_canny`] with D coordinates.
-    fn ferrari_canny_in<const D: usize>(
-        &self,
-        budget: Budget,
-        scale: &WrenchScale<C>,
-        settings: &Settings,
-    ) -> Result<WrenchBall<C>, Error> {
-        let set = self.wrench_set::<D>(budget, scale, settings, "ferrari_canny")?;
-        let support = |v: &_| set.support(v);
-        let (at_least, at_most, direction) = match simplex(&support) {
-            Err(flat) => (0.0, 0.0, flat[0]),
+        let set = self.wrench_set(budget, scale, settings, "ferrari_canny")?;
+        let support = |v: &Vector| set.support(v);
+        let (at_least, at_most, direction) = match simplex(self.size(), &support) {
+            Err(mut flat) => (0.0, 0.0, flat.swap_remove(0)),
             Ok(simplex) => match largest_ball(&support, &simplex, (CLOSE, settings.most_steps)) {
                 Some(ball) => (ball.at_least.max(0.0), ball.at_most.max(0.0), ball.direction),
-                None => (0.0, f64::INFINITY, simplex[0].towards),
+                None => (0.0, f64::INFINITY, simplex[0].towards.clone()),
             },
         };
         Ok(WrenchBall { at_least, at_most, weakest: set.outside(-direction) })
     }
 
     /// The wrenches of forces within a budget.
-    pub(super) fn wrench_set<const D: usize>(
+    pub(super) fn wrench_set(
         &self,
         budget: Budget,
         scale: &WrenchScale<C>,
         settings: &Settings,
         question: &'static str,
-    ) -> Result<WrenchSet<D, C>, Error> {
+    ) -> Result<WrenchSet<C>, Error> {
         budget.check()?;
         scale.check()?;
         self.refuse_hands(question)?;

@@ -9,7 +9,7 @@ use super::budget::{Budget, WrenchScale};
 use super::wrench_set::WrenchSet;
 use crate::error::Error;
 use crate::grasp::{Engine, Twist, Wrench};
-use crate::numerics::{RayExit, Vertex, shoot, simplex};
+use crate::numerics::{RayExit, Size, Vector, Vertex, shoot, simplex};
 use crate::prelude::*;
 use crate::search::Settings;
 
@@ -57,29 +57,15 @@ impl<const C: usize> Engine<C> {
     ) -> Result<LoadLimit<C>, Error> {
         base.check("base load")?;
         direction.check("load direction")?;
-        match C {
-            2 => self.load_limit_in::<3>(base, direction, budget, settings),
-            _ => self.load_limit_in::<6>(base, direction, budget, settings),
-        }
-    }
-
-    /// [`Self::load_limit`] with D coordinates.
-    fn load_limit_in<const D: usize>(
-        &self,
-        base: &Wrench<C>,
-        direction: &Wrench<C>,
-        budget: Budget,
-        settings: &Settings,
-    ) -> Result<LoadLimit<C>, Error> {
         let scale = WrenchScale::of(self.contacts());
-        let set = self.wrench_set::<D>(budget, &scale, settings, "load_limit")?;
+        let set = self.wrench_set(budget, &scale, settings, "load_limit")?;
         let [base, rate] = [base, direction].map(|load| -set.inside(load));
         let size = rate.norm();
         if size == 0.0 {
             let allowed = "more than 0";
             return Err(Error::Argument { what: "size of the load direction", value: size, allowed });
         }
-        Ok(limit(set, &base, &(rate / size)).over(size))
+        Ok(limit(self.size(), set, &base, &(rate / size)).over(size))
     }
 }
 
@@ -96,23 +82,22 @@ impl<const C: usize> LoadLimit<C> {
 }
 
 /// Distance from `base` along the unit vector `rate` at which the ray leaves the set.
-fn limit<const D: usize, const C: usize>(
-    mut set: WrenchSet<D, C>,
-    base: &SVector<f64, D>,
-    rate: &SVector<f64, D>,
-) -> LoadLimit<C> {
-    set.flat = simplex(&|v: &_| set.support(v)).err().unwrap_or_default();
+fn limit<const C: usize>(size: Size, mut set: WrenchSet<C>, base: &Vector, rate: &Vector) -> LoadLimit<C> {
+    set.flat = simplex(size, &|v: &Vector| set.support(v)).err().unwrap_or_default();
     // The set now has some thickness in directions without any force; a load must have no part in them.
-    let unheld = |load: &SVector<f64, D>| {
-        let part = set.flat.iter().fold(SVector::zeros(), |sum: SVector<f64, D>, v| sum + v * v.dot(load));
+    let unheld = |load: &Vector| {
+        let mut part = Vector::zeros();
+        for v in &set.flat {
+            part.add_times(v, v.dot(load));
+        }
         (part.norm() > ON_THE_BOUNDARY * load.norm()).then(|| part.normalize())
     };
     if let Some(motion) = unheld(base) {
         return LoadLimit::NoBase { motion: set.motion(-motion) };
     }
-    let support = |v: &SVector<f64, D>| set.support(v);
-    let Ok(simplex) = simplex(&support) else { return LoadLimit::Undecided };
-    let shoot = |target: &SVector<f64, D>| shoot(&support, &simplex, target);
+    let support = |v: &Vector| set.support(v);
+    let Ok(simplex) = simplex(size, &support) else { return LoadLimit::Undecided };
+    let shoot = |target: &Vector| shoot(&support, &simplex, target);
     let Some(begin) = shoot(base) else { return LoadLimit::Undecided };
     if begin.stretch > begin.reach * (1.0 + ON_THE_BOUNDARY) {
         return LoadLimit::NoBase { motion: set.motion(-begin.normal.normalize()) };
@@ -122,14 +107,14 @@ fn limit<const D: usize, const C: usize>(
         let motion = set.motion(-motion);
         return LoadLimit::Factor { at_least: 0.0, at_most: 0.0, forces: here, motion };
     }
-    let plane = |normal: &SVector<f64, D>| normal.dot(&(support(normal) - base)) / normal.dot(rate);
-    let (mut at_most, mut normal) = (plane(rate), *rate);
-    let mut last: Option<(f64, RayExit<D>)> = None;
+    let plane = |normal: &Vector| normal.dot(&(support(normal) - base)) / normal.dot(rate);
+    let (mut at_most, mut normal) = (plane(rate), rate.clone());
+    let mut last: Option<(f64, RayExit)> = None;
     for _ in 0..MOST_PLANES {
         let Some(there) = shoot(&(base + rate * at_most)) else { break };
         let (inside, nearer) = (there.stretch <= 1.0 + ON_THE_BOUNDARY, plane(&there.normal));
         let comes_nearer = !inside && nearer < at_most;
-        let next = there.normal;
+        let next = there.normal.clone();
         last = Some((at_most, there));
         if !comes_nearer {
             break;
@@ -141,7 +126,7 @@ fn limit<const D: usize, const C: usize>(
         return LoadLimit::Factor { at_least: 0.0, at_most: 0.0, forces: here, motion };
     }
     // The last load that a ray reaches inside the set, reduced by as little as rounding allows.
-    let reached = |(factor, crossing): &(f64, RayExit<D>)| crossing.stretch <= 1.0 && *factor <= at_most;
+    let reached = |(factor, crossing): &(f64, RayExit)| crossing.stretch <= 1.0 && *factor <= at_most;
     let nearer = SHORTER.iter().filter_map(|part| {
         let factor = at_most * (1.0 - part);
         Some((factor, shoot(&(base + rate * factor))?))
@@ -155,10 +140,10 @@ fn limit<const D: usize, const C: usize>(
 }
 
 /// Forces of a target: from the vertices around the crossing of its ray, and from the middle of the simplex.
-fn forces<const D: usize, const C: usize>(
-    set: &WrenchSet<D, C>,
-    simplex: &[Vertex<D>],
-    crossing: &RayExit<D>,
+fn forces<const C: usize>(
+    set: &WrenchSet<C>,
+    simplex: &[Vertex],
+    crossing: &RayExit,
 ) -> Vec<SVector<f64, C>> {
     let rest = (1.0 - crossing.shares.iter().sum::<f64>()) / simplex.len() as f64;
     let points = crossing.vertices.iter().zip(crossing.shares.iter().copied());

@@ -9,7 +9,7 @@ use super::budget::{Budget, WrenchScale};
 use crate::contact::{Coulomb, LocalLaw, tangential, tangential_norm};
 use crate::error::Error;
 use crate::grasp::{Engine, Twist, Wrench, grasp_map, moved_twist, moved_wrench};
-use crate::numerics::{Size, Vector, unit};
+use crate::numerics::{Map, Vector, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
@@ -19,15 +19,15 @@ enum Cone<const C: usize> {
     Corners(Vec<SVector<f64, C>>),
 }
 
-struct Pushing<const D: usize, const C: usize> {
+struct Pushing<const C: usize> {
     /// Map from a force in the contact frame to its wrench, with moments in the scale of the set.
-    map: SMatrix<f64, D, C>,
+    map: Map<C>,
     cone: Cone<C>,
 }
 
-impl<const D: usize, const C: usize> Pushing<D, C> {
+impl<const C: usize> Pushing<C> {
     /// The force with the most work on a motion, per newton along the normal, and that work.
-    fn most(&self, v: &SVector<f64, D>) -> (SVector<f64, C>, f64) {
+    fn most(&self, v: &Vector) -> (SVector<f64, C>, f64) {
         let u = self.map.tr_mul(v);
         match &self.cone {
             Cone::Round(cone) => {
@@ -45,17 +45,17 @@ impl<const D: usize, const C: usize> Pushing<D, C> {
 }
 
 /// The set of wrenches, in its scale.
-pub(super) struct WrenchSet<const D: usize, const C: usize> {
-    contacts: Vec<Pushing<D, C>>,
+pub(super) struct WrenchSet<const C: usize> {
+    contacts: Vec<Pushing<C>>,
     budget: Budget,
     scale: WrenchScale<C>,
     /// Pull of the vacuums, which does not depend on the forces.
-    vacuum: SVector<f64, D>,
+    vacuum: Vector,
     /// Directions in which no contact force acts; the set gets some thickness there.
-    pub(super) flat: Vec<SVector<f64, D>>,
+    pub(super) flat: Vec<Vector>,
 }
 
-impl<const D: usize, const C: usize> WrenchSet<D, C> {
+impl<const C: usize> WrenchSet<C> {
     pub(super) fn new(
         problem: &Problem<'_, C>,
         grasp: &Engine<C>,
@@ -66,9 +66,10 @@ impl<const D: usize, const C: usize> WrenchSet<D, C> {
         let about = SVector::from(scale.about);
         let pushing = |(contact, (local, frame)): (usize, (LocalLaw<'_, C>, &SMatrix<f64, C, C>))| {
             let arm = grasp.contacts()[contact].point() - about;
-            let map = grasp_map(Size::of(D), &arm, frame);
-            let mut map = SMatrix::<f64, D, C>::from_fn(|k, a| map[(k, a)]);
-            map.rows_range_mut(C..).iter_mut().for_each(|entry| *entry /= scale.length);
+            let mut map = grasp_map(grasp.size(), &arm, frame);
+            for (k, a) in (C..grasp.size().count()).flat_map(|k| (0..C).map(move |a| (k, a))) {
+                map[(k, a)] /= scale.length;
+            }
             let unlimited = local.is_bonded() || local.may_pull() || local.never_slides();
             if unlimited {
                 let contact = grasp.contacts()[contact].label(contact);
@@ -88,12 +89,12 @@ impl<const D: usize, const C: usize> WrenchSet<D, C> {
         let contacts =
             problem.locals().zip(grasp.sites().iter().map(|site| &site.frame)).enumerate().map(pushing);
         let contacts = contacts.collect::<Result<_, _>>()?;
-        let set = Self { contacts, budget, scale, vacuum: SVector::zeros(), flat: Vec::new() };
+        let set = Self { contacts, budget, scale, vacuum: Vector::zeros(), flat: Vec::new() };
         Ok(Self { vacuum: set.inside(&grasp.with_vacuum(&Wrench::ZERO)), ..set })
     }
 
     /// The forces of the support point in a direction.
-    pub(super) fn forces(&self, v: &SVector<f64, D>) -> Vec<SVector<f64, C>> {
+    pub(super) fn forces(&self, v: &Vector) -> Vec<SVector<f64, C>> {
         let most = self.contacts.iter().map(|contact| contact.most(v));
         let within = |bound: f64| {
             move |(force, work): (SVector<f64, C>, f64)| force * if work > 0.0 { bound } else { 0.0 }
@@ -110,38 +111,42 @@ impl<const D: usize, const C: usize> WrenchSet<D, C> {
     }
 
     /// The support point in a direction.
-    pub(super) fn support(&self, v: &SVector<f64, D>) -> SVector<f64, D> {
+    pub(super) fn support(&self, v: &Vector) -> Vector {
         let (Budget::Each(bound) | Budget::Total(bound)) = self.budget;
-        let forces = self.forces(v);
-        let wrench = self.contacts.iter().zip(&forces).map(|(contact, force)| contact.map * force);
-        let thickness = self.flat.iter().map(|flat| flat * bound.copysign(flat.dot(v)));
-        self.vacuum + wrench.sum::<SVector<f64, D>>() + thickness.sum::<SVector<f64, D>>()
+        let mut sum = self.vacuum.clone();
+        for (contact, force) in self.contacts.iter().zip(self.forces(v)) {
+            contact.map.push(&force, &mut sum);
+        }
+        for flat in &self.flat {
+            sum.add_times(flat, bound.copysign(flat.dot(v)));
+        }
+        sum
     }
 
     /// A wrench of the question, in the scale of the set.
-    pub(super) fn inside(&self, wrench: &Wrench<C>) -> SVector<f64, D> {
+    pub(super) fn inside(&self, wrench: &Wrench<C>) -> Vector {
         let about = SVector::from(self.scale.about);
         let moved = moved_wrench::<C>(&-about, &wrench.coordinates());
-        scaled::<D, C>(moved.to_svector(), 1.0 / self.scale.length)
+        scaled::<C>(moved, 1.0 / self.scale.length)
     }
 
     /// A wrench in the scale of the set, in the user's coordinates.
-    pub(super) fn outside(&self, wrench: SVector<f64, D>) -> Wrench<C> {
+    pub(super) fn outside(&self, wrench: Vector) -> Wrench<C> {
         let about = SVector::from(self.scale.about);
-        let wrench = Vector::from(scaled::<D, C>(wrench, self.scale.length));
+        let wrench = scaled::<C>(wrench, self.scale.length);
         Wrench::among(&moved_wrench::<C>(&about, &wrench))
     }
 
     /// The motion on which a wrench does as much work as it reaches along a direction.
-    pub(super) fn motion(&self, direction: SVector<f64, D>) -> Twist<C> {
+    pub(super) fn motion(&self, direction: Vector) -> Twist<C> {
         let about = SVector::from(self.scale.about);
-        let direction = Vector::from(scaled::<D, C>(direction, 1.0 / self.scale.length));
+        let direction = scaled::<C>(direction, 1.0 / self.scale.length);
         Twist::among(&moved_twist::<C>(&about, &direction))
     }
 }
 
 /// `v` with its angular components times a factor.
-fn scaled<const D: usize, const C: usize>(mut v: SVector<f64, D>, by: f64) -> SVector<f64, D> {
+fn scaled<const C: usize>(mut v: Vector, by: f64) -> Vector {
     v.iter_mut().skip(C).for_each(|x| *x *= by);
     v
 }
