@@ -7,6 +7,8 @@ use nalgebra::{SMatrix, SVector};
 use super::map_entries::MapEntries;
 use super::size::{Size, WHOLE};
 use super::vector::Vector;
+#[cfg(not(feature = "std"))]
+use crate::prelude::*;
 
 /// A matrix from C numbers of a contact to coordinates: a grasp map.
 #[derive(Debug, Clone, PartialEq)]
