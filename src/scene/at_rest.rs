@@ -21,7 +21,8 @@ const OTHERWISE: f64 = 0.02;
 const MUCH_FRICTION: f64 = 3.0;
 
 impl<const C: usize> Setup<C> {
-    /// Whether no command presses, and some question has no load at rest and no load that presses contacts on, as a weight or a jamming load does.
+    /// Whether no command presses, and some question has no load at rest and no load that presses contacts on, as a weight or a jamming load does. A
+    /// question that seeks the forces at rest need not state them.
     /// Without a question, the commands alone decide.
     pub(super) fn nothing_presses(&self, grasp: &Grasp<C>) -> Result<bool, Error> {
         if grasp.presses() {
@@ -29,7 +30,8 @@ impl<const C: usize> Setup<C> {
         }
         for question in &self.questions {
             let is_solved = matches!(question, Question::Solve { load, .. } if *load != Wrench::ZERO);
-            if is_solved || at_rest(question) != Wrench::ZERO {
+            let is_sought = matches!(question, Question::Identify(asked) if asked.seeks_carried());
+            if is_solved || is_sought || at_rest(question) != Wrench::ZERO {
                 continue;
             }
             let grasp = self.grasp_of(grasp, question)?;

@@ -211,6 +211,11 @@ impl<const C: usize> IdentifyAsked<C> {
         Self { unknowns, slips, layouts: Vec::new(), known: Vec::new(), outliers: None, iterations: None }
     }
 
+    /// Whether forces that contacts carry at rest are unknown, so that the scene need not state what presses.
+    pub(super) fn seeks_carried(&self) -> bool {
+        self.unknowns.iter().any(|unknown| unknown.quantity == UnknownKind::Carried)
+    }
+
     /// The load before a slip's own load, for the check of contacts at rest: zero if some slip has none and no carried force is sought, else that of
     /// the first slip.
     pub(super) fn at_rest(&self) -> Wrench<C> {
@@ -218,9 +223,8 @@ impl<const C: usize> IdentifyAsked<C> {
             slip.base.unwrap_or(Wrench::ZERO) + slip.turn.map_or(Wrench::ZERO, |turn| turn.load_at(0.0))
         };
         let mut all = self.slips.iter().map(acts);
-        let carried = self.unknowns.iter().any(|unknown| unknown.quantity == UnknownKind::Carried);
         let first = all.next().unwrap_or(Wrench::ZERO);
-        if carried || all.all(|acts| acts != Wrench::ZERO) { first } else { Wrench::ZERO }
+        if self.seeks_carried() || all.all(|acts| acts != Wrench::ZERO) { first } else { Wrench::ZERO }
     }
 }
 
