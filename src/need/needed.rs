@@ -273,7 +273,7 @@ fn amount<const C: usize>(tried: &Tried<'_, C>, demand: Demand, look: Look) -> R
         return Err(Error::Argument { what, value: *contact as f64, allowed });
     }
     let tries = |amount: f64| tried.at(amount, demand);
-    let plan = tried.plan(look)?;
+    let mut plan = tried.plan(look)?;
     if plan.range.is_empty {
         let trial = tries(plan.start)?;
         return Ok(nothing_does(vec![(plan.start, trial)], plan.limits, true));
@@ -307,6 +307,9 @@ fn amount<const C: usize>(tried: &Tried<'_, C>, demand: Demand, look: Look) -> R
         }
     };
     let (does, does_not) = (bound.does, bound.does_not.0);
+    // More squeeze may move the part too far, whatever friction carries.
+    let is_too_much = |(at, trial): &(f64, Trial)| *at > does && matches!(trial, Trial::DoesNot { .. });
+    plan.is_monotone &= !plan.is_least || !tried.known(demand).iter().any(is_too_much);
     let otherwise = match &bound.does_not.1 {
         Trial::Unknown(doubt) => return Ok(Amount::Undecided { at: does_not, doubt: doubt.clone() }),
         Trial::DoesNot { says, .. } => says.clone(),

@@ -177,7 +177,9 @@ pub(super) fn search(tries: Tries<'_>, plan: &SearchPlan, known: &[(f64, Trial)]
     }
     let factor = if plan.everywhere { DOUBLED } else { QUADRUPLED };
     let begin = first.0;
-    for (up, is_asked) in [(more, true), (!more, plan.everywhere && !plan.is_monotone)] {
+    // A squeeze that moves the part too far is no proof that less of it does not suffice.
+    let may_be_less = plan.everywhere && (plan.is_least || !plan.is_monotone);
+    for (up, is_asked) in [(more, true), (!more, may_be_less)] {
         if is_asked && let Some(does) = walk(tries, plan, (begin, up, factor), &mut vain)? {
             return edge_from(tries, plan, does, &vain);
         }

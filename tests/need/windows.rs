@@ -1,7 +1,7 @@
 //! Squeezes that do lie in windows where a motor reaches its limit, while another finger still pushes the object away: known by hand.
 
 use grasp_lcp::need::{Amount, AmountWindow, Need};
-use grasp_lcp::planar::{Grasp, Wrench};
+use grasp_lcp::planar::{Contact, Grasp, Wrench};
 use grasp_lcp::scene::{Scene, Space};
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
@@ -111,5 +111,23 @@ fn a_second_window_is_told_beside_the_first() -> Tested {
         let [AmountWindow { from: Some(from), to: None, .. }] = elsewhere[..] else { panic!("{needed}") };
         assert!((from * given / 7.0 - 1.0).abs() < 1e-4, "{needed}");
     }
+    Ok(())
+}
+
+/// The left jaw comes 20 mm a squeeze, which presses with 10 N and drags the part 10 mm along under a pad from above, farther than small motions allow: a
+/// squeeze of one is too much. Friction of both jaws carries a weight of 1 N from a tenth of it on, where the pad has let go.
+#[test]
+fn less_does_where_the_squeeze_given_moves_too_far() -> Tested {
+    let jaw = |side: f64, come: f64| {
+        Contact::new([0.03 * side, 0.0], [-side, 0.0])
+            .series_stiffness(1e3, 1e5)
+            .friction(0.5)
+            .command([come, 0.0])
+    };
+    let pad = Contact::new([0.0, 0.03], [0.0, -1.0]).series_stiffness(1e3, 1e3).friction(0.1);
+    let grasp = Grasp::new([jaw(-1.0, 0.02), jaw(1.0, 0.0), pad.command([1e-6, 0.0])])?;
+    let needed = grasp.need(&Need::squeeze(Wrench::force([0.0, -1.0])).if_lower_by(0.0, 0.0))?;
+    let Amount::Bound { does, until: Some(end), .. } = &needed.amount else { panic!("{needed}") };
+    assert!((does - 0.1).abs() < 1e-3 && 0.2 < end.does && end.does < 0.4, "{needed}");
     Ok(())
 }
