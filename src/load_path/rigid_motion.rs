@@ -14,7 +14,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::contact::Law;
 use crate::friction::FrictionProblem;
-use crate::numerics::Vector;
+use crate::numerics::{Vector, across};
 use crate::object::Problem;
 use crate::prelude::*;
 
@@ -51,12 +51,12 @@ pub(super) fn rigid_motion<const C: usize>(rates: &Problem<C>) -> Option<Vector>
     if touching.is_empty() || touching.len() > MOST || touching.iter().any(never_slides) {
         return None;
     }
-    let load = across(&resisted, rates.wrench.clone());
+    let load = across(rates.wrench.clone(), &resisted);
     let mut columns = Vec::new();
     let mut friction = Vec::new();
     for &i in &touching {
         let site = &rates.sites[i];
-        (0..C).for_each(|axis| columns.push(across(&resisted, site.map.column(axis))));
+        (0..C).for_each(|axis| columns.push(across(site.map.column(axis), &resisted)));
         let slides_freely = rates.local(i).is_frictionless() || !site.springs.resists_tangentially();
         friction.push(if slides_freely { 0.0 } else { rates.local(i).cone().limit(1.0) });
     }
@@ -82,24 +82,13 @@ pub(super) fn rigid_motion<const C: usize>(rates: &Problem<C>) -> Option<Vector>
             resist(&mut resisted, column);
         }
     }
-    let free = across(&resisted, load.clone());
+    let free = across(load.clone(), &resisted);
     (free.norm() > NONE * load.norm()).then(|| free.normalize())
-}
-
-/// The part of a motion across an orthonormal basis; subtracted twice, so that rounding leaves it orthogonal.
-fn across(basis: &[Vector], mut motion: Vector) -> Vector {
-    for _ in 0..2 {
-        for unit in basis {
-            let part = unit.dot(&motion);
-            motion -= unit * part;
-        }
-    }
-    motion
 }
 
 /// Adds a motion to the basis of resisted ones, unless it depends on them.
 fn resist(basis: &mut Vec<Vector>, motion: &Vector) {
-    let rest = across(basis, motion.clone());
+    let rest = across(motion.clone(), basis);
     if rest.norm() > DEPENDENT * motion.norm() {
         basis.push(rest.normalize());
     }

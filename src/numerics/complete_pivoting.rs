@@ -1,7 +1,6 @@
 //! Small linear systems by complete pivoting, with rank, kernels and the unreachable part of a right-hand side.
 
-use crate::numerics::Indices;
-use crate::numerics::{Square, Vector};
+use crate::numerics::{Indices, Square, Vector};
 use crate::prelude::*;
 
 /// A pivot below this part of the largest entry counts as zero. The matrices here are products of orthonormal factors

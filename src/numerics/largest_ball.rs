@@ -14,7 +14,7 @@ use core::cmp::Ordering;
 
 use super::coordinates::{Size, Square, Vector, WHOLE};
 use super::partial_pivoting::PartialPivoting;
-use super::support::{Support, Vertex, middle};
+use super::support::{SupportFunction, Vertex, middle};
 use crate::prelude::*;
 
 /// A point lies in the plane of a face if its distance from the plane is below this part of the middle's distance from it.
@@ -36,13 +36,13 @@ pub(crate) struct BallBounds {
 }
 
 /// Indices of as many points as there are dimensions, in ascending order; behind them [`NO_POINT`].
-type Indices = [usize; WHOLE];
+type Corners = [usize; WHOLE];
 
 /// The index of no point.
 const NO_POINT: usize = usize::MAX;
 
 struct Face {
-    vertices: Indices,
+    vertices: Corners,
     /// v, where the plane is `v·(x - middle) = 1`.
     normal: Vector,
     is_alive: bool,
@@ -82,7 +82,7 @@ struct Polytope {
     alive: Vec<usize>,
     queue: BinaryHeap<Waiting>,
     /// The ridges of the faces that a new point sees, each with that point: one list for all points, so that none is allocated for each.
-    ridges: Vec<Indices>,
+    ridges: Vec<Corners>,
 }
 
 impl Polytope {
@@ -103,7 +103,7 @@ impl Polytope {
     }
 
     /// Adds the face through these points. A face so thin that it has no plane is left out: its neighbours meet there, up to rounding.
-    fn add(&mut self, vertices: Indices) {
+    fn add(&mut self, vertices: Corners) {
         let columns = Square::from_columns(self.size, |k| &self.points[vertices[k]] - &self.middle);
         let Some(solver) = PartialPivoting::new(&columns.transpose()) else { return };
         let normal = solver.solve(&Vector::from_fn(self.size, |_| 1.0));
@@ -157,7 +157,7 @@ impl Polytope {
 
 /// Bounds of the largest ball about the origin. They differ by at most `closeness` times the size of the set, or by what `most_points` points leave.
 pub(crate) fn largest_ball(
-    support: &Support<'_>,
+    support: &SupportFunction<'_>,
     simplex: &[Vertex],
     (closeness, most_points): (f64, usize),
 ) -> Option<BallBounds> {

@@ -4,6 +4,8 @@
 //! |---|---|
 //! | `coordinates` | vectors and matrices over the coordinates of a grasp |
 //! | `orthogonal` | rank-revealing orthogonal factors of a tall matrix with graded rows |
+//! | `gram_schmidt` | its orthogonalisation, column by column |
+//! | `orthonormal_set` | the part of a vector across orthonormal vectors |
 //! | `complete_pivoting` | LU with rank, kernels and the unreachable part of a right-hand side |
 //! | `cores` | work spread over the cores |
 //! | `partial_pivoting` | LU of a matrix far from singular |
@@ -48,6 +50,7 @@ mod dormand_prince;
 mod double_double;
 mod exact_sum;
 mod factors;
+mod gram_schmidt;
 mod harmonic;
 mod largest_ball;
 mod linearly_implicit;
@@ -57,6 +60,7 @@ mod nearest_point;
 mod normal_tail;
 mod on_a_circle;
 mod orthogonal;
+mod orthonormal_set;
 mod pairwise;
 mod partial_pivoting;
 mod positive_band;
@@ -91,7 +95,8 @@ pub(crate) use narrow_order::{narrow_order, widest};
 pub(crate) use nearest_point::NearestPoint;
 pub(crate) use normal_tail::{normal_density, normal_tail};
 pub(crate) use on_a_circle::Turning;
-pub(crate) use orthogonal::{Orthogonal, orthonormalise_against, without};
+pub(crate) use orthogonal::Orthogonal;
+pub(crate) use orthonormal_set::{across, orthonormalise_against, without};
 pub(crate) use pairwise::in_halves;
 pub(crate) use partial_pivoting::PartialPivoting;
 pub(crate) use positive_band::PositiveBand;

@@ -4,22 +4,13 @@
 //! equations (G K Gᵀ)⁻¹ would lose the square of that. Gram–Schmidt with column pivoting, every column
 //! orthogonalised twice, keeps the columns of Q orthonormal to working precision for any grading.
 
-use crate::numerics::Indices;
-use crate::numerics::{Size, Square, Vector};
+use super::coordinates::{Indices, Size, Square, Vector};
 use core::ops::Range;
 
+use super::gram_schmidt::factorise;
+use super::orthonormal_set::orthonormalise_against;
 use super::pairwise::in_halves;
 use crate::prelude::*;
-
-/// A column counts as dependent on those before it when less than this part of it is left after orthogonalisation.
-/// It keeps rounding noise (about 1e-16 times a few operations) from being taken for a resisted direction. Contacts
-/// in real geometry are parallel up to 1e-12.
-const DEPENDENT: f64 = 1e-13;
-
-/// Relative rounding of an entry, as a part of the row's size: a normal computed as (cos π/2, sin π/2) has a first
-/// component of 6e-17 that resists nothing. Entries that are exactly zero carry no such noise, so a soft spring
-/// still counts across a direction in which stiff springs have no entry.
-const ENTRY_NOISE: f64 = 4.0 * f64::EPSILON;
 
 /// Largest number of times that a projection is repeated: once to solve, and again for its own rounding. Rows graded
 /// over many decades need more than one repetition.
@@ -228,168 +219,6 @@ fn product(row: &[f64], y: &[f64]) -> f64 {
         sum += entry * y;
     }
     sum
-}
-
-/// Factorises the rows in `q`, which become those of Q. Returns the rank.
-#[inline(always)]
-fn factorise(
-    d: usize,
-    q: &mut [f64],
-    r: &mut Square,
-    over_diagonal: &mut Vector,
-    order: &mut [usize],
-) -> usize {
-    let size = r.size();
-    r.fill(0.0);
-    order.iter_mut().enumerate().for_each(|(j, order)| *order = j);
-    // Lengths of the columns, of the rounding in them, and of their remaining parts.
-    let [mut full, mut noise, mut left, mut parts] = core::array::from_fn(|_| Vector::all_zero(size));
-    let [full, noise, left, parts] =
-        [&mut full, &mut noise, &mut left, &mut parts].map(|list| &mut list.as_mut_slice()[..d]);
-    lengths_and_noise(d, q, full, noise);
-    left.copy_from_slice(full);
-    let mut rank = 0;
-    while rank < d {
-        let k = rank;
-        // The largest remaining column, among those that exceed the rounding noise of their original size.
-        let mut best = None;
-        for j in k..d {
-            if left[j] > (DEPENDENT * full[j]).max(noise[j]) && best.is_none_or(|(_, most)| left[j] > most) {
-                best = Some((j, left[j]));
-            }
-        }
-        let Some((pivot, _)) = best else { break };
-        if pivot != k {
-            for row in q.chunks_exact_mut(d) {
-                row.swap(k, pivot);
-            }
-            r.swap_columns(k, pivot);
-            order.swap(k, pivot);
-            for list in [&mut *full, &mut *noise, &mut *left] {
-                list.swap(k, pivot);
-            }
-        }
-        let square = again_from_those_before(d, q, (parts, r.column_slice_mut(k)), k);
-        let norm = square.sqrt();
-        if norm <= (DEPENDENT * full[k]).max(noise[k]) {
-            // The remainder was noise: the column is never a pivot again.
-            full[k] = f64::INFINITY;
-            continue;
-        }
-        r[(k, k)] = norm;
-        for row in q.chunks_exact_mut(d) {
-            row[k] /= norm;
-        }
-        rank += 1;
-        if rank == d {
-            break;
-        }
-        take_from_the_others(d, q, k, (parts, left));
-        for j in rank..d {
-            left[j] = left[j].sqrt();
-            r[(k, j)] = parts[j];
-        }
-    }
-    if rank < d {
-        for row in q.chunks_exact_mut(d.max(1)) {
-            row[rank..].fill(0.0);
-        }
-    }
-    for i in 0..d {
-        over_diagonal[i] = 1.0 / r[(i, i)];
-    }
-    rank
-}
-
-#[inline(always)]
-fn lengths_and_noise(d: usize, q: &[f64], full: &mut [f64], noise: &mut [f64]) {
-    for row in q.chunks_exact(d.max(1)) {
-        let mut sum = 0.0;
-        for k in 0..d {
-            let square = row[k] * row[k];
-            full[k] += square;
-            sum += square;
-        }
-        for k in 0..d {
-            noise[k] += if row[k] == 0.0 { 0.0 } else { sum };
-        }
-    }
-    for k in 0..d {
-        (full[k], noise[k]) = (full[k].sqrt(), noise[k].sqrt() * ENTRY_NOISE);
-    }
-}
-
-/// Orthogonalises column k a second time against the finished columns: the first time was their own elimination step. Adds the coefficients to column k of R,
-/// and returns the squared length that is left.
-#[inline(always)]
-fn again_from_those_before(d: usize, q: &mut [f64], (parts, r): (&mut [f64], &mut [f64]), k: usize) -> f64 {
-    add_products(d, q, k, parts);
-    // Loops over all columns have a length that the compiler knows: the coefficients of open columns are zero.
-    parts[k..].fill(0.0);
-    let (parts, r) = (&parts[..d], &mut r[..d]);
-    for j in 0..d {
-        r[j] += parts[j];
-    }
-    let mut square = 0.0;
-    for row in q.chunks_exact_mut(d) {
-        let mut against = 0.0;
-        for j in 0..d {
-            against += parts[j] * row[j];
-        }
-        row[k] -= against;
-        square += row[k] * row[k];
-    }
-    square
-}
-
-/// Subtracts the projection on column k, a unit vector, from the columns behind it. Leaves the coefficients in `parts`, and the squared lengths of the
-/// remaining columns in `left`.
-#[inline(always)]
-fn take_from_the_others(d: usize, q: &mut [f64], k: usize, (parts, left): (&mut [f64], &mut [f64])) {
-    add_products(d, q, k, parts);
-    parts[..=k].fill(0.0);
-    left.fill(0.0);
-    let (parts, left) = (&parts[..d], &mut left[..d]);
-    for row in q.chunks_exact_mut(d) {
-        let part = row[k];
-        for j in 0..d {
-            row[j] -= parts[j] * part;
-            left[j] += row[j] * row[j];
-        }
-    }
-}
-
-/// Products of column k with all columns.
-#[inline(always)]
-fn add_products(d: usize, q: &[f64], k: usize, products: &mut [f64]) {
-    let products = &mut products[..d];
-    products.fill(0.0);
-    for row in q.chunks_exact(d) {
-        let part = row[k];
-        for j in 0..d {
-            products[j] += row[j] * part;
-        }
-    }
-}
-
-/// v minus its projection on an orthonormal set.
-pub(crate) fn without(mut v: Vector, basis: &[Vector]) -> Vector {
-    for b in basis {
-        let along = b.dot(&v);
-        v -= b * along;
-    }
-    v
-}
-
-/// Makes v a unit vector orthogonal to an orthonormal set, in two passes.
-pub(crate) fn orthonormalise_against(v: &mut Vector, basis: &[Vector]) {
-    for _ in 0..2 {
-        *v = without(core::mem::take(v), basis);
-    }
-    let norm = v.norm();
-    if norm > 0.0 {
-        *v /= norm;
-    }
 }
 
 #[cfg(test)]

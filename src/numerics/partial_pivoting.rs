@@ -1,7 +1,6 @@
 //! Small linear systems far from singular, by partial pivoting.
 
-use crate::numerics::Indices;
-use crate::numerics::{Size, Square, Vector};
+use crate::numerics::{Indices, Size, Square, Vector};
 
 /// Pivot, relative to the largest entry, below which a matrix has no factors here: [`super::CompletePivoting`] or [`super::Orthogonal`] must
 /// distinguish singular from soft. Above it a solution has some six digits, and refinement adds the rest.

@@ -6,7 +6,7 @@
 
 use super::coordinates::{Size, Square, Vector};
 use super::partial_pivoting::PartialPivoting;
-use super::support::{Support, Vertex, middle};
+use super::support::{SupportFunction, Vertex, middle};
 use crate::prelude::*;
 
 /// Relative distance beyond a plane, or relative size of a pivot, that counts as rounding.
@@ -31,7 +31,7 @@ pub(crate) struct RayExit {
 }
 
 /// The exit of the ray from the middle of a simplex to a target. `None` if rounding leaves no simplex.
-pub(crate) fn shoot(support: &Support<'_>, simplex: &[Vertex], target: &Vector) -> Option<RayExit> {
+pub(crate) fn shoot(support: &SupportFunction<'_>, simplex: &[Vertex], target: &Vector) -> Option<RayExit> {
     let size = Size::of(simplex.len() - 1);
     let origin = middle(simplex);
     let ray = target - &origin;

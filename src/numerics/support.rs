@@ -1,13 +1,14 @@
 //! Convex sets given by their support function: in each direction the farthest point.
 
 use super::coordinates::{Size, Vector};
+use super::orthonormal_set::across;
 use crate::prelude::*;
 
 /// A set thinner than this part of its size in some direction counts as flat.
 const FLAT: f64 = 1e-10;
 
 /// The farthest point of a set in a direction.
-pub(crate) type Support<'s> = dyn Fn(&Vector) -> Vector + 's;
+pub(crate) type SupportFunction<'s> = dyn Fn(&Vector) -> Vector + 's;
 
 /// A support point of a set, with its direction.
 #[derive(Debug, Clone)]
@@ -18,19 +19,19 @@ pub(crate) struct Vertex {
 
 impl Vertex {
     /// The support point in a direction.
-    pub(crate) fn of(support: &Support<'_>, towards: Vector) -> Self {
+    pub(crate) fn of(support: &SupportFunction<'_>, towards: Vector) -> Self {
         Self { at: support(&towards), towards }
     }
 }
 
 /// One point more than there are dimensions, which do not lie in one plane; or, as error, orthonormal directions in which the set is flat.
-pub(crate) fn simplex(size: Size, support: &Support<'_>) -> Result<Vec<Vertex>, Vec<Vector>> {
+pub(crate) fn simplex(size: Size, support: &SupportFunction<'_>) -> Result<Vec<Vertex>, Vec<Vector>> {
     let first = Vertex::of(support, Vector::unit(size, 0));
     let origin = first.at.clone();
     let (mut extent, mut vertices, mut flat) = (origin.norm(), vec![first], Vec::new());
     let mut taken: Vec<Vector> = Vec::new();
     for _ in 0..size.count() {
-        let axes = (0..size.count()).map(|axis| across(&taken, Vector::unit(size, axis)));
+        let axes = (0..size.count()).map(|axis| across(Vector::unit(size, axis), &taken));
         let Some(axis) = axes.max_by(|a, b| a.norm().total_cmp(&b.norm())) else { break };
         let axis = axis.normalize();
         let ends = [axis.clone(), -&axis].map(|towards| Vertex::of(support, towards));
@@ -42,20 +43,11 @@ pub(crate) fn simplex(size: Size, support: &Support<'_>) -> Result<Vec<Vertex>, 
             flat.push(axis.clone());
             taken.push(axis);
         } else {
-            taken.push(across(&taken, &far.at - &origin).normalize());
+            taken.push(across(&far.at - &origin, &taken).normalize());
             vertices.push(far.clone());
         }
     }
     if flat.is_empty() { Ok(vertices) } else { Err(flat) }
-}
-
-/// The part of x across an orthonormal set; subtracted twice, so that rounding leaves no part along the others.
-fn across(taken: &[Vector], mut x: Vector) -> Vector {
-    for v in taken.iter().chain(taken) {
-        let along = v.dot(&x);
-        x -= v * along;
-    }
-    x
 }
 
 /// The mean of some points: an interior point if they do not lie in one plane.

@@ -12,13 +12,13 @@ use crate::prelude::*;
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Seen<const C: usize> {
     /// Column by column.
-    entries: Entries<C>,
+    entries: Columns<C>,
     size: Size,
 }
 
 /// Columns of C numbers: in place for one object, with zeros behind the last one.
 #[derive(Debug, Clone, PartialEq)]
-enum Entries<const C: usize> {
+enum Columns<const C: usize> {
     Few([[f64; C]; WHOLE]),
     More(Vec<[f64; C]>),
 }
@@ -28,9 +28,9 @@ impl<const C: usize> Seen<C> {
     pub(crate) fn zeros(size: Size) -> Self {
         let count = size.count();
         let entries = if count <= WHOLE {
-            Entries::Few([[0.0; C]; WHOLE])
+            Columns::Few([[0.0; C]; WHOLE])
         } else {
-            Entries::More(vec![[0.0; C]; count])
+            Columns::More(vec![[0.0; C]; count])
         };
         Self { entries, size }
     }
@@ -38,16 +38,16 @@ impl<const C: usize> Seen<C> {
     #[inline]
     pub(super) fn columns(&self) -> &[[f64; C]] {
         match &self.entries {
-            Entries::Few(few) => &few[..self.size.count().min(WHOLE)],
-            Entries::More(more) => more,
+            Columns::Few(few) => &few[..self.size.count().min(WHOLE)],
+            Columns::More(more) => more,
         }
     }
 
     #[inline]
     fn columns_mut(&mut self) -> &mut [[f64; C]] {
         match &mut self.entries {
-            Entries::Few(few) => &mut few[..self.size.count().min(WHOLE)],
-            Entries::More(more) => more,
+            Columns::Few(few) => &mut few[..self.size.count().min(WHOLE)],
+            Columns::More(more) => more,
         }
     }
 

@@ -1,0 +1,26 @@
+//! The part of a vector across an orthonormal set.
+
+use super::coordinates::Vector;
+
+/// v minus its projection on an orthonormal set.
+pub(crate) fn without(mut v: Vector, basis: &[Vector]) -> Vector {
+    for b in basis {
+        let along = b.dot(&v);
+        v -= b * along;
+    }
+    v
+}
+
+/// v minus its projection, twice, so that rounding leaves no part along the set.
+pub(crate) fn across(v: Vector, basis: &[Vector]) -> Vector {
+    without(without(v, basis), basis)
+}
+
+/// Makes v a unit vector orthogonal to an orthonormal set, in two passes.
+pub(crate) fn orthonormalise_against(v: &mut Vector, basis: &[Vector]) {
+    *v = across(core::mem::take(v), basis);
+    let norm = v.norm();
+    if norm > 0.0 {
+        *v /= norm;
+    }
+}
