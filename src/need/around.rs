@@ -1,7 +1,8 @@
 //! A scan around a bound: up to where the amounts beyond it suffice, and which other amounts suffice.
 
 use super::answer::AmountWindow;
-use super::search::{SearchPlan, Threshold, Tries};
+use super::search::{SearchPlan, Tries};
+use super::threshold::Threshold;
 use super::trial::Trial;
 use crate::error::Error;
 use crate::prelude::*;

@@ -36,6 +36,7 @@ mod question;
 mod range;
 mod repeated;
 mod search;
+mod threshold;
 mod trial;
 mod words;
 

@@ -6,7 +6,8 @@ use super::answer::{Amount, FarEnd, Needed, Press, PressedBy, Quantity, check_pa
 use super::around::Around;
 use super::question::{Demand, Need, Safety, Sought};
 use super::range::Range;
-use super::search::{EXACT, Guess, SECOND, SearchPlan, Searched, Threshold, search};
+use super::search::{Guess, SearchPlan, Searched, search};
+use super::threshold::{EXACT, SECOND, Threshold};
 use super::trial::{Loading, MOST_LOADS, Trial, Trials};
 use crate::ask::Grasp;
 use crate::equilibrium::{DriveState, Outcome};

@@ -1,26 +1,17 @@
-//! The search for a threshold: a sufficient amount beside an insufficient one.
+//! The search for a sufficient amount, and from it for an insufficient one beside it: a bracket that `threshold` narrows.
 //!
 //! An amount is sufficient if its [`Trial`] meets the demand, and insufficient if a trial refutes it. "More" of it is up where the least is sought,
 //! and down where the greatest is sought.
 
 use super::range::Range;
+use super::threshold::{Enough, Threshold};
 use super::trial::{NOT_AT_REST, Trial};
 use crate::error::Error;
 use crate::prelude::*;
 
 /// Offset that moves a guess across the bound, relative to the amount, so that trials on both sides leave a bracket within [`EXACT`]. Below it
 /// rounding decides the side; above 5e-13 the bracket needs more trials. Also the relative width that ends a golden section.
-const CLOSE: f64 = 1e-13;
-/// Pairs (steps, width): after that many steps a bracket of at most this width, relative to the larger amount, ends the search. Widths grow with the
-/// steps, since rounding or a jump of the carried part can keep the two amounts apart.
-pub(super) type Enough = &'static [(usize, f64)];
-/// Widths for the amount itself: the last digits that rounding leaves. Narrower ones cost steps that only rounding decides; wider ones show in the
-/// answer.
-pub(super) const EXACT: Enough = &[(0, 1e-12), (64, 5e-10)];
-/// Widths for an amount reported beside the first, `sticks` or `safe`. Narrower ones multiply the trials of an answer.
-pub(super) const SECOND: Enough = &[(0, 2e-12), (5, 1e-8)];
-/// Widths for other changes of verdict around a bound. There may be eight of them, so that narrower ones cost the most trials.
-const BESIDE_A_BOUND: Enough = &[(0, 1e-10), (16, 1e-8), (20, 1e-4)];
+pub(super) const CLOSE: f64 = 1e-13;
 /// Distances of trials inside and outside an end of the [`Range`], relative to the end. Where the end is exact, the first pair is a bracket within
 /// [`EXACT`]. The others exceed the error that proofs leave; without them both trials beside a loose end fall on one side.
 const NEAR_AN_END: [f64; 3] = [4e-13, 1e-8, 1e-5];
@@ -33,35 +24,17 @@ const MOST_GUESSES: usize = 4;
 const DOUBLED: f64 = 2.0;
 /// Ratio of successive amounts in a short search, and where sufficient amounts are left. A bracket beyond it is halved in logarithms, since means of
 /// amounts that far apart approach the smaller one slowly.
-const QUADRUPLED: f64 = 4.0;
+pub(super) const QUADRUPLED: f64 = 4.0;
 /// Most steps of the golden section around the best insufficient amount. Each leaves 0.618 of the logarithmic width, 40 leave 4e-9 of it; fewer miss
 /// narrow windows.
 const MOST_SECTIONS: usize = 40;
-/// Most steps that narrow a bracket. Halving a ratio of 4 down to [`EXACT`] takes 40; steps past 120 only follow rounding.
-const MOST_STEPS: usize = 120;
 /// Offsets of amounts tried in place of an undecided one, relative to the width of the bracket. Without them one doubtful amount ends the search.
 const BESIDE: [f64; 6] = [0.01, -0.01, 0.1, -0.1, 0.3, -0.3];
 /// Offsets of amounts tried in place of an undecided one where there is no bracket, relative to the amount. Below 1e-9 the same tie may remain.
 const BESIDE_ONE: [f64; 6] = [1e-9, -1e-9, 1e-6, -1e-6, 1e-3, -1e-3];
 
-/// Fall of the carried part across a bracket, relative to its first fall, above which it jumps at the bound and only halving helps. It is tested at
-/// [`JUMP_WIDTH`]; below 1/16 a linear part would count as a jump, near 1 small jumps are missed.
-const JUMP: f64 = 0.25;
-/// Width of a bracket, relative to the first one, at which [`JUMP`] is tested. A linear part falls there by 1/16; a wider bracket blurs it with a
-/// jump.
-const JUMP_WIDTH: f64 = 1.0 / 16.0;
-
 /// The trial of an amount.
 pub(super) type Tries<'t> = &'t dyn Fn(f64) -> Result<Trial, Error>;
-
-/// A bracket of the bound: a sufficient amount, and an insufficient one beside it with its trial.
-#[derive(Debug)]
-pub(super) struct Threshold {
-    pub(super) does: f64,
-    pub(super) does_not: (f64, Trial),
-    /// An amount between both whose trial is undecided, and why.
-    pub(super) unknown: Option<(f64, String)>,
-}
 
 /// The result of a search.
 #[derive(Debug)]
@@ -194,7 +167,7 @@ pub(super) fn search(tries: Tries<'_>, plan: &SearchPlan, known: &[(f64, Trial)]
 }
 
 /// The trial of an amount, or of one beside it where the first is undecided. Offsets are parts of `width`, of the amount itself if there is none.
-fn decided(tries: Tries<'_>, at: f64, width: Option<f64>) -> Result<(f64, Trial), Error> {
+pub(super) fn decided(tries: Tries<'_>, at: f64, width: Option<f64>) -> Result<(f64, Trial), Error> {
     let first = tries(at)?;
     if let Trial::Unknown(_) = first {
         let beside = |part: f64| width.map_or(at * (1.0 + part), |width| at + part * width);
@@ -361,82 +334,4 @@ fn refined(tries: Tries<'_>, vain: &mut Vec<(f64, Trial)>) -> Result<Option<(f64
         }
     }
     Ok(None)
-}
-
-impl Threshold {
-    /// This bracket narrowed to [`BESIDE_A_BOUND`].
-    pub(super) fn beside(self, tries: Tries<'_>, carried: Option<f64>) -> Result<Self, Error> {
-        self.narrowed(tries, carried, BESIDE_A_BOUND)
-    }
-
-    /// This bracket narrowed by secants of the carried part minus 1, and by halving where that is unknown or jumps. `carried` belongs to the
-    /// sufficient amount.
-    fn narrowed(mut self, tries: Tries<'_>, carried: Option<f64>, enough: Enough) -> Result<Self, Error> {
-        let short = |trial: &Trial| trial.carried().map(|carried| carried - 1.0).filter(|x| x.is_finite());
-        let mut over = carried.map(|carried| carried - 1.0).filter(|x| x.is_finite());
-        let mut under = short(&self.does_not.1);
-        // The end that the last step moved, the least distance of the next trial from both ends relative to the amount, and the last three widths.
-        let (mut kept, mut push, mut widths) = (None, 0.5 * CLOSE, [f64::INFINITY; 3]);
-        // `over` and `under` may be halved below; the last true values measure the fall of the carried part.
-        let falls =
-            |does: Option<f64>, does_not: Option<f64>| does.zip(does_not).map(|(over, under)| over - under);
-        let (mut last_over, mut last_under) = (over, under);
-        let (at_first, fall_at_first) = ((self.does_not.0 - self.does).abs(), falls(over, under));
-        for step in 0..MOST_STEPS {
-            let (from, to) = (self.does, self.does_not.0);
-            let width = (to - from).abs();
-            let close =
-                enough.iter().rev().find(|(steps, _)| *steps <= step).map_or(0.0, |(_, close)| *close);
-            if width <= close * from.abs().max(to.abs()) {
-                break;
-            }
-            let is_slow = width > 0.125 * widths[step % 3];
-            widths[step % 3] = width;
-            let secant =
-                over.zip(under).filter(|(over, under)| *over >= 0.0 && *under <= 0.0 && over > under);
-            let fall = falls(last_over, last_under).zip(fall_at_first);
-            let jumps = width <= JUMP_WIDTH * at_first && fall.is_some_and(|(now, first)| now > JUMP * first);
-            let at = match secant {
-                Some((over, under)) if !(jumps || step >= 3 && is_slow && kept.is_none()) => {
-                    let least = (push * from.abs().max(to.abs()) / width).min(0.5);
-                    from + (to - from) * (over / (over - under)).clamp(least, 1.0 - least)
-                }
-                _ => middle(from, to),
-            };
-            if at == from || at == to {
-                break;
-            }
-            let (at, now) = decided(tries, at, Some(width))?;
-            // Illinois: where the same end moves twice, the value at the other counts half, and the next trial keeps farther from both ends.
-            let is_over = now.does();
-            let again = kept == Some(is_over);
-            push = if again { 16.0 * push } else { 0.5 * CLOSE };
-            kept = if step % 4 == 3 && is_slow { None } else { Some(is_over) };
-            match now {
-                Trial::Does { .. } => {
-                    over = short(&now);
-                    last_over = over;
-                    under = under.map(|under| if again { 0.5 * under } else { under });
-                    self.does = at;
-                }
-                Trial::DoesNot { .. } => {
-                    under = short(&now);
-                    last_under = under;
-                    over = over.map(|over| if again { 0.5 * over } else { over });
-                    self.does_not = (at, now);
-                }
-                Trial::Unknown(why) => {
-                    self.unknown = Some((at, why));
-                    break;
-                }
-            }
-        }
-        Ok(self)
-    }
-}
-
-/// The mean of two amounts, geometric where their ratio exceeds [`QUADRUPLED`].
-fn middle(from: f64, to: f64) -> f64 {
-    let is_far = from > 0.0 && to > 0.0 && (from / to).max(to / from) > QUADRUPLED;
-    if is_far { (from * to).sqrt() } else { 0.5 * (from + to) }
 }

@@ -6,12 +6,12 @@
 //! is not settled (no contact carries any force, or it is symmetric) several variables reach zero together; both solvers break such ties by a vector
 //! without structure, but not by the same one, since the dense solver balances its rows first.
 
-use grasp_lcp::PolygonCone;
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::ask::{Search, Workspace};
 use grasp_lcp::forms::{Form, Row};
 use grasp_lcp::grasp::{Contact, Wrench};
 use grasp_lcp::lcp::{self, Outcome, Solution};
+use grasp_lcp::{PolygonCone, Settings};
 use grasp_lcp::{planar, spatial};
 use nalgebra::{DVector, SVector};
 use std::cell::RefCell;
@@ -22,6 +22,9 @@ use support::samples::{assert_met, samples};
 
 /// Below this part of the largest entry of q a variable may be zero.
 const CLEAR: f64 = 1e-9;
+
+/// Combinations of contact states that are listed at most.
+const MOST_STATES: usize = 200_000;
 
 /// The state of a contact in a basis: open, or the facets that slip.
 type States = Vec<Option<Vec<usize>>>;
@@ -87,6 +90,16 @@ impl Tallies {
             Search::Found(view) => Some((states(grasp.len(), view.jumps()), view.pivots())),
             _ => None,
         };
+        if let (true, Some((one, _)), Some((other, _))) = (settled, &dense, &structured)
+            && one != other
+        {
+            // Both may be right: where all states can be listed there are several equilibria.
+            let on_polygons =
+                Settings::default().with_cone(cone).on_the_polygon().with_most_states(MOST_STATES);
+            let several = grasp.with(&on_polygons).equilibria(load).is_ok_and(|all| all.len() > 1);
+            let too_many = 10_f64.powi(i32::try_from(grasp.len()).unwrap()) > 2.0 * MOST_STATES as f64;
+            assert!(several || too_many, "{one:?} {other:?}");
+        }
         let opens = dense.as_ref().is_some_and(|(states, _)| states.contains(&None));
         let tally = match (settled, opens) {
             (true, false) => &mut self.closed,
